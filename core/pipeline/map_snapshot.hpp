@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/grid/occupancy_grid.hpp"
+#include "core/types/stamp.hpp"
+#include "core/types/transform.hpp"
+#include "core/walls/wall_store.hpp"
+
+namespace topo::pipeline {
+
+/// Corrected pose of one keyframe, for paths and pictures.
+struct KeyframePose {
+  types::Stamp stamp{};
+  types::Transform2<types::Map, types::Base> T_map_base;
+};
+
+/// One generation of the map: occupancy, walls, poses and the correction of the odometry travel together, so
+/// that nobody mixes two. Immutable once published. Made and destroyed by the mapping thread alone; readers
+/// pin it in a sync::SnapshotCell. Making one costs O(1) in the map's size and O(keyframes) in the poses.
+struct MapSnapshot {
+  std::uint64_t revision = 0;
+  types::Stamp stamp{};                            ///< of the last scan used
+  types::Transform2<types::Map, types::Odom> T_map_odom;
+  types::Transform2<types::Map, types::Base> T_map_base;  ///< at `stamp`
+  grid::OccupancyGrid grid;
+  walls::WallStore walls;
+  std::vector<KeyframePose> keyframes;
+};
+
+}  // namespace topo::pipeline

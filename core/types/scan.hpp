@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "core/types/stamp.hpp"
+
+namespace topo::types {
+
+/// Ranges that are no distances (REP-117).
+inline constexpr float kNoReturn = std::numeric_limits<float>::infinity();    ///< nothing within the range
+inline constexpr float kTooNear = -std::numeric_limits<float>::infinity();    ///< something, below the minimum
+inline constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();    ///< measurement failed
+
+/// True for a distance, false for kNoReturn, kTooNear and kInvalid.
+inline bool is_hit(float range_m) { return std::isfinite(range_m); }
+
+/// One sweep's constants. Angles counter-clockwise from the sensor's x axis.
+struct ScanGeometry {
+  float angle_min_rad = 0.0F;        ///< of beam 0
+  float angle_increment_rad = 0.0F;  ///< between neighbours
+  float time_increment_s = 0.0F;     ///< between neighbours: a scan is not an instant
+  float period_s = 0.0F;             ///< from one scan's first beam to the next one's
+  float range_min_m = 0.0F;
+  float range_max_m = 0.0F;
+  friend bool operator==(const ScanGeometry&, const ScanGeometry&) = default;
+};
+
+/// One sweep of a laser range finder. Fixed storage, so that it lives in a ring's slot and nothing is
+/// allocated while streaming.
+struct Scan {
+  static constexpr std::size_t kMaxBeams = 1440;  ///< one revolution at the finest resolution (ARES) of any Hokuyo named in PROTOCOLS
+
+  Stamp first_beam{};          ///< when beam 0 was measured, on the host's steady clock
+  Stamp arrival{};             ///< when the last byte was read: what staleness is judged by
+  std::uint64_t sequence = 0;  ///< counts the sensor's scans since the daemon's start, lost ones too
+  ScanGeometry geometry;
+  std::uint16_t beams = 0;
+  bool has_intensity = false;
+  std::array<float, kMaxBeams> range_m;           ///< distance, or one of the values above
+  std::array<std::uint16_t, kMaxBeams> intensity; ///< valid when has_intensity
+
+  [[nodiscard]] std::span<const float> ranges() const { return {range_m.data(), beams}; }
+  [[nodiscard]] float angle_rad(std::size_t beam) const {
+    return geometry.angle_min_rad + static_cast<float>(beam) * geometry.angle_increment_rad;
+  }
+};
+
+}  // namespace topo::types

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+
+namespace topo::types {
+
+using Vector2 = Eigen::Vector2d;
+
+/// The same angle in (-pi, pi].
+inline double wrap_angle(double angle_rad) {
+  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  const double wrapped = std::remainder(angle_rad, kTwoPi);
+  return wrapped <= -std::numbers::pi ? wrapped + kTwoPi : wrapped;
+}
+
+/// Element of SE(2) without frames, for kernels and files. Rotation first, then translation.
+struct Se2 {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double theta_rad = 0.0;  ///< counter-clockwise
+
+  [[nodiscard]] Vector2 translation() const { return {x_m, y_m}; }
+
+  [[nodiscard]] Se2 operator*(const Se2& b) const {
+    const double c = std::cos(theta_rad), s = std::sin(theta_rad);
+    return {x_m + c * b.x_m - s * b.y_m, y_m + s * b.x_m + c * b.y_m, wrap_angle(theta_rad + b.theta_rad)};
+  }
+  [[nodiscard]] Vector2 operator*(const Vector2& p) const {
+    const double c = std::cos(theta_rad), s = std::sin(theta_rad);
+    return {x_m + c * p.x() - s * p.y(), y_m + s * p.x() + c * p.y()};
+  }
+  [[nodiscard]] Se2 inverse() const {
+    const double c = std::cos(theta_rad), s = std::sin(theta_rad);
+    return {-c * x_m - s * y_m, s * x_m - c * y_m, wrap_angle(-theta_rad)};
+  }
+  friend bool operator==(const Se2&, const Se2&) = default;
+};
+
+/// Pose on the way from a (t = 0) to b (t = 1) at constant body twist in rotation and straight in
+/// translation: the difference to the arc is below 1 mm over one scan at 1.5 m/s and 2 rad/s.
+inline Se2 interpolate(const Se2& a, const Se2& b, double t) {
+  return {a.x_m + t * (b.x_m - a.x_m), a.y_m + t * (b.y_m - a.y_m),
+          wrap_angle(a.theta_rad + t * wrap_angle(b.theta_rad - a.theta_rad))};
+}
+
+}  // namespace topo::types

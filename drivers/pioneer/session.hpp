@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/types/base_state.hpp"
+#include "drivers/io/byte_stream.hpp"
+
+namespace topo::pioneer {
+
+/// What the configuration says of the base.
+struct SessionConfig {
+  std::string expected_subclass;  ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
+  double v_max_mps = 0.7;         ///< clamped to the model's and the firmware's limits
+  double omega_max_radps = 1.4;
+  double acceleration_mps2 = 0.3;
+  double deceleration_mps2 = 0.5;
+  double angular_acceleration_radps2 = 1.7;
+  bool sonar = true;
+};
+
+enum class Health { kDisconnected, kConnecting, kWrongDevice, kReady, kSilent, kUnsafe, kReset };
+
+/// What the robot said of itself: names, CONFIG packet, and the model's table (PROTOCOLS section 6).
+struct RobotInfo {
+  std::string name, robot_class, subclass, firmware, serial_number;
+  int watchdog_ms = 0;  ///< 0 or missing: driving is refused
+  int sip_cycle_ms = 100;
+  double v_top_mps = 0.0, omega_top_radps = 0.0;
+  double low_battery_v = 0.0;
+  double track_m = 0.0;         ///< effective, 2 / DiffConvFactor
+  double swing_radius_m = 0.0;
+  double length_front_m = 0.0, length_rear_m = 0.0, width_m = 0.0;
+};
+
+struct Counters {
+  std::uint64_t status_packets = 0, bad_packets = 0, lost_packets = 0, reconnects = 0, commands = 0, bytes = 0;
+};
+
+enum class StepOutcome {
+  kNothing,  ///< the deadline came first
+  kState,    ///< `out` holds a new state
+  kChanged,  ///< health changed: read health() and message()
+};
+
+/// One Pioneer from connect to controlled close. The first bytes on every opened port are E_STOP, VEL 0,
+/// RVEL 0, CLOSE, then SYNC0. Used by one thread. Allocates while connecting, never while running.
+class Session {
+ public:
+  Session(SessionConfig config, std::unique_ptr<io::Connector> connector);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Reads what came, keeps the connection alive, and returns at a new state, a change, or after `timeout`.
+  StepOutcome step(types::BaseState& out, types::Duration timeout);
+
+  /// Sends setpoints now (clamped, rate limited to what the firmware takes), feeding the firmware's watchdog.
+  /// A command that is not finite becomes a stop. Without a call within 200 ms the session itself sends a stop.
+  types::Status command(const types::BaseCommand& command);
+
+  /// E_STOP, VEL 0, RVEL 0, ENABLE 0, CLOSE; bounded by `timeout`.
+  void close(types::Duration timeout);
+
+  [[nodiscard]] Health health() const;
+  [[nodiscard]] const std::string& message() const;
+  [[nodiscard]] const std::optional<RobotInfo>& info() const;
+  [[nodiscard]] const Counters& counters() const;
+  /// Estimated age of a status packet's pose at its arrival.
+  [[nodiscard]] types::Duration status_delay() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace topo::pioneer

@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Compiler options that hold for every target of the tree. Sanitizers are set here and nowhere else: a
+# sanitizer that instruments the test but not the library under test sees almost nothing.
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+                    -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wdouble-promotion
+                    -Wformat=2 -Wimplicit-fallthrough)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-Wsuggest-override -Wduplicated-cond -Wlogical-op)
+endif()
+if(TOPO_WERROR)
+  add_compile_options(-Werror)
+endif()
+
+# The same input must give the same bytes on one machine type (DESIGN "SLAM"): no contraction that depends
+# on what the compiler inlined.
+add_compile_options(-ffp-contract=off)
+
+if(TOPO_SANITIZE)
+  add_compile_options(-fsanitize=${TOPO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${TOPO_SANITIZE})
+endif()
+
+find_program(TOPO_CCACHE ccache)
+if(TOPO_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${TOPO_CCACHE})
+endif()

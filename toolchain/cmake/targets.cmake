@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+# One CMake target a folder. Includes are written from the top of the tree: "core/types/scan.hpp".
+
+# topo_library(NAME [SOURCES a.cpp ...] [DEPS target ...])
+# A static library topo_NAME; without SOURCES an interface library of headers.
+function(topo_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(topo_${name} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+  else()
+    add_library(topo_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(topo_${name} ${scope} ${PROJECT_SOURCE_DIR})
+  target_link_libraries(topo_${name} ${scope} ${ARG_DEPS})
+endfunction()
+
+# topo_program(NAME SOURCES a.cpp ... DEPS target ...): an executable in the build's bin/ folder.
+function(topo_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()
+
+# topo_test(NAME SOURCES a_test.cpp ... DEPS target ... [LABELS unit ...] [TIMEOUT s] [ENVIRONMENT k=v ...])
+# One GoogleTest executable a folder, one ctest entry an executable. Label `thread` puts it into the
+# ThreadSanitizer run.
+function(topo_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPS;LABELS;ENVIRONMENT" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
+                       ENVIRONMENT "${ARG_ENVIRONMENT}")
+endfunction()
