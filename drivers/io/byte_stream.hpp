@@ -24,8 +24,8 @@ struct ReadResult {
 };
 
 /// The one seam between the sessions and the outside world: an open, ordered stream of bytes to a device.
-/// Serial ports, TCP sockets, CAN (one packet a message, later), recordings and test doubles are byte streams.
-/// One thread uses a stream; nothing here is thread-safe. No call allocates.
+/// Serial ports, TCP sockets, CAN (one packet a message, later), recordings and test doubles are byte
+/// streams. One thread uses a stream; nothing here is thread-safe. No call allocates.
 class ByteStream {
  public:
   virtual ~ByteStream() = default;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/io/fd_stream.hpp"
+
+#include <poll.h>
+
+#include "drivers/io/posix.hpp"
+
+namespace topo::io {
+namespace {
+
+using types::Errc;
+using types::fail;
+
+constexpr short kGoneEvents = POLLHUP | POLLERR | POLLNVAL;
+
+/// A device that was unplugged reports EIO, ENXIO or ENODEV; a peer that is gone one of the others.
+bool means_gone(int error) {
+  return error == EIO || error == ENXIO || error == ENODEV || error == EPIPE || error == ECONNRESET ||
+         error == ETIMEDOUT || error == EHOSTUNREACH || error == ENETUNREACH || error == ENOTCONN;
+}
+
+tl::unexpected<types::Error> fail_stream(const std::string& name, std::string_view doing, int error) {
+  auto failure = fail_errno(name, doing, error);
+  if (means_gone(error)) failure.value().code = Errc::kClosed;
+  return failure;
+}
+
+tl::unexpected<types::Error> fail_hung_up(const std::string& name) {
+  return fail(Errc::kClosed, name + ": the device was unplugged or closed the connection");
+}
+
+}  // namespace
+
+Result<ReadResult> FdStream::read(std::span<std::byte> buffer, Duration timeout) {
+  const int events = wait_for(fd(), POLLIN, timeout);
+  const Stamp stamp = monotonic_now();
+  if (events < 0) return fail_stream(name_, "waiting for input", errno);
+  if (events == 0 || buffer.empty()) return ReadResult{0, stamp};
+  // Hang-up and waiting bytes may come together: what is there is read first.
+  const ssize_t got = retry_interrupted([&] { return ::read(fd(), buffer.data(), buffer.size()); });
+  if (got > 0) return ReadResult{static_cast<std::size_t>(got), stamp};
+  if (got == 0) return fail_hung_up(name_);
+  if (errno != EAGAIN) return fail_stream(name_, "reading", errno);
+  if ((events & kGoneEvents) != 0) return fail_hung_up(name_);
+  return ReadResult{0, stamp};
+}
+
+Status FdStream::write(std::span<const std::byte> bytes, Duration timeout) {
+  const Stamp deadline = monotonic_now() + timeout;
+  while (!bytes.empty()) {
+    const ssize_t took = retry_interrupted([&] { return write_some(bytes); });
+    if (took > 0) {
+      bytes = bytes.subspan(static_cast<std::size_t>(took));
+      continue;
+    }
+    if (took < 0 && errno != EAGAIN) return fail_stream(name_, "writing", errno);
+    const int events = wait_for(fd(), POLLOUT, deadline - monotonic_now());
+    if (events < 0) return fail_stream(name_, "waiting to write", errno);
+    if (events == 0) return fail(Errc::kTimeout, name_ + ": the device does not take what is written to it");
+    if ((events & kGoneEvents) != 0) return fail_hung_up(name_);
+  }
+  return {};
+}
+
+Stamp FdStream::now() const { return monotonic_now(); }
+
+}  // namespace topo::io

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "drivers/io/byte_stream.hpp"
+
+namespace topo::io {
+
+/// The connector for an address as the configuration writes it: "serial:/dev/ttyUSB0", "/dev/ttyUSB0",
+/// "tcp:192.168.0.10:10940" or "tcp:[fe80::1]:10940". Opens nothing. kInvalidInput names what was found and
+/// what would be accepted.
+Result<std::unique_ptr<Connector>> make_connector(std::string_view address);
+
+}  // namespace topo::io

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/io/tap.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tests/mocks/scripted_stream.hpp"
+
+namespace topo::io {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Writes down what it hears.
+class NotingTap final : public ByteTap {
+ public:
+  void on_open(Stamp stamp) noexcept override { note("open", stamp); }
+  void on_close(Stamp stamp) noexcept override { note("close", stamp); }
+  void on_bytes(Direction direction, Stamp stamp, std::span<const std::byte> bytes) noexcept override {
+    note((direction == Direction::kFromDevice ? "<" : ">") +
+             std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
+         stamp);
+  }
+  std::vector<std::string> notes;
+  std::vector<Stamp> stamps;
+
+ private:
+  void note(std::string text, Stamp stamp) {
+    notes.push_back(std::move(text));
+    stamps.push_back(stamp);
+  }
+};
+
+TEST(TappedConnector, ReportsEveryByteInOrderWithItsStamp) {
+  mocks::ScriptedLine line;
+  const Stamp start = line.now;
+  line.on_write = [&](std::string_view) { line.send_at(line.now + 5ms, "pong"); };
+  NotingTap tap;
+  TappedConnector connector(std::make_unique<mocks::ScriptedConnector>(line), &tap);
+  {
+    auto stream = connector.connect(1s);
+    ASSERT_TRUE(stream);
+    ASSERT_TRUE((*stream)->write(std::as_bytes(std::span("ping", 4)), 1s));
+    std::array<std::byte, 3> buffer{};
+    EXPECT_EQ((*stream)->read(buffer, 1s)->bytes, 3U);
+    EXPECT_EQ((*stream)->read(buffer, 1s)->bytes, 1U);
+    EXPECT_EQ((*stream)->read(buffer, 10ms)->bytes, 0U);
+  }
+  EXPECT_THAT(tap.notes, testing::ElementsAre("open", ">ping", "<pon", "<g", "close"));
+  EXPECT_THAT(tap.stamps, testing::ElementsAre(start, start, start + 5ms, start + 5ms, start + 15ms));
+}
+
+TEST(TappedConnector, AFailedConnectionIsNotReported) {
+  mocks::ScriptedLine line;
+  line.refuse = true;
+  NotingTap tap;
+  TappedConnector connector(std::make_unique<mocks::ScriptedConnector>(line), &tap);
+  EXPECT_FALSE(connector.connect(1s));
+  EXPECT_TRUE(tap.notes.empty());
+  EXPECT_EQ(connector.name(), "/dev/scripted");
+}
+
+}  // namespace
+}  // namespace topo::io
