@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "core/patricia/check.hpp"
+#include "core/patricia/node.hpp"
+#include "core/patricia/pool.hpp"
+
+namespace topo::patricia {
+
+namespace detail {
+// Its address names the thread: one load to compare, where std::this_thread::get_id() is a call.
+inline thread_local char thread_mark = 0;
+}  // namespace detail
+
+/// Nodes alive in an arena.
+struct ArenaCounts {
+  std::size_t branches = 0;
+  std::size_t leaves = 0;
+  std::size_t bytes_reserved = 0;  ///< taken from the system; grows with the peak, given back with the arena
+};
+
+/// Storage and owner thread of all nodes of a family of maps. Whatever builds or frees nodes (insert, update,
+/// erase, merge, copying and dropping non-empty handles) runs on the owner thread and aborts elsewhere, in
+/// every build: reference counts are not atomic. Must outlive its maps.
+template <class V>
+class Arena {
+ public:
+  Arena() = default;
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+  ~Arena() { check(branches_.live() == 0 && leaves_.live() == 0, "an arena was destroyed before its maps"); }
+
+  /// Makes the calling thread the owner. Only while no other thread uses the arena, and after a hand-over
+  /// that orders the two threads: starting or joining a thread, or a release/acquire pair. (The maker of an
+  /// arena is its first owner.)
+  void adopt() { owner_ = &detail::thread_mark; }
+
+  void check_owner() const {
+    check(owner_ == &detail::thread_mark, "a thread that is not the arena's owner builds or frees nodes");
+  }
+
+  /// Owner thread.
+  [[nodiscard]] ArenaCounts counts() const {
+    return {branches_.live(), leaves_.live(), branches_.bytes_reserved() + leaves_.bytes_reserved()};
+  }
+
+  // For Map alone. All without owner check: Map checks once a call.
+
+  [[nodiscard]] NodeRef<V> make_leaf(Key key, V value) {
+    return NodeRef<V>(new (leaves_.allocate()) Leaf<V>{key, 1U, std::move(value)});
+  }
+
+  /// Takes over one reference of each child.
+  [[nodiscard]] NodeRef<V> make_branch(Key split, NodeRef<V> zero, NodeRef<V> one) {
+    return NodeRef<V>(new (branches_.allocate()) Branch<V>{split, {zero, one}, 1U, zero.size() + one.size()});
+  }
+
+  /// Branch over a node whose keys all lie on the other side of `key`'s bit. Takes over both references.
+  [[nodiscard]] NodeRef<V> join(Key key, NodeRef<V> node, Key other_key, NodeRef<V> other) {
+    const Key split = split_of(key, other_key);
+    return side_of(key, split) == 0 ? make_branch(split, node, other) : make_branch(split, other, node);
+  }
+
+  [[nodiscard]] static NodeRef<V> retain(NodeRef<V> node) {
+    ++node.references();
+    return node;
+  }
+
+  /// Drops one reference; the last one frees the subtree. Recursion is at most 64 deep: one level a key bit.
+  void release(NodeRef<V> node) {
+    if (node.is_leaf()) {
+      release_leaf(node.leaf());
+    } else {
+      release_branch(node.branch());
+    }
+  }
+
+  /// Frees a branch of one reference whose children's references have been taken over.
+  void free_branch_only(Branch<V>* branch) { branches_.free(branch); }
+
+ private:
+  void release_leaf(Leaf<V>* leaf) {
+    if (--leaf->references == 0) {
+      leaf->~Leaf();
+      leaves_.free(leaf);
+    }
+  }
+  void release_branch(Branch<V>* branch) {
+    if (--branch->references != 0) return;
+    const NodeRef<V> zero = branch->child[0];
+    const NodeRef<V> one = branch->child[1];
+    branches_.free(branch);
+    release(zero);
+    release(one);
+  }
+
+  const char* owner_ = &detail::thread_mark;
+  Pool<Branch<V>> branches_;
+  Pool<Leaf<V>> leaves_;
+
+  static_assert(sizeof(Branch<V>) == 32, "two branches a cache line");
+};
+
+}  // namespace topo::patricia
