@@ -8,6 +8,9 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conver
                     -Wformat=2 -Wimplicit-fallthrough)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wsuggest-override -Wduplicated-cond -Wlogical-op)
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # GUARDED_BY and its kin: g++ parses and ignores them.
+  add_compile_options(-Wsuggest-override -Wthread-safety)
 endif()
 if(TOPO_WERROR)
   add_compile_options(-Werror)
@@ -16,6 +19,19 @@ endif()
 # The same input must give the same bytes on one machine type (DESIGN "SLAM"): no contraction that depends
 # on what the compiler inlined.
 add_compile_options(-ffp-contract=off)
+
+# Bounds of containers and emptiness of optionals are checked wherever we look for bugs.
+add_compile_definitions($<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+
+# Fuzzing is a build of its own (preset `fuzz`): every target gets coverage and sanitizers, tests/fuzz the
+# fuzzing engine on top.
+if(TOPO_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "TOPO_FUZZ needs clang++ (libFuzzer), found ${CMAKE_CXX_COMPILER_ID}: use preset fuzz")
+  endif()
+  set(TOPO_SANITIZE address,undefined)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 if(TOPO_SANITIZE)
   add_compile_options(-fsanitize=${TOPO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
