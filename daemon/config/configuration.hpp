@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace topo::daemon {
+
+// The values of one configuration file. The initialisers here are the defaults, and the only place of them;
+// what a key is called, its unit, range and meaning are in key_table.cpp.
+
+enum class RobotModel { kP3dx, kP3at };
+
+struct RobotConfig {
+  std::string name = "topometric";
+  RobotModel model = RobotModel::kP3dx;
+  int id = 1;
+  // Hull around the centre of rotation, with everything bolted on; 0: the model's own.
+  double length_front_m = 0.0;
+  double length_rear_m = 0.0;
+  double width_m = 0.0;
+};
+
+struct BaseConfig {
+  std::string address;  ///< as drivers/io/make_connector.hpp reads it
+  double v_max_mps = 0.7;
+  double omega_max_radps = 1.4;
+  double acceleration_mps2 = 0.3;
+  double deceleration_mps2 = 0.5;
+  double angular_acceleration_radps2 = 1.7;
+  bool sonar = true;
+};
+
+/// One scanner. Its frame is laser_front or laser_coronal.
+struct ScannerConfig {
+  bool present = false;  ///< its section is in the file
+  std::string address;
+  std::string serial_number;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double z_m = 0.3;
+  double yaw_rad = 0.0;
+  double roll_rad = 0.0;  ///< coronal only: of the zero beam, from straight up towards the left
+  bool upside_down = false;
+  bool intensity = false;
+  int skip_scans = 0;
+  double stamp_offset_s = 0.0;
+};
+
+struct ControlConfig {
+  std::string socket = "/run/topometric/control.sock";
+  std::string group = "topometric";
+};
+
+enum class LogLevel { kTrace, kDebug, kInfo, kWarning, kError };
+
+struct LogConfig {
+  LogLevel level = LogLevel::kInfo;
+  std::string file;  ///< empty: standard error, which systemd hands to the journal
+};
+
+enum class RealtimePolicy { kEnforce, kTry, kOff };
+
+struct RealtimeConfig {
+  RealtimePolicy policy = RealtimePolicy::kTry;
+  int base_priority = 45;
+  int scan_priority = 40;
+  std::vector<int> cpus;  ///< empty: any
+  bool lock_memory = true;
+};
+
+struct RecordConfig {
+  std::string file;  ///< empty: no recording
+};
+
+struct Configuration {
+  RobotConfig robot;
+  BaseConfig base;
+  ScannerConfig front;
+  ScannerConfig coronal;
+  ControlConfig control;
+  LogConfig log;
+  RealtimeConfig realtime;
+  RecordConfig record;
+};
+
+/// Hull and speed of a model as sold (PROTOCOLS section 6.2), what a configuration is checked against.
+struct ModelLimits {
+  double length_front_m;
+  double length_rear_m;
+  double width_m;
+  double v_top_mps;
+  double omega_top_radps;
+};
+[[nodiscard]] ModelLimits model_limits(RobotModel model);
+[[nodiscard]] const char* model_name(RobotModel model);
+
+}  // namespace topo::daemon

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/config/consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace topo::daemon {
+namespace {
+
+Place place_of(const LoadedConfiguration& loaded, std::string_view key) {
+  const auto found = loaded.places.find(key);
+  return found == loaded.places.end() ? Place{} : found->second;
+}
+
+/// Blames the one of two keys that stands later in the file.
+void contradict(LoadedConfiguration& loaded, std::string_view a, std::string_view b, std::string_view what) {
+  Place place = place_of(loaded, a);
+  Place other = place_of(loaded, b);
+  if (place < other) {
+    std::swap(a, b);
+    std::swap(place, other);
+  }
+  const std::string where = other.line > 0 ? fmt::format("line {}", other.line) : std::string("by default");
+  loaded.faults.push_back({place, fmt::format("{} contradicts {} ({}): {}", a, b, where, what)});
+}
+
+constexpr std::string_view kSerial = "serial:";
+
+/// The address without the prefix that may be left out.
+std::string_view same_device(std::string_view address) {
+  return address.starts_with(kSerial) ? address.substr(kSerial.size()) : address;
+}
+
+bool is_serial(std::string_view address) { return same_device(address).starts_with("/"); }
+
+void check_addresses(LoadedConfiguration& loaded) {
+  struct Device {
+    std::string_view key;
+    std::string_view address;
+  };
+  const Configuration& c = loaded.values;
+  const std::array<Device, 3> devices{{{"base.address", same_device(c.base.address)},
+                                       {"scanner.front.address", same_device(c.front.address)},
+                                       {"scanner.coronal.address", same_device(c.coronal.address)}}};
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    for (std::size_t j = i + 1; j < devices.size(); ++j) {
+      const std::string_view a = devices[i].address;
+      if (a.empty() || a != devices[j].address) continue;
+      contradict(loaded, devices[i].key, devices[j].key,
+                 fmt::format("both are {}; every device has an address of its own", a));
+    }
+  }
+}
+
+void check_serial_numbers(LoadedConfiguration& loaded) {
+  const Configuration& c = loaded.values;
+  if (!c.front.present || !c.coronal.present) return;
+  const bool both_named = !c.front.serial_number.empty() && !c.coronal.serial_number.empty();
+  if (both_named) {
+    if (normal_serial_number(c.front.serial_number) != normal_serial_number(c.coronal.serial_number)) return;
+    contradict(loaded, "scanner.front.serial_number", "scanner.coronal.serial_number",
+               fmt::format("both are \"{}\"; the two sensors are told apart by their serial numbers",
+                           c.front.serial_number));
+    return;
+  }
+  // Kernel names such as ttyACM0 go by who was plugged in first: only the serial number tells which is which.
+  const bool both_serial = is_serial(c.front.address) && is_serial(c.coronal.address);
+  if (!both_serial) return;
+  for (const auto* section : {"scanner.front", "scanner.coronal"}) {
+    const ScannerConfig& scanner = section == std::string_view("scanner.front") ? c.front : c.coronal;
+    if (!scanner.serial_number.empty()) continue;
+    loaded.faults.push_back(
+        {place_of(loaded, fmt::format("{}.address", section)),
+         fmt::format(
+             "{}.serial_number is missing: two sensors on serial devices are told apart by their serial "
+             "numbers, expected one such as \"H0902680\"",
+             section)});
+  }
+}
+
+void check_model(LoadedConfiguration& loaded) {
+  const Configuration& c = loaded.values;
+  if (place_of(loaded, "robot.model") == Place{}) return;
+  const ModelLimits limits = model_limits(c.robot.model);
+  struct Least {
+    std::string_view key;
+    double value, least;
+  };
+  for (const auto& [key, value, least] :
+       {Least{"robot.length_front_m", c.robot.length_front_m, limits.length_front_m},
+        Least{"robot.length_rear_m", c.robot.length_rear_m, limits.length_rear_m},
+        Least{"robot.width_m", c.robot.width_m, limits.width_m}}) {
+    if (value == 0.0 || value >= least) continue;
+    contradict(
+        loaded, key, "robot.model",
+        fmt::format(
+            "found {}, a {} measures {} m without anything bolted on; expected 0 (as the model) or more "
+            "than that",
+            value, model_name(c.robot.model), least));
+  }
+  for (const auto& [key, value, most] :
+       {Least{"base.v_max_mps", c.base.v_max_mps, limits.v_top_mps},
+        Least{"base.omega_max_radps", c.base.omega_max_radps, limits.omega_top_radps}}) {
+    if (value <= most) continue;
+    contradict(loaded, key, "robot.model",
+               fmt::format("found {}, a {} does at most {}", value, model_name(c.robot.model), most));
+  }
+}
+
+void check_threads(LoadedConfiguration& loaded) {
+  const RealtimeConfig& r = loaded.values.realtime;
+  if (r.scan_priority >= r.base_priority) {
+    contradict(loaded, "realtime.scan_priority", "realtime.base_priority",
+               fmt::format("found {} and {}, the base thread must go before the scan threads",
+                           r.scan_priority, r.base_priority));
+  }
+  const std::string& log = loaded.values.log.file;
+  if (!log.empty() && log == loaded.values.record.file) {
+    contradict(loaded, "log.file", "record.file", fmt::format("both are \"{}\"", log));
+  }
+}
+
+}  // namespace
+
+std::string normal_serial_number(std::string_view text) {
+  std::string normal(text);
+  std::transform(normal.begin(), normal.end(), normal.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  if (!normal.empty() && normal.front() == '0') normal.front() = 'H';
+  return normal;
+}
+
+void check_consistency(LoadedConfiguration& loaded) {
+  check_addresses(loaded);
+  check_serial_numbers(loaded);
+  check_model(loaded);
+  check_threads(loaded);
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/config/key_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace topo::daemon {
+namespace {
+
+/// The place of a field, as a plain function: at<&Configuration::base, &BaseConfig::v_max_mps>.
+template <auto Section, auto Field>
+auto& at(Configuration& configuration) {
+  return configuration.*Section.*Field;
+}
+
+template <auto Section, auto Field>
+void set_choice(Configuration& configuration, std::size_t index) {
+  auto& field = configuration.*Section.*Field;
+  field = static_cast<std::remove_reference_t<decltype(field)>>(index);
+}
+
+template <auto Section, auto Field>
+std::size_t get_choice(const Configuration& configuration) {
+  return static_cast<std::size_t>(configuration.*Section.*Field);
+}
+
+template <auto Section, auto Field>
+ChoiceKey choice(std::span<const std::string_view> names) {
+  return {&set_choice<Section, Field>, &get_choice<Section, Field>, names};
+}
+
+// In the order of the enumerations.
+constexpr std::array<std::string_view, 2> kModels{"p3dx", "p3at"};
+constexpr std::array<std::string_view, 5> kLevels{"trace", "debug", "info", "warning", "error"};
+constexpr std::array<std::string_view, 3> kPolicies{"enforce", "try", "off"};
+
+bool all_of(std::string_view text, std::size_t max, std::string_view extra) {
+  return !text.empty() && text.size() <= max && std::all_of(text.begin(), text.end(), [extra](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           extra.find(c) != std::string_view::npos;
+  });
+}
+
+bool is_name(std::string_view text) { return all_of(text, 32, "-_"); }
+bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, ""); }
+bool is_group(std::string_view text) { return all_of(text, 32, "-_") && text.front() != '-'; }
+bool is_absolute(std::string_view text) {
+  return text.size() > 1 && text.size() < 4096 && text.front() == '/' && text.back() != '/' &&
+         text.find('\0') == std::string_view::npos;
+}
+bool is_optional_path(std::string_view text) { return text.empty() || is_absolute(text); }
+// sockaddr_un.sun_path holds 108 bytes with the closing zero.
+bool is_socket_path(std::string_view text) { return is_absolute(text) && text.size() < 108; }
+
+constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for none";
+
+void add_robot(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::robot;
+  using C = RobotConfig;
+  t.push_back({"robot.name", "", false,
+               TextKey{&at<kS, &C::name>, "1 to 32 letters, digits, - and _", &is_name},
+               "what the robot is called in messages and files"});
+  t.push_back({"robot.model", "", true, choice<kS, &C::model>(kModels),
+               "the Pioneer's model; a base that names itself otherwise is refused"});
+  t.push_back({"robot.id", "", false, IntegerKey{&at<kS, &C::id>, 1, 250},
+               "number of the robot, unique in its team"});
+  t.push_back({"robot.length_front_m", "m", false, RealKey{&at<kS, &C::length_front_m>, 0.0, 1.0},
+               "hull ahead of the centre of rotation with everything bolted on; 0: as the model"});
+  t.push_back({"robot.length_rear_m", "m", false, RealKey{&at<kS, &C::length_rear_m>, 0.0, 1.0},
+               "hull behind the centre of rotation; 0: as the model"});
+  t.push_back({"robot.width_m", "m", false, RealKey{&at<kS, &C::width_m>, 0.0, 1.5},
+               "hull from left to right; 0: as the model"});
+}
+
+void add_base(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::base;
+  using C = BaseConfig;
+  t.push_back(
+      {"base.address", "", true, AddressKey{&at<kS, &C::address>}, "where the Pioneer's controller answers"});
+  t.push_back({"base.v_max_mps", "m/s", false, RealKey{&at<kS, &C::v_max_mps>, 0.05, 2.0},
+               "forward speed never exceeded"});
+  t.push_back({"base.omega_max_radps", "rad/s", false, RealKey{&at<kS, &C::omega_max_radps>, 0.1, 5.0},
+               "turning speed never exceeded"});
+  t.push_back({"base.acceleration_mps2", "m/s2", false, RealKey{&at<kS, &C::acceleration_mps2>, 0.05, 2.0},
+               "change of speed when speeding up"});
+  t.push_back({"base.deceleration_mps2", "m/s2", false, RealKey{&at<kS, &C::deceleration_mps2>, 0.1, 2.0},
+               "change of speed when braking; the stopping distance is computed with it"});
+  t.push_back({"base.angular_acceleration_radps2", "rad/s2", false,
+               RealKey{&at<kS, &C::angular_acceleration_radps2>, 0.1, 6.0}, "change of turning speed"});
+  t.push_back({"base.sonar", "", false, SwitchKey{&at<kS, &C::sonar>}, "sonar rings switched on"});
+}
+
+template <auto kS>
+void add_scanner(std::vector<KeySpec>& t, const std::string& section, bool coronal) {
+  using C = ScannerConfig;
+  const auto key = [&section](const char* name) { return section + "." + name; };
+  t.push_back({key("address"), "", true, AddressKey{&at<kS, &C::address>}, "where the Hokuyo answers"});
+  t.push_back(
+      {key("serial_number"), "", false,
+       TextKey{&at<kS, &C::serial_number>,
+               "up to 16 letters and digits as the sensor reports it (\"H0902680\")", &is_serial_number},
+       "serial number the sensor must report; \"\": any (refused for two sensors on serial devices)"});
+  t.push_back({key("x_m"), "m", false, RealKey{&at<kS, &C::x_m>, -1.0, 1.0},
+               "place of the sensor ahead of the centre of rotation"});
+  t.push_back(
+      {key("y_m"), "m", false, RealKey{&at<kS, &C::y_m>, -1.0, 1.0}, "place of the sensor to the left"});
+  t.push_back(
+      {key("z_m"), "m", false, RealKey{&at<kS, &C::z_m>, 0.0, 3.0}, "height of the sensor above the floor"});
+  t.push_back(
+      {key("yaw_rad"), "rad", false, RealKey{&at<kS, &C::yaw_rad>, -3.15, 3.15},
+       coronal ? "turn of the scan plane's normal from straight ahead, counter-clockwise seen from above"
+               : "turn of the sensor's zero beam from straight ahead, counter-clockwise seen from above"});
+  if (coronal) {
+    t.push_back({key("roll_rad"), "rad", false, RealKey{&at<kS, &C::roll_rad>, -3.15, 3.15},
+                 "turn of the sensor's zero beam from straight up towards the robot's left"});
+  }
+  t.push_back({key("upside_down"), "", false, SwitchKey{&at<kS, &C::upside_down>},
+               coronal ? "the sensor's top shows backwards, so that its beams run the other way"
+                       : "the sensor hangs upside down, so that its beams run the other way"});
+  t.push_back({key("intensity"), "", false, SwitchKey{&at<kS, &C::intensity>},
+               "stream intensities too (ME instead of MD): half as much again on the wire"});
+  t.push_back({key("skip_scans"), "", false, IntegerKey{&at<kS, &C::skip_scans>, 0, 9},
+               "scans left out between two, for a slow line"});
+  t.push_back({key("stamp_offset_s"), "s", false, RealKey{&at<kS, &C::stamp_offset_s>, -0.1, 0.1},
+               "added to every stamp, where a model stamps the rear mark and not the first beam"});
+}
+
+void add_control_and_log(std::vector<KeySpec>& t) {
+  constexpr auto kC = &Configuration::control;
+  constexpr auto kL = &Configuration::log;
+  t.push_back(
+      {"control.socket", "", false,
+       TextKey{&at<kC, &ControlConfig::socket>, "an absolute path of less than 108 bytes", &is_socket_path},
+       "Unix socket that topoctl talks to"});
+  t.push_back(
+      {"control.group", "", false,
+       TextKey{&at<kC, &ControlConfig::group>, "a group's name: 1 to 32 letters, digits, - and _", &is_group},
+       "members of this group may command, as root and the daemon's own user may"});
+  t.push_back({"log.level", "", false, choice<kL, &LogConfig::level>(kLevels),
+               "the least important message still written"});
+  t.push_back({"log.file", "", false, TextKey{&at<kL, &LogConfig::file>, kPathForm, &is_optional_path},
+               "file that messages are appended to; \"\": standard error (the journal under systemd)"});
+}
+
+void add_realtime_and_record(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::realtime;
+  using C = RealtimeConfig;
+  t.push_back({"realtime.policy", "", false, choice<kS, &C::policy>(kPolicies),
+               "enforce: refuse to start without real-time rights; try: warn and go on; off: do not ask"});
+  t.push_back({"realtime.base_priority", "", false, IntegerKey{&at<kS, &C::base_priority>, 1, 98},
+               "SCHED_FIFO priority of the base thread"});
+  t.push_back({"realtime.scan_priority", "", false, IntegerKey{&at<kS, &C::scan_priority>, 1, 98},
+               "SCHED_FIFO priority of the scan threads; below the base thread's"});
+  t.push_back({"realtime.cpus", "", false, IntegerListKey{&at<kS, &C::cpus>, 0, 1023},
+               "CPUs that the real-time threads run on; []: any"});
+  t.push_back({"realtime.lock_memory", "", false, SwitchKey{&at<kS, &C::lock_memory>},
+               "lock memory, so that a page fault never delays a real-time thread"});
+  t.push_back({"record.file", "", false,
+               TextKey{&at<&Configuration::record, &RecordConfig::file>, kPathForm, &is_optional_path},
+               "record every byte from the devices into this file; --record goes before"});
+}
+
+std::vector<KeySpec> make_table() {
+  std::vector<KeySpec> table;
+  add_robot(table);
+  add_base(table);
+  add_scanner<&Configuration::front>(table, "scanner.front", false);
+  add_scanner<&Configuration::coronal>(table, "scanner.coronal", true);
+  add_control_and_log(table);
+  add_realtime_and_record(table);
+  return table;
+}
+
+struct ExpectedText {
+  std::string operator()(const RealKey& k) const {
+    return fmt::format("a number from {} to {}", k.min, k.max);
+  }
+  std::string operator()(const IntegerKey& k) const {
+    return fmt::format("a whole number from {} to {}", k.min, k.max);
+  }
+  std::string operator()(const SwitchKey&) const { return "true or false"; }
+  std::string operator()(const TextKey& k) const { return "a string: " + std::string(k.form); }
+  std::string operator()(const ChoiceKey& k) const {
+    std::string text = "one of";
+    for (const auto name : k.names) text += (text.size() == 6 ? " " : ", ") + quoted(name);
+    return text;
+  }
+  std::string operator()(const AddressKey&) const { return "\"serial:/dev/NAME\" or \"tcp:HOST:PORT\""; }
+  std::string operator()(const IntegerListKey& k) const {
+    return fmt::format("a list of whole numbers from {} to {}", k.min, k.max);
+  }
+};
+
+/// TOML tells 1.0 from 1; the shortest text that reads back as the same double.
+std::string real_text(double value) {
+  std::string text = fmt::format("{}", value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+struct ValueText {
+  Configuration& c;
+  std::string operator()(const RealKey& k) const { return real_text(k.field(c)); }
+  std::string operator()(const IntegerKey& k) const { return std::to_string(k.field(c)); }
+  std::string operator()(const SwitchKey& k) const { return k.field(c) ? "true" : "false"; }
+  std::string operator()(const TextKey& k) const { return quoted(k.field(c)); }
+  std::string operator()(const ChoiceKey& k) const { return quoted(k.names[k.get(c)]); }
+  std::string operator()(const AddressKey& k) const { return quoted(k.field(c)); }
+  std::string operator()(const IntegerListKey& k) const {
+    return fmt::format("[{}]", fmt::join(k.field(c), ", "));
+  }
+};
+
+}  // namespace
+
+std::string_view KeySpec::section() const { return std::string_view(path).substr(0, path.rfind('.')); }
+std::string_view KeySpec::name() const { return std::string_view(path).substr(path.rfind('.') + 1); }
+
+const std::vector<KeySpec>& key_table() {
+  static const std::vector<KeySpec> table = make_table();
+  return table;
+}
+
+std::string expected_text(const KeySpec& key) {
+  const std::string text = std::visit(ExpectedText{}, key.kind);
+  return key.unit.empty() ? text : fmt::format("{} ({})", text, key.unit);
+}
+
+std::string value_text(const KeySpec& key, const Configuration& configuration) {
+  Configuration copy = configuration;  // the fields are reached through a mutable reference
+  return std::visit(ValueText{copy}, key.kind);
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+ModelLimits model_limits(RobotModel model) {
+  if (model == RobotModel::kP3at) return {0.313, 0.313, 0.505, 0.7, 2.45};
+  return {0.210, 0.301, 0.425, 1.2, 5.24};
+}
+
+const char* model_name(RobotModel model) { return model == RobotModel::kP3at ? "P3-AT" : "P3-DX"; }
+
+}  // namespace topo::daemon

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "daemon/config/configuration.hpp"
+
+namespace topo::daemon {
+
+// What values a key takes. `field` names its place in the Configuration, and through a default-constructed
+// Configuration its default.
+
+struct RealKey {
+  double& (*field)(Configuration&);
+  double min;
+  double max;
+};
+struct IntegerKey {
+  int& (*field)(Configuration&);
+  int min;
+  int max;
+};
+struct SwitchKey {
+  bool& (*field)(Configuration&);
+};
+struct TextKey {
+  std::string& (*field)(Configuration&);
+  std::string_view form;  ///< for messages: what is accepted
+  bool (*accepts)(std::string_view);
+};
+struct ChoiceKey {
+  void (*set)(Configuration&, std::size_t);
+  std::size_t (*get)(const Configuration&);
+  std::span<const std::string_view> names;
+};
+struct AddressKey {
+  std::string& (*field)(Configuration&);
+};
+struct IntegerListKey {
+  std::vector<int>& (*field)(Configuration&);
+  int min;
+  int max;
+};
+using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey, AddressKey, IntegerListKey>;
+
+/// One key of the configuration file.
+struct KeySpec {
+  std::string path;       ///< "scanner.front.x_m"
+  std::string_view unit;  ///< empty where there is none
+  bool required = false;  ///< where its section is present
+  KeyKind kind;
+  std::string_view doc;  ///< one line
+
+  [[nodiscard]] std::string_view section() const;
+  [[nodiscard]] std::string_view name() const;
+};
+
+/// Every key there is, section by section in the order of the documentation.
+const std::vector<KeySpec>& key_table();
+
+/// What would be accepted: "a number from 0.05 to 2 (m/s)".
+std::string expected_text(const KeySpec& key);
+
+/// The key's value in `configuration`, as TOML.
+std::string value_text(const KeySpec& key, const Configuration& configuration);
+
+/// `text` as a TOML basic string.
+std::string quoted(std::string_view text);
+
+}  // namespace topo::daemon
