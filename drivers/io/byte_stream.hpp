@@ -55,6 +55,11 @@ class Connector {
   virtual Result<std::unique_ptr<ByteStream>> connect(Duration timeout) = 0;
   /// As the configuration names it: "/dev/ttyUSB0", "tcp:192.168.0.10:10940".
   [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// The clock of the streams, for the time when there is no stream: back-off between attempts.
+  [[nodiscard]] virtual Stamp now() const;
+  /// Waits on that clock. Replays and test doubles advance their own clock instead.
+  virtual void pause(Duration duration);
 };
 
 }  // namespace topo::io

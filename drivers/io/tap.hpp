@@ -29,6 +29,8 @@ class TappedConnector final : public Connector {
 
   Result<std::unique_ptr<ByteStream>> connect(Duration timeout) override;
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
+  [[nodiscard]] Stamp now() const override { return inner_->now(); }
+  void pause(Duration duration) override { inner_->pause(duration); }
 
  private:
   std::unique_ptr<Connector> inner_;

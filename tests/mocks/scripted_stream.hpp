@@ -67,6 +67,8 @@ class ScriptedConnector final : public io::Connector {
   explicit ScriptedConnector(ScriptedLine& line) : line_(&line) {}
   io::Result<std::unique_ptr<io::ByteStream>> connect(types::Duration timeout) override;
   [[nodiscard]] std::string_view name() const override { return "/dev/scripted"; }
+  [[nodiscard]] types::Stamp now() const override { return line_->now; }
+  void pause(types::Duration duration) override { line_->now += duration; }
 
  private:
   ScriptedLine* line_;

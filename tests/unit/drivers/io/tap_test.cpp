@@ -62,6 +62,9 @@ TEST(TappedConnector, AFailedConnectionIsNotReported) {
   EXPECT_FALSE(connector.connect(1s));
   EXPECT_TRUE(tap.notes.empty());
   EXPECT_EQ(connector.name(), "/dev/scripted");
+  const Stamp before = line.now;
+  connector.pause(2s);
+  EXPECT_EQ(connector.now(), before + 2s);
 }
 
 }  // namespace
