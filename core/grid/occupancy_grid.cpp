@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/grid/occupancy_grid.hpp"
+
+namespace topo::grid {
+namespace {
+
+/// Division by the tile's side, rounded towards minus infinity.
+constexpr std::int32_t tile_of(std::int32_t cell) { return cell >> 5; }
+static_assert(Tile::kSide == 1 << 5);
+
+}  // namespace
+
+OccupancyGrid::OccupancyGrid(patricia::Arena<TileRef>& arena, double resolution_m)
+    : tiles_(arena), resolution_m_(resolution_m) {}
+
+CellCounts OccupancyGrid::counts(CellIndex cell) const {
+  const std::int32_t tx = tile_of(cell.x), ty = tile_of(cell.y);
+  const TileRef* tile = tiles_.find(patricia::cell_key(tx, ty));
+  if (tile == nullptr) return {};
+  return tile->read().cells[Tile::index(cell.x - tx * Tile::kSide, cell.y - ty * Tile::kSide)];
+}
+
+CellBox OccupancyGrid::known_box() const {
+  CellBox box;
+  for_each_known([&](CellIndex cell, CellState) { box.extend(cell); });
+  return box;
+}
+
+}  // namespace topo::grid

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace topo::slam {
+namespace {
+
+/// Are hits i and i + 1 neighbours on one surface?
+bool connected(const Cloud& cloud, std::size_t i, const CloudParams& params) {
+  const float gap = (cloud.points[i + 1] - cloud.points[i]).norm();
+  const float spacing = std::max(cloud.spacing_m[i], cloud.spacing_m[i + 1]);
+  return gap < std::max(static_cast<float>(params.break_factor) * spacing,
+                        static_cast<float>(params.break_floor_m));
+}
+
+/// First and last index of the run of connected hits around i that stays within the radius; at least one
+/// neighbour on each side where there is one, however far the beams are apart.
+struct Run {
+  std::size_t first, last;
+};
+Run neighbours(const Cloud& cloud, std::size_t i, const CloudParams& params) {
+  const float radius = static_cast<float>(params.normal_radius_m);
+  Run run{i, i};
+  while (run.first > 0 && connected(cloud, run.first - 1, params)) {
+    const float d = (cloud.points[run.first - 1] - cloud.points[i]).norm();
+    if (d > radius && i - run.first >= 2) break;
+    --run.first;
+    if (d > radius) break;
+  }
+  while (run.last + 1 < cloud.points.size() && connected(cloud, run.last, params)) {
+    const float d = (cloud.points[run.last + 1] - cloud.points[i]).norm();
+    if (d > radius && run.last - i >= 2) break;
+    ++run.last;
+    if (d > radius) break;
+  }
+  return run;
+}
+
+/// Line fit by the smaller eigenvector of the points' scatter.
+Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
+  const auto count = static_cast<float>(run.last - run.first + 1);
+  Point mean = Point::Zero();
+  for (std::size_t k = run.first; k <= run.last; ++k) mean += cloud.points[k];
+  mean /= count;
+  float xx = 0.0F, xy = 0.0F, yy = 0.0F;
+  for (std::size_t k = run.first; k <= run.last; ++k) {
+    const Point d = cloud.points[k] - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+  }
+  const float half_trace = 0.5F * (xx + yy);
+  const float root = std::sqrt(0.25F * (xx - yy) * (xx - yy) + xy * xy);
+  const float small = half_trace - root, large = half_trace + root;
+  const float direction = 0.5F * std::atan2(2.0F * xy, xx - yy);  // of the larger eigenvector
+  Surfel surfel;
+  surfel.normal = Point(-std::sin(direction), std::cos(direction));
+  const Point& p = cloud.points[i];
+  if (surfel.normal.dot(cloud.sensor - p) < 0.0F) surfel.normal = -surfel.normal;
+  surfel.planar = count >= 3.0F && small < 0.1F * large;
+  // The measured point, moved onto the fitted line: noise across the surface is averaged, place along it kept.
+  surfel.position = surfel.planar ? Point(p - surfel.normal.dot(p - mean) * surfel.normal) : p;
+  return surfel;
+}
+
+}  // namespace
+
+void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
+                const CloudParams& params, Cloud& cloud) {
+  cloud.sensor = T_base_laser.translation().cast<float>();
+  cloud.points.clear();
+  cloud.spacing_m.clear();
+  const types::Se2 first = motion.T_ref_first * T_base_laser, last = motion.T_ref_last * T_base_laser;
+  const double turn = types::wrap_angle(last.theta_rad - first.theta_rad);
+  const double beams = std::max<double>(1.0, scan.beams - 1.0);
+  const float range_max = std::min(scan.geometry.range_max_m, static_cast<float>(params.range_max_m));
+  // One rotation a beam by recurrence instead of a sine and cosine a beam; drift over 1440 steps is below 1e-12.
+  const double step = static_cast<double>(scan.geometry.angle_increment_rad) + turn / beams;
+  double c = std::cos(first.theta_rad + static_cast<double>(scan.geometry.angle_min_rad));
+  double s = std::sin(first.theta_rad + static_cast<double>(scan.geometry.angle_min_rad));
+  const double cs = std::cos(step), ss = std::sin(step);
+  const double dx = (last.x_m - first.x_m) / beams, dy = (last.y_m - first.y_m) / beams;
+  double x = first.x_m, y = first.y_m;
+  for (std::size_t i = 0; i < scan.beams; ++i) {
+    const float r = scan.range_m[i];
+    if (types::is_hit(r) && r >= scan.geometry.range_min_m && r < range_max) {
+      const double range = static_cast<double>(r);
+      cloud.points.emplace_back(static_cast<float>(x + range * c), static_cast<float>(y + range * s));
+      cloud.spacing_m.push_back(r * std::abs(scan.geometry.angle_increment_rad));
+    }
+    const double c_next = c * cs - s * ss;
+    s = s * cs + c * ss;
+    c = c_next;
+    x += dx;
+    y += dy;
+  }
+}
+
+void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Point>& out) {
+  out.clear();
+  const float spacing2 = static_cast<float>(params.match_spacing_m * params.match_spacing_m);
+  for (const Point& p : cloud.points) {
+    if (out.empty() || (p - out.back()).squaredNorm() >= spacing2) out.push_back(p);
+  }
+  const auto limit = static_cast<std::size_t>(params.match_points_max);
+  if (out.size() <= limit) return;
+  for (std::size_t i = 0; i < limit; ++i) out[i] = out[i * out.size() / limit];
+  out.resize(limit);
+}
+
+std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params) {
+  std::vector<Surfel> surfels;
+  const float spacing2 = static_cast<float>(params.match_spacing_m * params.match_spacing_m);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!surfels.empty() && (cloud.points[i] - surfels.back().position).squaredNorm() < spacing2) continue;
+    surfels.push_back(fit(cloud, neighbours(cloud, i, params), i));
+  }
+  return surfels;
+}
+
+}  // namespace topo::slam

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/slam/params.hpp"
+#include "core/types/scan.hpp"
+
+namespace topo::slam {
+
+using Point = Eigen::Vector2f;
+
+/// A small piece of a surface: mean of its points and unit normal towards the sensor. `planar` is false
+/// where the neighbourhood is no line (a chair leg); such a surfel constrains in both directions.
+struct Surfel {
+  Point position;
+  Point normal;
+  bool planar = false;
+};
+
+/// A deskewed scan in base_link at one stamp.
+struct Cloud {
+  types::Stamp stamp{};
+  Point sensor = Point::Zero();   ///< the laser in base_link
+  std::vector<Point> points;      ///< hits, in beam order
+  std::vector<float> spacing_m;   ///< distance between neighbouring beams at each hit's range
+};
+
+/// Motion of base_link during the sweep, as its pose relative to the pose at `stamp`, at the first and at the
+/// last beam. Poses between are interpolated.
+struct SweepMotion {
+  types::Se2 T_ref_first;
+  types::Se2 T_ref_last;
+};
+
+/// The scan's hits in base_link at the reference stamp. Invalid, too near, too far and missing returns are left
+/// out. `cloud` is reused: nothing is allocated once its vectors have grown.
+void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
+                const CloudParams& params, Cloud& cloud);
+
+/// Points for matching: at least `match_spacing_m` apart along the beams and at most `match_points_max`, evenly.
+void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Point>& out);
+
+/// Surfels of a keyframe: line fit over each point's neighbours along the beam order, thinned to
+/// `match_spacing_m`.
+std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params);
+
+}  // namespace topo::slam

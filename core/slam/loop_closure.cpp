@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/loop_closure.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/slam/information.hpp"
+#include "core/slam/refine.hpp"
+
+namespace topo::slam {
+namespace {
+
+constexpr double kWideSearch_m = 0.6;  ///< from here on a plain refinement could fall into a wrong valley
+
+double reach_of(const Keyframe& keyframe) {
+  float reach2 = 1.0F;
+  for (const Point& p : keyframe.match_points) reach2 = std::max(reach2, p.squaredNorm());
+  return std::min(20.0, static_cast<double>(std::sqrt(reach2)));
+}
+
+LoopRejection gate(const Match& match, const LoopCandidate& candidate, bool wide, const LoopParams& params) {
+  if (match.overlap < params.overlap_min) return LoopRejection::kLowOverlap;
+  if (match.response < (wide ? params.response_min_wide : params.response_min)) return LoopRejection::kLowResponse;
+  if (match.degenerate) return LoopRejection::kDegenerate;
+  if (candidate.second_peak > params.peak_ratio_max) return LoopRejection::kAmbiguous;
+  return LoopRejection::kNone;
+}
+
+/// Start poses for the refinement: of a wide window the best peak of the search, of a narrow one the estimate.
+std::optional<types::Se2> start_pose(const LoopQuery& query, const LoopGroup& group, const SurfelMap& map,
+                                     LoopCandidate& candidate) {
+  if (group.window.half_m < kWideSearch_m) return query.pose;
+  const LikelihoodPyramid pyramid(map, query.params.search);
+  const auto& points = query.keyframe->match_points;
+  const auto best = search(pyramid, points, query.pose, group.window, 0.35, query.params.search);
+  if (!best) return std::nullopt;
+  const auto second = search(pyramid, points, query.pose, group.window,
+                             query.params.loop.peak_ratio_max * best->score, query.params.search,
+                             Exclusion{best->T_map_base, 0.6, 0.3});
+  candidate.second_peak = second ? second->score / best->score : 0.0;
+  return best->T_map_base;
+}
+
+LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
+  const MapperParams& params = query.params;
+  LoopCandidate candidate;
+  candidate.edge.from = group.reference;
+  candidate.edge.to = query.node;
+  candidate.edge.robust = true;
+  SurfelMap map(params.refine.reach_m);
+  map.reset(query.pose.translation().cast<float>(), reach_of(*query.keyframe) + group.window.half_m + 1.0);
+  for (std::size_t i = 0; i < group.keyframes.size(); ++i) map.add(group.keyframes[i]->surfels, group.poses[i]);
+  const auto start = start_pose(query, group, map, candidate);
+  if (!start) return candidate;
+  const Match match =
+      refine(map, query.keyframe->match_points, query.keyframe->sensor, *start, std::nullopt, params.refine);
+  const bool wide = group.window.half_m > 1.0;
+  candidate.response = match.response;
+  candidate.overlap = match.overlap;
+  candidate.rejection = gate(match, candidate, wide, params.loop);
+  candidate.edge.T_from_to = group.reference_pose.inverse() * match.T_map_base;
+  candidate.edge.information =
+      edge_information(match.scan_information, match.T_map_base.theta_rad, params.graph.loop_trans_floor_m,
+                       params.graph.loop_rot_floor_rad);
+  // Out of the window: the refinement ran away.
+  const types::Se2 off = query.pose.inverse() * match.T_map_base;
+  if (std::hypot(off.x_m, off.y_m) > 1.5 * group.window.half_m + 0.3) candidate.rejection = LoopRejection::kNoMatch;
+  return candidate;
+}
+
+}  // namespace
+
+LoopAnswer find_closures(const LoopQuery& query) {
+  LoopAnswer answer;
+  answer.node = query.node;
+  for (const LoopGroup& group : query.groups) answer.candidates.push_back(match_group(query, group));
+  return answer;
+}
+
+}  // namespace topo::slam

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/slam/params.hpp"
+
+namespace topo::slam {
+
+/// Measured pose of node `to` in the frame of node `from`. The information is in the axes of the measured `to`.
+struct Edge {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  types::Se2 T_from_to;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
+  bool robust = false;  ///< a closure: Cauchy loss instead of squares
+};
+
+struct SolveReport {
+  double chi2_start = 0.0;  ///< sum of squared whitened errors, without the robust loss
+  double chi2_end = 0.0;
+  int iterations = 0;
+  bool solved = false;      ///< false: the system was singular or a step not finite; poses are unchanged
+};
+
+/// Error of an edge: Z^-1 (Xi^-1 Xj) as (x, y, theta).
+Eigen::Vector3d edge_error(const Edge& edge, const types::Se2& from, const types::Se2& to);
+
+/// Least squares over SE(2) with node 0 fixed: damped Gauss-Newton on the sparse normal equations (Kuemmerle
+/// et al. 2011). Pure function of its input; one thread.
+SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params);
+
+}  // namespace topo::slam

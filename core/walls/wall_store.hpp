@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/patricia/map.hpp"
+#include "core/types/se2.hpp"
+#include "core/walls/height_column.hpp"
+
+namespace topo::walls {
+
+/// Sparse heights over the cells of the map (paper section II-B): a persistent Patricia tree, so that a snapshot
+/// costs nothing and an analysis runs while new columns come in.
+class WallStore {
+ public:
+  using Columns = patricia::Map<Slabs>;
+
+  WallStore(patricia::Arena<Slabs>& arena, double resolution_m) : columns_(arena), resolution_m_(resolution_m) {}
+
+  /// ORs the slabs into the cell of a point in map: seeing a thing twice must not erase it.
+  void add(const types::Vector2& p_map, Slabs slabs) {
+    const auto cell = [&](double v) { return static_cast<std::int32_t>(std::floor(v / resolution_m_)); };
+    columns_.insert_with(patricia::cell_key(cell(p_map.x()), cell(p_map.y())), slabs,
+                         [](Slabs a, Slabs b) { return a | b; });
+  }
+  void clear() { columns_.clear(); }
+
+  [[nodiscard]] const Columns& columns() const { return columns_; }
+  [[nodiscard]] double resolution_m() const { return resolution_m_; }
+
+ private:
+  Columns columns_;
+  double resolution_m_;
+};
+
+}  // namespace topo::walls
