@@ -31,9 +31,9 @@ struct CellBox {
   }
 };
 
-/// Unbounded occupancy grid: tiles in a persistent Patricia tree. Copying one is a snapshot and costs O(1); the
-/// copy never changes. Reading is safe from any thread while the copy is alive; changing, copying and destroying
-/// belong to the thread that owns the arena.
+/// Unbounded occupancy grid: tiles in a persistent Patricia tree. Copying one is a snapshot and costs O(1);
+/// the copy never changes. Reading is safe from any thread while the copy is alive; changing, copying and
+/// destroying belong to the thread that owns the arena.
 class OccupancyGrid {
  public:
   using Tiles = patricia::Map<TileRef>;
@@ -71,7 +71,8 @@ class OccupancyGrid {
       for (int y = 0; y < Tile::kSide; ++y) {
         for (int x = 0; x < Tile::kSide; ++x) {
           const CellState state = state_of(tile.read().cells[Tile::index(x, y)]);
-          if (state != CellState::kUnknown) f(CellIndex{corner.x * Tile::kSide + x, corner.y * Tile::kSide + y}, state);
+          if (state != CellState::kUnknown)
+            f(CellIndex{corner.x * Tile::kSide + x, corner.y * Tile::kSide + y}, state);
         }
       }
     });

@@ -16,8 +16,8 @@ void ScanRasteriser::draw(OccupancyGrid& grid, const types::Se2& T_map_base, con
   apply(grid, sign);
 }
 
-void ScanRasteriser::prepare(const OccupancyGrid& grid, const types::Se2& T_map_base, const Eigen::Vector2f& sensor,
-                             std::span<const Eigen::Vector2f> hits) {
+void ScanRasteriser::prepare(const OccupancyGrid& grid, const types::Se2& T_map_base,
+                             const Eigen::Vector2f& sensor, std::span<const Eigen::Vector2f> hits) {
   const double c = std::cos(T_map_base.theta_rad), s = std::sin(T_map_base.theta_rad);
   const auto cell = [&](const Eigen::Vector2f& p) {
     const double x = static_cast<double>(p.x()), y = static_cast<double>(p.y());
@@ -42,7 +42,8 @@ void ScanRasteriser::prepare(const OccupancyGrid& grid, const types::Se2& T_map_
 void ScanRasteriser::trace(CellIndex to) {
   const std::int32_t dx = std::abs(to.x - from_.x), dy = -std::abs(to.y - from_.y);
   const std::int32_t step_x = from_.x < to.x ? 1 : -1;
-  const std::ptrdiff_t step_y = from_.y < to.y ? static_cast<std::ptrdiff_t>(width_) : -static_cast<std::ptrdiff_t>(width_);
+  const std::ptrdiff_t step_y =
+      from_.y < to.y ? static_cast<std::ptrdiff_t>(width_) : -static_cast<std::ptrdiff_t>(width_);
   std::uint8_t* mark = &marks_[at(from_)];
   const std::uint8_t* const end = &marks_[at(to)];
   std::int32_t error = dx + dy;

@@ -11,8 +11,8 @@
 
 namespace topo::grid {
 
-/// Draws what one keyframe saw into a grid: each cell counts at most once a keyframe, as hit if any ray ended in
-/// it, as miss if rays only passed. Drawing with the opposite sign takes the same evidence back exactly.
+/// Draws what one keyframe saw into a grid: each cell counts at most once a keyframe, as hit if any ray ended
+/// in it, as miss if rays only passed. Drawing with the opposite sign takes the same evidence back exactly.
 /// Keeps a scratch buffer; one thread.
 class ScanRasteriser {
  public:
@@ -30,10 +30,11 @@ class ScanRasteriser {
   void trace(CellIndex to);
   void apply(OccupancyGrid& grid, Sign sign) const;
   [[nodiscard]] std::size_t at(CellIndex cell) const {
-    return static_cast<std::size_t>(cell.y - box_.min.y) * width_ + static_cast<std::size_t>(cell.x - box_.min.x);
+    return static_cast<std::size_t>(cell.y - box_.min.y) * width_ +
+           static_cast<std::size_t>(cell.x - box_.min.x);
   }
 
-  CellBox box_;         ///< whole tiles
+  CellBox box_;  ///< whole tiles
   std::size_t width_ = 0;
   CellIndex from_;
   std::vector<CellIndex> ends_;

@@ -12,16 +12,17 @@ namespace topo::grid {
 
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
-/// What keyframes say of one cell: how many saw something in it, how many saw through it. Whole numbers, so that
-/// the sum over a set of keyframes does not depend on the order, and a keyframe can be taken back exactly.
+/// What keyframes say of one cell: how many saw something in it, how many saw through it. Whole numbers, so
+/// that the sum over a set of keyframes does not depend on the order, and a keyframe can be taken back
+/// exactly.
 struct CellCounts {
   std::uint16_t hits = 0;
   std::uint16_t misses = 0;
   friend bool operator==(const CellCounts&, const CellCounts&) = default;
 };
 
-/// Occupied from a quarter of the evidence on: a thin wall is seen through by beams that graze it. Hits and misses
-/// weigh as log-odds of 1.1 and -0.37 would (Thrun et al., section 9.2), without saturation.
+/// Occupied from a quarter of the evidence on: a thin wall is seen through by beams that graze it. Hits and
+/// misses weigh as log-odds of 1.1 and -0.37 would (Thrun et al., section 9.2), without saturation.
 constexpr CellState state_of(const CellCounts& counts) {
   const unsigned hits = counts.hits, all = hits + counts.misses;
   if (all == 0) return CellState::kUnknown;

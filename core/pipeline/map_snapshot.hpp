@@ -23,7 +23,7 @@ struct KeyframePose {
 /// pin it in a sync::SnapshotCell. Making one costs O(1) in the map's size and O(keyframes) in the poses.
 struct MapSnapshot {
   std::uint64_t revision = 0;
-  types::Stamp stamp{};                            ///< of the last scan used
+  types::Stamp stamp{};  ///< of the last scan used
   types::Transform2<types::Map, types::Odom> T_map_odom;
   types::Transform2<types::Map, types::Base> T_map_base;  ///< at `stamp`
   grid::OccupancyGrid grid;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/slam/loop_closure.hpp"
@@ -21,14 +22,21 @@ struct MappingInput {
   const types::Scan* coronal = nullptr;  ///< at most one a step
 };
 
+/// What one step did. Scans wait for odometry, so that a step may place none or several.
 struct MappingOutput {
-  std::optional<slam::MatchReport> match;        ///< of the front scan, when it was matched in this step
-  bool keyframe_added = false;                   ///< publish a snapshot
-  std::optional<slam::LoopQuery> loop_query;     ///< for the loop closure thread
-  std::optional<slam::LoopVerdict> loop_verdict; ///< of the answer that was applied in this step
+  std::vector<slam::MatchReport> matches;        ///< of the front scans placed in this step
+  std::vector<slam::LoopQuery> loop_queries;     ///< for the loop closure thread
+  std::vector<slam::LoopVerdict> loop_verdicts;  ///< of answers that were applied in this step
+  bool keyframe_added = false;                   ///< the map changed: publish a snapshot
 };
 
-/// The mapping thread's whole state: keyframes, local map, pose graph, grid, wall store.
+/// Scans that never reached the map, and why.
+struct MappingLosses {
+  std::uint64_t without_odometry = 0;  ///< no dead reckoning had been heard of yet
+  std::uint64_t queue_full = 0;        ///< more waited for odometry than there is room for
+};
+
+/// The mapping thread's whole state: keyframes, local map, pose graph, grid, wall store. Used by one thread.
 class MappingState {
  public:
   explicit MappingState(const slam::MapperParams& params);
@@ -36,13 +44,22 @@ class MappingState {
   MappingState(const MappingState&) = delete;
   MappingState& operator=(const MappingState&) = delete;
 
+  /// Makes the calling thread the owner of the map's nodes: once, when the mapping thread takes over a state
+  /// that another thread built.
+  void adopt();
+
   /// Hands over what the loop closure thread found; it is applied at the next keyframe boundary.
   void offer(slam::LoopAnswer answer);
 
-  /// The map as it stands. To be destroyed by the thread that made it.
+  /// Places the scans that still wait for odometry, applies the answers that still wait for a keyframe, and
+  /// solves the pose graph once more: the end of a log.
+  MappingOutput finish();
+
+  /// The map as it stands. To be destroyed by the thread that made it, before this state.
   [[nodiscard]] std::unique_ptr<MapSnapshot> make_snapshot();
 
-  [[nodiscard]] slam::Mapper& mapper();
+  [[nodiscard]] const slam::Mapper& mapper() const;
+  [[nodiscard]] const MappingLosses& losses() const;
 
  private:
   friend MappingOutput mapping_step(MappingState&, const MappingInput&);
@@ -50,9 +67,9 @@ class MappingState {
   std::unique_ptr<Impl> impl_;
 };
 
-/// One step of the mapper (DESIGN section 2): pairs scans with the odometry around them, deskews, matches, adds
-/// keyframes, applies closures. A scan waits inside until odometry at or after its end is there, or until
-/// `slam::MapperParams::odometry_wait_s` of scan time has gone by.
+/// One step of the mapper (DESIGN section 2): pairs scans with the odometry around them, deskews, matches,
+/// adds keyframes, applies closures. A scan waits inside until odometry at or after its end is there, or
+/// until `slam::MapperParams::odometry_wait_s` of scan time has gone by.
 MappingOutput mapping_step(MappingState& state, const MappingInput& input);
 
 }  // namespace topo::pipeline

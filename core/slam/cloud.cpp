@@ -62,7 +62,8 @@ Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   const Point& p = cloud.points[i];
   if (surfel.normal.dot(cloud.sensor - p) < 0.0F) surfel.normal = -surfel.normal;
   surfel.planar = count >= 3.0F && small < 0.1F * large;
-  // The measured point, moved onto the fitted line: noise across the surface is averaged, place along it kept.
+  // The measured point, moved onto the fitted line: noise across the surface is averaged, place along it
+  // kept.
   surfel.position = surfel.planar ? Point(p - surfel.normal.dot(p - mean) * surfel.normal) : p;
   return surfel;
 }
@@ -78,7 +79,8 @@ void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const S
   const double turn = types::wrap_angle(last.theta_rad - first.theta_rad);
   const double beams = std::max<double>(1.0, scan.beams - 1.0);
   const float range_max = std::min(scan.geometry.range_max_m, static_cast<float>(params.range_max_m));
-  // One rotation a beam by recurrence instead of a sine and cosine a beam; drift over 1440 steps is below 1e-12.
+  // One rotation a beam by recurrence instead of a sine and cosine a beam; drift over 1440 steps is below
+  // 1e-12.
   const double step = static_cast<double>(scan.geometry.angle_increment_rad) + turn / beams;
   double c = std::cos(first.theta_rad + static_cast<double>(scan.geometry.angle_min_rad));
   double s = std::sin(first.theta_rad + static_cast<double>(scan.geometry.angle_min_rad));

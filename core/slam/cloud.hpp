@@ -24,9 +24,9 @@ struct Surfel {
 /// A deskewed scan in base_link at one stamp.
 struct Cloud {
   types::Stamp stamp{};
-  Point sensor = Point::Zero();   ///< the laser in base_link
-  std::vector<Point> points;      ///< hits, in beam order
-  std::vector<float> spacing_m;   ///< distance between neighbouring beams at each hit's range
+  Point sensor = Point::Zero();  ///< the laser in base_link
+  std::vector<Point> points;     ///< hits, in beam order
+  std::vector<float> spacing_m;  ///< distance between neighbouring beams at each hit's range
 };
 
 /// Motion of base_link during the sweep, as its pose relative to the pose at `stamp`, at the first and at the
@@ -36,12 +36,13 @@ struct SweepMotion {
   types::Se2 T_ref_last;
 };
 
-/// The scan's hits in base_link at the reference stamp. Invalid, too near, too far and missing returns are left
-/// out. `cloud` is reused: nothing is allocated once its vectors have grown.
+/// The scan's hits in base_link at the reference stamp. Invalid, too near, too far and missing returns are
+/// left out. `cloud` is reused: nothing is allocated once its vectors have grown.
 void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
                 const CloudParams& params, Cloud& cloud);
 
-/// Points for matching: at least `match_spacing_m` apart along the beams and at most `match_points_max`, evenly.
+/// Points for matching: at least `match_spacing_m` apart along the beams and at most `match_points_max`,
+/// evenly.
 void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Point>& out);
 
 /// Surfels of a keyframe: line fit over each point's neighbours along the beam order, thinned to

@@ -11,14 +11,15 @@ namespace {
 
 Eigen::Matrix3d turned(const Eigen::Matrix3d& matrix, double angle_rad) {
   Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
-  r.topLeftCorner<2, 2>() << std::cos(angle_rad), -std::sin(angle_rad), std::sin(angle_rad), std::cos(angle_rad);
+  r.topLeftCorner<2, 2>() << std::cos(angle_rad), -std::sin(angle_rad), std::sin(angle_rad),
+      std::cos(angle_rad);
   return r * matrix * r.transpose();
 }
 
 }  // namespace
 
-Eigen::Matrix3d edge_information(const Eigen::Matrix3d& information_map, double theta_rad, double trans_floor_m,
-                                 double rot_floor_rad) {
+Eigen::Matrix3d edge_information(const Eigen::Matrix3d& information_map, double theta_rad,
+                                 double trans_floor_m, double rot_floor_rad) {
   Eigen::Matrix3d regular = information_map;
   regular.diagonal().array() += 1e-6;  // a direction without any evidence: 1 km
   Eigen::Matrix3d covariance = turned(regular.inverse(), -theta_rad);

@@ -19,16 +19,16 @@ struct KeyframeId {
   friend auto operator<=>(const KeyframeId&, const KeyframeId&) = default;
 };
 
-/// Everything that a place of the path adds to the map, frozen: nothing else enters the map. All in base_link at
-/// `stamp`.
+/// Everything that a place of the path adds to the map, frozen: nothing else enters the map. All in base_link
+/// at `stamp`.
 struct Keyframe {
   KeyframeId id;
   types::Stamp stamp{};
-  types::Se2 T_odom_base;               ///< dead reckoning at `stamp`
+  types::Se2 T_odom_base;  ///< dead reckoning at `stamp`
   Point sensor = Point::Zero();
-  std::vector<Point> hits;              ///< ends of the rays
-  std::vector<Surfel> surfels;          ///< for others to be matched against
-  std::vector<Point> match_points;      ///< to be matched against others
+  std::vector<Point> hits;                  ///< ends of the rays
+  std::vector<Surfel> surfels;              ///< for others to be matched against
+  std::vector<Point> match_points;          ///< to be matched against others
   std::vector<walls::ColumnPoint> columns;  ///< what the coronal laser saw since the keyframe before
 };
 

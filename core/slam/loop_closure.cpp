@@ -23,13 +23,15 @@ double reach_of(const Keyframe& keyframe) {
 
 LoopRejection gate(const Match& match, const LoopCandidate& candidate, bool wide, const LoopParams& params) {
   if (match.overlap < params.overlap_min) return LoopRejection::kLowOverlap;
-  if (match.response < (wide ? params.response_min_wide : params.response_min)) return LoopRejection::kLowResponse;
+  if (match.response < (wide ? params.response_min_wide : params.response_min))
+    return LoopRejection::kLowResponse;
   if (match.degenerate) return LoopRejection::kDegenerate;
   if (candidate.second_peak > params.peak_ratio_max) return LoopRejection::kAmbiguous;
   return LoopRejection::kNone;
 }
 
-/// Start poses for the refinement: of a wide window the best peak of the search, of a narrow one the estimate.
+/// Start poses for the refinement: of a wide window the best peak of the search, of a narrow one the
+/// estimate.
 std::optional<types::Se2> start_pose(const LoopQuery& query, const LoopGroup& group, const SurfelMap& map,
                                      LoopCandidate& candidate) {
   if (group.window.half_m < kWideSearch_m) return query.pose;
@@ -37,9 +39,9 @@ std::optional<types::Se2> start_pose(const LoopQuery& query, const LoopGroup& gr
   const auto& points = query.keyframe->match_points;
   const auto best = search(pyramid, points, query.pose, group.window, 0.35, query.params.search);
   if (!best) return std::nullopt;
-  const auto second = search(pyramid, points, query.pose, group.window,
-                             query.params.loop.peak_ratio_max * best->score, query.params.search,
-                             Exclusion{best->T_map_base, 0.6, 0.3});
+  const auto second =
+      search(pyramid, points, query.pose, group.window, query.params.loop.peak_ratio_max * best->score,
+             query.params.search, Exclusion{best->T_map_base, 0.6, 0.3});
   candidate.second_peak = second ? second->score / best->score : 0.0;
   return best->T_map_base;
 }
@@ -52,7 +54,8 @@ LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
   candidate.edge.robust = true;
   SurfelMap map(params.refine.reach_m);
   map.reset(query.pose.translation().cast<float>(), reach_of(*query.keyframe) + group.window.half_m + 1.0);
-  for (std::size_t i = 0; i < group.keyframes.size(); ++i) map.add(group.keyframes[i]->surfels, group.poses[i]);
+  for (std::size_t i = 0; i < group.keyframes.size(); ++i)
+    map.add(group.keyframes[i]->surfels, group.poses[i]);
   const auto start = start_pose(query, group, map, candidate);
   if (!start) return candidate;
   const Match match =
@@ -67,7 +70,8 @@ LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
                        params.graph.loop_rot_floor_rad);
   // Out of the window: the refinement ran away.
   const types::Se2 off = query.pose.inverse() * match.T_map_base;
-  if (std::hypot(off.x_m, off.y_m) > 1.5 * group.window.half_m + 0.3) candidate.rejection = LoopRejection::kNoMatch;
+  if (std::hypot(off.x_m, off.y_m) > 1.5 * group.window.half_m + 0.3)
+    candidate.rejection = LoopRejection::kNoMatch;
   return candidate;
 }
 

@@ -16,7 +16,7 @@ struct LoopGroup {
   std::vector<types::Se2> poses;
   std::size_t reference = 0;  ///< node that a closure is attached to
   types::Se2 reference_pose;
-  SearchWindow window;        ///< how far the drift between the visits may have carried
+  SearchWindow window;  ///< how far the drift between the visits may have carried
 };
 
 /// A question to the loop closure thread. Values and shared constants: nothing in it changes any more.
@@ -49,8 +49,8 @@ struct LoopAnswer {
 struct LoopVerdict {
   int accepted = 0;
   int rejected = 0;
-  bool solved = false;      ///< the pose graph was solved again
-  double moved_m = 0.0;     ///< of the newest keyframe
+  bool solved = false;   ///< the pose graph was solved again
+  double moved_m = 0.0;  ///< of the newest keyframe
 };
 
 /// Matches the keyframe against every group. Pure; any thread.

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "core/types/transform.hpp"
+#include "core/walls/column_collector.hpp"
 
 namespace topo::slam {
 
 /// How far odometry is believed between two scans, as standard deviations (Thrun et al., Probabilistic
 /// Robotics, section 5.4, with independent translation and rotation).
 struct MotionNoise {
-  double trans_per_m = 0.10;      ///< along and across the motion
+  double trans_per_m = 0.10;  ///< along and across the motion
   double trans_floor_m = 0.01;
   double rot_per_rad = 0.10;
   double rot_per_m_rad = 0.04;
@@ -18,24 +19,24 @@ struct MotionNoise {
 
 /// Scan to cloud: what of a scan is used.
 struct CloudParams {
-  double range_max_m = 30.0;       ///< beams beyond are no evidence
-  double match_spacing_m = 0.06;   ///< least distance of two points used for matching
+  double range_max_m = 30.0;      ///< beams beyond are no evidence
+  double match_spacing_m = 0.06;  ///< least distance of two points used for matching
   int match_points_max = 400;
-  double normal_radius_m = 0.20;   ///< neighbourhood of a surfel's line fit
-  double break_factor = 3.0;       ///< neighbours further apart than this many beam spacings are not one surface
+  double normal_radius_m = 0.20;  ///< neighbourhood of a surfel's line fit
+  double break_factor = 3.0;  ///< neighbours further apart than this many beam spacings are not one surface
   double break_floor_m = 0.10;
 };
 
 /// Iterated closest point-to-line refinement.
 struct RefineParams {
   int iterations_max = 12;
-  double reach_m = 0.35;            ///< a surfel further away is no correspondence
-  double kernel_m = 0.06;           ///< Cauchy scale of a residual
-  double point_sigma_m = 0.03;      ///< what one residual is worth in the information matrix
-  double inlier_m = 0.10;           ///< residual that counts for the response
+  double reach_m = 0.35;        ///< a surfel further away is no correspondence
+  double kernel_m = 0.06;       ///< Cauchy scale of a residual
+  double point_sigma_m = 0.03;  ///< what one residual is worth in the information matrix
+  double inlier_m = 0.10;       ///< residual that counts for the response
   double converged_m = 2e-4;
   double converged_rad = 1e-4;
-  double degenerate_ratio = 0.02;   ///< least to greatest translational information
+  double degenerate_ratio = 0.02;  ///< least to greatest translational information
 };
 
 /// Correlative search (Olson 2009) as branch and bound over a max pyramid (Hess et al. 2016).
@@ -43,13 +44,13 @@ struct SearchParams {
   double cell_m = 0.05;
   double kernel_sigma_m = 0.10;
   int points_max = 120;
-  int depth = 5;                    ///< coarsest node is 2^depth cells wide
+  int depth = 5;  ///< coarsest node is 2^depth cells wide
 };
 
 struct TrackParams {
-  double response_good = 0.75;      ///< refinement from the prior alone is believed above this
-  double response_lost = 0.35;      ///< below: the match is dropped and odometry is followed
-  double search_sigmas = 4.0;       ///< half width of the search in prior standard deviations
+  double response_good = 0.75;  ///< refinement from the prior alone is believed above this
+  double response_lost = 0.35;  ///< below: the match is dropped and odometry is followed
+  double search_sigmas = 4.0;   ///< half width of the search in prior standard deviations
   double search_floor_m = 0.30;
   double search_floor_rad = 0.25;
 };
@@ -57,13 +58,13 @@ struct TrackParams {
 struct KeyframeParams {
   double travel_m = 0.40;
   double turn_rad = 0.35;
-  double window_travel_m = 8.0;     ///< path length of the keyframes that tracking matches against
+  double window_travel_m = 8.0;  ///< path length of the keyframes that tracking matches against
   int window_min = 6;
 };
 
 struct LoopParams {
-  double radius_m = 6.0;            ///< old keyframes this near are candidates, plus the drift
-  double drift_per_m = 0.02;        ///< growth of the uncertainty along the graph
+  double radius_m = 6.0;      ///< old keyframes this near are candidates, plus the drift
+  double drift_per_m = 0.02;  ///< growth of the uncertainty along the graph
   double drift_per_m_rad = 0.003;
   double search_floor_m = 0.30;
   double search_max_m = 6.0;
@@ -80,7 +81,7 @@ struct LoopParams {
 
 struct GraphParams {
   int iterations_max = 12;
-  double loop_kernel = 3.0;         ///< Cauchy scale of a closure, in standard deviations
+  double loop_kernel = 3.0;  ///< Cauchy scale of a closure, in standard deviations
   double odometry_trans_floor_m = 0.01;
   double odometry_rot_floor_rad = 0.003;
   double loop_trans_floor_m = 0.03;
@@ -89,27 +90,14 @@ struct GraphParams {
 
 struct GridParams {
   double resolution_m = 0.05;
-  double redo_m = 0.02;             ///< a keyframe that moved less is not drawn again
+  double redo_m = 0.02;  ///< a keyframe that moved less is not drawn again
   double redo_rad = 0.002;
 };
 
-/// Mounting of the coronal laser (paper section II): its scan plane is the y-z plane of base_link, its beams'
-/// angle 0 points up, counter-clockwise towards +y seen from behind (looking forward).
-struct CoronalMount {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double z_m = 0.4;
-  double roll_rad = 0.0;            ///< of beam angle 0 from straight up, towards +y
-  bool mirrored = false;            ///< true: angles count towards -y
-  double height_min_m = 0.15;       ///< below: ground, and what the robot's pitch makes of it
-  double height_max_m = 2.3;        ///< above: ceiling
-  double range_max_m = 10.0;
-};
-
 struct MapperParams {
-  types::Se2 T_base_laser;          ///< front laser
-  CoronalMount coronal;
-  double odometry_wait_s = 0.15;    ///< how long a scan waits for the odometry after it
+  types::Se2 T_base_laser;  ///< front laser
+  walls::CoronalMount coronal;
+  double odometry_wait_s = 0.15;  ///< how long a scan waits for the odometry after it
   MotionNoise motion;
   CloudParams cloud;
   RefineParams refine;

@@ -38,7 +38,8 @@ double loss(double chi2, bool robust, double kernel) {
   return robust ? kernel * kernel * std::log1p(chi2 / (kernel * kernel)) : chi2;
 }
 
-double total_loss(const std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params) {
+double total_loss(const std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                  const GraphParams& params) {
   double sum = 0.0;
   for (const Edge& edge : edges) {
     const Eigen::Vector3d e = edge_error(edge, poses[edge.from], poses[edge.to]);
@@ -67,8 +68,8 @@ void add_block(std::vector<Eigen::Triplet<double>>& triplets, std::size_t row, s
   }
 }
 
-void build(const std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params, Sparse& h,
-           Eigen::VectorXd& g) {
+void build(const std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
+           Sparse& h, Eigen::VectorXd& g) {
   std::vector<Eigen::Triplet<double>> triplets;
   triplets.reserve(edges.size() * 27);
   g.setZero();
@@ -82,15 +83,18 @@ void build(const std::vector<types::Se2>& poses, std::span<const Edge> edges, co
     const Eigen::Matrix3d wf = weight * lin.from, wt = weight * lin.to;
     if (edge.from > 0) {
       add_block(triplets, edge.from, edge.from, lin.from.transpose() * wf);
-      g.segment<3>(static_cast<Eigen::Index>(3 * (edge.from - 1))) += lin.from.transpose() * (weight * lin.error);
+      g.segment<3>(static_cast<Eigen::Index>(3 * (edge.from - 1))) +=
+          lin.from.transpose() * (weight * lin.error);
     }
     if (edge.to > 0) {
       add_block(triplets, edge.to, edge.to, lin.to.transpose() * wt);
       g.segment<3>(static_cast<Eigen::Index>(3 * (edge.to - 1))) += lin.to.transpose() * (weight * lin.error);
     }
     if (edge.from > 0 && edge.to > 0) {
-      if (edge.from > edge.to) add_block(triplets, edge.from, edge.to, lin.from.transpose() * wt);
-      else add_block(triplets, edge.to, edge.from, lin.to.transpose() * wf);
+      if (edge.from > edge.to)
+        add_block(triplets, edge.from, edge.to, lin.from.transpose() * wt);
+      else
+        add_block(triplets, edge.to, edge.from, lin.to.transpose() * wf);
     }
   }
   h.setFromTriplets(triplets.begin(), triplets.end());
@@ -100,7 +104,8 @@ std::vector<types::Se2> moved(const std::vector<types::Se2>& poses, const Eigen:
   std::vector<types::Se2> out = poses;
   for (std::size_t i = 1; i < out.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(3 * (i - 1));
-    out[i] = {out[i].x_m + step[k], out[i].y_m + step[k + 1], types::wrap_angle(out[i].theta_rad + step[k + 2])};
+    out[i] = {out[i].x_m + step[k], out[i].y_m + step[k + 1],
+              types::wrap_angle(out[i].theta_rad + step[k + 2])};
   }
   return out;
 }

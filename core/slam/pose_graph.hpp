@@ -10,7 +10,8 @@
 
 namespace topo::slam {
 
-/// Measured pose of node `to` in the frame of node `from`. The information is in the axes of the measured `to`.
+/// Measured pose of node `to` in the frame of node `from`. The information is in the axes of the measured
+/// `to`.
 struct Edge {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -23,7 +24,7 @@ struct SolveReport {
   double chi2_start = 0.0;  ///< sum of squared whitened errors, without the robust loss
   double chi2_end = 0.0;
   int iterations = 0;
-  bool solved = false;      ///< false: the system was singular or a step not finite; poses are unchanged
+  bool solved = false;  ///< false: the system was singular or a step not finite; poses are unchanged
 };
 
 /// Error of an edge: Z^-1 (Xi^-1 Xj) as (x, y, theta).

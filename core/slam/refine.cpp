@@ -31,10 +31,11 @@ void accumulate(Sums& sums, double r, double jx, double jy, double jt, double we
   sums.gradient += Eigen::Vector3d(wx, wy, wt) * r;
 }
 
-Sums linearise(const SurfelMap& map, std::span<const Point> points, const Point& sensor, const types::Se2& pose,
-               const RefineParams& params) {
+Sums linearise(const SurfelMap& map, std::span<const Point> points, const Point& sensor,
+               const types::Se2& pose, const RefineParams& params) {
   Sums sums;
-  const auto c = static_cast<float>(std::cos(pose.theta_rad)), s = static_cast<float>(std::sin(pose.theta_rad));
+  const auto c = static_cast<float>(std::cos(pose.theta_rad)),
+             s = static_cast<float>(std::sin(pose.theta_rad));
   const Point t = pose.translation().cast<float>();
   const Point sensor_map(c * sensor.x() - s * sensor.y() + t.x(), s * sensor.x() + c * sensor.y() + t.y());
   const double kernel2 = params.kernel_m * params.kernel_m;
@@ -75,7 +76,8 @@ Sums linearise(const SurfelMap& map, std::span<const Point> points, const Point&
 /// Is the translation determined in every direction once the rotation is?
 bool is_degenerate(const Eigen::Matrix3d& h, const RefineParams& params) {
   if (!(h(2, 2) > 0.0)) return true;
-  const Eigen::Matrix2d schur = h.topLeftCorner<2, 2>() - h.topRightCorner<2, 1>() * h.bottomLeftCorner<1, 2>() / h(2, 2);
+  const Eigen::Matrix2d schur =
+      h.topLeftCorner<2, 2>() - h.topRightCorner<2, 1>() * h.bottomLeftCorner<1, 2>() / h(2, 2);
   const double half_trace = 0.5 * schur.trace();
   const double root = std::sqrt(std::max(0.0, half_trace * half_trace - schur.determinant()));
   return half_trace - root < params.degenerate_ratio * (half_trace + root);
@@ -95,13 +97,13 @@ Match report(const Sums& sums, std::size_t points, const types::Se2& pose, const
 
 }  // namespace
 
-Match evaluate(const SurfelMap& map, std::span<const Point> points, const Point& sensor, const types::Se2& pose,
-               const RefineParams& params) {
+Match evaluate(const SurfelMap& map, std::span<const Point> points, const Point& sensor,
+               const types::Se2& pose, const RefineParams& params) {
   return report(linearise(map, points, sensor, pose, params), points.size(), pose, params);
 }
 
-Match refine(const SurfelMap& map, std::span<const Point> points, const Point& sensor, const types::Se2& start,
-             const std::optional<Prior>& prior, const RefineParams& params) {
+Match refine(const SurfelMap& map, std::span<const Point> points, const Point& sensor,
+             const types::Se2& start, const std::optional<Prior>& prior, const RefineParams& params) {
   types::Se2 pose = start;
   int iteration = 0;
   while (iteration < params.iterations_max) {

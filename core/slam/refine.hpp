@@ -20,11 +20,11 @@ struct Prior {
 /// A match with its evidence; a named gate decides what to do with it.
 struct Match {
   types::Se2 T_map_base;
-  double response = 0.0;   ///< share of all points within `inlier_m` of a surface
-  double overlap = 0.0;    ///< share of all points that have a surfel in reach
-  double rms_m = 0.0;      ///< of the inliers
+  double response = 0.0;  ///< share of all points within `inlier_m` of a surface
+  double overlap = 0.0;   ///< share of all points that have a surfel in reach
+  double rms_m = 0.0;     ///< of the inliers
   Eigen::Matrix3d scan_information = Eigen::Matrix3d::Zero();  ///< of the scan alone, map axes
-  bool degenerate = false; ///< one direction of translation is not determined by the scan
+  bool degenerate = false;  ///< one direction of translation is not determined by the scan
   int iterations = 0;
 
   /// How well the points fit where the map knows something.
@@ -33,11 +33,11 @@ struct Match {
 
 /// Gauss-Newton over point-to-line distances with a Cauchy kernel (Censi 2008 for the metric), from
 /// `start`, with the prior as one more measurement. Points are in base_link. Pure; allocates nothing.
-Match refine(const SurfelMap& map, std::span<const Point> points, const Point& sensor, const types::Se2& start,
-             const std::optional<Prior>& prior, const RefineParams& params);
+Match refine(const SurfelMap& map, std::span<const Point> points, const Point& sensor,
+             const types::Se2& start, const std::optional<Prior>& prior, const RefineParams& params);
 
 /// The evidence for a pose, without moving it.
-Match evaluate(const SurfelMap& map, std::span<const Point> points, const Point& sensor, const types::Se2& pose,
-               const RefineParams& params);
+Match evaluate(const SurfelMap& map, std::span<const Point> points, const Point& sensor,
+               const types::Se2& pose, const RefineParams& params);
 
 }  // namespace topo::slam

@@ -34,7 +34,8 @@ class Searcher {
            const SearchWindow& window, const SearchParams& params, const std::optional<Exclusion>& exclusion)
       : pyramid_(pyramid), centre_(centre), exclusion_(exclusion) {
     half_cells_ = std::max(1, static_cast<int>(std::ceil(window.half_m / pyramid.cell_m())));
-    const std::size_t stride = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(params.points_max));
+    const std::size_t stride =
+        std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(params.points_max));
     float reach = 1.0F;
     std::vector<Point> used;
     for (std::size_t i = 0; i < points.size(); i += stride) {
@@ -101,7 +102,8 @@ class Searcher {
   }
 
   void descend(std::vector<Node>& nodes) {
-    // Equal scores are taken in the order of rotation and cell, so that the result does not depend on the sort.
+    // Equal scores are taken in the order of rotation and cell, so that the result does not depend on the
+    // sort.
     std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
       if (a.score != b.score) return a.score > b.score;
       if (a.rotation != b.rotation) return a.rotation < b.rotation;
@@ -139,7 +141,9 @@ class Searcher {
 }  // namespace
 
 LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& params)
-    : cell_m_(params.cell_m), origin_(map.origin()), width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))) {
+    : cell_m_(params.cell_m),
+      origin_(map.origin()),
+      width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))) {
   const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(width_);
   levels_.resize(static_cast<std::size_t>(params.depth) + 1);
   levels_[0].assign(cells, 0);
@@ -151,7 +155,8 @@ LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& p
     const int cx = static_cast<int>(local.x() / cell), cy = static_cast<int>(local.y() / cell);
     for (int y = std::max(0, cy - reach); y <= std::min(width_ - 1, cy + reach); ++y) {
       for (int x = std::max(0, cx - reach); x <= std::min(width_ - 1, cx + reach); ++x) {
-        const Point d = Point((static_cast<float>(x) + 0.5F) * cell, (static_cast<float>(y) + 0.5F) * cell) - local;
+        const Point d =
+            Point((static_cast<float>(x) + 0.5F) * cell, (static_cast<float>(y) + 0.5F) * cell) - local;
         const auto value = static_cast<std::uint8_t>(255.0F * std::exp(scale * d.squaredNorm()));
         std::uint8_t& best = levels_[0][static_cast<std::size_t>(y * width_ + x)];
         best = std::max(best, value);
@@ -166,7 +171,8 @@ LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& p
       const auto row = static_cast<std::size_t>(y * width_);
       for (int x = 0; x < width_; ++x) {
         const auto i = row + static_cast<std::size_t>(x);
-        rows[i] = x + step < width_ ? std::max(below[i], below[i + static_cast<std::size_t>(step)]) : below[i];
+        rows[i] =
+            x + step < width_ ? std::max(below[i], below[i + static_cast<std::size_t>(step)]) : below[i];
       }
     }
     for (int y = 0; y < width_; ++y) {
@@ -181,8 +187,8 @@ LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& p
 }
 
 std::uint8_t LikelihoodPyramid::clipped(int level, int x, int y) const {
-  // A square that begins outside to the lower left may still reach in: its maximum is bounded by the square of
-  // the same size that begins at the border.
+  // A square that begins outside to the lower left may still reach in: its maximum is bounded by the square
+  // of the same size that begins at the border.
   const int width = 1 << level;
   if (x >= width_ || y >= width_ || x <= -width || y <= -width) return 0;
   return levels_[static_cast<std::size_t>(level)]

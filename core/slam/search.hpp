@@ -33,7 +33,8 @@ class LikelihoodPyramid {
   [[nodiscard]] const Point& origin() const { return origin_; }
   /// Zero outside.
   [[nodiscard]] std::uint8_t at(int level, int x, int y) const {
-    if (static_cast<unsigned>(x) >= static_cast<unsigned>(width_) || static_cast<unsigned>(y) >= static_cast<unsigned>(width_)) {
+    if (static_cast<unsigned>(x) >= static_cast<unsigned>(width_) ||
+        static_cast<unsigned>(y) >= static_cast<unsigned>(width_)) {
       return clipped(level, x, y);
     }
     return levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * width_ + x)];
@@ -47,8 +48,8 @@ class LikelihoodPyramid {
   std::vector<std::vector<std::uint8_t>> levels_;
 };
 
-/// The best pose of the points (base_link) within the window around `centre`, by branch and bound (Hess et al.
-/// 2016): exact on the grid of cells and angle steps. Nothing when no pose scores at least `score_min`.
+/// The best pose of the points (base_link) within the window around `centre`, by branch and bound (Hess et
+/// al. 2016): exact on the grid of cells and angle steps. Nothing when no pose scores at least `score_min`.
 /// Poses within `excluded` of `exclude_centre` are left out: the second peak.
 struct Exclusion {
   types::Se2 centre;

@@ -11,13 +11,14 @@
 
 namespace topo::walls {
 
-/// Sparse heights over the cells of the map (paper section II-B): a persistent Patricia tree, so that a snapshot
-/// costs nothing and an analysis runs while new columns come in.
+/// Sparse heights over the cells of the map (paper section II-B): a persistent Patricia tree, so that a
+/// snapshot costs nothing and an analysis runs while new columns come in.
 class WallStore {
  public:
   using Columns = patricia::Map<Slabs>;
 
-  WallStore(patricia::Arena<Slabs>& arena, double resolution_m) : columns_(arena), resolution_m_(resolution_m) {}
+  WallStore(patricia::Arena<Slabs>& arena, double resolution_m)
+      : columns_(arena), resolution_m_(resolution_m) {}
 
   /// ORs the slabs into the cell of a point in map: seeing a thing twice must not erase it.
   void add(const types::Vector2& p_map, Slabs slabs) {

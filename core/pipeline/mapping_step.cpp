@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/pipeline/mapping_step.hpp"
+
+#include <deque>
+#include <optional>
+
+#include "core/pipeline/odometry_buffer.hpp"
+#include "core/slam/map_builder.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+constexpr std::size_t kWaiting = 16;  ///< scans that may wait for odometry: 0.4 s at 40 Hz
+
+types::Stamp end_of(const types::Scan& scan) {
+  return scan.first_beam + types::from_seconds(static_cast<double>(scan.geometry.time_increment_s) *
+                                               (scan.beams > 0 ? scan.beams - 1 : 0));
+}
+
+/// Poses of base_link in odom at a scan's first and last beam.
+struct SweepPoses {
+  types::Se2 first, last;
+};
+
+}  // namespace
+
+struct MappingState::Impl {
+  explicit Impl(const slam::MapperParams& given)
+      : params(given), mapper(given), builder(given.grid), columns(given.coronal) {}
+
+  void take(const MappingInput& input);
+  void push(std::deque<types::Scan>& waiting, const types::Scan& scan);
+  bool ready(const types::Scan& scan, bool flush) const;
+  std::optional<SweepPoses> sweep_poses(const types::Scan& scan) const;
+  void run(MappingOutput& output, bool flush);
+  void place_front(const types::Scan& scan, MappingOutput& output);
+  void keyframe_boundary(MappingOutput& output);
+
+  slam::MapperParams params;
+  OdometryBuffer odometry;
+  slam::Mapper mapper;
+  slam::MapBuilder builder;
+  walls::ColumnCollector columns;
+  std::deque<types::Scan> front, coronal;
+  std::vector<slam::LoopAnswer> answers;
+  slam::Cloud cloud;
+  types::Stamp newest{};  ///< stamp of the newest scan heard of, either laser
+  types::Stamp placed{};  ///< stamp of the newest front scan placed
+  std::uint64_t revision = 0;
+  MappingLosses losses;
+};
+
+void MappingState::Impl::take(const MappingInput& input) {
+  for (const types::Odometry& sample : input.odometry) odometry.add(sample);
+  if (input.coronal != nullptr) push(coronal, *input.coronal);
+  if (input.front != nullptr) push(front, *input.front);
+}
+
+void MappingState::Impl::push(std::deque<types::Scan>& waiting, const types::Scan& scan) {
+  if (odometry.empty()) {
+    ++losses.without_odometry;
+    return;
+  }
+  if (waiting.size() == kWaiting) {
+    ++losses.queue_full;
+    waiting.pop_front();
+  }
+  waiting.push_back(scan);
+  newest = std::max(newest, end_of(scan));
+}
+
+bool MappingState::Impl::ready(const types::Scan& scan, bool flush) const {
+  const types::Stamp end = end_of(scan);
+  return flush || odometry.covers(end) || newest - end >= types::from_seconds(params.odometry_wait_s);
+}
+
+std::optional<SweepPoses> MappingState::Impl::sweep_poses(const types::Scan& scan) const {
+  const auto first = odometry.at(scan.first_beam), last = odometry.at(end_of(scan));
+  if (!first || !last) return std::nullopt;
+  return SweepPoses{*first, *last};
+}
+
+void MappingState::Impl::run(MappingOutput& output, bool flush) {
+  // Heights first: a keyframe takes along what was seen until then.
+  while (!coronal.empty() && ready(coronal.front(), flush)) {
+    if (const auto poses = sweep_poses(coronal.front()))
+      columns.add(coronal.front(), poses->first, poses->last);
+    coronal.pop_front();
+  }
+  while (!front.empty() && ready(front.front(), flush)) {
+    place_front(front.front(), output);
+    front.pop_front();
+  }
+}
+
+void MappingState::Impl::place_front(const types::Scan& scan, MappingOutput& output) {
+  const auto poses = sweep_poses(scan);
+  if (!poses) return;
+  const slam::SweepMotion motion{poses->last.inverse() * poses->first, {}};
+  slam::make_cloud(scan, params.T_base_laser, motion, params.cloud, cloud);
+  cloud.stamp = end_of(scan);
+  placed = cloud.stamp;
+  output.matches.push_back(mapper.add(cloud, poses->last, columns));
+  if (output.matches.back().keyframe) keyframe_boundary(output);
+}
+
+void MappingState::Impl::keyframe_boundary(MappingOutput& output) {
+  if (auto query = mapper.take_query()) output.loop_queries.push_back(std::move(*query));
+  for (const slam::LoopAnswer& answer : answers) output.loop_verdicts.push_back(mapper.apply(answer));
+  answers.clear();
+  builder.update(mapper.keyframes(), mapper.poses());
+  ++revision;
+  output.keyframe_added = true;
+}
+
+MappingState::MappingState(const slam::MapperParams& params) : impl_(std::make_unique<Impl>(params)) {}
+MappingState::~MappingState() = default;
+
+void MappingState::adopt() { impl_->builder.adopt(); }
+
+void MappingState::offer(slam::LoopAnswer answer) { impl_->answers.push_back(std::move(answer)); }
+
+MappingOutput MappingState::finish() {
+  MappingOutput output;
+  impl_->run(output, true);
+  for (const slam::LoopAnswer& answer : impl_->answers)
+    output.loop_verdicts.push_back(impl_->mapper.apply(answer));
+  impl_->answers.clear();
+  if (impl_->mapper.keyframes().empty()) return output;
+  (void)impl_->mapper.optimise();
+  impl_->builder.update(impl_->mapper.keyframes(), impl_->mapper.poses());
+  ++impl_->revision;
+  output.keyframe_added = true;
+  return output;
+}
+
+std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {
+  const slam::Mapper& mapper = impl_->mapper;
+  auto snapshot = std::make_unique<MapSnapshot>(
+      MapSnapshot{impl_->revision,
+                  impl_->placed,
+                  types::Transform2<types::Map, types::Odom>(mapper.T_map_odom()),
+                  types::Transform2<types::Map, types::Base>(mapper.T_map_base()),
+                  impl_->builder.grid(),
+                  impl_->builder.walls(),
+                  {}});
+  snapshot->keyframes.reserve(mapper.poses().size());
+  for (std::size_t i = 0; i < mapper.poses().size(); ++i) {
+    snapshot->keyframes.push_back(
+        {mapper.keyframes()[i]->stamp, types::Transform2<types::Map, types::Base>(mapper.poses()[i])});
+  }
+  return snapshot;
+}
+
+const slam::Mapper& MappingState::mapper() const { return impl_->mapper; }
+const MappingLosses& MappingState::losses() const { return impl_->losses; }
+
+MappingOutput mapping_step(MappingState& state, const MappingInput& input) {
+  MappingOutput output;
+  state.impl_->take(input);
+  state.impl_->run(output, false);
+  return output;
+}
+
+}  // namespace topo::pipeline

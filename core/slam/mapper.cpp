@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/mapper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/slam/information.hpp"
+#include "core/slam/loop_candidates.hpp"
+#include "core/slam/search.hpp"
+
+namespace topo::slam {
+namespace {
+
+constexpr double kLocalHalfWidth_m = 32.0;  ///< beyond the scanner's reach
+constexpr double kRecentre_m = 6.0;         ///< how far the robot may get from the window's centre
+constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by this to be preferred
+constexpr int kClosuresBeforeSolve = 10;    ///< closures that agree with the graph wait for company
+constexpr double kTensionChi2 = 1.0;        ///< a closure further off than this is solved for at once
+
+double travel(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
+}  // namespace
+
+Mapper::Mapper(const MapperParams& params, std::uint16_t robot)
+    : params_(params), robot_(robot), local_map_(params.refine.reach_m) {}
+
+MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns) {
+  MatchReport report;
+  report.stamp = cloud.stamp;
+  select_points(cloud, params_.cloud, points_);
+  if (keyframes_.empty()) {
+    T_map_base_ = {};
+    T_odom_base_ = T_odom_base;
+    report.matched = true;
+    add_keyframe(cloud, report, {}, columns);
+    report.keyframe = true;
+    return report;
+  }
+  const types::Se2 motion = T_odom_base_.inverse() * T_odom_base;
+  const types::Se2 predicted = T_map_base_ * motion;
+  const Prior prior{predicted, motion_information(motion, params_.motion)};
+  report.match = track(predicted, prior, cloud.sensor, report.searched);
+  report.matched = report.match.response >= params_.track.response_lost && report.match.overlap > 0.0;
+  T_map_base_ = report.matched ? report.match.T_map_base : predicted;
+  T_odom_base_ = T_odom_base;
+  report.T_map_base = T_map_base_;
+  if (due(T_map_base_)) {
+    add_keyframe(cloud, report, prior, columns);
+    report.keyframe = true;
+  }
+  report.node = keyframes_.size() - 1;
+  report.T_node_base = poses_.back().inverse() * T_map_base_;
+  return report;
+}
+
+Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched) {
+  Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
+  if (match.fit() >= params_.track.response_good && match.response >= params_.track.response_lost)
+    return match;
+  searched = true;
+  const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
+  const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
+  const SearchWindow window{params_.track.search_floor_m + params_.track.search_sigmas * sigma_m,
+                            params_.track.search_floor_rad + params_.track.search_sigmas * sigma_rad};
+  const LikelihoodPyramid pyramid(local_map_, params_.search);
+  const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search);
+  if (!hit) return match;
+  const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
+  return other.response > match.response + kSearchResponse ? other : match;
+}
+
+bool Mapper::due(const types::Se2& T_map_base) const {
+  const types::Se2& last = poses_.back();
+  return travel(last, T_map_base) > params_.keyframe.travel_m ||
+         std::abs(types::wrap_angle(T_map_base.theta_rad - last.theta_rad)) > params_.keyframe.turn_rad;
+}
+
+void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
+                          walls::ColumnCollector& columns) {
+  auto keyframe = std::make_shared<Keyframe>();
+  keyframe->id = {robot_, static_cast<std::uint32_t>(keyframes_.size())};
+  keyframe->stamp = cloud.stamp;
+  keyframe->T_odom_base = T_odom_base_;
+  keyframe->sensor = cloud.sensor;
+  keyframe->hits = cloud.points;
+  keyframe->surfels = make_surfels(cloud, params_.cloud);
+  keyframe->match_points = points_;
+  keyframe->columns = columns.take(T_odom_base_.inverse());
+  if (!keyframes_.empty()) {
+    Edge edge;
+    edge.from = keyframes_.size() - 1;
+    edge.to = keyframes_.size();
+    edge.T_from_to = poses_.back().inverse() * T_map_base_;
+    Eigen::Matrix3d information = report.matched ? report.match.scan_information : Eigen::Matrix3d::Zero();
+    information +=
+        report.matched
+            ? prior.information
+            : motion_information(keyframes_.back()->T_odom_base.inverse() * T_odom_base_, params_.motion);
+    edge.information =
+        edge_information(information, T_map_base_.theta_rad, params_.graph.odometry_trans_floor_m,
+                         params_.graph.odometry_rot_floor_rad);
+    edges_.push_back(edge);
+  }
+  keyframes_.push_back(std::move(keyframe));
+  poses_.push_back(T_map_base_);
+  extend_local_map();
+  ask(keyframes_.size() - 1);
+}
+
+void Mapper::ask(std::size_t node) {
+  const std::vector<LoopRun> runs = find_loop_runs(poses_, edges_, node, params_.loop);
+  if (runs.empty()) return;
+  LoopQuery query;
+  query.node = node;
+  query.keyframe = keyframes_[node];
+  query.pose = poses_[node];
+  query.params = params_;
+  for (const LoopRun& run : runs) {
+    LoopGroup group;
+    group.reference = run.nearest;
+    group.reference_pose = poses_[run.nearest];
+    group.window = run.window;
+    for (std::size_t i = run.first; i <= run.last; ++i) {
+      group.keyframes.push_back(keyframes_[i]);
+      group.poses.push_back(poses_[i]);
+    }
+    query.groups.push_back(std::move(group));
+  }
+  query_ = std::move(query);
+}
+
+std::optional<LoopQuery> Mapper::take_query() { return std::exchange(query_, std::nullopt); }
+
+LoopVerdict Mapper::apply(const LoopAnswer& answer) {
+  LoopVerdict verdict;
+  bool tension = false;
+  for (const LoopCandidate& candidate : answer.candidates) {
+    if (candidate.rejection != LoopRejection::kNone) {
+      ++verdict.rejected;
+      continue;
+    }
+    ++verdict.accepted;
+    const Eigen::Vector3d e =
+        edge_error(candidate.edge, poses_[candidate.edge.from], poses_[candidate.edge.to]);
+    tension = tension || e.dot(candidate.edge.information * e) > kTensionChi2;
+    edges_.push_back(candidate.edge);
+  }
+  closures_since_solve_ += verdict.accepted;
+  if (!tension && closures_since_solve_ < kClosuresBeforeSolve) return verdict;
+  const types::Se2 before = poses_.back();
+  verdict.solved = optimise().solved;
+  verdict.moved_m = travel(before, poses_.back());
+  return verdict;
+}
+
+SolveReport Mapper::optimise() {
+  closures_since_solve_ = 0;
+  if (poses_.empty()) return {};
+  const types::Se2 T_last_base = poses_.back().inverse() * T_map_base_;
+  const SolveReport report = solve(poses_, edges_, params_.graph);
+  T_map_base_ = poses_.back() * T_last_base;
+  rebuild_local_map();
+  return report;
+}
+
+void Mapper::extend_local_map() {
+  const Point here = T_map_base_.translation().cast<float>();
+  const std::size_t held = keyframes_.size() - window_first_;
+  const bool first = keyframes_.size() == 1;
+  // Dropping one keyframe means building the map again: let a few gather.
+  if (first || (here - local_centre_).norm() > static_cast<float>(kRecentre_m) ||
+      held > static_cast<std::size_t>(2 * params_.keyframe.window_travel_m / params_.keyframe.travel_m)) {
+    rebuild_local_map();
+  } else {
+    local_map_.add(keyframes_.back()->surfels, poses_.back());
+  }
+}
+
+void Mapper::rebuild_local_map() {
+  local_centre_ = T_map_base_.translation().cast<float>();
+  local_map_.reset(local_centre_, kLocalHalfWidth_m);
+  double travelled = 0.0;
+  window_first_ = keyframes_.size() - 1;
+  while (window_first_ > 0 &&
+         (travelled < params_.keyframe.window_travel_m ||
+          keyframes_.size() - window_first_ < static_cast<std::size_t>(params_.keyframe.window_min))) {
+    travelled += travel(poses_[window_first_], poses_[window_first_ - 1]);
+    --window_first_;
+  }
+  for (std::size_t i = window_first_; i < keyframes_.size(); ++i)
+    local_map_.add(keyframes_[i]->surfels, poses_[i]);
+}
+
+}  // namespace topo::slam

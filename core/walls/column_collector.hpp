@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/types/scan.hpp"
+#include "core/types/se2.hpp"
+#include "core/walls/height_column.hpp"
+
+namespace topo::walls {
+
+/// Mounting of the coronal laser (paper section II): its scan plane is the y-z plane of base_link, its beams'
+/// angle 0 points up, counter-clockwise towards +y seen from behind (looking forward).
+struct CoronalMount {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double z_m = 0.4;
+  double roll_rad = 0.0;       ///< of beam angle 0 from straight up, towards +y
+  bool mirrored = false;       ///< true: angles count towards -y
+  double height_min_m = 0.15;  ///< below: ground, and what the robot's pitch makes of it
+  double height_max_m = 2.3;   ///< above: ceiling
+  double range_max_m = 10.0;
+};
+
+/// Gathers what the coronal laser sees between two keyframes, as height columns in odom. Standing still adds
+/// nothing, so that its memory is bounded by the way travelled.
+class ColumnCollector {
+ public:
+  explicit ColumnCollector(const CoronalMount& mount) : mount_(mount) {}
+
+  /// One coronal scan; poses of base_link in odom at its first and last beam.
+  void add(const types::Scan& scan, const types::Se2& T_odom_first, const types::Se2& T_odom_last);
+
+  /// What was gathered, one column per 5 cm cell, in the frame of the given transform; empties the collector.
+  [[nodiscard]] std::vector<ColumnPoint> take(const types::Se2& T_base_odom);
+
+ private:
+  CoronalMount mount_;
+  std::vector<ColumnPoint> columns_odom_;
+  bool used_ = false;
+  types::Se2 last_used_;
+};
+
+}  // namespace topo::walls
