@@ -32,13 +32,14 @@ struct RobotInfo {
   int sip_cycle_ms = 100;
   double v_top_mps = 0.0, omega_top_radps = 0.0;
   double low_battery_v = 0.0;
-  double track_m = 0.0;         ///< effective, 2 / DiffConvFactor
+  double track_m = 0.0;  ///< effective, 2 / DiffConvFactor
   double swing_radius_m = 0.0;
   double length_front_m = 0.0, length_rear_m = 0.0, width_m = 0.0;
 };
 
 struct Counters {
-  std::uint64_t status_packets = 0, bad_packets = 0, lost_packets = 0, reconnects = 0, commands = 0, bytes = 0;
+  std::uint64_t status_packets = 0, bad_packets = 0, lost_packets = 0, reconnects = 0, commands = 0,
+                bytes = 0;
 };
 
 enum class StepOutcome {
@@ -60,7 +61,8 @@ class Session {
   StepOutcome step(types::BaseState& out, types::Duration timeout);
 
   /// Sends setpoints now (clamped, rate limited to what the firmware takes), feeding the firmware's watchdog.
-  /// A command that is not finite becomes a stop. Without a call within 200 ms the session itself sends a stop.
+  /// A command that is not finite becomes a stop. Without a call within 200 ms the session itself sends a
+  /// stop.
   types::Status command(const types::BaseCommand& command);
 
   /// E_STOP, VEL 0, RVEL 0, ENABLE 0, CLOSE; bounded by `timeout`.

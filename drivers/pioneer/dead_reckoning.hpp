@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types/se2.hpp"
+#include "core/types/stamp.hpp"
+#include "drivers/pioneer/robot_models.hpp"
+#include "drivers/pioneer/sip.hpp"
+
+namespace topo::pioneer {
+
+/// Joins the robot's wrapping counters (PROTOCOLS section 4.1) to one unbroken pose in odom: over
+/// wrap-arounds, reconnects and resets of the controller.
+class DeadReckoning {
+ public:
+  enum class Update {
+    kInitialised,  ///< first packet of a connection: the pose stays, whatever the counters say
+    kMoved,
+    kJumped,  ///< further than the robot can go: the counters were reset, the pose stays
+  };
+
+  /// The next packet only initialises. `v_max_mps` and `omega_max_radps` are what the robot can do at most.
+  void restart(const RobotModel& model, double v_max_mps, double omega_max_radps);
+
+  /// `elapsed` since the packet before this one, which may be lost packets' time as well.
+  Update update(const StatusPacket& packet, types::Duration elapsed);
+
+  [[nodiscard]] const types::Se2& T_odom_base() const { return pose_; }
+
+ private:
+  struct Counts {
+    int x = 0, y = 0, heading = 0;
+  };
+  [[nodiscard]] bool possible(double distance_m, double turn_rad, types::Duration elapsed) const;
+  void initialise(const Counts& counts);
+
+  RobotModel model_;
+  double v_max_mps_ = 0.0;
+  double omega_max_radps_ = 0.0;
+  bool initialised_ = false;
+  Counts last_;
+  double T_odom_robot_theta_rad_ = 0.0;  ///< of the robot's own frame, in which its counters run
+  types::Se2 pose_;
+};
+
+/// Shortest way from `before` to `now` of a counter of `modulus` values, in [-modulus/2, modulus/2).
+int counter_difference(int now, int before, int modulus);
+
+}  // namespace topo::pioneer

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/types/se2.hpp"
+
+namespace topo::pioneer {
+
+/// What the wire does not say of a robot (PROTOCOLS section 6). Lengths from the centre of rotation.
+struct RobotModel {
+  static constexpr std::size_t kSonars = 16;
+
+  std::string_view subclass;
+  double mm_per_count = 1.0;            ///< DistConvFactor
+  double mmps_per_velocity_unit = 1.0;  ///< VelConvFactor
+  double mm_per_sonar_unit = 1.0;       ///< RangeConvFactor
+  double radps_per_mmps = 0.0056;       ///< DiffConvFactor, of half the wheels' difference
+  double v_max_mps = 0.0;               ///< catalogue
+  double omega_max_radps = 0.0;
+  double swing_radius_m = 0.0;
+  double length_front_m = 0.0, length_rear_m = 0.0, width_m = 0.0;
+  std::array<types::Se2, kSonars> T_base_sonar;
+};
+
+/// THPOS unit. ARIA's rounded 0.00153 is 0.26 % too small (PROTOCOLS section 6.1).
+inline constexpr int kHeadingUnits = 4096;
+double radians_per_heading_unit();
+
+/// Nothing nearer than this is measured, nothing beyond is heard (PROTOCOLS section 6.3).
+inline constexpr double kSonarRangeMax_m = 5.0;
+
+/// Null for a subclass that has no table. The name is compared in lower case.
+const RobotModel* find_model(std::string_view subclass);
+
+/// "p3dx-sh, p3at-sh, ...", for messages.
+std::string known_subclasses();
+
+}  // namespace topo::pioneer
