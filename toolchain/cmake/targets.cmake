@@ -44,3 +44,29 @@ function(topo_test name)
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
                        ENVIRONMENT "${ARG_ENVIRONMENT}")
 endfunction()
+
+# topo_fuzz(NAME SOURCES a_fuzz.cpp ... DEPS target ... [SEEDS folder])
+# A file with LLVMFuzzerTestOneInput. In preset `fuzz` it is linked with libFuzzer and searches for
+# TOPO_FUZZ_SECONDS; in every other build the same function gets the seeds and fixed mutants of them, so that
+# each run of the tests, with and without sanitizers, goes over it.
+set(TOPO_FUZZ_SECONDS 20 CACHE STRING "How long each libFuzzer test searches")
+set(TOPO_FUZZ_REPLAY ${CMAKE_CURRENT_LIST_DIR}/../../tests/fuzz/replay_main.cpp)
+function(topo_fuzz name)
+  cmake_parse_arguments(ARG "" "SEEDS" "SOURCES;DEPS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS})
+  if(TOPO_FUZZ)
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+    # The first folder takes what is found; the seeds are only read.
+    file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}_found)
+    add_test(NAME ${name}
+             COMMAND ${name} -max_total_time=${TOPO_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
+                     -seed=1 ${CMAKE_CURRENT_BINARY_DIR}/${name}_found ${ARG_SEEDS})
+  else()
+    target_sources(${name} PRIVATE ${TOPO_FUZZ_REPLAY})
+    add_test(NAME ${name} COMMAND ${name} ${ARG_SEEDS})
+  endif()
+  math(EXPR limit_s "${TOPO_FUZZ_SECONDS} + 100")
+  set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit_s})
+endfunction()

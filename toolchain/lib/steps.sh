@@ -1,0 +1,87 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Steps with a name, a time and a verdict, for scripts whose output is read by people and by CI.
+# Source it after `set -uo pipefail`; a step that fails does not end the script, its verdict is kept.
+
+step_names=()
+step_minutes=()
+step_verdicts=()
+steps_failed=0
+
+minutes_since() { # START: minutes with one digit
+  awk -v start="$1" -v now="$(date +%s.%N)" 'BEGIN { printf "%.1f", (now - start) / 60 }'
+}
+
+# step NAME COMMAND...: runs it, shows its output, keeps its time and verdict, returns its status.
+step() {
+  local name=$1 start status=0 verdict=ok minutes
+  shift
+  printf '\n== %s\n   %s\n' "$name" "$*"
+  start=$(date +%s.%N)
+  "$@" </dev/null || status=$?
+  minutes=$(minutes_since "$start")
+  if [ $status != 0 ]; then
+    verdict="FAILED ($status)"
+    steps_failed=$((steps_failed + 1))
+  fi
+  printf '== %s: %s, %s min\n' "$name" "$verdict" "$minutes"
+  step_names+=("$name")
+  step_minutes+=("$minutes")
+  step_verdicts+=("$verdict")
+  return $status
+}
+
+# skip_step NAME WHY: a step that cannot run because one before it failed. It failed too.
+skip_step() {
+  printf '\n== %s: not run, %s\n' "$1" "$2"
+  step_names+=("$1")
+  step_minutes+=("0.0")
+  step_verdicts+=("NOT RUN")
+  steps_failed=$((steps_failed + 1))
+}
+
+# summary TITLE: one line a step and the whole time. Returns 1 when a step failed.
+summary() {
+  local i
+  printf '\n%s\n' "$1"
+  for i in "${!step_names[@]}"; do
+    printf '  %-40s %6s min  %s\n' "${step_names[$i]}" "${step_minutes[$i]}" "${step_verdicts[$i]}"
+  done
+  printf '  %-40s %6s min  ' "all" "$(minutes_since "$steps_start")"
+  if [ $steps_failed = 0 ]; then
+    echo ok
+  else
+    echo "FAILED: $steps_failed step(s)"
+    return 1
+  fi
+}
+
+# build PRESET [TARGET...]: configures and builds. The whole log goes to build/PRESET.log; what is shown is its
+# end, or on failure every error in it.
+build() {
+  local preset=$1 log=build/$1.log
+  shift
+  mkdir -p build
+  if ! { cmake --preset "$preset" && cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}; } \
+    >"$log" 2>&1; then
+    grep -nE 'error|warning|FAILED|Error' "$log" | head -n 60
+    echo "   ... the end of $log:"
+    tail -n 40 "$log"
+    return 1
+  fi
+  tail -n 1 "$log"
+}
+
+# As many jobs as there are processors, but not more than memory carries: a file with Eigen under a sanitizer
+# takes up to 1.5 GB.
+default_jobs() {
+  local processors memory_gb
+  processors=$(nproc)
+  memory_gb=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
+  local by_memory=$(((memory_gb * 2) / 3))
+  [ $by_memory -ge 1 ] || by_memory=1
+  echo $((processors < by_memory ? processors : by_memory))
+}
+
+steps_start=$(date +%s.%N)
