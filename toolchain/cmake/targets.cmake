@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # One CMake target a folder. Includes are written from the top of the tree: "core/types/scan.hpp".
 
+# What the ThreadSanitizer and the fuzzing builds need, so that they need not build everything.
+add_custom_target(thread_tests COMMENT "Tests with label thread, and all programs")
+add_custom_target(fuzzers COMMENT "What topo_fuzz() made")
+
 # topo_library(NAME [SOURCES a.cpp ...] [DEPS target ...])
 # A static library topo_NAME; without SOURCES an interface library of headers.
 function(topo_library name)
@@ -24,6 +28,7 @@ function(topo_program name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  add_dependencies(thread_tests ${name})
 endfunction()
 
 # topo_test(NAME SOURCES a_test.cpp ... DEPS target ... [LABELS unit ...] [TIMEOUT s] [ENVIRONMENT k=v ...])
@@ -43,6 +48,9 @@ function(topo_test name)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
                        ENVIRONMENT "${ARG_ENVIRONMENT}")
+  if("thread" IN_LIST ARG_LABELS)
+    add_dependencies(thread_tests ${name})
+  endif()
 endfunction()
 
 # topo_fuzz(NAME SOURCES a_fuzz.cpp ... DEPS target ... [SEEDS folder])
@@ -56,6 +64,7 @@ function(topo_fuzz name)
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
+  add_dependencies(fuzzers ${name})
   if(TOPO_FUZZ)
     target_link_options(${name} PRIVATE -fsanitize=fuzzer)
     # The first folder takes what is found; the seeds are only read.

@@ -1,4 +1,3 @@
-# shellcheck shell=bash
 # SPDX-FileCopyrightText: 2026 The Topometric authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Steps with a name, a time and a verdict, for scripts whose output is read by people and by CI.

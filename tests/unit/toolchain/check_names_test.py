@@ -77,6 +77,14 @@ class CheckNames(TreeTest):
         self.write("core/a.cpp", HEAD + "std::thread::id owner = std::this_thread::get_id();\n")
         self.assert_clean()
 
+    def test_last_words_before_an_abort_are_the_only_text(self):
+        self.write(
+            "core/a.cpp",
+            HEAD + 'void f() {\n  std::fprintf(stderr, "%s", what);\n  std::abort();\n}\n'
+            'void g() {\n  std::fprintf(stderr, "progress");\n  h();\n}\n',
+        )
+        self.assert_reports(("core/a.cpp:8", "no file"))
+
     def test_words_like_the_banned_ones_are_fine(self):
         self.write(
             "core/a.cpp",
