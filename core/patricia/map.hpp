@@ -185,6 +185,9 @@ class Map {
     detail::Differ<V, F>(f).compare(old_map.root_, new_map.root_);
   }
 
+  /// Any thread. The tree itself, for what looks at its form. Empty when there is no key.
+  [[nodiscard]] NodeRef<V> root() const { return root_; }
+
   /// Any thread. True when both are the very same version: O(1), and may be false for equal contents.
   [[nodiscard]] bool same_version(const Map& other) const { return root_ == other.root_; }
 
