@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/types/result.hpp"
+
+namespace topo::daemon {
+
+using Json = nlohmann::json;
+
+// JSON-RPC 2.0, one object a line, no batches (https://www.jsonrpc.org/specification). What comes from a
+// client is hostile until parsed: its length and depth are limited, and nothing here throws.
+
+inline constexpr std::size_t kMaxRequestBytes = 16384;
+inline constexpr int kMaxRequestDepth = 8;
+
+/// Error codes: those of the specification, and ours above -32000.
+enum class RpcCode {
+  kParseError = -32700,
+  kInvalidRequest = -32600,
+  kMethodNotFound = -32601,
+  kInvalidParams = -32602,
+  kInternalError = -32603,
+  kForbidden = -32001,  ///< the peer may not command
+  kRefused = -32002,    ///< understood, and not done: the message says why
+};
+
+struct RpcError {
+  RpcCode code = RpcCode::kInternalError;
+  std::string message;
+};
+
+struct RpcRequest {
+  std::string method;
+  Json params = Json::object();
+  Json id;              ///< string, number or null
+  bool notify = false;  ///< no id: no answer is wanted
+};
+
+/// A request, or the error to answer with (id null, as the specification wants it).
+tl::expected<RpcRequest, RpcError> parse_request(std::string_view line);
+
+/// One line with its line feed.
+std::string result_line(const Json& id, const Json& result);
+std::string error_line(const Json& id, const RpcError& error);
+std::string request_line(std::string_view method, const Json& params, int id);
+
+/// The result of an answer with this id; kRefused errors and the like as kUnsupported, kForbidden as
+/// kPermission, kInvalidParams as kInvalidInput, a line that is no answer as kProtocol.
+types::Result<Json> parse_answer(std::string_view line, int id);
+
+/// Member `name` of params. The error names the method's parameter, what was found and what is expected.
+tl::expected<double, RpcError> real_param(const Json& params, const char* name);
+tl::expected<std::string, RpcError> text_param(const Json& params, const char* name);
+
+/// An error when params hold anything but `allowed`.
+std::optional<RpcError> only_params(const Json& params, std::initializer_list<std::string_view> allowed);
+
+}  // namespace topo::daemon

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "core/types/transform.hpp"
+#include "daemon/control/server.hpp"
+
+namespace topo::daemon {
+
+/// What an operator can ask of the daemon. Called on the main thread; nothing here may wait.
+class Operations {
+ public:
+  virtual ~Operations() = default;
+  [[nodiscard]] virtual Json status() const = 0;
+  [[nodiscard]] virtual Json health() const = 0;
+  [[nodiscard]] virtual Json latency() const = 0;
+  [[nodiscard]] virtual Json config() const = 0;
+  /// Latches; the base stops within 100 ms.
+  virtual void estop() = 0;
+  virtual types::Status clear_estop() = 0;
+  /// Drives for the dead-man's time unless called again.
+  virtual types::Status drive(const types::Twist2& twist) = 0;
+  virtual void stop() = 0;
+  /// Writes the map's files into a folder and calls `done` on the main thread, later.
+  virtual void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) = 0;
+  virtual types::Status set_log_level(const std::string& level) = 0;
+};
+
+/// The methods of the control socket. `late` takes answers that come after answer() has returned.
+class Methods {
+ public:
+  using Late = std::function<void(const Call&, const Answer&)>;
+  Methods(Operations& operations, Late late) : operations_(operations), late_(std::move(late)) {}
+
+  /// The answer, or nothing when it comes late.
+  std::optional<Answer> answer(const Call& call);
+
+ private:
+  Operations& operations_;
+  Late late_;
+};
+
+}  // namespace topo::daemon

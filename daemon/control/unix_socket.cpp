@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/control/unix_socket.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace topo::daemon {
+namespace {
+
+using types::Errc;
+using types::fail;
+using types::Result;
+using types::Status;
+
+tl::unexpected<types::Error> fail_path(const std::string& path, std::string_view doing) {
+  const int error = errno;
+  const Errc code = error == EACCES || error == EPERM ? Errc::kPermission
+                    : error == ENOENT                 ? Errc::kNotFound
+                    : error == ECONNREFUSED           ? Errc::kNotFound
+                                                      : Errc::kIo;
+  return fail(code, fmt::format("control socket {}: {}: {}", path, doing, std::strerror(error)), error);
+}
+
+Result<sockaddr_un> to_address(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.empty() || path.size() >= sizeof address.sun_path) {
+    return fail(Errc::kInvalidInput, fmt::format("control socket {}: expected a path of 1 to {} bytes", path,
+                                                 sizeof address.sun_path - 1));
+  }
+  std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
+  return address;
+}
+
+const sockaddr* generic(const sockaddr_un& address) {
+  return reinterpret_cast<const sockaddr*>(&address);  // as the socket calls want it
+}
+
+Result<io::UniqueFd> take_lock(const std::string& path) {
+  const std::string lock_path = path + ".lock";
+  io::UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (!lock.valid()) return fail_path(lock_path, "cannot be opened");
+  if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
+  if (errno != EWOULDBLOCK) return fail_path(lock_path, "cannot be locked");
+  return fail(Errc::kBusy,
+              fmt::format("control socket {}: another topometricd serves it; stop that one, or give this "
+                          "one another control.socket",
+                          path));
+}
+
+/// With the lock held, a socket that is there belongs to nobody.
+Status remove_stale(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) return {};
+    return fail_path(path, "cannot be examined");
+  }
+  if (!S_ISSOCK(status.st_mode)) {
+    return fail(Errc::kInvalidInput,
+                fmt::format("control socket {}: a file that is no socket is there, expected none", path));
+  }
+  if (::unlink(path.c_str()) != 0) return fail_path(path, "the old socket cannot be removed");
+  return {};
+}
+
+}  // namespace
+
+Result<ListeningSocket> ListeningSocket::open(const std::string& path) {
+  const auto address = to_address(path);
+  if (!address) return tl::unexpected(address.error());
+  auto lock = take_lock(path);
+  if (!lock) return tl::unexpected(lock.error());
+  if (const auto removed = remove_stale(path); !removed) return tl::unexpected(removed.error());
+  io::UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) return fail_path(path, "no socket");
+  if (::bind(socket.get(), generic(*address), sizeof *address) != 0) return fail_path(path, "cannot be made");
+  // Anybody may connect, look and e-stop; who may command is decided by the peer's credentials.
+  if (::chmod(path.c_str(), 0666) != 0) return fail_path(path, "cannot be opened to everybody");
+  if (::listen(socket.get(), 16) != 0) return fail_path(path, "cannot listen");
+  return ListeningSocket(std::move(*lock), std::move(socket), path);
+}
+
+ListeningSocket::~ListeningSocket() {
+  // The lock file stays: removing it would let a third daemon lock a file that nobody else sees.
+  if (socket_.valid()) ::unlink(path_.c_str());
+}
+
+Result<io::UniqueFd> connect_unix(const std::string& path) {
+  const auto address = to_address(path);
+  if (!address) return tl::unexpected(address.error());
+  io::UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) return fail_path(path, "no socket");
+  if (::connect(socket.get(), generic(*address), sizeof *address) != 0) {
+    return fail_path(path, "no daemon answers");
+  }
+  return socket;
+}
+
+}  // namespace topo::daemon

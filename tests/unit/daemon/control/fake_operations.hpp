@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "daemon/control/methods.hpp"
+
+namespace topo::daemon {
+
+/// Notes what was asked.
+class FakeOperations final : public Operations {
+ public:
+  std::vector<std::string> calls;
+  types::Twist2 twist;
+  std::string folder;
+  std::function<void(types::Result<Json>)> save_done;
+  types::Status outcome;
+
+  [[nodiscard]] Json status() const override { return Json{{"state", "standing"}}; }
+  [[nodiscard]] Json health() const override { return Json{{"healthy", true}}; }
+  [[nodiscard]] Json latency() const override { return Json::object(); }
+  [[nodiscard]] Json config() const override { return Json{{"text", ""}}; }
+  void estop() override { calls.push_back("estop"); }
+  types::Status clear_estop() override { return calls.push_back("clear_estop"), outcome; }
+  types::Status drive(const types::Twist2& t) override {
+    twist = t;
+    return calls.push_back("drive"), outcome;
+  }
+  void stop() override { calls.push_back("stop"); }
+  void save_map(const std::string& f, std::function<void(types::Result<Json>)> done) override {
+    folder = f;
+    save_done = std::move(done);
+  }
+  types::Status set_log_level(const std::string&) override { return calls.push_back("log_level"), outcome; }
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/control/methods.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/daemon/control/fake_operations.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class MethodsTest : public ::testing::Test {
+ protected:
+  std::optional<Answer> ask(const std::string& method, Json params, bool may_command = true) {
+    return methods.answer({1, may_command, {method, std::move(params), 1, false}});
+  }
+  RpcCode refusal(const std::string& method, Json params, bool may_command = true) {
+    const auto answer = ask(method, std::move(params), may_command);
+    EXPECT_TRUE(answer.has_value() && !answer->has_value());
+    return answer && !*answer ? answer->error().code : RpcCode::kInternalError;
+  }
+
+  FakeOperations operations;
+  std::optional<Answer> late;
+  Methods methods{operations, [this](const Call&, const Answer& answer) { late = answer; }};
+};
+
+TEST_F(MethodsTest, AnybodyMayLookAndEstop) {
+  for (const auto* method : {"status", "version", "health", "latency", "config", "estop"}) {
+    const auto answer = ask(method, Json::object(), false);
+    ASSERT_TRUE(answer.has_value() && answer->has_value()) << method;
+  }
+  EXPECT_THAT(operations.calls, ElementsAre("estop"));
+}
+
+TEST_F(MethodsTest, CommandsNeedTheRight) {
+  EXPECT_EQ(refusal("drive", {{"v_mps", 0.1}, {"omega_radps", 0.0}}, false), RpcCode::kForbidden);
+  EXPECT_EQ(refusal("stop", Json::object(), false), RpcCode::kForbidden);
+  EXPECT_EQ(refusal("clear_estop", Json::object(), false), RpcCode::kForbidden);
+  EXPECT_EQ(refusal("log_level", {{"level", "debug"}}, false), RpcCode::kForbidden);
+  EXPECT_EQ(refusal("map.save", {{"dir", "/tmp"}}, false), RpcCode::kForbidden);
+  EXPECT_THAT(operations.calls, IsEmpty());
+  EXPECT_FALSE(operations.save_done);
+}
+
+TEST_F(MethodsTest, DriveTakesTwoNumbers) {
+  ASSERT_TRUE(ask("drive", {{"v_mps", 0.25}, {"omega_radps", -1}})->has_value());
+  EXPECT_EQ(operations.twist, (types::Twist2{0.25, -1.0}));
+  EXPECT_EQ(refusal("drive", {{"v_mps", 0.25}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("drive", {{"v_mps", "x"}, {"omega_radps", 0}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("drive", {{"v_mps", 1}, {"omega_radps", 0}, {"w", 0}}), RpcCode::kInvalidParams);
+}
+
+TEST_F(MethodsTest, RefusalsCarryTheReason) {
+  operations.outcome = types::fail(types::Errc::kBusy, "the stop button is pressed");
+  const auto answer = ask("clear_estop", Json::object());
+  ASSERT_TRUE(answer.has_value() && !answer->has_value());
+  EXPECT_EQ(answer->error().code, RpcCode::kRefused);
+  EXPECT_EQ(answer->error().message, "the stop button is pressed");
+}
+
+TEST_F(MethodsTest, UnknownMethod) { EXPECT_EQ(refusal("fly", Json::object()), RpcCode::kMethodNotFound); }
+
+TEST_F(MethodsTest, SavingAnswersLate) {
+  EXPECT_FALSE(ask("map.save", {{"dir", "/somewhere"}}).has_value());
+  EXPECT_EQ(operations.folder, "/somewhere");
+  EXPECT_FALSE(late.has_value());
+  operations.save_done(Json{{"files", 3}});
+  ASSERT_TRUE(late.has_value() && late->has_value());
+  EXPECT_EQ((**late)["files"], 3);
+}
+
+}  // namespace
+}  // namespace topo::daemon

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/control/server.hpp"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+
+#include "tests/unit/daemon/control/temp_folder.hpp"
+
+namespace topo::daemon {
+namespace {
+
+/// A server on a loop that the test turns itself: no threads, no waiting for luck.
+class ServerTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_GE(sd_event_new(&event), 0);
+    auto listening = ListeningSocket::open(path);
+    ASSERT_TRUE(listening.has_value()) << listening.error().message;
+    server.emplace(event, std::move(*listening), std::nullopt,
+                   [this](const Call& call) -> std::optional<Answer> {
+                     ++calls;
+                     if (call.request.method == "later") {
+                       kept = call;
+                       return {};
+                     }
+                     if (call.request.method == "big") return Json(std::string(200000, 'x'));
+                     return Json{{"echo", call.request.method}};
+                   });
+    ASSERT_TRUE(server->start().has_value());
+  }
+  void TearDown() override {
+    server.reset();
+    sd_event_unref(event);
+  }
+
+  /// Turns the loop until nothing more is due.
+  void settle() {
+    while (sd_event_run(event, 0) > 0) {
+    }
+  }
+  io::UniqueFd connect() {
+    auto fd = connect_unix(path);
+    EXPECT_TRUE(fd.has_value());
+    settle();
+    return std::move(*fd);
+  }
+  void write(const io::UniqueFd& fd, std::string_view text) {
+    ASSERT_EQ(::send(fd.get(), text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    settle();
+  }
+  /// What is there to read; "closed" is noted when the server hung up.
+  std::string read(const io::UniqueFd& fd) {
+    std::string text;
+    std::array<char, 65536> bytes{};
+    while (true) {
+      const ssize_t got = ::recv(fd.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
+      if (got == 0 || (got < 0 && errno == ECONNRESET)) return text + "closed";
+      if (got < 0) return text;
+      text.append(bytes.data(), static_cast<std::size_t>(got));
+      settle();
+    }
+  }
+
+  TempFolder folder;
+  std::string path = folder.file("control.sock");
+  sd_event* event = nullptr;
+  std::optional<ControlServer> server;
+  std::optional<Call> kept;
+  int calls = 0;
+};
+
+constexpr std::string_view kStatus = "{\"jsonrpc\":\"2.0\",\"method\":\"status\",\"id\":1}\n";
+
+TEST_F(ServerTest, SeveralClientsEachTheirAnswer) {
+  const auto a = connect(), b = connect();
+  write(a, kStatus);
+  write(b, "{\"jsonrpc\":\"2.0\",\"method\":\"health\",\"id\":2}\n");
+  EXPECT_EQ(read(b), "{\"id\":2,\"jsonrpc\":\"2.0\",\"result\":{\"echo\":\"health\"}}\n");
+  EXPECT_EQ(read(a), "{\"id\":1,\"jsonrpc\":\"2.0\",\"result\":{\"echo\":\"status\"}}\n");
+}
+
+TEST_F(ServerTest, RequestInPiecesAndTwoAtOnce) {
+  const auto a = connect();
+  write(a, kStatus.substr(0, 10));
+  EXPECT_EQ(read(a), "");
+  write(a, std::string(kStatus.substr(10)) + std::string(kStatus));
+  const std::string got = read(a);
+  EXPECT_EQ(std::count(got.begin(), got.end(), '\n'), 2);
+}
+
+TEST_F(ServerTest, GarbageGetsAnErrorAndTheClientMayGoOn) {
+  const auto a = connect();
+  write(a, "no json\n");
+  EXPECT_NE(read(a).find("-32700"), std::string::npos);
+  write(a, kStatus);
+  EXPECT_NE(read(a).find("echo"), std::string::npos);
+}
+
+TEST_F(ServerTest, EndlessLineIsCutOff) {
+  const auto a = connect();
+  write(a, std::string(40000, 'x'));
+  EXPECT_NE(read(a).find("closed"), std::string::npos);
+  EXPECT_EQ(server->clients(), 0U);
+}
+
+TEST_F(ServerTest, NotificationIsDoneAndNotAnswered) {
+  const auto a = connect();
+  write(a, "{\"jsonrpc\":\"2.0\",\"method\":\"estop\"}\n");
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(read(a), "");
+}
+
+TEST_F(ServerTest, LateAnswerFindsItsClientOrNobody) {
+  auto a = connect();
+  write(a, "{\"jsonrpc\":\"2.0\",\"method\":\"later\",\"id\":9}\n");
+  EXPECT_EQ(read(a), "");
+  ASSERT_TRUE(kept.has_value());
+  server->answer(*kept, Json(true));
+  EXPECT_EQ(read(a), "{\"id\":9,\"jsonrpc\":\"2.0\",\"result\":true}\n");
+  a.reset();
+  settle();
+  EXPECT_EQ(server->clients(), 0U);
+  server->answer(*kept, Json(true));
+}
+
+TEST_F(ServerTest, ClientThatDoesNotReadIsDroppedAndOthersAreServed) {
+  const auto slow = connect(), quick = connect();
+  for (int i = 0; i < 10 && server->clients() == 2; ++i) {
+    const std::string_view big = "{\"jsonrpc\":\"2.0\",\"method\":\"big\",\"id\":1}\n";
+    ::send(slow.get(), big.data(), big.size(), MSG_NOSIGNAL);
+    settle();
+  }
+  EXPECT_EQ(server->clients(), 1U);
+  write(quick, kStatus);
+  EXPECT_NE(read(quick).find("echo"), std::string::npos);
+}
+
+TEST_F(ServerTest, BigAnswerArrivesWholeAtAReader) {
+  const auto a = connect();
+  write(a, "{\"jsonrpc\":\"2.0\",\"method\":\"big\",\"id\":1}\n");
+  const std::string got = read(a);
+  EXPECT_GT(got.size(), 200000U);
+  EXPECT_EQ(got.back(), '\n');
+}
+
+TEST_F(ServerTest, OneMoreClientIsAlwaysTaken) {
+  std::vector<io::UniqueFd> many;
+  for (int i = 0; i < 40; ++i) many.push_back(connect());
+  EXPECT_LE(server->clients(), 32U);
+  write(many.back(), kStatus);
+  EXPECT_NE(read(many.back()).find("echo"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace topo::daemon
