@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/sim/devices/arcos_drive.hpp"
+#include "tests/sim/devices/arcos_model.hpp"
+#include "tests/sim/devices/arcos_packet.hpp"
+#include "tests/sim/devices/arcos_sip.hpp"
+#include "tests/sim/devices/wire_device.hpp"
+
+namespace topo::sim {
+
+/// What the controller's inputs say of the wheels and the bumpers.
+struct BaseInputs {
+  double left_m = 0.0;  ///< way of the wheel as its encoder counts it, since any start
+  double right_m = 0.0;
+  double left_mps = 0.0;
+  double right_mps = 0.0;
+  bool left_stall = false;
+  bool right_stall = false;
+  std::uint8_t front_bumpers = 0;  ///< bit i is segment i + 1
+  std::uint8_t rear_bumpers = 0;
+};
+
+/// A Pioneer's firmware without its wire: commands in, SIPs out, wheel speeds to the motors (PROTOCOLS
+/// sections 1 to 8). Not thread-safe; any cut of the received bytes gives the same output.
+class ArcosDevice final : public WireDevice {
+ public:
+  enum class State { kWait, kSynced, kOpen };
+
+  ArcosDevice(arcos::Parameters parameters, std::uint64_t seed);
+
+  void receive(std::span<const std::uint8_t> bytes, SimTime now) override;
+  void tick(SimTime now) override;
+  void client_gone(SimTime /*now*/) override {}  // the session outlives its client (PROTOCOLS section 2)
+  void power_cycle(SimTime now) override;
+  std::optional<SimTime> take_absence(SimTime /*now*/) override { return std::nullopt; }
+  [[nodiscard]] unsigned line_rate_bps() const override { return arcos::baud_of_code(baud_code_); }
+  [[nodiscard]] OutputQueue& output() override { return output_; }
+
+  /// One turn of the motor loop (1 to 5 ms): reads the encoders, returns the wanted wheel speeds.
+  arcos::WheelTargets control(SimTime now, SimTime dt, const BaseInputs& inputs);
+  /// An echo of a transducer: goes into the next SIP when its array is on.
+  void add_sonar(int index, double range_m);
+
+  void set_stop_button(bool pressed);
+  /// Presses bumper segments (masks as in BaseInputs) until a moment, besides what the body touches.
+  void press_bumpers(std::uint8_t front, std::uint8_t rear, SimTime until);
+  void set_battery(double volts) { parameters_.battery_volts = volts; }
+  /// The controller restarts by itself: 0xFF on the wire, back to WAIT.
+  void controller_reset(SimTime now);
+
+  [[nodiscard]] State state() const { return state_; }
+  [[nodiscard]] bool motors_on() const { return motors_on_; }
+  [[nodiscard]] bool watchdog_holds(SimTime now) const;
+  [[nodiscard]] const arcos::Parameters& parameters() const { return parameters_; }
+  [[nodiscard]] std::uint64_t bad_packets() const { return receiver_.bad_checksums(); }
+
+ private:
+  void handle(const arcos::Command& command, SimTime now);
+  void handle_sync(const arcos::Command& command, SimTime now);
+  void handle_open(const arcos::Command& command, SimTime now);
+  void handle_motion(const arcos::Command& command);
+  void handle_request(const arcos::Command& command, SimTime now);
+  void open_session(SimTime now);
+  void close_session();
+  void enable_motors(bool on);
+  void switch_sonar(int value);
+  void set_baud(int code);
+  void bump_stall();
+
+  void dead_reckon(const BaseInputs& inputs);
+  void send_sip(SimTime now);
+  [[nodiscard]] arcos::Sip compose_sip(SimTime now);
+  [[nodiscard]] int stall_bump_bits() const;
+  [[nodiscard]] int flag_bits() const;
+
+  arcos::Parameters parameters_;
+  arcos::Drive drive_;
+  arcos::Receiver receiver_;
+  OutputQueue output_;
+  std::mt19937_64 random_;
+
+  State state_ = State::kWait;
+  int sync_index_ = 0;
+  int baud_code_;
+  SimTime last_packet_{0};
+  SimTime next_sip_{0};
+
+  bool motors_on_ = false;
+  bool stop_button_ = false;
+  bool stall_by_button_ = false;  ///< FLAGS bit 6
+  bool e_stall_ = true;
+  int bump_stall_mode_ = 0;
+  bool bump_stalled_ = false;
+  unsigned sonar_arrays_ = 0;  ///< bit 0 front, bit 1 rear
+  int digout_ = 0;
+  int encoder_stream_ = 0;  ///< 0 off, 1 one, 2 always
+  int io_stream_ = 0;
+
+  BaseInputs inputs_;
+  bool have_ticks_ = false;
+  std::int64_t left_ticks_ = 0;
+  std::int64_t right_ticks_ = 0;
+  double x_mm_ = 0.0;
+  double y_mm_ = 0.0;
+  double heading_rad_ = 0.0;
+  std::vector<arcos::SonarReading> sonar_;
+  std::uint8_t pressed_front_ = 0;
+  std::uint8_t pressed_rear_ = 0;
+  SimTime pressed_until_{0};
+};
+
+}  // namespace topo::sim

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/sim/devices/arcos_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace topo::sim::arcos {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// One step of a ramp: faster with acc, slower (also when the sign changes) with decel.
+double ramp(double now, double target, double acc, double decel, double dt_s) {
+  const bool slowing = now != 0.0 && (now > 0.0 ? target < now : target > now);
+  const double most = (slowing ? decel : acc) * dt_s;
+  double next = now + std::clamp(target - now, -most, most);
+  if (slowing && next * now < 0.0) next = 0.0;  // through zero with the deceleration only
+  return next;
+}
+
+int in_range(int value, int top) { return std::clamp(std::abs(value), 1, top); }
+
+}  // namespace
+
+Drive::Drive(const Parameters& parameters) : flash_(parameters), working_(parameters) {}
+
+void Drive::set_velocity(int mm_s) {
+  if (emergency_) return;
+  velocity_setpoint_ = mm_s;
+}
+
+void Drive::set_rotation(int deg_s) {
+  if (emergency_) return;
+  rotation_setpoint_ = deg_s;
+}
+
+void Drive::set_wheels(int left_counts, int right_counts) {
+  if (emergency_) return;
+  // The firmware recomposes VEL and RVEL and applies their limits (PROTOCOLS section 3).
+  const double left = left_counts * kVel2Unit;
+  const double right = right_counts * kVel2Unit;
+  velocity_setpoint_ = (left + right) / 2.0;
+  rotation_setpoint_ = (right - left) / working_.track_mm / kDegree;
+}
+
+void Drive::stop() {
+  velocity_setpoint_ = 0.0;
+  rotation_setpoint_ = 0.0;
+}
+
+void Drive::emergency_stop() {
+  stop();
+  emergency_ = moving();
+}
+
+void Drive::set_max_velocity(int mm_s) { working_.trans_vel_max = in_range(mm_s, working_.trans_vel_top); }
+void Drive::set_max_rotation(int deg_s) { working_.rot_vel_max = in_range(deg_s, working_.rot_vel_top); }
+
+void Drive::set_acceleration(int mm_s2) {
+  (mm_s2 < 0 ? working_.trans_decel : working_.trans_acc) = in_range(mm_s2, working_.trans_acc_top);
+}
+
+void Drive::set_rotation_acceleration(int deg_s2) {
+  (deg_s2 < 0 ? working_.rot_decel : working_.rot_acc) = in_range(deg_s2, working_.rot_acc_top);
+}
+
+void Drive::revert() {
+  working_ = flash_;
+  stop();
+}
+
+void Drive::stand() {
+  velocity_mm_s_ = 0.0;
+  rotation_deg_s_ = 0.0;
+  emergency_ = false;
+}
+
+void Drive::blocked(double velocity_mm_s, double rotation_deg_s) {
+  velocity_mm_s_ = velocity_mm_s;
+  rotation_deg_s_ = rotation_deg_s;
+}
+
+WheelTargets Drive::step(double dt_s, bool hold) {
+  const double velocity_top = working_.trans_vel_max;
+  const double rotation_top = working_.rot_vel_max;
+  const double velocity_goal = hold ? 0.0 : std::clamp(velocity_setpoint_, -velocity_top, velocity_top);
+  const double rotation_goal = hold ? 0.0 : std::clamp(rotation_setpoint_, -rotation_top, rotation_top);
+  const double decel = emergency_ ? working_.trans_acc_top : working_.trans_decel;
+  const double rot_decel = emergency_ ? working_.rot_acc_top : working_.rot_decel;
+  velocity_mm_s_ = ramp(velocity_mm_s_, velocity_goal, working_.trans_acc, decel, dt_s);
+  rotation_deg_s_ = ramp(rotation_deg_s_, rotation_goal, working_.rot_acc, rot_decel, dt_s);
+  if (!moving()) emergency_ = false;
+  const double turn_mm_s = rotation_deg_s_ * kDegree * working_.track_mm / 2.0;
+  return {(velocity_mm_s_ - turn_mm_s) * 1e-3, (velocity_mm_s_ + turn_mm_s) * 1e-3};
+}
+
+}  // namespace topo::sim::arcos

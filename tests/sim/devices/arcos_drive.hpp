@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tests/sim/devices/arcos_model.hpp"
+
+namespace topo::sim::arcos {
+
+struct WheelTargets {
+  double left_mps = 0.0;
+  double right_mps = 0.0;
+};
+
+/// The firmware's motion: setpoints, working limits, first-order ramps (PROTOCOLS sections 3 and 8). It
+/// forgets nothing by itself: what holds the robot while the watchdog bites is the `hold` of step(), and the
+/// setpoints stay.
+class Drive {
+ public:
+  explicit Drive(const Parameters& parameters);
+
+  void set_velocity(int mm_s);                         ///< VEL
+  void set_rotation(int deg_s);                        ///< RVEL
+  void set_wheels(int left_counts, int right_counts);  ///< VEL2
+  void stop();                                         ///< STOP: setpoints 0, normal deceleration
+  void emergency_stop();             ///< E_STOP: setpoints 0, greatest deceleration, deaf until it stands
+  void set_max_velocity(int mm_s);   ///< SETV
+  void set_max_rotation(int deg_s);  ///< SETRV
+  void set_acceleration(int mm_s2);  ///< SETA, negative: deceleration
+  void set_rotation_acceleration(int deg_s2);  ///< SETRA
+  /// Working values back to FLASH, setpoints to 0.
+  void revert();
+  /// Stands at once (motors off); the setpoints stay.
+  void stand();
+  /// The wheels met something: ramps start again from what they really do.
+  void blocked(double velocity_mm_s, double rotation_deg_s);
+
+  /// Ramps towards the setpoints, or towards 0 when held.
+  WheelTargets step(double dt_s, bool hold);
+
+  [[nodiscard]] bool moving() const { return velocity_mm_s_ != 0.0 || rotation_deg_s_ != 0.0; }
+  [[nodiscard]] double velocity_setpoint_mm_s() const { return velocity_setpoint_; }
+  [[nodiscard]] double rotation_setpoint_deg_s() const { return rotation_setpoint_; }
+
+ private:
+  const Parameters flash_;
+  Parameters working_;
+  double velocity_setpoint_ = 0.0;
+  double rotation_setpoint_ = 0.0;
+  double velocity_mm_s_ = 0.0;
+  double rotation_deg_s_ = 0.0;
+  bool emergency_ = false;
+};
+
+}  // namespace topo::sim::arcos

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tests/sim/devices/sim_time.hpp"
+
+namespace topo::sim {
+
+/// What a device wants to send, message by message, each not before its time. The order of messages is the
+/// order of push: a message never overtakes an earlier one, as on a real line.
+class OutputQueue {
+ public:
+  explicit OutputQueue(std::size_t byte_limit) : byte_limit_(byte_limit) {}
+
+  /// Queues a message that must not be lost (a reply). Returns false when even that finds no room.
+  bool push(std::string message, SimTime due) { return push_below(std::move(message), due, 2 * byte_limit_); }
+
+  /// Queues a message that may be lost (a scan, a SIP): a slow client loses it whole, and it is counted.
+  bool push_droppable(std::string message, SimTime due) {
+    if (push_below(std::move(message), due, byte_limit_)) return true;
+    ++dropped_;
+    return false;
+  }
+
+  /// The bytes that may leave now, at most max_bytes: the front message's rest. Empty when none is due.
+  [[nodiscard]] std::string_view peek(SimTime now, std::size_t max_bytes) const {
+    if (messages_.empty() || messages_.front().due > now) return {};
+    return std::string_view(messages_.front().bytes).substr(offset_, max_bytes);
+  }
+
+  /// Removes count bytes of what peek showed.
+  void consume(std::size_t count) {
+    offset_ += count;
+    bytes_ -= count;
+    if (offset_ < messages_.front().bytes.size()) return;
+    messages_.pop_front();
+    offset_ = 0;
+  }
+
+  void clear() {
+    messages_.clear();
+    offset_ = 0;
+    bytes_ = 0;
+  }
+
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  struct Message {
+    std::string bytes;
+    SimTime due;
+  };
+
+  bool push_below(std::string message, SimTime due, std::size_t limit) {
+    if (message.empty()) return true;
+    if (bytes_ + message.size() > limit) return false;
+    bytes_ += message.size();
+    messages_.push_back({std::move(message), due});
+    return true;
+  }
+
+  std::deque<Message> messages_;
+  std::size_t offset_ = 0;  ///< how much of the front message has left
+  std::size_t bytes_ = 0;
+  std::size_t byte_limit_;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace topo::sim

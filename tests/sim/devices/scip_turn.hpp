@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tests/sim/devices/sim_time.hpp"
+
+namespace topo::sim::scip {
+
+struct Echo {
+  std::uint32_t range_mm = 0;  ///< or one of the model's codes for "no distance" (PROTOCOLS 10.2)
+  std::uint32_t intensity = 0;
+};
+
+/// What one step measured, nearest echo first.
+struct Beam {
+  static constexpr std::size_t kMaxEchoes = 3;
+  std::uint8_t count = 1;  ///< 1 to kMaxEchoes
+  std::array<Echo, kMaxEchoes> echoes{};
+};
+
+/// One turn of a sensor's mirror as the device's electronics sees it.
+struct Turn {
+  SimTime step0{};  ///< when the mirror passed step 0, which is what SCIP stamps (PROTOCOLS section 12)
+  std::vector<Beam> beams;  ///< from AMIN to AMAX
+};
+
+}  // namespace topo::sim::scip
