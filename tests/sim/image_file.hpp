@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/types/result.hpp"
+
+namespace topo::sim {
+
+/// Grey picture, row 0 on top.
+struct GreyImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Reads PNG (colour becomes grey) and PGM (P2, P5, up to 255). Errors name the file and what is wrong with
+/// it.
+types::Result<GreyImage> read_image(const std::filesystem::path& file);
+
+}  // namespace topo::sim
