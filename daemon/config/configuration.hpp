@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/slam/params.hpp"
+
 namespace topo::daemon {
 
 // The values of one configuration file. The initialisers here are the defaults, and the only place of them;
@@ -40,9 +42,9 @@ struct ScannerConfig {
   double x_m = 0.0;
   double y_m = 0.0;
   double z_m = 0.3;
-  double yaw_rad = 0.0;
+  double yaw_rad = 0.0;   ///< front only: of the zero beam, from straight ahead
   double roll_rad = 0.0;  ///< coronal only: of the zero beam, from straight up towards the left
-  bool upside_down = false;
+  bool mirrored = false;  ///< coronal only: beams count towards the right
   bool intensity = false;
   int skip_scans = 0;
   double stamp_offset_s = 0.0;
@@ -79,11 +81,15 @@ struct Configuration {
   BaseConfig base;
   ScannerConfig front;
   ScannerConfig coronal;
+  slam::MapperParams mapping;  ///< but for the scanners' places, which mapper_params() adds
   ControlConfig control;
   LogConfig log;
   RealtimeConfig realtime;
   RecordConfig record;
 };
+
+/// The mapper's parameters with the scanners where the configuration has them.
+[[nodiscard]] slam::MapperParams mapper_params(const Configuration& configuration);
 
 /// Hull and speed of a model as sold (PROTOCOLS section 6.2), what a configuration is checked against.
 struct ModelLimits {

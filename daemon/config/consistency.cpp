@@ -110,12 +110,18 @@ void check_model(LoadedConfiguration& loaded) {
   }
 }
 
-void check_threads(LoadedConfiguration& loaded) {
+void check_the_rest(LoadedConfiguration& loaded) {
   const RealtimeConfig& r = loaded.values.realtime;
   if (r.scan_priority >= r.base_priority) {
     contradict(loaded, "realtime.scan_priority", "realtime.base_priority",
                fmt::format("found {} and {}, the base thread must go before the scan threads",
                            r.scan_priority, r.base_priority));
+  }
+  const auto& heights = loaded.values.mapping.coronal;
+  if (heights.height_min_m >= heights.height_max_m) {
+    contradict(loaded, "mapping.height_min_m", "mapping.height_max_m",
+               fmt::format("found {} and {}, floor must be below ceiling", heights.height_min_m,
+                           heights.height_max_m));
   }
   const std::string& log = loaded.values.log.file;
   if (!log.empty() && log == loaded.values.record.file) {
@@ -137,7 +143,7 @@ void check_consistency(LoadedConfiguration& loaded) {
   check_addresses(loaded);
   check_serial_numbers(loaded);
   check_model(loaded);
-  check_threads(loaded);
+  check_the_rest(loaded);
 }
 
 }  // namespace topo::daemon

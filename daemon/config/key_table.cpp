@@ -12,9 +12,9 @@ namespace topo::daemon {
 namespace {
 
 /// The place of a field, as a plain function: at<&Configuration::base, &BaseConfig::v_max_mps>.
-template <auto Section, auto Field>
+template <auto... Members>
 auto& at(Configuration& configuration) {
-  return configuration.*Section.*Field;
+  return (configuration.*....*Members);
 }
 
 template <auto Section, auto Field>
@@ -110,23 +110,58 @@ void add_scanner(std::vector<KeySpec>& t, const std::string& section, bool coron
       {key("y_m"), "m", false, RealKey{&at<kS, &C::y_m>, -1.0, 1.0}, "place of the sensor to the left"});
   t.push_back(
       {key("z_m"), "m", false, RealKey{&at<kS, &C::z_m>, 0.0, 3.0}, "height of the sensor above the floor"});
-  t.push_back(
-      {key("yaw_rad"), "rad", false, RealKey{&at<kS, &C::yaw_rad>, -3.15, 3.15},
-       coronal ? "turn of the scan plane's normal from straight ahead, counter-clockwise seen from above"
-               : "turn of the sensor's zero beam from straight ahead, counter-clockwise seen from above"});
   if (coronal) {
     t.push_back({key("roll_rad"), "rad", false, RealKey{&at<kS, &C::roll_rad>, -3.15, 3.15},
                  "turn of the sensor's zero beam from straight up towards the robot's left"});
+    t.push_back({key("mirrored"), "", false, SwitchKey{&at<kS, &C::mirrored>},
+                 "the sensor's beams run from the robot's left to its right over its top"});
+  } else {
+    t.push_back({key("yaw_rad"), "rad", false, RealKey{&at<kS, &C::yaw_rad>, -3.15, 3.15},
+                 "turn of the sensor's zero beam from straight ahead, counter-clockwise seen from above"});
   }
-  t.push_back({key("upside_down"), "", false, SwitchKey{&at<kS, &C::upside_down>},
-               coronal ? "the sensor's top shows backwards, so that its beams run the other way"
-                       : "the sensor hangs upside down, so that its beams run the other way"});
   t.push_back({key("intensity"), "", false, SwitchKey{&at<kS, &C::intensity>},
                "stream intensities too (ME instead of MD): half as much again on the wire"});
   t.push_back({key("skip_scans"), "", false, IntegerKey{&at<kS, &C::skip_scans>, 0, 9},
                "scans left out between two, for a slow line"});
   t.push_back({key("stamp_offset_s"), "s", false, RealKey{&at<kS, &C::stamp_offset_s>, -0.1, 0.1},
                "added to every stamp, where a model stamps the rear mark and not the first beam"});
+}
+
+void add_mapping(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::mapping;
+  using P = slam::MapperParams;
+  t.push_back({"mapping.resolution_m", "m", false,
+               RealKey{&at<kS, &P::grid, &slam::GridParams::resolution_m>, 0.02, 0.2},
+               "side of a cell of the map"});
+  t.push_back({"mapping.range_max_m", "m", false,
+               RealKey{&at<kS, &P::cloud, &slam::CloudParams::range_max_m>, 2.0, 100.0},
+               "beams of the front scanner beyond are no evidence"});
+  t.push_back({"mapping.keyframe_travel_m", "m", false,
+               RealKey{&at<kS, &P::keyframe, &slam::KeyframeParams::travel_m>, 0.05, 3.0},
+               "way after which a scan becomes a keyframe"});
+  t.push_back({"mapping.keyframe_turn_rad", "rad", false,
+               RealKey{&at<kS, &P::keyframe, &slam::KeyframeParams::turn_rad>, 0.05, 1.6},
+               "turn after which a scan becomes a keyframe"});
+  t.push_back({"mapping.loop_radius_m", "m", false,
+               RealKey{&at<kS, &P::loop, &slam::LoopParams::radius_m>, 1.0, 50.0},
+               "old keyframes this near, plus the drift, are tried for loop closures"});
+  t.push_back({"mapping.odometry_wait_s", "s", false, RealKey{&at<kS, &P::odometry_wait_s>, 0.0, 1.0},
+               "how long a scan waits for the odometry after it"});
+  t.push_back({"mapping.odometry_error_per_m", "m/m", false,
+               RealKey{&at<kS, &P::motion, &slam::MotionNoise::trans_per_m>, 0.001, 1.0},
+               "standard deviation of dead reckoning in distance"});
+  t.push_back({"mapping.odometry_error_per_rad", "rad/rad", false,
+               RealKey{&at<kS, &P::motion, &slam::MotionNoise::rot_per_rad>, 0.001, 1.0},
+               "standard deviation of dead reckoning in turning"});
+  t.push_back({"mapping.height_min_m", "m", false,
+               RealKey{&at<kS, &P::coronal, &walls::CoronalMount::height_min_m>, 0.0, 1.0},
+               "what the coronal scanner sees below is floor"});
+  t.push_back({"mapping.height_max_m", "m", false,
+               RealKey{&at<kS, &P::coronal, &walls::CoronalMount::height_max_m>, 0.5, 3.2},
+               "what the coronal scanner sees above is ceiling"});
+  t.push_back({"mapping.coronal_range_max_m", "m", false,
+               RealKey{&at<kS, &P::coronal, &walls::CoronalMount::range_max_m>, 1.0, 60.0},
+               "beams of the coronal scanner beyond are no evidence"});
 }
 
 void add_control_and_log(std::vector<KeySpec>& t) {
@@ -170,6 +205,7 @@ std::vector<KeySpec> make_table() {
   add_base(table);
   add_scanner<&Configuration::front>(table, "scanner.front", false);
   add_scanner<&Configuration::coronal>(table, "scanner.coronal", true);
+  add_mapping(table);
   add_control_and_log(table);
   add_realtime_and_record(table);
   return table;
@@ -247,6 +283,19 @@ std::string quoted(std::string_view text) {
     }
   }
   return out + "\"";
+}
+
+slam::MapperParams mapper_params(const Configuration& configuration) {
+  slam::MapperParams params = configuration.mapping;
+  const ScannerConfig& front = configuration.front;
+  const ScannerConfig& coronal = configuration.coronal;
+  params.T_base_laser = {front.x_m, front.y_m, front.yaw_rad};
+  params.coronal.x_m = coronal.x_m;
+  params.coronal.y_m = coronal.y_m;
+  params.coronal.z_m = coronal.z_m;
+  params.coronal.roll_rad = coronal.roll_rad;
+  params.coronal.mirrored = coronal.mirrored;
+  return params;
 }
 
 ModelLimits model_limits(RobotModel model) {
