@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "core/types/base_state.hpp"
+#include "core/types/se2.hpp"
 #include "drivers/io/byte_stream.hpp"
 
 namespace topo::pioneer {
@@ -35,6 +38,11 @@ struct RobotInfo {
   double track_m = 0.0;  ///< effective, 2 / DiffConvFactor
   double swing_radius_m = 0.0;
   double length_front_m = 0.0, length_rear_m = 0.0, width_m = 0.0;
+  /// Poses of the transducers, by the index of BaseState::sonar; `sonars` of them are known. The model's full
+  /// set: a transducer that is not fitted never sends a reading.
+  std::array<types::Se2, types::BaseState::kMaxSonars> T_base_sonar{};
+  std::size_t sonars = 0;
+  double sonar_range_max_m = 0.0;  ///< at or beyond: nothing seen
 };
 
 struct Counters {

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/pioneer/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace topo::pioneer {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr types::Duration kCallerSilence = milliseconds(200);
+constexpr types::Duration kStopAgain = milliseconds(200);  // no acknowledgement: until the robot stands
+constexpr types::Duration kPulse = milliseconds(500);
+constexpr types::Duration kSwitchAgain = milliseconds(500);
+constexpr double kStands_mps = 0.005;
+constexpr double kStands_radps = 0.01;
+
+bool asks_for_motion(const types::BaseCommand& c) {
+  return c.enable_motors || (!c.estop && (c.twist.v_mps != 0.0 || c.twist.omega_radps != 0.0));
+}
+
+}  // namespace
+
+Drive::Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move)
+    : outbox_(outbox), limits_(limits), may_move_(may_move) {
+  constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+  outbox_.set_velocity({});
+  outbox_.push(encode(Command::kSetV, std::max(1, static_cast<int>(limits.v_mps * 1e3))));
+  outbox_.push(encode(Command::kSetA, limits.acceleration_mmps2));
+  outbox_.push(encode(Command::kSetA, -limits.deceleration_mmps2));
+  outbox_.push(
+      encode(Command::kSetRv, std::max(1, static_cast<int>(limits.omega_radps * kDegreesPerRadian))));
+  outbox_.push(encode(Command::kSetRa, limits.angular_acceleration_degps2));
+  outbox_.push(encode(Command::kSetRa, -limits.angular_acceleration_degps2));
+  outbox_.push(encode(Command::kSonar, sonar ? 1 : 0));
+}
+
+types::Status Drive::command(const types::BaseCommand& command, types::Stamp now) {
+  last_command_ = now;
+  commanded_ = ever_commanded_ = true;
+  stopping_ = false;
+  const bool refused = !may_move_ && asks_for_motion(command);
+  if (!command.enable_motors) enable_blocked_ = false;
+  want_motors_ = may_move_ && command.enable_motors && !enable_blocked_;
+  if (command.estop) outbox_.set_estop();
+  // VEL 0 behind E_STOP could soften the braking, so it waits until the robot stands; then it makes sure that
+  // there is no setpoint left to resume.
+  if (!command.estop || stands_)
+    outbox_.set_velocity(want_motors_ && !command.estop
+                             ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
+                             : Setpoints{});
+  if (refused) return types::fail(types::Errc::kUnsupported, "unsafe: refused");  // short: no allocation
+  return {};
+}
+
+void Drive::on_state(const types::BaseState& state, types::Stamp now) {
+  const types::Twist2& twist = state.odometry.twist;
+  stands_ = std::abs(twist.v_mps) < kStands_mps && std::abs(twist.omega_radps) < kStands_radps;
+  if (state.stop_button) enable_blocked_ = true;
+  if (enable_blocked_) want_motors_ = false;
+  switch_motors(state, now);
+}
+
+/// There is no acknowledgement: asked again until the status says so. Motors go off only at a standstill,
+/// because a robot without motors does not brake.
+void Drive::switch_motors(const types::BaseState& state, types::Stamp now) {
+  if (!ever_commanded_ || state.motors_enabled == want_motors_ || state.stop_button) return;
+  if (!want_motors_ && !stands_) return;
+  if (last_switch_ != types::Stamp{} && now - last_switch_ < kSwitchAgain) return;
+  last_switch_ = now;
+  outbox_.push(encode(Command::kEnable, want_motors_ ? 1 : 0));
+}
+
+void Drive::stop(types::Stamp now) {
+  last_stop_ = now;
+  outbox_.set_velocity({});
+}
+
+void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
+  if (commanded_ && now - last_command_ >= kCallerSilence) {
+    commanded_ = false;
+    stopping_ = true;
+    stop(now);
+  }
+  if (stopping_ && now - last_stop_ >= kStopAgain) {
+    stop(now);
+    stopping_ = !stands_;
+  }
+  if (outbox_.empty() && now - last_send >= kPulse) outbox_.push(encode(Command::kPulse));
+}
+
+types::Stamp Drive::next_due(types::Stamp last_send) const {
+  types::Stamp due = last_send + kPulse;
+  if (commanded_) due = std::min(due, last_command_ + kCallerSilence);
+  if (stopping_) due = std::min(due, last_stop_ + kStopAgain);
+  return due;
+}
+
+}  // namespace topo::pioneer

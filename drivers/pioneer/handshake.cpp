@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/pioneer/handshake.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "drivers/pioneer/byte_reader.hpp"
+#include "drivers/pioneer/sip.hpp"
+
+namespace topo::pioneer {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::array<int, 5> kBaudOrder{9600, 38400, 19200, 115200, 57600};  // PROTOCOLS section 1.2
+constexpr types::Duration kQuietTime = milliseconds(200);
+constexpr types::Duration kStillStreaming = milliseconds(150);
+constexpr types::Duration kSyncTime = milliseconds(300);
+constexpr types::Duration kFirstStatusTime = milliseconds(400);
+constexpr types::Duration kConfigTime = milliseconds(300);
+constexpr int kTries = 3;
+constexpr int kRestarts = 10;
+
+bool is_reset(const PacketView& packet) {
+  return packet.is(PacketType::kReset) || packet.is(PacketType::kResetWithDiagnosis);
+}
+
+}  // namespace
+
+Handshake::Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud)
+    : link_(link), expected_subclass_(std::move(expected_subclass)), device_(device) {
+  if (!link.has_baud()) return;
+  if (first_baud != 0) bauds_[baud_count_++] = first_baud;
+  for (const int baud : kBaudOrder)
+    if (baud != first_baud) bauds_[baud_count_++] = baud;
+}
+
+types::Status Handshake::begin() {
+  if (baud_count_ > 0) {
+    baud_ = bauds_[0];
+    auto set = link_.set_baud(baud_);
+    if (!set) return set;
+  }
+  begin_quiet();
+  return {};
+}
+
+void Handshake::enter(Phase phase, types::Duration wait) {
+  phase_ = phase;
+  wait_ = wait;
+  deadline_ = link_.now() + wait;
+}
+
+Handshake::Progress Handshake::begin_quiet() {
+  Outbox& out = link_.outbox();
+  out.clear();
+  out.push(encode(Command::kEStop));
+  out.push(encode(Command::kVel, 0));
+  out.push(encode(Command::kRvel, 0));
+  out.push(encode(Command::kClose, 1));  // with its argument: without it, it is SYNC2 to a robot that waits
+  enter(Phase::kQuiet, kQuietTime);
+  return Progress::kPending;
+}
+
+Handshake::Progress Handshake::restart(const char* why) {
+  if (++restarts_ > kRestarts)
+    return fail(Health::kSilent, device_ + ": " + why + " (" + std::to_string(kRestarts) +
+                                     " attempts); switch the robot off and on");
+  return begin_quiet();
+}
+
+Handshake::Progress Handshake::on_time() {
+  if (!link_.outbox().empty()) {  // the time runs from the last byte sent
+    deadline_ = link_.now() + wait_;
+    return Progress::kPending;
+  }
+  if (link_.now() < deadline_) return Progress::kPending;
+  switch (phase_) {
+    case Phase::kQuiet:
+      return end_quiet();
+    case Phase::kSync:
+      return sync_timed_out();
+    case Phase::kFirstStatus:
+      if (++tries_ >= kTries)
+        return fail(Health::kSilent, device_ + ": " + name_ + " answers SYNC but sends no status after OPEN");
+      send_open();
+      return Progress::kPending;
+    case Phase::kConfig:
+      if (++tries_ >= kTries) return Progress::kDone;
+      send_config_request();
+      return Progress::kPending;
+  }
+  return Progress::kPending;
+}
+
+Handshake::Progress Handshake::end_quiet() {
+  if (last_status_ != types::Stamp{} && link_.now() - last_status_ < kStillStreaming)
+    return restart("an old session goes on streaming and does not obey CLOSE");
+  tries_ = 0;
+  send_sync(0);
+  return Progress::kPending;
+}
+
+void Handshake::send_sync(unsigned index) {
+  sync_index_ = index;
+  link_.outbox().push(encode(static_cast<Command>(index)));
+  enter(Phase::kSync, kSyncTime);
+}
+
+Handshake::Progress Handshake::sync_timed_out() {
+  if (++tries_ < kTries) {
+    send_sync(sync_index_);
+    return Progress::kPending;
+  }
+  if (sync_index_ > 0) return restart("the robot begins to answer SYNC0, SYNC1, SYNC2 but does not finish");
+  return next_baud();
+}
+
+Handshake::Progress Handshake::next_baud() {
+  if (link_.heard_anything() && foreign_.empty())
+    foreign_ = link_.heard() + (baud_ == 0 ? "" : " at " + std::to_string(baud_) + " baud");
+  if (++baud_index_ >= baud_count_) return no_answer();
+  baud_ = bauds_[baud_index_];
+  if (auto set = link_.set_baud(baud_); !set) return fail(Health::kDisconnected, set.error().message);
+  return begin_quiet();
+}
+
+Handshake::Progress Handshake::no_answer() {
+  const std::string expected = "; expected a Pioneer that answers SYNC0 with fa fb 03 00 00 00";
+  if (!foreign_.empty()) return fail(Health::kWrongDevice, device_ + ": found " + foreign_ + expected);
+  const std::string speeds = baud_count_ == 0 ? "" : " at 9600 to 115200 baud";
+  return fail(Health::kSilent, device_ + ": nothing answers" + speeds + expected + "; is it switched on?");
+}
+
+Handshake::Progress Handshake::on_packet(const PacketView& packet) {
+  if (packet.is_status()) last_status_ = packet.last_byte;
+  switch (phase_) {
+    case Phase::kQuiet:
+      return Progress::kPending;  // answers to what was before us
+    case Phase::kSync:
+      return on_sync_packet(packet);
+    case Phase::kFirstStatus:
+      if (is_reset(packet)) return restart("the controller resets at OPEN");
+      if (!decode_status(packet.payload)) return Progress::kPending;
+      tries_ = 0;
+      send_config_request();
+      return Progress::kPending;
+    case Phase::kConfig:
+      if (is_reset(packet)) return restart("the controller resets at CONFIG");
+      config_ = decode_config(packet.payload);
+      return config_ ? Progress::kDone : Progress::kPending;
+  }
+  return Progress::kPending;
+}
+
+Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
+  if (packet.is_status()) return restart("an old session goes on streaming and does not obey CLOSE");
+  if (is_reset(packet)) return restart("the robot rejects the order of SYNC0, SYNC1, SYNC2");
+  if (packet.type() != sync_index_) return Progress::kPending;
+  heard_robot_ = true;
+  if (sync_index_ == 2) return on_names(packet);
+  tries_ = 0;
+  send_sync(sync_index_ + 1);
+  return Progress::kPending;
+}
+
+Handshake::Progress Handshake::on_names(const PacketView& packet) {
+  ByteReader in(packet.payload.subspan(1));
+  name_ = in.text();
+  const std::string robot_class = in.text();
+  const std::string subclass = in.text();
+  if (subclass.empty())
+    return fail(Health::kWrongDevice, device_ +
+                                          ": found an answer to SYNC2 without names (a line that echoes?)" +
+                                          "; expected name, class and subclass of a Pioneer");
+  const std::string found = device_ + ": found robot \"" + name_ + "\", class \"" + robot_class +
+                            "\", subclass \"" + subclass + "\"; expected ";
+  const RobotModel* expected = find_model(expected_subclass_);
+  model_ = find_model(subclass);
+  if (!expected_subclass_.empty() && (model_ == nullptr || model_ != expected))
+    return fail(Health::kWrongDevice, found + "subclass \"" + expected_subclass_ + "\"");
+  if (model_ == nullptr) return fail(Health::kWrongDevice, found + "one of " + known_subclasses());
+  tries_ = 0;
+  send_open();
+  return Progress::kPending;
+}
+
+void Handshake::send_open() {
+  Outbox& out = link_.outbox();
+  out.push(encode(Command::kOpen, 1));
+  out.push(encode(Command::kVel, 0));
+  out.push(encode(Command::kRvel, 0));
+  enter(Phase::kFirstStatus, kFirstStatusTime);
+}
+
+void Handshake::send_config_request() {
+  link_.outbox().push(encode(Command::kConfig, 1));
+  enter(Phase::kConfig, kConfigTime);
+}
+
+Handshake::Progress Handshake::fail(Health health, std::string message) {
+  failure_ = health;
+  message_ = std::move(message);
+  return Progress::kFailed;
+}
+
+}  // namespace topo::pioneer

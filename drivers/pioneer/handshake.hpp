@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "drivers/pioneer/config_packet.hpp"
+#include "drivers/pioneer/link.hpp"
+#include "drivers/pioneer/robot_models.hpp"
+#include "drivers/pioneer/session.hpp"
+
+namespace topo::pioneer {
+
+/// From an open port to an open session with a known robot (PROTOCOLS sections 2 and 7), as a state machine
+/// with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE: a robot
+/// whose host died resumes its last setpoint on any packet.
+class Handshake {
+ public:
+  enum class Progress { kPending, kDone, kFailed };
+
+  /// `first_baud` is tried before the other speeds; 0: none is known.
+  Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud);
+
+  /// Sets the first speed and queues the first bytes.
+  types::Status begin();
+  Progress on_packet(const PacketView& packet);
+  /// What is due when time has passed.
+  Progress on_time();
+  [[nodiscard]] types::Stamp deadline() const { return deadline_; }
+
+  /// The robot has answered SYNC0.
+  [[nodiscard]] bool heard_robot() const { return heard_robot_; }
+  [[nodiscard]] int baud() const { return baud_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const RobotModel& model() const { return *model_; }
+  [[nodiscard]] const std::optional<ConfigPacket>& config() const { return config_; }
+  /// After kFailed.
+  [[nodiscard]] Health failure() const { return failure_; }
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+ private:
+  enum class Phase { kQuiet, kSync, kFirstStatus, kConfig };
+
+  void enter(Phase phase, types::Duration wait);
+  Progress begin_quiet();
+  Progress restart(const char* why);
+  Progress end_quiet();
+  void send_sync(unsigned index);
+  Progress sync_timed_out();
+  Progress next_baud();
+  Progress no_answer();
+  Progress on_sync_packet(const PacketView& packet);
+  Progress on_names(const PacketView& packet);
+  void send_open();
+  void send_config_request();
+  Progress fail(Health health, std::string message);
+
+  Link& link_;
+  std::string expected_subclass_;
+  std::string device_;
+  std::array<int, 6> bauds_{};
+  std::size_t baud_count_ = 0;
+  std::size_t baud_index_ = 0;
+  int baud_ = 0;
+
+  Phase phase_ = Phase::kQuiet;
+  types::Duration wait_{};
+  types::Stamp deadline_{};
+  types::Stamp last_status_{};
+  unsigned sync_index_ = 0;
+  int tries_ = 0;
+  int restarts_ = 0;
+  bool heard_robot_ = false;
+  std::string foreign_;  ///< first bytes heard that were no ARCOS, with their speed
+
+  std::string name_;
+  const RobotModel* model_ = nullptr;
+  std::optional<ConfigPacket> config_;
+  Health failure_ = Health::kSilent;
+  std::string message_;
+};
+
+}  // namespace topo::pioneer

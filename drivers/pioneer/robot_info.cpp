@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/pioneer/robot_info.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace topo::pioneer {
+namespace {
+
+constexpr int kWatchdogMax_ms = 2000;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// The lower of the table's and the firmware's limit; a firmware that says 0 says nothing.
+double lower(double table, double firmware) { return firmware > 0.0 ? std::min(table, firmware) : table; }
+
+int at_least_one(double wanted, int firmware_top) {
+  const double value = lower(std::isfinite(wanted) ? wanted : 0.0, firmware_top);
+  return std::clamp(static_cast<int>(std::lround(std::clamp(value, 1.0, 32767.0))), 1, 32767);
+}
+
+void add_config(RobotInfo& info, const ConfigPacket& config) {
+  info.firmware = config.firmware;
+  info.serial_number = config.serial_number;
+  info.watchdog_ms = config.watchdog_ms;
+  constexpr int kCycleMin_ms = 20;  // anything faster is no status cycle of a Pioneer
+  if (config.sip_cycle_ms >= kCycleMin_ms) info.sip_cycle_ms = config.sip_cycle_ms;
+  info.v_top_mps = lower(info.v_top_mps, config.velocity_top_mmps * 1e-3);
+  info.omega_top_radps = lower(info.omega_top_radps, config.rot_velocity_top_degps * kDegree);
+  info.low_battery_v = config.low_battery_decivolt * 0.1;
+  if (!config.robot_class.empty()) info.robot_class = config.robot_class;
+}
+
+}  // namespace
+
+RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
+                          const std::optional<ConfigPacket>& config) {
+  RobotInfo info;
+  info.name = name;
+  info.robot_class = "Pioneer";
+  info.subclass = model.subclass;
+  info.v_top_mps = model.v_max_mps;
+  info.omega_top_radps = model.omega_max_radps;
+  info.track_m = 2e-3 / model.radps_per_mmps;
+  info.swing_radius_m = model.swing_radius_m;
+  info.length_front_m = model.length_front_m;
+  info.length_rear_m = model.length_rear_m;
+  info.width_m = model.width_m;
+  std::copy(model.T_base_sonar.begin(), model.T_base_sonar.end(), info.T_base_sonar.begin());
+  info.sonars = RobotModel::kSonars;
+  info.sonar_range_max_m = kSonarRangeMax_m;
+  if (config) add_config(info, *config);
+  return info;
+}
+
+std::string watchdog_fault(const std::optional<ConfigPacket>& config) {
+  const std::string needed = "; driving is refused until the robot's WatchDog parameter (FLASH) is 1 to " +
+                             std::to_string(kWatchdogMax_ms) +
+                             " ms, so that it stops by itself when this computer fails";
+  if (!config) return "the robot sent no CONFIG packet, so its watchdog is unknown" + needed;
+  if (config->watchdog_ms == 0) return "the firmware's watchdog is off or not reported (WatchDog 0)" + needed;
+  if (config->watchdog_ms > kWatchdogMax_ms)
+    return "the firmware's watchdog takes " + std::to_string(config->watchdog_ms) + " ms" + needed;
+  return {};
+}
+
+DriveLimits drive_limits(const SessionConfig& wanted, const RobotInfo& info,
+                         const std::optional<ConfigPacket>& config) {
+  const ConfigPacket top = config.value_or(ConfigPacket{});
+  const auto bounded = [](double value, double limit) {
+    return std::isfinite(value) ? std::clamp(value, 0.0, limit) : 0.0;
+  };
+  return {.v_mps = bounded(wanted.v_max_mps, info.v_top_mps),
+          .omega_radps = bounded(wanted.omega_max_radps, info.omega_top_radps),
+          .acceleration_mmps2 = at_least_one(wanted.acceleration_mps2 * 1e3, top.acceleration_top_mmps2),
+          .deceleration_mmps2 = at_least_one(wanted.deceleration_mps2 * 1e3, top.acceleration_top_mmps2),
+          .angular_acceleration_degps2 =
+              at_least_one(wanted.angular_acceleration_radps2 / kDegree, top.rot_acceleration_top_degps2)};
+}
+
+}  // namespace topo::pioneer

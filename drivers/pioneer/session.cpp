@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/pioneer/session.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "drivers/pioneer/dead_reckoning.hpp"
+#include "drivers/pioneer/drive.hpp"
+#include "drivers/pioneer/handshake.hpp"
+#include "drivers/pioneer/link.hpp"
+#include "drivers/pioneer/robot_info.hpp"
+#include "drivers/pioneer/sip.hpp"
+#include "drivers/pioneer/sip_delay.hpp"
+
+namespace topo::pioneer {
+namespace {
+
+using std::chrono::milliseconds;
+using types::Duration;
+using types::Stamp;
+
+constexpr Duration kBackOffMin = milliseconds(500);
+constexpr Duration kBackOffMax = milliseconds(5000);
+constexpr int kSilentCycles = 5;
+
+}  // namespace
+
+struct Session::Impl {
+  Impl(SessionConfig session_config, std::unique_ptr<io::Connector> session_connector)
+      : config(std::move(session_config)), connector(std::move(session_connector)) {}
+
+  StepOutcome step(types::BaseState& out, Duration timeout);
+  types::Status command(const types::BaseCommand& command);
+  void close(Duration timeout);
+
+  [[nodiscard]] Stamp now() const { return link ? link->now() : connector->now(); }
+  [[nodiscard]] std::string device() const { return std::string(connector->name()); }
+  void set_health(Health value, std::string text);
+  void lose(Health value, std::string text);
+  void open(Duration timeout);
+  void connect_further(Stamp deadline);
+  void advance(Handshake::Progress progress);
+  void start_running();
+  bool run(types::BaseState& out, Stamp deadline);
+  bool on_packet(const PacketView& packet, types::BaseState& out);
+  bool on_status(const PacketView& packet, types::BaseState& out);
+  bool exchange(Stamp until);
+  void drain(Stamp until, bool until_standstill);
+
+  SessionConfig config;
+  std::unique_ptr<io::Connector> connector;
+  Health health = Health::kDisconnected;
+  std::string message = "not connected yet";
+  bool changed = false;
+  bool closed = false;
+  bool first_attempt = true;
+  std::optional<RobotInfo> info;
+  Counters counters;
+  Duration back_off = kBackOffMin;
+  Stamp retry_at{};
+  int good_baud = 0;
+
+  std::optional<Link> link;
+  std::optional<Handshake> handshake;
+  std::optional<Drive> drive;
+  std::optional<SipDelay> delay;
+  RobotModel model;
+  DeadReckoning dead_reckoning;
+  types::BaseState state;
+  Stamp last_status{};  ///< arrival, or the start of running
+};
+
+void Session::Impl::set_health(Health value, std::string text) {
+  if (health == value && message == text) return;
+  health = value;
+  message = std::move(text);
+  changed = true;
+}
+
+/// Gives the line up and waits before the next attempt; a last E_STOP goes out if it still can.
+void Session::Impl::lose(Health value, std::string text) {
+  if (link && drive) {
+    std::ignore = link->send_at_once(encode(Command::kEStop));
+  }
+  drive.reset();
+  handshake.reset();
+  const Stamp time = now();
+  link.reset();
+  retry_at = time + back_off;
+  back_off = std::min(back_off * 2, kBackOffMax);
+  set_health(value, std::move(text));
+}
+
+void Session::Impl::open(Duration timeout) {
+  auto stream = connector->connect(timeout);
+  if (!stream) {
+    lose(Health::kDisconnected, stream.error().message);
+    return;
+  }
+  link.emplace(std::move(*stream), counters);
+  handshake.emplace(*link, config.expected_subclass, connector->name(), good_baud);
+  if (auto begun = handshake->begin(); !begun) {
+    lose(Health::kDisconnected, begun.error().message);
+    return;
+  }
+  // After a failure its message stays until the robot is heard: a device that is off does not blink.
+  if (std::exchange(first_attempt, false))
+    set_health(Health::kConnecting, device() + ": looking for the robot");
+}
+
+/// Sends what is due and reads once, not beyond `until`. False when the line is lost.
+bool Session::Impl::exchange(Stamp until) {
+  auto sent = link->pump();
+  if (sent) sent = link->receive(std::min(until, link->next_send()) - link->now());
+  if (!sent) lose(Health::kDisconnected, device() + ": " + sent.error().message);
+  return sent.has_value();
+}
+
+void Session::Impl::connect_further(Stamp deadline) {
+  if (const auto packet = link->next_packet()) {
+    advance(handshake->on_packet(*packet));
+    return;
+  }
+  const auto progress = handshake->on_time();
+  if (progress != Handshake::Progress::kPending) return advance(progress);
+  exchange(std::min(deadline, handshake->deadline()));
+}
+
+void Session::Impl::advance(Handshake::Progress progress) {
+  if (progress == Handshake::Progress::kFailed) {
+    // The robot may have been synced or opened: nothing stays behind.
+    if (handshake->heard_robot()) std::ignore = link->send_at_once(encode(Command::kClose, 1));
+    return lose(handshake->failure(), handshake->message());
+  }
+  if (handshake->heard_robot() && health != Health::kConnecting)
+    set_health(Health::kConnecting, device() + ": the robot answers");
+  if (progress == Handshake::Progress::kDone) start_running();
+}
+
+void Session::Impl::start_running() {
+  const std::optional<ConfigPacket> packet = handshake->config();
+  model = handshake->model();
+  if (info) ++counters.reconnects;
+  info = make_robot_info(handshake->name(), model, packet);
+  good_baud = handshake->baud();
+  handshake.reset();
+  back_off = kBackOffMin;
+  const std::string fault = watchdog_fault(packet);
+  drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty());
+  delay.emplace(milliseconds(info->sip_cycle_ms));
+  // What the robot can do, not what it is allowed: a push must not look like a reset of the controller.
+  constexpr double kPushed = 2.0;
+  dead_reckoning.restart(model, kPushed * model.v_max_mps, kPushed * model.omega_max_radps);
+  last_status = now();
+  const std::string who = device() + ": " + info->subclass + " \"" + info->name + "\"";
+  if (fault.empty())
+    set_health(Health::kReady, who + ", serial number " + info->serial_number + ", firmware " +
+                                   info->firmware + ", watchdog " + std::to_string(info->watchdog_ms) +
+                                   " ms");
+  else
+    set_health(Health::kUnsafe, who + ": " + fault);
+}
+
+bool Session::Impl::on_status(const PacketView& packet, types::BaseState& out) {
+  const auto status = decode_status(packet.payload);
+  if (!status) {
+    ++counters.bad_packets;
+    return false;
+  }
+  const Stamp arrival = packet.last_byte;
+  const Duration cycle = milliseconds(info->sip_cycle_ms);
+  const Duration age = delay->update(arrival, link->wire_time(packet.wire_bytes()));
+  dead_reckoning.update(*status, std::max(arrival - last_status, cycle));
+  last_status = arrival;
+  apply_status(*status, model, arrival, state);
+  // Strictly later than the one before: two poses of one instant have no velocity between them.
+  state.odometry.stamp = std::max(arrival - age, state.odometry.stamp + std::chrono::microseconds(1));
+  state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(dead_reckoning.T_odom_base());
+  state.odometry.twist = measured_twist(*status, model);
+  state.sequence = ++counters.status_packets;
+  counters.lost_packets += static_cast<std::uint64_t>(delay->last_step() - 1);
+  drive->on_state(state, arrival);
+  out = state;
+  return true;
+}
+
+bool Session::Impl::on_packet(const PacketView& packet, types::BaseState& out) {
+  if (packet.is(PacketType::kReset) || packet.is(PacketType::kResetWithDiagnosis)) {
+    lose(Health::kReset, device() + ": the robot's controller was reset; connecting again");
+    return false;
+  }
+  return packet.is_status() && on_status(packet, out);
+}
+
+/// One packet, or one exchange of bytes. True when `out` is new.
+bool Session::Impl::run(types::BaseState& out, Stamp deadline) {
+  if (const auto packet = link->next_packet()) return on_packet(*packet, out);
+  // Judged only after a read that began later than the limit: a thread that slept finds its packets waiting.
+  const Stamp silent_at = last_status + kSilentCycles * milliseconds(info->sip_cycle_ms);
+  if (link->last_read() >= silent_at) {
+    lose(Health::kSilent, device() + ": no status from the robot for " + std::to_string(kSilentCycles) +
+                              " cycles; connecting again");
+    return false;
+  }
+  drive->keep_alive(link->now(), link->last_send());
+  exchange(std::min({deadline, silent_at, drive->next_due(link->last_send())}));
+  return false;
+}
+
+StepOutcome Session::Impl::step(types::BaseState& out, Duration timeout) {
+  const Stamp deadline = now() + timeout;
+  do {
+    if (std::exchange(changed, false)) return StepOutcome::kChanged;
+    if (closed || (!link && now() < retry_at)) {
+      const Stamp until = closed ? deadline : std::min(deadline, retry_at);
+      connector->pause(until - now());
+    } else if (!link) {
+      open(std::max(deadline - now(), Duration::zero()));
+    } else if (handshake) {
+      connect_further(deadline);
+    } else if (run(out, deadline)) {
+      return StepOutcome::kState;
+    }
+  } while (now() < deadline);
+  return std::exchange(changed, false) ? StepOutcome::kChanged : StepOutcome::kNothing;
+}
+
+types::Status Session::Impl::command(const types::BaseCommand& command) {
+  if (!drive) return types::fail(types::Errc::kClosed, "not connected");  // short: no allocation
+  auto result = drive->command(command, link->now());
+  // An error of the line shows in step(), which gives the line up.
+  if (auto sent = link->pump(); !sent) return sent;
+  return result;
+}
+
+void Session::Impl::drain(Stamp until, bool until_standstill) {
+  types::BaseState ignored;
+  while (link && drive && now() < until) {
+    if (link->outbox().empty() && (!until_standstill || drive->stands())) return;
+    if (const auto packet = link->next_packet())
+      on_packet(*packet, ignored);
+    else
+      exchange(until);
+  }
+}
+
+void Session::Impl::close(Duration timeout) {
+  if (closed) return;
+  const Stamp end = now() + timeout;
+  if (link && drive) {
+    Outbox& out = link->outbox();
+    drive->shut_down();
+    out.clear();
+    out.push(encode(Command::kEStop));
+    out.push(encode(Command::kVel, 0));
+    out.push(encode(Command::kRvel, 0));
+    drain(end - timeout / 3, true);  // a robot without motors does not brake: it stands first
+  }
+  if (link && drive) {
+    link->outbox().push(encode(Command::kEnable, 0));
+    link->outbox().push(encode(Command::kClose, 1));
+    drain(end, false);
+  } else if (link) {
+    std::ignore = link->send_at_once(encode(Command::kClose, 1));
+  }
+  drive.reset();
+  handshake.reset();
+  link.reset();
+  closed = true;
+  set_health(Health::kDisconnected, device() + ": closed");
+}
+
+Session::Session(SessionConfig config, std::unique_ptr<io::Connector> connector)
+    : impl_(std::make_unique<Impl>(std::move(config), std::move(connector))) {}
+Session::~Session() { close(milliseconds(300)); }
+
+StepOutcome Session::step(types::BaseState& out, types::Duration timeout) {
+  return impl_->step(out, timeout);
+}
+types::Status Session::command(const types::BaseCommand& command) { return impl_->command(command); }
+void Session::close(types::Duration timeout) { impl_->close(timeout); }
+Health Session::health() const { return impl_->health; }
+const std::string& Session::message() const { return impl_->message; }
+const std::optional<RobotInfo>& Session::info() const { return impl_->info; }
+const Counters& Session::counters() const { return impl_->counters; }
+types::Duration Session::status_delay() const {
+  return impl_->delay ? impl_->delay->age() : types::Duration{};
+}
+
+}  // namespace topo::pioneer
