@@ -23,8 +23,10 @@ class NodeRef {
 
   explicit operator bool() const { return bits_ != 0; }
   [[nodiscard]] bool is_leaf() const { return (bits_ & 1U) != 0; }
+  // NOLINTBEGIN(performance-no-int-to-ptr): the lowest bit of the pointer says leaf or branch
   [[nodiscard]] Branch<V>* branch() const { return reinterpret_cast<Branch<V>*>(bits_); }
   [[nodiscard]] Leaf<V>* leaf() const { return reinterpret_cast<Leaf<V>*>(bits_ - 1U); }
+  // NOLINTEND(performance-no-int-to-ptr)
   friend bool operator==(NodeRef, NodeRef) = default;
 
   [[nodiscard]] std::uint32_t& references() const;

@@ -30,6 +30,7 @@ class Path {
     }
     end_ = node;
   }
+  ~Path() = default;
   Path(const Path&) = delete;
   Path& operator=(const Path&) = delete;
 

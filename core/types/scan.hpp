@@ -33,9 +33,10 @@ struct ScanGeometry {
 };
 
 /// One sweep of a laser range finder. Fixed storage, so that it lives in a ring's slot and nothing is
-/// allocated while streaming.
-struct Scan {
-  static constexpr std::size_t kMaxBeams = 1440;  ///< one revolution at the finest resolution (ARES) of any Hokuyo named in PROTOCOLS
+/// allocated while streaming; the arrays are filled up to `beams` and not zeroed before.
+struct Scan {  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  /// One revolution at the finest resolution (ARES) of any Hokuyo named in PROTOCOLS.
+  static constexpr std::size_t kMaxBeams = 1440;
 
   Stamp first_beam{};          ///< when beam 0 was measured, on the host's steady clock
   Stamp arrival{};             ///< when the last byte was read: what staleness is judged by

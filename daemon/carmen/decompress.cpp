@@ -136,7 +136,7 @@ class PackedSource final : public ByteSource {
   Result<std::size_t> read(std::span<char> buffer) override {
     while (true) {
       if (codec_.pending() == 0) {
-        const auto n = file_.read(in_);
+        auto n = file_.read(in_);
         if (!n.has_value()) return n;
         if (*n == 0) return at_file_end();
         codec_.feed(std::span(in_).first(*n));

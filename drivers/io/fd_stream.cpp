@@ -3,6 +3,7 @@
 #include "drivers/io/fd_stream.hpp"
 
 #include <poll.h>
+#include <utility>
 
 #include "drivers/io/posix.hpp"
 
@@ -21,9 +22,9 @@ bool means_gone(int error) {
 }
 
 tl::unexpected<types::Error> fail_stream(const std::string& name, std::string_view doing, int error) {
-  auto failure = fail_errno(name, doing, error);
-  if (means_gone(error)) failure.value().code = Errc::kClosed;
-  return failure;
+  types::Error failure = error_of_errno(name, doing, error);
+  if (means_gone(error)) failure.code = Errc::kClosed;
+  return tl::unexpected<types::Error>(std::move(failure));
 }
 
 tl::unexpected<types::Error> fail_hung_up(const std::string& name) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <ctime>
 #include <system_error>
+#include <utility>
 
 namespace topo::io {
 namespace {
@@ -73,23 +74,26 @@ Stamp monotonic_now() {
   return Stamp{std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec)};
 }
 
-tl::unexpected<types::Error> fail_errno(std::string_view device, std::string_view doing, int error) {
+types::Error error_of_errno(std::string_view device, std::string_view doing, int error) {
   std::string message;
   message.append(device).append(": ").append(doing).append(": ");
   message.append(std::generic_category().message(error));
-  return types::fail(errc_of(error), std::move(message), error);
+  return {errc_of(error), std::move(message), error};
+}
+
+tl::unexpected<types::Error> fail_errno(std::string_view device, std::string_view doing, int error) {
+  return tl::unexpected<types::Error>(error_of_errno(device, doing, error));
 }
 
 tl::unexpected<types::Error> fail_open(const std::string& path, int error) {
-  auto failure = fail_errno(path, "cannot open", error);
-  if (failure.value().code == Errc::kPermission) {
+  types::Error failure = error_of_errno(path, "cannot open", error);
+  if (failure.code == Errc::kPermission) {
     const std::string group = group_of(path);
-    failure.value().message +=
+    failure.message +=
         "; the user of this program must be in the group " + group + " (as root: adduser USER " + group + ")";
   }
-  if (failure.value().code == Errc::kNotFound)
-    failure.value().message += "; is the device plugged in and powered?";
-  return failure;
+  if (failure.code == Errc::kNotFound) failure.message += "; is the device plugged in and powered?";
+  return tl::unexpected<types::Error>(std::move(failure));
 }
 
 int wait_for(int fd, short events, Duration timeout) {

@@ -23,6 +23,7 @@ auto retry_interrupted(Call&& call) {
 [[nodiscard]] types::Stamp monotonic_now();
 
 /// "DEVICE: DOING: what the operating system says", under the code that fits the errno.
+[[nodiscard]] types::Error error_of_errno(std::string_view device, std::string_view doing, int error);
 [[nodiscard]] tl::unexpected<types::Error> fail_errno(std::string_view device, std::string_view doing,
                                                       int error);
 

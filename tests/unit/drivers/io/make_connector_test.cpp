@@ -62,11 +62,11 @@ TEST(SerialConnector, RefusesAFileThatIsNoSerialDevice) {
 
 TEST(SerialConnector, TellsWhichGroupToJoin) {
   // Made by hand: root, who runs tests in containers, may open everything.
-  const auto failure = fail_open("/dev/topometric-has-no-such-device", EACCES);
-  EXPECT_EQ(failure.value().code, Errc::kPermission);
-  EXPECT_EQ(failure.value().sys_errno, EACCES);
-  EXPECT_THAT(failure.value().message, HasSubstr("/dev/topometric-has-no-such-device"));
-  EXPECT_THAT(failure.value().message, HasSubstr("must be in the group dialout"));
+  const types::Status failure = fail_open("/dev/topometric-has-no-such-device", EACCES);
+  EXPECT_EQ(failure.error().code, Errc::kPermission);
+  EXPECT_EQ(failure.error().sys_errno, EACCES);
+  EXPECT_THAT(failure.error().message, HasSubstr("/dev/topometric-has-no-such-device"));
+  EXPECT_THAT(failure.error().message, HasSubstr("must be in the group dialout"));
 }
 
 }  // namespace
