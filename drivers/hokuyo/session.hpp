@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,11 +16,11 @@ namespace topo::hokuyo {
 
 /// What the configuration says of one scanner.
 struct SessionConfig {
-  std::string name;           ///< "front", for messages
-  std::string serial_number;  ///< as VV reports it ("H0902680"); empty: any. A leading 0 equals H.
-  bool intensity = false;     ///< stream ME instead of MD
-  int skip_scans = 0;         ///< 0..9 scans left out between two
-  double stamp_offset_s = 0.0;///< added to every stamp (PROTOCOLS section 12: step 0 or rear mark)
+  std::string name{};           ///< "front", for messages
+  std::string serial_number{};  ///< as VV reports it ("H0902680"); empty: any. A leading 0 equals H.
+  bool intensity = false;       ///< stream ME instead of MD
+  int skip_scans = 0;           ///< 0..9 scans left out between two
+  double stamp_offset_s = 0.0;  ///< added to every stamp (PROTOCOLS section 12: step 0 or rear mark)
 };
 
 /// Where the session is; every change is told once.
@@ -45,8 +45,8 @@ enum class StepOutcome {
   kChanged,  ///< health changed: read health() and message()
 };
 
-/// One Hokuyo sensor from connect to reconnect: identify, synchronise clocks, stream, resynchronise, back off.
-/// Used by one thread. Allocates while connecting, never while streaming.
+/// One Hokuyo sensor from connect to reconnect: identify, synchronise clocks, stream, resynchronise, back
+/// off. Used by one thread. Allocates while connecting, never while streaming.
 class Session {
  public:
   Session(SessionConfig config, std::unique_ptr<io::Connector> connector);

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drivers/hokuyo/session.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "drivers/hokuyo/session_impl.hpp"
+
+namespace topo::hokuyo {
+namespace {
+
+using namespace std::chrono_literals;
+using types::Duration;
+using types::Errc;
+using types::Stamp;
+
+constexpr Duration kBackoffMin = 500ms;
+constexpr Duration kBackoffMax = 5s;
+constexpr Duration kOpenLimit = 3s;
+
+}  // namespace
+
+Session::Impl::Impl(SessionConfig config_in, std::unique_ptr<io::Connector> connector_in)
+    : config(std::move(config_in)), connector(std::move(connector_in)), backoff(kBackoffMin) {
+  message = place() + ": not connected yet";
+  deadline = connector->now();
+}
+
+Stamp Session::Impl::now() const { return line.is_open() ? line.now() : connector->now(); }
+
+std::string Session::Impl::place() const {
+  std::string text = "laser " + config.name + " (";
+  text.append(connector->name());
+  return text + ")";
+}
+
+StepOutcome Session::Impl::step(types::Scan& out, Duration timeout) {
+  const Stamp until = now() + timeout;
+  for (;;) {
+    if (std::exchange(changed, false)) return StepOutcome::kChanged;
+    if (advance(out, until)) return StepOutcome::kScan;
+    if (!changed && now() >= until) return StepOutcome::kNothing;
+  }
+}
+
+bool Session::Impl::advance(types::Scan& out, Stamp until) {
+  if (!line.is_open()) {
+    advance_closed(until);
+    return false;
+  }
+  const auto event = line.poll(std::min(until, deadline));
+  counters.bytes = line.bytes();
+  if (!event) {
+    lose(Health::kDisconnected, event.error().message);
+    return false;
+  }
+  const bool scan = on_event(*event, out);
+  if (!scan && line.is_open() && now() >= deadline) on_timeout();
+  return scan;
+}
+
+void Session::Impl::advance_closed(Stamp until) {
+  if (phase == Phase::kBackoff) {
+    if (now() < deadline) {
+      connector->pause(std::min(until, deadline) - now());
+      return;
+    }
+    phase = Phase::kOpening;
+    deadline = now() + kOpenLimit;
+  }
+  auto stream = connector->connect(std::max<Duration>(std::min(until, deadline) - now(), 1ms));
+  if (!stream) {
+    // A slow connection goes on in the next step.
+    if (stream.error().code != Errc::kTimeout || now() >= deadline)
+      lose(Health::kDisconnected, stream.error().message);
+    return;
+  }
+  line.open(std::move(*stream));
+  if (++connections > 1) ++counters.reconnects;
+  if (failures == 0) set_health(Health::kConnecting, place() + ": connected, asking for identity");
+  start_finding();
+}
+
+bool Session::Impl::on_event(ScipParser::Event event, types::Scan& out) {
+  switch (event) {
+    case ScipParser::Event::kNone:
+      return false;
+    case ScipParser::Event::kReply:
+      on_reply();
+      return false;
+    case ScipParser::Event::kScan:
+      return on_scan(out);
+    case ScipParser::Event::kGarbage:
+      on_garbage();
+      return false;
+  }
+  return false;
+}
+
+void Session::Impl::on_reply() {
+  if (phase == Phase::kStreaming) return on_stream_status();
+  // Replies to earlier requests may come behind: only the one that was asked for counts.
+  if (line.reply().echo() != sent.view()) return;
+  switch (phase) {
+    case Phase::kFind:
+      return on_find_reply();
+    case Phase::kLeaveAdjust:
+      return find_step();
+    case Phase::kVersion:
+      return on_version();
+    case Phase::kParameters:
+      return on_parameters();
+    case Phase::kState:
+      read_state(line.reply(), found);
+      return prepare_stream();
+    case Phase::kAdjust:
+      return on_adjust_reply();
+    case Phase::kSample:
+      return on_sample();
+    case Phase::kAdjusted:
+      return enter_laser();
+    case Phase::kLaser:
+      return on_laser_reply();
+    case Phase::kStart:
+      return on_start_reply();
+    case Phase::kProbe:
+      return enter(Phase::kProbeState, "II", 500ms);
+    case Phase::kProbeState:
+      return after_probe();
+    case Phase::kReset:
+      return restart_stream();
+    case Phase::kReboot:
+      return reboot_or_reconnect();
+    case Phase::kBackoff:
+    case Phase::kOpening:
+    case Phase::kLaserPause:
+    case Phase::kStreaming:
+      return;
+  }
+}
+
+void Session::Impl::on_timeout() {
+  switch (phase) {
+    case Phase::kFind:
+      return find_next();
+    case Phase::kLeaveAdjust:
+      return find_step();
+    case Phase::kVersion:
+    case Phase::kParameters:
+      return retry_version();
+    case Phase::kState:
+      return prepare_stream();  // only words for people
+    case Phase::kAdjust:
+    case Phase::kSample:
+      return enter(Phase::kAdjusted, "TM2", 300ms);
+    case Phase::kAdjusted:
+      return enter_laser();
+    case Phase::kLaser:
+      return retry_laser();
+    case Phase::kLaserPause:
+      return enter(Phase::kLaser, "BM", 500ms);
+    case Phase::kStart:
+    case Phase::kStreaming:
+      return on_silence();
+    case Phase::kProbe:
+    case Phase::kProbeState:
+      return reset_sensor();
+    case Phase::kReset:
+    case Phase::kReboot:
+      return reboot_or_reconnect();
+    case Phase::kBackoff:
+    case Phase::kOpening:
+      return;
+  }
+}
+
+/// Sends the phase's request and waits for its reply for `limit`.
+void Session::Impl::enter(Phase next, std::string_view text, Duration limit) {
+  phase = next;
+  sent = RequestText{};
+  sent.append(text);
+  asked = now();
+  deadline = asked + limit;
+  if (auto written = line.send(text); !written) lose(Health::kDisconnected, written.error().message);
+}
+
+void Session::Impl::lose(Health state, const std::string& why) {
+  line.close();
+  has_last = false;
+  good_in_a_row = 0;
+  ++failures;
+  phase = Phase::kBackoff;
+  deadline = now() + backoff;
+  backoff = std::min(2 * backoff, kBackoffMax);
+  set_health(state, why);
+}
+
+void Session::Impl::set_health(Health state, std::string text) {
+  if (state == health && text == message) return;
+  health = state;
+  message = std::move(text);
+  changed = true;
+}
+
+void Session::Impl::close(Duration timeout) {
+  if (!line.is_open()) return;
+  const Stamp until = now() + timeout;
+  const bool adjusting = phase == Phase::kAdjust || phase == Phase::kSample;
+  if (adjusting) (void)line.send("TM2");  // QT is refused in adjust mode; a failure shows at QT
+  bool quiet = !line.send("QT");
+  while (!quiet && now() < until) {
+    const auto event = line.poll(until);
+    quiet = !event || (*event == ScipParser::Event::kReply && line.reply().echo() == "QT");
+  }
+  line.close();
+  phase = Phase::kBackoff;
+  deadline = now();
+  health = Health::kDisconnected;
+  message = place() + ": closed";
+}
+
+Session::Session(SessionConfig config, std::unique_ptr<io::Connector> connector)
+    : impl_(std::make_unique<Impl>(std::move(config), std::move(connector))) {}
+Session::~Session() = default;
+StepOutcome Session::step(types::Scan& out, Duration timeout) { return impl_->step(out, timeout); }
+void Session::close(Duration timeout) { impl_->close(timeout); }
+Health Session::health() const { return impl_->health; }
+const std::string& Session::message() const { return impl_->message; }
+const std::optional<SensorInfo>& Session::info() const { return impl_->info; }
+const Counters& Session::counters() const { return impl_->counters; }
+
+}  // namespace topo::hokuyo

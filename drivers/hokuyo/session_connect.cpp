@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From an open port to a running stream: find the language and the line speed, identify, set the clock,
+// switch the laser on.
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "drivers/hokuyo/session_impl.hpp"
+
+namespace topo::hokuyo {
+namespace {
+
+using namespace std::chrono_literals;
+using types::Duration;
+
+/// PROTOCOLS section 13: QT; SCIP2.0 for a URG at power-up; RS for what listens to nothing else.
+constexpr std::array<std::string_view, 5> kFindRequests{"QT", "SCIP2.0", "QT", "RS", "QT"};
+constexpr std::array<int, 3> kBauds{19200, 38400, 115200};
+constexpr Duration kFindLimit = 500ms;
+constexpr Duration kAskLimit = 1s;
+constexpr int kMaxTries = 3;
+constexpr int kSamples = 10;
+constexpr Duration kSpinUpLimit = 10s;
+constexpr Duration kLaserPause = 500ms;
+
+bool is_good(std::string_view status) { return status == "00" || status == "02"; }
+
+}  // namespace
+
+void Session::Impl::start_finding() {
+  baud_index = 0;
+  find_index = 0;
+  tries = 0;
+  ladder = 0;
+  faulty = false;
+  bad_in_a_row = 0;
+  found = SensorInfo{};
+  find_step();
+}
+
+void Session::Impl::find_step() {
+  if (find_index == 0 && line.stream().has_baud()) {
+    if (auto set = line.stream().set_baud(kBauds[baud_index]); !set)
+      return lose(Health::kDisconnected, set.error().message);
+  }
+  enter(Phase::kFind, kFindRequests[find_index], kFindLimit);
+}
+
+void Session::Impl::find_next() {
+  if (++find_index == kFindRequests.size()) {
+    find_index = 0;
+    if (!line.stream().has_baud() || ++baud_index == kBauds.size()) return not_found();
+  }
+  find_step();
+}
+
+void Session::Impl::not_found() {
+  const std::string expected = "; expected a Hokuyo sensor that speaks SCIP 2.0";
+  if (line.heard_arcos()) {
+    return lose(Health::kWrongDevice, place() + ": a Pioneer base answers here (ARCOS packets)" + expected +
+                                          ": are the two devices' addresses exchanged?");
+  }
+  if (line.heard_anything()) {
+    return lose(Health::kWrongDevice, place() + ": what answers here is no SCIP (first bytes " +
+                                          line.heard_text() + ")" + expected);
+  }
+  lose(Health::kSilent, place() + ": no answer" +
+                            (line.stream().has_baud() ? " at 19200, 38400 and 115200 baud" : "") + expected +
+                            ": is it powered?");
+}
+
+void Session::Impl::on_find_reply() {
+  const Reply& reply = line.reply();
+  if (sent.view() != "QT") return find_next();
+  if (reply.scip1()) {
+    if (tries++ == kMaxTries) {
+      return lose(Health::kWrongDevice,
+                  place() + ": the sensor speaks SCIP 1.1 and does not switch; expected SCIP 2.0");
+    }
+    find_index = 0;  // the next request switches it over
+    return find_next();
+  }
+  // Refused: adjust mode (10, or 0E with some firmware). Once; if it stays so, VV will tell.
+  const bool refused = reply.status() == "10" || reply.status() == "0E" || reply.status() == "0D";
+  if (refused && tries++ == 0) return enter(Phase::kLeaveAdjust, "TM2", kFindLimit);
+  tries = 0;
+  enter_version();
+}
+
+void Session::Impl::enter_version() { enter(Phase::kVersion, "VV", kAskLimit); }
+
+void Session::Impl::retry_version() {
+  if (++tries >= kMaxTries) {
+    return lose(Health::kSilent, place() +
+                                     ": the sensor stopped answering while it was asked for its identity (" +
+                                     std::string(sent.view()) + ")");
+  }
+  const RequestText again = sent;
+  enter(phase, again.view(), kAskLimit);
+}
+
+void Session::Impl::on_version() {
+  if (auto read = read_version(line.reply(), found); !read) {
+    if (++tries < kMaxTries) return enter_version();
+    return lose(Health::kFault, place() + ": " + read.error().message);
+  }
+  if (!config.serial_number.empty() && !same_serial(config.serial_number, found.serial_number)) {
+    return lose(Health::kWrongDevice, place() + ": the " + found.product + " here has the serial number " +
+                                          found.serial_number + "; expected " + config.serial_number +
+                                          ": are the sensors exchanged?");
+  }
+  tries = 0;
+  enter(Phase::kParameters, "PP", kAskLimit);
+}
+
+void Session::Impl::on_parameters() {
+  if (auto read = read_parameters(line.reply(), found); !read) {
+    if (++tries < kMaxTries) return enter(Phase::kParameters, "PP", kAskLimit);
+    return lose(Health::kFault, place() + ": " + read.error().message);
+  }
+  tries = 0;
+  enter(Phase::kState, "II", kAskLimit);
+}
+
+StreamRequest Session::Impl::make_request() const {
+  StreamRequest made;
+  made.kind = intensity ? StreamRequest::Kind::kRangeIntensity : StreamRequest::Kind::kRange;
+  made.start = static_cast<std::uint16_t>(found.step_min);
+  made.end = static_cast<std::uint16_t>(found.step_max);
+  made.interval = static_cast<std::uint8_t>(std::clamp(config.skip_scans, 0, 9));
+  // Intensities over a wide angle corrupt or crash a UTM-30LX on USB: at most 95 degrees a cluster unit, 190
+  // with firmware 1.16.01 (section 13).
+  if (intensity && family == Family::kUtm) made.cluster = found.firmware.starts_with("1.16.01") ? 2 : 3;
+  return made;
+}
+
+/// Everything that streaming needs, computed once from validated parameters.
+void Session::Impl::prepare_stream() {
+  info = found;
+  family = family_of(found.product);
+  intensity = config.intensity && has_intensity(family);
+  request = make_request();
+  decode = RangeDecoder(family, found.distance_min_mm, found.distance_max_mm);
+
+  const double turn_s = 60.0 / found.rpm;
+  const double step_rad = 2.0 * std::numbers::pi / found.steps_per_turn;
+  const double step_s = turn_s / found.steps_per_turn;
+  const double period_s = turn_s * (request.interval + 1);
+  const double centre = request.start + (request.cluster - 1) / 2.0;  // of the first group of steps
+  geometry.angle_min_rad = static_cast<float>((centre - found.step_front) * step_rad);
+  geometry.angle_increment_rad = static_cast<float>(request.cluster * step_rad);
+  geometry.time_increment_s = static_cast<float>(request.cluster * step_s);
+  geometry.period_s = static_cast<float>(period_s);
+  geometry.range_min_m = static_cast<float>(found.distance_min_mm * 1e-3);
+  geometry.range_max_m = static_cast<float>(found.distance_max_mm * 1e-3);
+  turn = types::from_seconds(turn_s);
+  first_offset = types::from_seconds(centre * step_s + config.stamp_offset_s);
+  silence_limit = std::max<Duration>(types::from_seconds(10.0 * period_s), 500ms);
+
+  restart_stream();
+}
+
+/// The clock first: TM is refused while the sensor measures.
+void Session::Impl::restart_stream() {
+  // The data leave when the last step is measured (section 12).
+  clock.reset(turn * found.step_max / found.steps_per_turn);
+  has_last = false;
+  samples = 0;
+  tries = 0;
+  set_health(Health::kStarting, place() + ": " + found.product + " " + found.serial_number + " is starting");
+  enter(Phase::kAdjust, "TM0", 300ms);
+}
+
+void Session::Impl::on_adjust_reply() {
+  if (is_good(line.reply().status())) return enter(Phase::kSample, "TM1", 300ms);
+  enter(Phase::kAdjusted, "TM2", 300ms);  // no clock by TM: the assumed latency serves
+}
+
+void Session::Impl::on_sample() {
+  const auto time = read_time(line.reply());
+  if (time) clock.add_round_trip(*time, asked, line.arrival());
+  if (++samples < kSamples) return enter(Phase::kSample, "TM1", 300ms);
+  enter(Phase::kAdjusted, "TM2", 300ms);
+}
+
+void Session::Impl::enter_laser() {
+  tries = 0;
+  laser_deadline = now() + kSpinUpLimit;
+  enter(Phase::kLaser, "BM", 500ms);
+}
+
+void Session::Impl::on_laser_reply() {
+  if (!is_good(line.reply().status())) return retry_laser();
+  enter(Phase::kStart, encode(request).view(), silence_limit);
+}
+
+/// The first BM after power-up fails while the motor spins up (section 13).
+void Session::Impl::retry_laser() {
+  if (now() < laser_deadline) {
+    phase = Phase::kLaserPause;
+    deadline = now() + kLaserPause;
+    return;
+  }
+  const bool answered = line.reply().echo() == "BM";
+  std::string why = place() + ": the laser does not switch on within 10 s (";
+  if (answered)
+    why.append("BM: status ")
+        .append(line.reply().status())
+        .append(", ")
+        .append(describe_status(line.reply().status()));
+  if (!answered) why += "no answer to BM";
+  lose(Health::kFault, why + "; the sensor says \"" + found.status + "\"): switch its power off and on");
+}
+
+void Session::Impl::on_start_reply() {
+  const std::string_view status = line.reply().status();
+  if (status == "00") {
+    phase = Phase::kStreaming;
+    deadline = now() + silence_limit;
+    return;
+  }
+  const std::string what = place() + ": " + std::string(sent.view()) + " is answered with status " +
+                           std::string(status) + ", " + std::string(describe_status(status));
+  if (intensity && status.front() == '0') {  // a firmware without intensities
+    intensity = false;
+    request = make_request();
+    return enter(Phase::kStart, encode(request).view(), silence_limit);
+  }
+  faulty = true;
+  set_health(Health::kFault, what);
+  probe();
+}
+
+}  // namespace topo::hokuyo

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "drivers/hokuyo/identity.hpp"
+#include "drivers/hokuyo/line.hpp"
+#include "drivers/hokuyo/range_decoder.hpp"
+#include "drivers/hokuyo/sensor_clock.hpp"
+#include "drivers/hokuyo/session.hpp"
+
+namespace topo::hokuyo {
+
+/// Where a session is between two losses of its stream.
+enum class Phase : std::uint8_t {
+  kBackoff,      ///< no stream; the next attempt is due at deadline
+  kOpening,      ///< the connector is at work
+  kFind,         ///< looking for SCIP: QT, SCIP2.0, RS at every line speed
+  kLeaveAdjust,  ///< TM2, because QT was refused
+  kVersion,      ///< VV
+  kParameters,   ///< PP
+  kState,        ///< II
+  kAdjust,       ///< TM0
+  kSample,       ///< TM1
+  kAdjusted,     ///< TM2
+  kLaser,        ///< BM
+  kLaserPause,   ///< the laser spins up; BM again at deadline
+  kStart,        ///< MD or ME
+  kStreaming,
+  kProbe,       ///< QT after silence or too many bad scans
+  kProbeState,  ///< II after that
+  kReset,       ///< RS
+  kReboot,      ///< RB, RB
+};
+
+/// The state machine behind Session. Every phase has sent one request and waits for its reply or its
+/// deadline; nothing waits inside a handler.
+struct Session::Impl {
+  Impl(SessionConfig config_in, std::unique_ptr<io::Connector> connector_in);
+
+  // session.cpp: the loop, opening, losing
+  StepOutcome step(types::Scan& out, types::Duration timeout);
+  bool advance(types::Scan& out, types::Stamp until);  ///< true: out holds a scan
+  void advance_closed(types::Stamp until);
+  bool on_event(ScipParser::Event event, types::Scan& out);
+  void on_reply();
+  void on_timeout();
+  void close(types::Duration timeout);
+  void enter(Phase phase, std::string_view request, types::Duration limit);
+  void lose(Health health, const std::string& why);
+  void set_health(Health health, std::string text);
+  [[nodiscard]] types::Stamp now() const;
+  [[nodiscard]] std::string place() const;
+
+  // session_connect.cpp: from an open port to the first scan
+  void start_finding();
+  void find_next();
+  void find_step();
+  void not_found();
+  void on_find_reply();
+  void enter_version();
+  void on_version();
+  void on_parameters();
+  void prepare_stream();
+  void on_adjust_reply();
+  void on_sample();
+  void enter_laser();
+  void retry_laser();
+  void on_laser_reply();
+  void on_start_reply();
+  void retry_version();
+  [[nodiscard]] StreamRequest make_request() const;
+
+  // session_stream.cpp: scans, silence, faults
+  bool on_scan(types::Scan& out);
+  void fill(types::Scan& out, const SensorClock::Result& time) const;
+  void count_gap(const SensorClock::Result& time);
+  void on_garbage();
+  void on_stream_status();
+  void on_silence();
+  void probe();
+  void after_probe();
+  void reset_sensor();
+  void reboot_or_reconnect();
+  void restart_stream();
+  [[nodiscard]] std::string streaming_text() const;
+
+  SessionConfig config;
+  std::unique_ptr<io::Connector> connector;
+  Line line;
+
+  Phase phase = Phase::kBackoff;
+  types::Stamp deadline{};  ///< of the phase
+  RequestText sent;         ///< whose reply the phase waits for
+
+  Health health = Health::kDisconnected;
+  std::string message;
+  bool changed = false;
+  std::optional<SensorInfo> info;
+  Counters counters;
+  std::uint64_t connections = 0;
+
+  types::Duration backoff;
+  int failures = 0;  ///< attempts in a row without a scan: told once, not every time
+  std::size_t baud_index = 0;
+  std::size_t find_index = 0;
+  int tries = 0;         ///< of the present request
+  int samples = 0;       ///< TM1 answered
+  types::Stamp asked{};  ///< when TM1 went out
+  types::Stamp laser_deadline{};
+
+  SensorInfo found;  ///< what VV and PP have said so far
+  Family family = Family::kUnknown;
+  bool intensity = false;
+  StreamRequest request;
+  RangeDecoder decode;
+  SensorClock clock;
+  types::ScanGeometry geometry;
+  types::Duration turn{};          ///< of the mirror
+  types::Duration first_offset{};  ///< from the sensor's stamp to the first beam
+  types::Duration silence_limit{};
+
+  bool has_last = false;
+  std::int64_t last_device_ms = 0;
+  std::uint64_t sequence = 0;
+  int bad_in_a_row = 0;
+  int good_in_a_row = 0;
+  int ladder = 0;       ///< what was tried against silence: 0 nothing, 1 QT and II, 2 RS, 3 RB
+  bool faulty = false;  ///< the sensor itself reported trouble
+};
+
+}  // namespace topo::hokuyo

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scans, and what is done when they stop (PROTOCOLS section 13): QT and II, RS, RB twice on Ethernet, a new
+// connection.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "drivers/hokuyo/session_impl.hpp"
+
+namespace topo::hokuyo {
+namespace {
+
+using namespace std::chrono_literals;
+using types::Duration;
+
+constexpr int kMaxBadInARow = 3;
+/// So many good scans prove that what was done against silence has worked.
+constexpr int kProvenScans = 40;
+constexpr Duration kProbeLimit = 500ms;
+constexpr Duration kBackoffMin = 500ms;
+
+}  // namespace
+
+bool Session::Impl::on_scan(types::Scan& out) {
+  if (phase != Phase::kStreaming && phase != Phase::kStart) return false;  // left over from before
+  if (!line.scan().echo.same_stream(request)) {
+    on_garbage();
+    return false;
+  }
+  phase = Phase::kStreaming;
+  deadline = now() + silence_limit;
+  const SensorClock::Result time = clock.on_scan(line.scan().time_ms, line.arrival());
+  if (time.frozen) {
+    set_health(Health::kFault, place() + ": the sensor's clock stands still; resetting the sensor");
+    reset_sensor();
+    return false;
+  }
+  if (time.repeated) return false;  // it has no stamp of its own; the gap counts it as lost
+  bad_in_a_row = 0;
+  if (++good_in_a_row >= kProvenScans) {
+    ladder = 0;
+    backoff = kBackoffMin;
+  }
+  failures = 0;
+  faulty = false;
+  if (health != Health::kStreaming) set_health(Health::kStreaming, streaming_text());
+  count_gap(time);
+  fill(out, time);
+  return true;
+}
+
+void Session::Impl::count_gap(const SensorClock::Result& time) {
+  if (has_last && !time.jumped) {
+    const double periods =
+        static_cast<double>(time.device_ms - last_device_ms) * 1e-3 / static_cast<double>(geometry.period_s);
+    const auto lost = static_cast<std::uint64_t>(std::max(std::lround(periods) - 1, 0L));
+    counters.lost_scans += lost;
+    sequence += lost;
+  }
+  has_last = true;
+  last_device_ms = time.device_ms;
+  ++sequence;
+  ++counters.scans;
+}
+
+void Session::Impl::fill(types::Scan& out, const SensorClock::Result& time) const {
+  const RawScan& raw = line.scan();
+  out.first_beam = time.host + first_offset;
+  out.arrival = line.arrival();
+  out.sequence = sequence;
+  out.geometry = geometry;
+  out.beams = static_cast<std::uint16_t>(raw.points);
+  out.has_intensity = intensity;
+  for (std::size_t i = 0; i < raw.points; ++i) out.range_m[i] = decode(raw.range_mm[i]);
+  if (!intensity) return;
+  for (std::size_t i = 0; i < raw.points; ++i) {
+    out.intensity[i] = static_cast<std::uint16_t>(std::min<std::uint32_t>(raw.intensity[i], 0xFFFF));
+  }
+}
+
+void Session::Impl::on_garbage() {
+  if (phase != Phase::kStreaming) return;  // left over from before, or another language: kFind judges
+  ++counters.checksum_errors;
+  good_in_a_row = 0;
+  if (++bad_in_a_row < kMaxBadInARow) return;
+  bad_in_a_row = 0;
+  ++counters.resyncs;
+  probe();
+}
+
+/// A reply in the middle of the stream: the sensor reports trouble (section 10.1, number 8), or answers
+/// something from before.
+void Session::Impl::on_stream_status() {
+  const Reply& reply = line.reply();
+  if (!parse_stream_echo(reply.echo()) || reply.status() == "00") return;
+  const std::string status(reply.status());
+  const std::string text =
+      place() + ": the sensor reports status " + status + ", " + std::string(describe_status(status));
+  if (status == "98") return;  // the scans that follow say the same
+  set_health(Health::kFault, text);
+  if (status >= "21" && status <= "49") return;  // it checks itself and resumes; else the silence is noticed
+  faulty = true;
+  probe();
+}
+
+void Session::Impl::on_silence() {
+  if (!faulty) {
+    char limit[16];
+    std::snprintf(limit, sizeof limit, "%.1f s", types::to_seconds(silence_limit));
+    set_health(Health::kSilent, place() + ": no scan for " + limit);
+  }
+  if (ladder == 0) return probe();
+  if (ladder == 1) return reset_sensor();
+  reboot_or_reconnect();
+}
+
+/// The gentlest thing first: end the stream, ask for the state, start again.
+void Session::Impl::probe() {
+  ladder = std::max(ladder, 1);  // the clock goes on: what is missed meanwhile counts as lost
+  enter(Phase::kProbe, "QT", kProbeLimit);
+}
+
+void Session::Impl::after_probe() {
+  read_state(line.reply(), found);
+  info = found;
+  if (!faulty) return enter_laser();
+  set_health(Health::kFault, message + "; its own words: \"" + found.status + "\"");
+  reset_sensor();
+}
+
+void Session::Impl::reset_sensor() {
+  if (ladder >= 2) return reboot_or_reconnect();
+  ladder = 2;
+  has_last = false;
+  enter(Phase::kReset, "RS", kProbeLimit);
+}
+
+void Session::Impl::reboot_or_reconnect() {
+  const bool rebooting = phase == Phase::kReboot;
+  if (!line.stream().has_baud() && !rebooting && ladder < 3) {
+    ladder = 3;
+    tries = 0;
+    return enter(Phase::kReboot, "RB", kProbeLimit);
+  }
+  // Two RB within a second reboot the sensor (section 10).
+  if (rebooting && tries++ == 0) return enter(Phase::kReboot, "RB", kProbeLimit);
+  ladder = 0;
+  const Health last = health == Health::kFault ? Health::kFault : Health::kSilent;
+  lose(last, message + (rebooting ? "; it was rebooted" : "; connecting again"));
+}
+
+std::string Session::Impl::streaming_text() const {
+  char text[160];
+  std::snprintf(text, sizeof text, ": %s %s streams %zu beams at %.1f Hz", found.product.c_str(),
+                found.serial_number.c_str(), request.points(), 1.0 / static_cast<double>(geometry.period_s));
+  std::string whole = place() + text;
+  if (config.intensity && !intensity) whole += "; this model has no intensities";
+  return whole;
+}
+
+}  // namespace topo::hokuyo

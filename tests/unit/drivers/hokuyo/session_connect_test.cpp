@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From an opened port to the first scan.
+#include <cmath>
+#include <numbers>
+
+#include "tests/unit/drivers/hokuyo/session_fixture.hpp"
+
+namespace topo::hokuyo {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace testing_scip;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class SessionConnect : public SessionTest {};
+
+TEST_F(SessionConnect, EveryModelStreams) {
+  for (const Sample& sample : kSamples) {
+    line = {};
+    scans = 0;
+    line.has_baud = sample.family == Family::kUtm || sample.family == Family::kUrg;
+    start(sample);
+    ASSERT_TRUE(run_scans(20, 5s)) << session->message();
+    EXPECT_EQ(session->health(), Health::kStreaming);
+    EXPECT_EQ(session->info()->serial_number, sample.serial);
+    EXPECT_EQ(scan.beams, sample.amax - sample.amin + 1);
+    EXPECT_NEAR(scan.geometry.period_s, 60.0 / sample.rpm, 1e-6);
+    EXPECT_NEAR(scan.geometry.angle_increment_rad, 2 * std::numbers::pi / sample.ares, 1e-7);
+    EXPECT_NEAR(scan.geometry.time_increment_s, 60.0 / sample.rpm / sample.ares, 1e-9);
+    EXPECT_NEAR(scan.geometry.range_max_m, sample.dmax * 1e-3, 1e-6);
+    for (std::size_t i = 0; i < scan.beams; ++i) {
+      ASSERT_NEAR(scan.range_m[i], FakeSensor::range_mm(i + static_cast<std::size_t>(sample.amin)) * 1e-3,
+                  1e-6);
+    }
+    // Stamp of the first beam: within the counter's millisecond of the truth.
+    const types::Duration first = types::from_seconds(sample.amin * 60.0 / sample.rpm / sample.ares);
+    EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back() - first)), 1.3e-3);
+    EXPECT_EQ(session->counters().scans, 20U);
+    EXPECT_EQ(session->counters().lost_scans, 0U);
+    EXPECT_EQ(scan.sequence, 20U);
+    EXPECT_EQ(session->counters().checksum_errors, 0U);
+  }
+}
+
+TEST_F(SessionConnect, AnglesAreThoseOfTheSteps) {
+  start(urg());
+  ASSERT_TRUE(run_scans(1, 5s));
+  EXPECT_NEAR(static_cast<double>(scan.angle_rad(0)) * 180 / std::numbers::pi, -119.53, 0.01);
+  EXPECT_NEAR(static_cast<double>(scan.angle_rad(681)) * 180 / std::numbers::pi, 119.88, 0.01);
+  EXPECT_NEAR(scan.angle_rad(340), 0.0, 1e-5);
+}
+
+TEST_F(SessionConnect, SwitchesAUrgFromScip1) {
+  line.has_baud = true;
+  start(urg());
+  sensor->scip1 = true;
+  ASSERT_TRUE(run_scans(3, 5s)) << session->message();
+  EXPECT_EQ(sensor->count("SCIP2.0"), 1);
+}
+
+TEST_F(SessionConnect, NeverTriesIntensityOnAUrg) {
+  start(urg(), {.intensity = true});
+  ASSERT_TRUE(run_scans(3, 5s));
+  EXPECT_EQ(sensor->count("ME"), 0);
+  EXPECT_FALSE(scan.has_intensity);
+  EXPECT_THAT(session->message(), HasSubstr("no intensities"));
+}
+
+TEST_F(SessionConnect, StreamsIntensity) {
+  start(utm_ew(), {.intensity = true});
+  ASSERT_TRUE(run_scans(3, 5s));
+  EXPECT_THAT(sensor->heard, Contains("ME0000108001000"));
+  EXPECT_TRUE(scan.has_intensity);
+  EXPECT_EQ(scan.intensity[1080], 1080);
+}
+
+TEST_F(SessionConnect, UsbUtmGetsIntensityOnlyInClusters) {
+  start(utm_usb(), {.intensity = true});
+  ASSERT_TRUE(run_scans(3, 5s));
+  EXPECT_THAT(sensor->heard, Contains("ME0000108002000"));  // firmware 1.16.01
+  EXPECT_EQ(scan.beams, 541);
+  EXPECT_NEAR(scan.geometry.angle_increment_rad, 2 * 2 * std::numbers::pi / 1440, 1e-6);
+  EXPECT_NEAR(scan.angle_rad(0), (0.5 - 540) * 2 * std::numbers::pi / 1440, 1e-5);
+}
+
+TEST_F(SessionConnect, SkipsScansAsConfigured) {
+  start(utm_ew(), {.skip_scans = 1});
+  ASSERT_TRUE(run_scans(10, 5s));
+  EXPECT_THAT(sensor->heard, Contains("MD0000108001100"));
+  EXPECT_NEAR(scan.geometry.period_s, 0.05, 1e-6);
+  EXPECT_EQ(session->counters().lost_scans, 0U);
+}
+
+TEST_F(SessionConnect, FindsTheLineSpeed) {
+  line.has_baud = true;
+  start(urg());
+  sensor->baud = 115200;
+  ASSERT_TRUE(run_scans(1, 20s)) << session->message();
+  EXPECT_EQ(line.baud, 115200);
+}
+
+TEST_F(SessionConnect, WrongSerialNumberIsTold) {
+  start(utm_ew(), {.serial_number = "H0902680"});
+  ASSERT_TRUE(run_health(Health::kWrongDevice, 5s));
+  EXPECT_THAT(session->message(), HasSubstr("H0123456"));
+  EXPECT_THAT(session->message(), HasSubstr("H0902680"));
+  EXPECT_THAT(session->message(), HasSubstr("/dev/scripted"));
+  run_for(60s);
+  EXPECT_EQ(scans, 0);
+  // Told once, however often it is tried again.
+  EXPECT_EQ(changes.size(), 2U);
+}
+
+TEST_F(SessionConnect, RightSerialNumberPasses) {
+  start(utm_ew(), {.serial_number = "00123456"});
+  EXPECT_TRUE(run_scans(1, 5s));
+}
+
+TEST_F(SessionConnect, APioneerOnThePortIsNamed) {
+  start(utm_ew());
+  sensor->mute = true;
+  line.on_write = [&](std::string_view) { line.send(std::string("\xfa\xfb\x03\x00\x00\x00", 6)); };
+  ASSERT_TRUE(run_health(Health::kWrongDevice, 10s));
+  EXPECT_THAT(session->message(), HasSubstr("Pioneer"));
+}
+
+TEST_F(SessionConnect, GarbageOnThePortIsShown) {
+  start(utm_ew());
+  line.on_write = [&](std::string_view) { line.send("$GPGGA,123519,4807.038,N\r\n"); };
+  ASSERT_TRUE(run_health(Health::kWrongDevice, 10s));
+  EXPECT_THAT(session->message(), HasSubstr("24 47 50 47"));
+}
+
+TEST_F(SessionConnect, SilenceOnThePortIsTold) {
+  line.has_baud = true;
+  start(utm_ew());
+  sensor->mute = true;
+  ASSERT_TRUE(run_health(Health::kSilent, 20s));
+  EXPECT_THAT(session->message(), HasSubstr("no answer"));
+  EXPECT_THAT(session->message(), HasSubstr("115200"));
+}
+
+TEST_F(SessionConnect, MissingDeviceBacksOffToFiveSeconds) {
+  line.refuse = true;
+  start(utm_ew());
+  run_for(60s);
+  EXPECT_EQ(session->health(), Health::kDisconnected);
+  EXPECT_THAT(session->message(), HasSubstr("no such device"));
+  EXPECT_EQ(changes.size(), 1U);
+  ASSERT_GE(line.connect_stamps.size(), 6U);
+  std::vector<double> waits;
+  for (std::size_t i = 1; i < line.connect_stamps.size(); ++i) {
+    waits.push_back(types::to_seconds(line.connect_stamps[i] - line.connect_stamps[i - 1]));
+  }
+  EXPECT_NEAR(waits[0], 0.5, 0.03);
+  EXPECT_NEAR(waits[1], 1.0, 0.03);
+  EXPECT_NEAR(waits[2], 2.0, 0.03);
+  EXPECT_NEAR(waits[3], 4.0, 0.03);
+  EXPECT_NEAR(waits.back(), 5.0, 0.03);
+  line.refuse = false;
+  EXPECT_TRUE(run_scans(1, 7s));
+}
+
+TEST_F(SessionConnect, LeavesAdjustModeFromBefore) {
+  start(utm_ew());
+  sensor->adjust = true;
+  EXPECT_TRUE(run_scans(1, 5s)) << session->message();
+}
+
+TEST_F(SessionConnect, ASensorThatStillStreamsIsQuietedFirst) {
+  start(utm_ew());
+  ASSERT_TRUE(run_scans(5, 5s));
+  // The daemon dies without a word; the next one finds the stream running.
+  session = std::make_unique<Session>(SessionConfig{.name = "front"},
+                                      std::make_unique<mocks::ScriptedConnector>(line));
+  ASSERT_TRUE(run_scans(5, 5s)) << session->message();
+}
+
+TEST_F(SessionConnect, WaitsForTheLaserToSpinUp) {
+  start(utm_ew());
+  sensor->laser_failures = 5;
+  EXPECT_TRUE(run_scans(1, 10s)) << session->message();
+}
+
+TEST_F(SessionConnect, ALaserThatNeverStartsIsAFault) {
+  start(utm_ew());
+  sensor->laser_failures = -1;
+  ASSERT_TRUE(run_health(Health::kFault, 20s));
+  EXPECT_THAT(session->message(), HasSubstr("status 01"));
+  EXPECT_THAT(session->message(), HasSubstr("Stable 000 no error."));
+}
+
+TEST_F(SessionConnect, StreamsWithoutClockAdjustment) {
+  start(utm_ew());
+  sensor->adjust_status = "0E";
+  ASSERT_TRUE(run_scans(20, 5s)) << session->message();
+  EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back())), 2e-3);
+}
+
+TEST_F(SessionConnect, HarmfulParametersAreRefused) {
+  start(utm_ew());
+  sensor->pp = "MODL:UTM-30LX-EW;I\n";
+  ASSERT_TRUE(run_health(Health::kFault, 5s));
+  EXPECT_THAT(session->message(), HasSubstr("DMIN"));
+}
+
+TEST_F(SessionConnect, OneLostReplyIsAskedForAgain) {
+  start(utm_ew());
+  sensor->mute_commands = "PP";
+  (void)run([&] { return sensor->count("PP") == 1; }, 5s);
+  sensor->mute_commands.clear();
+  EXPECT_TRUE(run_scans(1, 5s)) << session->message();
+  EXPECT_EQ(sensor->count("PP"), 2);
+}
+
+TEST_F(SessionConnect, AsymmetricDelaysAreHalvedByTheSmallestRoundTrip) {
+  start(utm_ew());
+  sensor->out = 3ms;
+  sensor->back = 500us;
+  sensor->counter_start_ms = 16777216.0 - 1000.0;  // and the counter wraps while streaming
+  ASSERT_TRUE(run_scans(200, 10s));
+  // (3 - 0.5) / 2 = 1.25 ms of asymmetry and one millisecond of the counter
+  EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back())), 2.3e-3);
+  EXPECT_EQ(session->counters().lost_scans, 0U);
+}
+
+TEST_F(SessionConnect, StampOffsetIsAdded) {
+  start(utm_ew(), {.stamp_offset_s = 0.5});
+  ASSERT_TRUE(run_scans(5, 5s));
+  EXPECT_NEAR(types::to_seconds(scan.first_beam - sensor->measured.back()), 0.5, 1.3e-3);
+}
+
+}  // namespace
+}  // namespace topo::hokuyo
