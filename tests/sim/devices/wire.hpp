@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/types/result.hpp"
+#include "tests/sim/devices/endpoint.hpp"
+#include "tests/sim/devices/sim_time.hpp"
+#include "tests/sim/devices/wire_device.hpp"
+
+namespace topo::sim {
+
+/// A device on its wire, with the wire's faults and the serial line's speed. A client that does not read never holds
+/// up the simulation: the device's queue loses whole messages. Not thread-safe.
+class Wire {
+ public:
+  /// device must outlive the wire.
+  Wire(WireDevice& device, std::unique_ptr<Endpoint> endpoint, std::uint64_t seed);
+
+  types::Status open() { return endpoint_->open(); }
+  /// Moves bytes both ways.
+  void pump(SimTime now);
+  void append_poll(std::vector<pollfd>& fds) const { endpoint_->append_poll(fds); }
+
+  /// Nothing leaves the device until then.
+  void silence(SimTime until) { silent_until_ = until; }
+  /// The link breaks and comes back then.
+  void cut(SimTime until);
+  /// At most so many bytes a second to the client; 0: as fast as the wire.
+  void slow(double bytes_per_s) { slow_bytes_per_s_ = bytes_per_s; }
+  /// Loses this share of the bytes, both ways.
+  void drop(double rate) { drop_rate_ = rate; }
+  /// So many random bytes are put among the device's.
+  void garbage(std::size_t bytes) { garbage_ += bytes; }
+
+  [[nodiscard]] bool connected() const { return endpoint_->connected(); }
+  [[nodiscard]] DeviceAddress address() const { return endpoint_->address(); }
+
+ private:
+  void notice_clients(SimTime now);
+  void receive(SimTime now);
+  void transmit(SimTime now);
+  void stage(SimTime now);
+  void discard_output(SimTime now);
+  void spoil(std::string& bytes);
+  [[nodiscard]] bool speeds_differ() const;
+  [[nodiscard]] double bytes_per_s() const;
+
+  WireDevice& device_;
+  std::unique_ptr<Endpoint> endpoint_;
+  std::mt19937_64 random_;
+  bool was_connected_ = false;
+  bool cut_ = false;
+  SimTime cut_until_{0};
+  SimTime silent_until_{0};
+  double slow_bytes_per_s_ = 0.0;
+  double drop_rate_ = 0.0;
+  std::size_t garbage_ = 0;
+  std::string staged_;   ///< on its way into the kernel, faults already applied
+  double credit_ = 0.0;  ///< bytes that the line's speed allows now
+  SimTime last_{0};
+};
+
+}  // namespace topo::sim
