@@ -19,9 +19,9 @@ namespace topo::sim {
 /// Where a client finds a device.
 struct DeviceAddress {
   bool tcp = true;
-  std::string host;           ///< TCP
-  std::uint16_t port = 0;     ///< TCP
-  std::filesystem::path path; ///< pty: the link to the terminal
+  std::string host;            ///< TCP
+  std::uint16_t port = 0;      ///< TCP
+  std::filesystem::path path;  ///< pty: the link to the terminal
 };
 
 /// The device's end of a wire. Nothing in it blocks. Not thread-safe.
@@ -53,7 +53,8 @@ class Endpoint {
   [[nodiscard]] virtual DeviceAddress address() const = 0;
 };
 
-/// Listens on the loopback interface; port 0 takes any and keeps it. One client at a time: others are turned away.
+/// Listens on the loopback interface; port 0 takes any and keeps it. One client at a time: others are turned
+/// away.
 [[nodiscard]] std::unique_ptr<Endpoint> make_tcp_endpoint(std::uint16_t port);
 /// A pseudo terminal with a symbolic link to it at `link`; an old link there is replaced, a file is not.
 [[nodiscard]] std::unique_ptr<Endpoint> make_pty_endpoint(std::filesystem::path link);

@@ -18,12 +18,18 @@ using types::Errc;
 
 unsigned rate_of(speed_t speed) {
   switch (speed) {
-    case B9600: return 9600;
-    case B19200: return 19200;
-    case B38400: return 38400;
-    case B57600: return 57600;
-    case B115200: return 115200;
-    default: return 1;  // a speed that no Pioneer has: it differs from all
+    case B9600:
+      return 9600;
+    case B19200:
+      return 19200;
+    case B38400:
+      return 38400;
+    case B57600:
+      return 57600;
+    case B115200:
+      return 115200;
+    default:
+      return 1;  // a speed that no Pioneer has: it differs from all
   }
 }
 
@@ -93,7 +99,8 @@ class PtyEndpoint final : public Endpoint {
 
  private:
   types::Status failure(const std::string& what, int error) const {
-    return types::fail(error == EACCES ? Errc::kPermission : Errc::kIo, what + ": " + std::strerror(error), error);
+    return types::fail(error == EACCES ? Errc::kPermission : Errc::kIo, what + ": " + std::strerror(error),
+                       error);
   }
 
   void make_raw() const {

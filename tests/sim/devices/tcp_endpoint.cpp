@@ -32,7 +32,8 @@ class TcpEndpoint final : public Endpoint {
         ::listen(listener.get(), 4) != 0) {
       const int error = errno;
       return types::fail(error == EADDRINUSE ? Errc::kBusy : Errc::kIo,
-                         "cannot listen on 127.0.0.1:" + std::to_string(port_) + ": " + std::strerror(error), error);
+                         "cannot listen on 127.0.0.1:" + std::to_string(port_) + ": " + std::strerror(error),
+                         error);
     }
     socklen_t size = sizeof(address);
     ::getsockname(listener.get(), reinterpret_cast<sockaddr*>(&address), &size);
@@ -92,6 +93,8 @@ class TcpEndpoint final : public Endpoint {
 
 }  // namespace
 
-std::unique_ptr<Endpoint> make_tcp_endpoint(std::uint16_t port) { return std::make_unique<TcpEndpoint>(port); }
+std::unique_ptr<Endpoint> make_tcp_endpoint(std::uint16_t port) {
+  return std::make_unique<TcpEndpoint>(port);
+}
 
 }  // namespace topo::sim

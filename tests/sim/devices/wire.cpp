@@ -24,7 +24,8 @@ void Wire::cut(SimTime until) {
 
 void Wire::pump(SimTime now) {
   if (const auto absence = device_.take_absence(now)) cut(now + *absence);
-  if (cut_ && now >= cut_until_) cut_ = !endpoint_->open().has_value();  // the port may still be busy: next time
+  if (cut_ && now >= cut_until_)
+    cut_ = !endpoint_->open().has_value();  // the port may still be busy: next time
   notice_clients(now);
   receive(now);
   device_.tick(now);

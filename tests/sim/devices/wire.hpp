@@ -15,8 +15,8 @@
 
 namespace topo::sim {
 
-/// A device on its wire, with the wire's faults and the serial line's speed. A client that does not read never holds
-/// up the simulation: the device's queue loses whole messages. Not thread-safe.
+/// A device on its wire, with the wire's faults and the serial line's speed. A client that does not read
+/// never holds up the simulation: the device's queue loses whole messages. Not thread-safe.
 class Wire {
  public:
   /// device must outlive the wire.
