@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/mapfile/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include "drivers/io/posix.hpp"
+#include "drivers/io/unique_fd.hpp"
+
+namespace topo::daemon {
+
+using types::Result;
+using types::Status;
+
+namespace {
+
+/// A file under another name until it is renamed; removed when it never is.
+class Temporary {
+ public:
+  static Result<Temporary> write(const FileContent& file) {
+    std::string name = file.path + ".XXXXXX";
+    io::UniqueFd fd(::mkostemp(name.data(), O_CLOEXEC));
+    if (!fd.valid()) return io::fail_errno(file.path, "cannot create a file beside it", errno);
+    Temporary temporary(name, file.path);
+    for (std::size_t done = 0; done < file.bytes.size();) {
+      const auto n = io::retry_interrupted(
+          [&] { return ::write(fd.get(), file.bytes.data() + done, file.bytes.size() - done); });
+      if (n < 0) return io::fail_errno(file.path, "cannot write", errno);
+      done += static_cast<std::size_t>(n);
+    }
+    if (::fchmod(fd.get(), 0644) != 0 || ::fsync(fd.get()) != 0)
+      return io::fail_errno(file.path, "cannot bring it to the disk", errno);
+    return temporary;
+  }
+
+  ~Temporary() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  Temporary(Temporary&& other) noexcept
+      : name_(std::exchange(other.name_, {})), path_(std::move(other.path_)) {}
+  Temporary& operator=(Temporary&&) = delete;
+
+  Status commit() {
+    if (::rename(name_.c_str(), path_.c_str()) != 0)
+      return io::fail_errno(path_, "cannot put it in place", errno);
+    name_.clear();
+    return {};
+  }
+
+ private:
+  Temporary(std::string name, std::string path) : name_(std::move(name)), path_(std::move(path)) {}
+  std::string name_;
+  std::string path_;
+};
+
+Status sync_folder_of(const std::string& path) {
+  std::string folder = std::filesystem::path(path).parent_path().string();
+  if (folder.empty()) folder = ".";
+  const io::UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Some file systems (FUSE, network) cannot: EINVAL.
+  if (!fd.valid() || (::fsync(fd.get()) != 0 && errno != EINVAL))
+    return io::fail_errno(folder, "cannot bring the folder to the disk", errno);
+  return {};
+}
+
+}  // namespace
+
+Status write_files(std::span<const FileContent> files) {
+  std::vector<Temporary> written;
+  for (const FileContent& file : files) {
+    auto temporary = Temporary::write(file);
+    if (!temporary.has_value()) return tl::unexpected(temporary.error());
+    written.push_back(std::move(*temporary));
+  }
+  for (Temporary& temporary : written) {
+    if (auto s = temporary.commit(); !s.has_value()) return s;
+  }
+  for (const FileContent& file : files) {
+    if (auto s = sync_folder_of(file.path); !s.has_value()) return s;
+  }
+  return {};
+}
+
+}  // namespace topo::daemon

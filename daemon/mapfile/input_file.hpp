@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "core/types/result.hpp"
+
+namespace topo::daemon {
+
+/// A whole file; kInvalidInput when it is larger than `max_bytes` or a folder. Errors name the file.
+types::Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
+
+/// "PATH: WHERE: found FOUND, expected EXPECTED"; without the place when `where` is empty.
+tl::unexpected<types::Error> bad_file(const std::string& path, std::string_view where, std::string_view found,
+                                      std::string_view expected);
+
+}  // namespace topo::daemon

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/grid/occupancy_grid.hpp"
+#include "core/types/result.hpp"
+#include "core/types/se2.hpp"
+
+namespace topo::daemon {
+
+enum class MapCell : std::uint8_t { kFree, kOccupied, kUnknown };
+
+/// A map as a raster, the form of the files. Cells row by row, the lowest row (smallest y) first: unlike in
+/// the files' images, whose first row is the uppermost.
+struct MapImage {
+  static constexpr int kMaxSide = 32768;
+  static constexpr std::int64_t kMaxCells = std::int64_t{1} << 27;  ///< 11585 cells a side when square
+
+  int width = 0;
+  int height = 0;
+  double resolution_m = 0.05;
+  types::Se2 origin;  ///< of the lower left corner of cell (0, 0), in map
+  std::vector<MapCell> cells;
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  [[nodiscard]] MapCell at(int x, int y) const { return cells[index(x, y)]; }
+};
+
+/// The smallest raster that holds all known cells and a margin around them; one unknown cell when nothing is
+/// known. kInvalidInput when it would be larger than MapImage allows.
+types::Result<MapImage> image_of(const grid::OccupancyGrid& grid, int margin_cells = 4);
+
+/// map_server's pair, `map.pgm` and `map.yaml`, in an existing folder; both or none. Blocks on the disk.
+types::Status save_map(const std::string& folder, const MapImage& map);
+
+/// The bytes of the pair, as save_map writes them.
+[[nodiscard]] std::vector<std::byte> encode_pgm(const MapImage& map);
+[[nodiscard]] std::string encode_map_yaml(const MapImage& map, const std::string& image_name);
+
+/// Reads a map_server YAML file and its image (PGM P2 or P5, PNG), whose path is relative to the YAML file's
+/// folder. Errors name the file and key or place, what was found and what is expected: kInvalidInput,
+/// kNotFound, kPermission, kIo.
+types::Result<MapImage> load_map(const std::string& yaml_path);
+
+}  // namespace topo::daemon

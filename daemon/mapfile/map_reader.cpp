@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "daemon/mapfile/grey_image.hpp"
+#include "daemon/mapfile/input_file.hpp"
+#include "daemon/mapfile/map_image.hpp"
+
+namespace topo::daemon {
+
+using types::Errc;
+using types::Result;
+using types::Status;
+
+namespace {
+
+constexpr std::size_t kMaxYamlBytes = 65536;
+constexpr std::size_t kMaxImageBytes = std::size_t{1} << 29U;
+constexpr double kMaxCoordinate_m = 1e6;
+
+/// The keys of a map_server file.
+struct MapYaml {
+  std::string image;
+  double resolution_m = 0.0;
+  types::Se2 origin;
+  bool negate = false;
+  double occupied_thresh = 0.65;
+  double free_thresh = 0.196;
+};
+
+/// Reads keys of one YAML mapping. Holds the only uses of yaml-cpp, whose exceptions end in read_yaml.
+class Keys {
+ public:
+  Keys(const std::string& path, const YAML::Node& root) : path_(path), root_(root) {}
+
+  [[nodiscard]] tl::unexpected<types::Error> bad(const std::string& key, const YAML::Node& node,
+                                                 std::string_view expected) const {
+    const int line = (node.IsDefined() ? node : root_).Mark().line + 1;
+    return bad_file(path_, fmt::format("line {}: key {}", line, key), found(node), expected);
+  }
+  [[nodiscard]] YAML::Node node(const std::string& key) const { return root_[key]; }
+
+  [[nodiscard]] Result<double> number(const std::string& key, const YAML::Node& node, double min,
+                                      double max) const {
+    double value = 0.0;
+    // Written so that NaN is refused too.
+    if (!node.IsDefined() || !node.IsScalar() || !YAML::convert<double>::decode(node, value) ||
+        !(value >= min && value <= max)) {
+      return bad(key, node, fmt::format("a number from {} to {}", min, max));
+    }
+    return value;
+  }
+  Status number_if_there(const std::string& key, double min, double max, double& into) const {
+    const YAML::Node n = node(key);
+    if (!n.IsDefined()) return {};
+    const auto value = number(key, n, min, max);
+    if (!value.has_value()) return tl::unexpected(value.error());
+    into = *value;
+    return {};
+  }
+
+ private:
+  static std::string found(const YAML::Node& node) {
+    if (!node.IsDefined()) return "nothing";
+    if (!node.IsScalar())
+      return node.IsSequence() ? fmt::format("a list of {}", node.size()) : "no plain value";
+    return fmt::format("\"{}\"", node.Scalar().substr(0, 60));
+  }
+  const std::string& path_;
+  const YAML::Node& root_;
+};
+
+Status read_origin(const Keys& keys, MapYaml& map) {
+  const YAML::Node origin = keys.node("origin");
+  if (!origin.IsDefined() || !origin.IsSequence() || origin.size() != 3)
+    return keys.bad("origin", origin, "a list [x, y, yaw] in metres and radians");
+  double values[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = keys.number("origin", origin[i], -kMaxCoordinate_m, kMaxCoordinate_m);
+    if (!value.has_value()) return tl::unexpected(value.error());
+    values[i] = *value;
+  }
+  map.origin = {values[0], values[1], types::wrap_angle(values[2])};
+  return {};
+}
+
+Status read_mode(const Keys& keys) {
+  const YAML::Node mode = keys.node("mode");
+  if (!mode.IsDefined() || (mode.IsScalar() && mode.Scalar() == "trinary")) return {};
+  return keys.bad("mode", mode, "trinary");
+}
+
+Status read_negate(const Keys& keys, MapYaml& map) {
+  const YAML::Node negate = keys.node("negate");
+  if (!negate.IsDefined()) return {};
+  const std::string text = negate.IsScalar() ? negate.Scalar() : "";
+  if (text != "0" && text != "1" && text != "false" && text != "true")
+    return keys.bad("negate", negate, "0 or 1");
+  map.negate = text == "1" || text == "true";
+  return {};
+}
+
+Result<MapYaml> read_keys(const std::string& path, const YAML::Node& root) {
+  if (!root.IsMap())
+    return bad_file(path, "", "no keys", "a map_server file with image, resolution and origin");
+  const Keys keys(path, root);
+  MapYaml map;
+  const YAML::Node image = keys.node("image");
+  if (!image.IsDefined() || !image.IsScalar() || image.Scalar().empty())
+    return keys.bad("image", image, "the image's path");
+  map.image = image.Scalar();
+  const auto resolution = keys.number("resolution", keys.node("resolution"), 1e-4, 100.0);
+  if (!resolution.has_value()) return tl::unexpected(resolution.error());
+  map.resolution_m = *resolution;
+  for (const Status& s : {read_origin(keys, map), read_negate(keys, map), read_mode(keys),
+                          keys.number_if_there("occupied_thresh", 0.0, 1.0, map.occupied_thresh),
+                          keys.number_if_there("free_thresh", 0.0, 1.0, map.free_thresh)}) {
+    if (!s.has_value()) return tl::unexpected(s.error());
+  }
+  if (map.free_thresh > map.occupied_thresh) {
+    return keys.bad("free_thresh", keys.node("free_thresh"),
+                    fmt::format("at most occupied_thresh, {}", map.occupied_thresh));
+  }
+  return map;
+}
+
+Result<MapYaml> read_yaml(const std::string& path, const std::string& text) {
+  try {
+    return read_keys(path, YAML::Load(text));
+  } catch (const YAML::Exception& e) {  // the library has no other way to tell
+    return bad_file(path, fmt::format("line {}", e.mark.line + 1), e.msg, "YAML");
+  }
+}
+
+MapCell cell_of(std::uint8_t grey, const MapYaml& yaml) {
+  const double occupied = yaml.negate ? grey / 255.0 : (255 - grey) / 255.0;
+  if (occupied > yaml.occupied_thresh) return MapCell::kOccupied;
+  return occupied < yaml.free_thresh ? MapCell::kFree : MapCell::kUnknown;
+}
+
+Result<GreyImage> read_image(const std::string& path) {
+  const auto content = read_file(path, kMaxImageBytes);
+  if (!content.has_value()) return tl::unexpected(content.error());
+  if (content->starts_with("\x89PNG")) return decode_png(path, *content);
+  if (content->starts_with("P2") || content->starts_with("P5")) return decode_pgm(path, *content);
+  return bad_file(path, "byte 0", "other content", "a PGM (P2, P5) or PNG image");
+}
+
+}  // namespace
+
+Result<MapImage> load_map(const std::string& yaml_path) {
+  const auto text = read_file(yaml_path, kMaxYamlBytes);
+  if (!text.has_value()) return tl::unexpected(text.error());
+  const auto yaml = read_yaml(yaml_path, *text);
+  if (!yaml.has_value()) return tl::unexpected(yaml.error());
+  const auto image = read_image((std::filesystem::path(yaml_path).parent_path() / yaml->image).string());
+  if (!image.has_value()) return tl::unexpected(image.error());
+  MapImage map{image->width, image->height, yaml->resolution_m, yaml->origin,
+               std::vector<MapCell>(image->pixels.size())};
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const std::size_t from = map.index(x, map.height - 1 - y);
+      const bool empty = !image->transparent.empty() && image->transparent[from];
+      map.cells[map.index(x, y)] = empty ? MapCell::kUnknown : cell_of(image->pixels[from], *yaml);
+    }
+  }
+  return map;
+}
+
+}  // namespace topo::daemon

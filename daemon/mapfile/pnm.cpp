@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "daemon/mapfile/grey_image.hpp"
+#include "daemon/mapfile/input_file.hpp"
+#include "daemon/mapfile/map_image.hpp"
+
+namespace topo::daemon {
+
+using types::Result;
+using types::Status;
+
+namespace {
+
+/// Numbers of a Netpbm file, with white space and comments between them.
+class Tokens {
+ public:
+  Tokens(const std::string& path, std::string_view content) : path_(path), content_(content) {}
+
+  Result<int> number(std::string_view name, int min, int max) {
+    skip_space();
+    int value = 0;
+    const char* begin = content_.data() + at_;
+    const auto [end, error] = std::from_chars(begin, content_.data() + content_.size(), value);
+    if (error != std::errc{} || value < min || value > max) {
+      const std::string found = at_ >= content_.size() ? "the end of the file"
+                                : error != std::errc{} ? "no number"
+                                                       : std::to_string(value);
+      return bad_file(path_, fmt::format("byte {}", at_), fmt::format("{} as {}", found, name),
+                      fmt::format("{} to {}", min, max));
+    }
+    at_ += static_cast<std::size_t>(end - begin);
+    return value;
+  }
+  /// What follows the single white space after the last number.
+  [[nodiscard]] std::string_view rest() const { return content_.substr(std::min(at_ + 1, content_.size())); }
+
+ private:
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+  void skip_space() {
+    while (at_ < content_.size()) {
+      if (content_[at_] == '#') {
+        at_ = std::min(content_.find('\n', at_), content_.size());
+      } else if (is_space(content_[at_])) {
+        ++at_;
+      } else {
+        return;
+      }
+    }
+  }
+  const std::string& path_;
+  std::string_view content_;
+  std::size_t at_ = 2;
+};
+
+constexpr int kMaxGrey = 255;
+
+std::uint8_t scaled(int value, int greatest) {
+  return static_cast<std::uint8_t>((value * kMaxGrey + greatest / 2) / greatest);
+}
+
+Status read_text(Tokens& tokens, int greatest, GreyImage& image) {
+  for (std::uint8_t& pixel : image.pixels) {
+    const auto value = tokens.number("pixel", 0, greatest);
+    if (!value.has_value()) return tl::unexpected(value.error());
+    pixel = scaled(*value, greatest);
+  }
+  return {};
+}
+
+Status read_raw(const std::string& path, std::string_view raster, int greatest, GreyImage& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const int value = static_cast<unsigned char>(raster[i]);
+    if (value > greatest)
+      return bad_file(path, fmt::format("pixel {}", i), std::to_string(value),
+                      fmt::format("0 to {}", greatest));
+    image.pixels[i] = scaled(value, greatest);
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_size(const std::string& path, std::int64_t width, std::int64_t height) {
+  if (width < 1 || height < 1 || width > MapImage::kMaxSide || height > MapImage::kMaxSide ||
+      width * height > MapImage::kMaxCells) {
+    return bad_file(
+        path, "", fmt::format("an image of {} x {} pixels", width, height),
+        fmt::format("1 to {} a side and at most {} in all", MapImage::kMaxSide, MapImage::kMaxCells));
+  }
+  return {};
+}
+
+Result<GreyImage> decode_pgm(const std::string& path, std::string_view content) {
+  const bool raw = content.starts_with("P5");
+  if (!raw && !content.starts_with("P2"))
+    return bad_file(path, "byte 0", "other content", "a PGM file (P2 or P5)");
+  Tokens tokens(path, content);
+  const auto width = tokens.number("width", 1, MapImage::kMaxSide);
+  if (!width.has_value()) return tl::unexpected(width.error());
+  const auto height = tokens.number("height", 1, MapImage::kMaxSide);
+  if (!height.has_value()) return tl::unexpected(height.error());
+  if (auto s = check_size(path, *width, *height); !s.has_value()) return tl::unexpected(s.error());
+  const auto greatest = tokens.number("greatest value", 1, kMaxGrey);
+  if (!greatest.has_value()) return tl::unexpected(greatest.error());
+  const auto pixels = static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height);
+  // A pixel needs a byte at least: nothing is allocated for pixels that the file cannot have.
+  const std::size_t needed = raw ? pixels : 2 * pixels - 1;
+  if (tokens.rest().size() < needed) {
+    return bad_file(path, "", fmt::format("{} bytes of pixels (truncated file)", tokens.rest().size()),
+                    fmt::format("at least {} for {} x {}", needed, *width, *height));
+  }
+  GreyImage image{*width, *height, std::vector<std::uint8_t>(pixels), {}};
+  const Status read =
+      raw ? read_raw(path, tokens.rest(), *greatest, image) : read_text(tokens, *greatest, image);
+  if (!read.has_value()) return tl::unexpected(read.error());
+  return image;
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "daemon/mapfile/map_image.hpp"
+#include "daemon/mapfile/picture.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using types::Errc;
+
+const std::string kPgm = "P5 3 1 255\n" + std::string("\xFE\xCD\0", 3);
+const std::string kYaml = "image: m.pgm\nresolution: 0.1\norigin: [1, -2, 0.5]\n";
+
+class MapReaderTest : public ::testing::Test {
+ protected:
+  types::Result<MapImage> load(const std::string& yaml, const std::string& image) {
+    static_cast<void>(dir_.write("m.pgm", image));
+    return load_map(dir_.write("m.yaml", yaml));
+  }
+  std::string error(const std::string& yaml, const std::string& image = kPgm) {
+    const auto map = load(yaml, image);
+    EXPECT_FALSE(map.has_value());
+    if (map.has_value()) return "";
+    EXPECT_EQ(map.error().code, Errc::kInvalidInput);
+    return map.error().message;
+  }
+  testing::TempDir dir_;
+};
+
+TEST_F(MapReaderTest, ReadsRawAndPlainPgmWithComments) {
+  for (const std::string& image : {kPgm, std::string("P2\n# by hand\n3 1 # size\n255\n254 205\n0\n")}) {
+    const auto map = load(kYaml, image);
+    ASSERT_TRUE(map.has_value()) << map.error().message;
+    EXPECT_THAT(map->cells, ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied));
+    EXPECT_EQ(map->origin, (types::Se2{1, -2, 0.5}));
+    EXPECT_DOUBLE_EQ(map->resolution_m, 0.1);
+  }
+}
+
+TEST_F(MapReaderTest, TheFirstRowOfTheImageIsTheHighestOfTheMap) {
+  const auto map = load(kYaml, "P2 1 2 255 254 0");
+  ASSERT_TRUE(map.has_value());
+  EXPECT_EQ(map->at(0, 0), MapCell::kOccupied);
+  EXPECT_EQ(map->at(0, 1), MapCell::kFree);
+}
+
+TEST_F(MapReaderTest, FollowsNegateThresholdsAndTheGreatestValue) {
+  const auto negated = load(kYaml + "negate: 1\n", kPgm);
+  ASSERT_TRUE(negated.has_value());
+  EXPECT_THAT(negated->cells, ElementsAre(MapCell::kOccupied, MapCell::kOccupied, MapCell::kFree));
+  const auto wide = load(kYaml + "occupied_thresh: 0.9\nfree_thresh: 0.5\n", "P2 3 1 255 200 100 10");
+  ASSERT_TRUE(wide.has_value());
+  EXPECT_THAT(wide->cells, ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied));
+  const auto bits = load(kYaml, "P2 2 1 1 1 0");
+  ASSERT_TRUE(bits.has_value());
+  EXPECT_THAT(bits->cells, ElementsAre(MapCell::kFree, MapCell::kOccupied));
+}
+
+TEST_F(MapReaderTest, ReadsPng) {
+  Picture picture(3, 1, {254, 254, 254});
+  picture.set(1, 0, {205, 205, 205});
+  picture.set(2, 0, {0, 0, 0});
+  ASSERT_TRUE(save_png(dir_.file("m.png"), picture).has_value());
+  const auto map =
+      load_map(dir_.write("m.yaml", "image: m.png\nresolution: 0.1\norigin: [0, 0, 0]\nmode: trinary\n"));
+  ASSERT_TRUE(map.has_value()) << map.error().message;
+  EXPECT_THAT(map->cells, ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied));
+}
+
+TEST_F(MapReaderTest, SaysKeyFoundAndExpected) {
+  EXPECT_THAT(error(""), HasSubstr("m.yaml: found no keys"));
+  EXPECT_THAT(error("image: [\n"), HasSubstr("m.yaml: line "));
+  EXPECT_THAT(error("resolution: 0.1\norigin: [0, 0, 0]\n"), HasSubstr("key image: found nothing"));
+  EXPECT_THAT(error("image: m.pgm\norigin: [0, 0, 0]\n"),
+              HasSubstr("key resolution: found nothing, expected a number"));
+  EXPECT_THAT(error("image: m.pgm\nresolution: .nan\norigin: [0, 0, 0]\n"),
+              HasSubstr("line 2: key resolution: found \".nan\""));
+  EXPECT_THAT(error("image: m.pgm\nresolution: -1\norigin: [0, 0, 0]\n"),
+              HasSubstr("key resolution: found \"-1\""));
+  EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [0, 0]\n"),
+              HasSubstr("line 3: key origin: found a list of 2"));
+  EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [0, x, 0]\n"),
+              HasSubstr("key origin: found \"x\""));
+  EXPECT_THAT(error(kYaml + "negate: 2\n"), HasSubstr("key negate: found \"2\", expected 0 or 1"));
+  EXPECT_THAT(error(kYaml + "mode: scale\n"), HasSubstr("key mode: found \"scale\", expected trinary"));
+  EXPECT_THAT(error(kYaml + "free_thresh: 0.8\n"),
+              HasSubstr("key free_thresh: found \"0.8\", expected at most occupied_thresh"));
+}
+
+TEST_F(MapReaderTest, SaysWhatIsWrongWithTheImage) {
+  EXPECT_THAT(error(kYaml, ""), HasSubstr("m.pgm: byte 0: found other content"));
+  EXPECT_THAT(error(kYaml, "P6 1 1 255 abc"), HasSubstr("expected a PGM (P2, P5) or PNG image"));
+  EXPECT_THAT(error(kYaml, "P5 3"), HasSubstr("found the end of the file as height"));
+  EXPECT_THAT(error(kYaml, "P5 99999 1 255\n"), HasSubstr("found 99999 as width"));
+  EXPECT_THAT(error(kYaml, "P5 32768 32768 255\n"), HasSubstr("an image of 32768 x 32768 pixels"));
+  EXPECT_THAT(error(kYaml, "P5 3 1 65535\n123456"),
+              HasSubstr("found 65535 as greatest value, expected 1 to 255"));
+  EXPECT_THAT(error(kYaml, kPgm.substr(0, kPgm.size() - 1)),
+              HasSubstr("found 2 bytes of pixels (truncated file), expected at least 3"));
+  EXPECT_THAT(error(kYaml, "P2 3 1 255 1 2 x"), HasSubstr("found no number as pixel"));
+  EXPECT_THAT(error(kYaml, "P2 3 1 9 1 2 10"), HasSubstr("found 10 as pixel, expected 0 to 9"));
+  EXPECT_THAT(error(kYaml, "\x89PNG\r\n\x1a\n garbage"), HasSubstr("a damaged PNG file"));
+}
+
+TEST_F(MapReaderTest, NamesFilesThatAreNotThere) {
+  const auto yaml = load_map(dir_.file("none.yaml"));
+  ASSERT_FALSE(yaml.has_value());
+  EXPECT_EQ(yaml.error().code, Errc::kNotFound);
+  EXPECT_THAT(yaml.error().message, HasSubstr("none.yaml"));
+  const auto image = load_map(dir_.write("m.yaml", "image: gone.pgm\nresolution: 1\norigin: [0, 0, 0]\n"));
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().code, Errc::kNotFound);
+  EXPECT_THAT(image.error().message, HasSubstr("gone.pgm"));
+}
+
+}  // namespace
+}  // namespace topo::daemon
