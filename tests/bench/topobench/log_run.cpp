@@ -66,7 +66,8 @@ class Runner {
 
   void step(const daemon::CarmenScan& from, std::size_t sequence, types::Scan& scan) {
     fill_scan(from, sequence, scan);
-    const types::Odometry odometry{scan.first_beam, types::Transform2<types::Odom, types::Base>(from.robot_odom), {}};
+    const types::Odometry odometry{
+        scan.first_beam, types::Transform2<types::Odom, types::Base>(from.robot_odom), {}};
     while (!answers_.empty() && answers_.front().due <= keyframes_) hand_over();
     const auto begin = WallClock::now();
     pipeline::MappingOutput output = mapping_step(state_, {{&odometry, 1}, &scan, nullptr});

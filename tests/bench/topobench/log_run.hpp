@@ -10,8 +10,8 @@
 
 namespace topo::bench {
 
-/// How a log was mapped: the same pure steps as the daemon's threads, in lock-step. A loop answer is handed over
-/// exactly `answer_delay` keyframes after its question, so that runs repeat.
+/// How a log was mapped: the same pure steps as the daemon's threads, in lock-step. A loop answer is handed
+/// over exactly `answer_delay` keyframes after its question, so that runs repeat.
 struct LogRunOptions {
   std::size_t answer_delay = 2;
 };
@@ -23,8 +23,8 @@ struct LogRun {
   std::vector<double> closure_ms;             ///< wall time of each loop search
   int closures_accepted = 0;
   int closures_rejected = 0;
-  int lost = 0;                               ///< scans placed by odometry alone
-  int searched = 0;                           ///< scans that needed the correlative search
+  int lost = 0;      ///< scans placed by odometry alone
+  int searched = 0;  ///< scans that needed the correlative search
   double path_m = 0.0;
   double cpu_s = 0.0;
   double wall_s = 0.0;

@@ -12,7 +12,8 @@ namespace {
 /// 2 is the user's fault, 1 everything else.
 int exit_status(const topo::types::Error& error) {
   using topo::types::Errc;
-  const bool users = error.code == Errc::kInvalidInput || error.code == Errc::kNotFound || error.code == Errc::kPermission;
+  const bool users =
+      error.code == Errc::kInvalidInput || error.code == Errc::kNotFound || error.code == Errc::kPermission;
   return users ? 2 : 1;
 }
 
@@ -23,9 +24,11 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   topo::bench::SlamCommand slam;
-  CLI::App* slam_app = app.add_subcommand("slam", "Map a CARMEN log (.clf, .clf.bz2, .clf.gz) or a Mines URG log (.dat.bz2)");
+  CLI::App* slam_app =
+      app.add_subcommand("slam", "Map a CARMEN log (.clf, .clf.bz2, .clf.gz) or a Mines URG log (.dat.bz2)");
   slam_app->add_option("--log", slam.log, "The log")->required();
-  slam_app->add_option("--relations", slam.relations, "True relations (Kuemmerle et al. 2009) to measure against");
+  slam_app->add_option("--relations", slam.relations,
+                       "True relations (Kuemmerle et al. 2009) to measure against");
   slam_app->add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt");
   slam_app->add_flag("--json", slam.json, "One JSON object on one line");
 

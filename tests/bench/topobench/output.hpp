@@ -11,6 +11,7 @@
 namespace topo::bench {
 
 /// map.pgm, map.yaml, map.png (with the trajectory) and trajectory.txt in a folder, which is made if missing.
-types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map, const LogRun& run);
+types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
+                              const LogRun& run);
 
 }  // namespace topo::bench

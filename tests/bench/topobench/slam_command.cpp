@@ -36,8 +36,8 @@ double peak_rss_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-nlohmann::json report(const SlamCommand& command, const daemon::CarmenLog& log, const pipeline::MappingState& state,
-                      const LogRun& run) {
+nlohmann::json report(const SlamCommand& command, const daemon::CarmenLog& log,
+                      const pipeline::MappingState& state, const LogRun& run) {
   return {{"log", command.log},
           {"scans", log.scans.size()},
           {"stamp_inversions", log.stamp_inversions},
@@ -69,7 +69,8 @@ types::Result<nlohmann::json> relation_errors(const std::string& path, const Log
 
 /// Mines logs are tables of numbers (MANIFEST of the data); everything else is CARMEN text.
 types::Result<daemon::CarmenLog> read_log(const std::string& path) {
-  return path.find(".dat") != std::string::npos ? daemon::read_mines_log(path) : daemon::read_carmen_log(path);
+  return path.find(".dat") != std::string::npos ? daemon::read_mines_log(path)
+                                                : daemon::read_carmen_log(path);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ struct SlamCommand {
   bool json = false;
 };
 
-/// `topobench slam`: maps a log, writes the map and the trajectory, prints the report of REPORTS "topobench slam".
+/// `topobench slam`: maps a log, writes the map and the trajectory, prints the report of REPORTS "topobench
+/// slam".
 types::Status run_slam(const SlamCommand& command);
 
 }  // namespace topo::bench

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/grid/occupancy_grid.hpp"
+
+#include <gtest/gtest.h>
+
+namespace topo::grid {
+namespace {
+
+TEST(StateOf, NeedsAQuarterOfTheEvidence) {
+  EXPECT_EQ(state_of({0, 0}), CellState::kUnknown);
+  EXPECT_EQ(state_of({0, 1}), CellState::kFree);
+  EXPECT_EQ(state_of({1, 0}), CellState::kOccupied);
+  EXPECT_EQ(state_of({1, 3}), CellState::kOccupied);
+  EXPECT_EQ(state_of({1, 4}), CellState::kFree);
+}
+
+TEST(OccupancyGrid, CellsHaveTheirLowerCornerAtTheirIndex) {
+  patricia::Arena<TileRef> arena;
+  const OccupancyGrid grid(arena, 0.05);
+  EXPECT_EQ(grid.cell_at({0.0, 0.0}), (CellIndex{0, 0}));
+  EXPECT_EQ(grid.cell_at({-0.01, 0.049}), (CellIndex{-1, 0}));
+  EXPECT_NEAR(grid.centre_of({-1, 2}).x(), -0.025, 1e-12);
+  EXPECT_NEAR(grid.centre_of({-1, 2}).y(), 0.125, 1e-12);
+}
+
+TEST(OccupancyGrid, FindsCellsAcrossTileBordersOnBothSidesOfZero) {
+  patricia::Arena<TileRef> arena;
+  OccupancyGrid grid(arena, 0.05);
+  grid.tile_to_change(-1, 0).cells[Tile::index(31, 5)].hits = 3;
+  EXPECT_EQ(grid.counts({-1, 5}).hits, 3);
+  EXPECT_EQ(grid.state({-2, 5}), CellState::kUnknown);
+  EXPECT_EQ(grid.state({100, 100}), CellState::kUnknown);
+  const CellBox box = grid.known_box();
+  EXPECT_EQ(box.min, (CellIndex{-1, 5}));
+  EXPECT_EQ(box.max, (CellIndex{-1, 5}));
+}
+
+TEST(OccupancyGrid, ACopyIsASnapshot) {
+  patricia::Arena<TileRef> arena;
+  OccupancyGrid grid(arena, 0.05);
+  grid.tile_to_change(0, 0).cells[0].misses = 1;
+  const OccupancyGrid before = grid;
+  grid.tile_to_change(0, 0).cells[0].hits = 9;
+  grid.tile_to_change(4, 4).cells[0].hits = 9;
+  EXPECT_EQ(before.state({0, 0}), CellState::kFree);
+  EXPECT_EQ(before.tiles().size(), 1U);
+  EXPECT_EQ(grid.state({0, 0}), CellState::kOccupied);
+}
+
+}  // namespace
+}  // namespace topo::grid

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/pipeline/mapping_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/mocks/flat_world.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using std::chrono::milliseconds;
+using types::Se2;
+using types::Stamp;
+
+types::Odometry odometry_at(int ms, const Se2& pose) {
+  return {Stamp{milliseconds(ms)}, types::Transform2<types::Odom, types::Base>(pose), {}};
+}
+
+types::Scan scan_at(int ms, const Se2& pose) {
+  std::mt19937 random(static_cast<unsigned>(ms));
+  return mocks::take_scan(mocks::two_rooms(), pose, Stamp{milliseconds(ms)}, {541, 4.7, 30.0, 0.01}, random);
+}
+
+/// The robot's true place, 0.5 m/s along x.
+Se2 truth_at(int ms) { return {2.0 + 0.0005 * ms, 3.0, 0.0}; }
+
+TEST(MappingStep, AScanWaitsForTheOdometryAfterIt) {
+  MappingState state{slam::MapperParams{}};
+  const types::Odometry first = odometry_at(0, {}), second = odometry_at(100, {0.05, 0.0, 0.0});
+  const types::Scan scan = scan_at(50, truth_at(50));
+  EXPECT_TRUE(mapping_step(state, {{&first, 1}, &scan, nullptr}).matches.empty());
+  const MappingOutput output = mapping_step(state, {{&second, 1}, nullptr, nullptr});
+  ASSERT_EQ(output.matches.size(), 1U);
+  EXPECT_TRUE(output.keyframe_added);
+  EXPECT_EQ(output.matches[0].stamp, Stamp{milliseconds(50)});
+}
+
+TEST(MappingStep, ButNotForEver) {
+  MappingState state{slam::MapperParams{}};
+  const types::Odometry only = odometry_at(0, {});
+  const types::Scan first = scan_at(50, truth_at(50)), later = scan_at(250, truth_at(250));
+  EXPECT_TRUE(mapping_step(state, {{&only, 1}, &first, nullptr}).matches.empty());
+  EXPECT_EQ(mapping_step(state, {{}, &later, nullptr}).matches.size(), 1U) << "the first has waited 200 ms";
+}
+
+TEST(MappingStep, WithoutAnyOdometryScansAreCountedNotPlaced) {
+  MappingState state{slam::MapperParams{}};
+  const types::Scan scan = scan_at(50, truth_at(50));
+  EXPECT_TRUE(mapping_step(state, {{}, &scan, nullptr}).matches.empty());
+  EXPECT_EQ(state.losses().without_odometry, 1U);
+  EXPECT_TRUE(state.finish().matches.empty());
+}
+
+TEST(MappingStep, ABacklogIsBoundedAndCounted) {
+  MappingState state{slam::MapperParams{}};
+  const types::Odometry only = odometry_at(0, {});
+  (void)mapping_step(state, {{&only, 1}, nullptr, nullptr});
+  for (int i = 0; i < 40; ++i) {
+    const types::Scan scan = scan_at(10 + i, truth_at(10));
+    (void)mapping_step(state, {{}, &scan, nullptr});
+  }
+  EXPECT_EQ(state.losses().queue_full, 24U);
+}
+
+struct Drive {
+  std::vector<types::Odometry> odometry;
+  std::vector<types::Scan> scans;
+};
+
+Drive drive() {
+  Drive out;
+  for (int ms = 0; ms <= 2800; ms += 100) {
+    out.odometry.push_back(odometry_at(ms, truth_at(0).inverse() * truth_at(ms)));
+    if (ms % 200 == 0) out.scans.push_back(scan_at(ms, truth_at(ms)));
+  }
+  return out;
+}
+
+/// How the same input is cut into steps must not matter.
+TEST(MappingStep, AnySplitOfTheInputGivesTheSamePoses) {
+  const Drive input = drive();
+  MappingState together{slam::MapperParams{}}, apart{slam::MapperParams{}};
+  (void)mapping_step(together, {input.odometry, nullptr, nullptr});
+  for (const types::Scan& scan : input.scans) (void)mapping_step(together, {{}, &scan, nullptr});
+  std::size_t next = 0;
+  for (const types::Odometry& sample : input.odometry) {
+    (void)mapping_step(apart, {{&sample, 1}, nullptr, nullptr});
+    while (next < input.scans.size() && input.scans[next].first_beam <= sample.stamp) {
+      (void)mapping_step(apart, {{}, &input.scans[next++], nullptr});
+    }
+  }
+  (void)together.finish();
+  (void)apart.finish();
+  ASSERT_GT(together.mapper().poses().size(), 3U);
+  const auto a = together.mapper().poses(), b = apart.mapper().poses();
+  EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+}
+
+TEST(MapSnapshot, NeverChangesAndCarriesPoseWithMap) {
+  const Drive input = drive();
+  MappingState state{slam::MapperParams{}};
+  (void)mapping_step(state, {input.odometry, &input.scans[0], nullptr});
+  const auto early = state.make_snapshot();
+  std::size_t known = 0;
+  early->grid.for_each_known([&](grid::CellIndex, grid::CellState) { ++known; });
+  for (std::size_t i = 1; i < input.scans.size(); ++i)
+    (void)mapping_step(state, {{}, &input.scans[i], nullptr});
+  std::size_t still = 0, now = 0;
+  early->grid.for_each_known([&](grid::CellIndex, grid::CellState) { ++still; });
+  const auto late = state.make_snapshot();
+  late->grid.for_each_known([&](grid::CellIndex, grid::CellState) { ++now; });
+  EXPECT_GT(known, 1000U);
+  EXPECT_EQ(still, known);
+  EXPECT_NE(now, known);
+  EXPECT_GT(late->revision, early->revision);
+  EXPECT_GT(late->keyframes.size(), early->keyframes.size());
+  EXPECT_NEAR(late->T_map_base.x_m(), 1.4, 0.03) << "0.5 m/s for 2.8 s";
+  EXPECT_EQ(late->stamp, Stamp{milliseconds(2800)});
+}
+
+}  // namespace
+}  // namespace topo::pipeline

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/cloud.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/mocks/flat_world.hpp"
+
+namespace topo::slam {
+namespace {
+
+const CloudParams kParams;
+
+TEST(MakeCloud, LeavesOutWhatIsNoDistance) {
+  types::Scan scan;
+  scan.beams = 6;
+  scan.geometry = {0.0F, 0.1F, 0.0F, 0.0F, 0.1F, 10.0F};
+  scan.range_m[0] = 1.0F;
+  scan.range_m[1] = types::kNoReturn;
+  scan.range_m[2] = types::kTooNear;
+  scan.range_m[3] = types::kInvalid;
+  scan.range_m[4] = 10.0F;  // the range's end is no measurement
+  scan.range_m[5] = 0.05F;  // below the minimum
+  Cloud cloud;
+  make_cloud(scan, {0.2, 0.0, 0.0}, {}, kParams, cloud);
+  ASSERT_EQ(cloud.points.size(), 1U);
+  EXPECT_NEAR(cloud.points[0].x(), 1.2, 1e-6);
+  EXPECT_NEAR(cloud.sensor.x(), 0.2, 1e-6);
+}
+
+/// A robot that drives and turns while the mirror sweeps sees a straight wall bent; the cloud must be
+/// straight.
+TEST(MakeCloud, UnbendsTheSweep) {
+  mocks::FlatWorld world;
+  world.walls.push_back({{-20.0, 3.0}, {20.0, 3.0}});
+  const types::Se2 first{0.0, 0.0, 0.0}, last{0.04, 0.0, 0.05};  // 1.6 m/s and 2 rad/s over 25 ms
+  types::Scan scan;
+  scan.beams = 541;
+  scan.geometry = {0.5F, 0.004F, 0.0F, 0.0F, 0.1F, 30.0F};
+  for (std::size_t i = 0; i < scan.beams; ++i) {
+    const types::Se2 at = types::interpolate(first, last, static_cast<double>(i) / (scan.beams - 1.0));
+    const double r = world.range(at.x_m, at.y_m, at.theta_rad + static_cast<double>(scan.angle_rad(i)));
+    scan.range_m[i] = r < 30.0 ? static_cast<float>(r) : types::kNoReturn;
+  }
+  Cloud cloud;
+  make_cloud(scan, {}, {last.inverse() * first, {}}, kParams, cloud);
+  ASSERT_GT(cloud.points.size(), 400U);
+  for (const Point& p : cloud.points) {
+    const types::Vector2 world_point = last * types::Vector2(p.cast<double>());
+    EXPECT_NEAR(world_point.y(), 3.0, 2e-3);
+  }
+}
+
+TEST(SelectPoints, KeepsTheSpacingAndTheLimit) {
+  std::mt19937 random(1);
+  Cloud cloud;
+  make_cloud(mocks::take_scan(mocks::two_rooms(), {3.0, 3.0, 0.3}, {}, {1081, 4.7, 30.0, 0.0}, random), {},
+             {}, kParams, cloud);
+  std::vector<Point> points;
+  select_points(cloud, kParams, points);
+  ASSERT_GT(points.size(), 100U);
+  EXPECT_LE(points.size(), static_cast<std::size_t>(kParams.match_points_max));
+  for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GE((points[i] - points[i - 1]).norm(), 0.0599F);
+  CloudParams few = kParams;
+  few.match_points_max = 50;
+  select_points(cloud, few, points);
+  EXPECT_EQ(points.size(), 50U);
+}
+
+TEST(MakeSurfels, NormalsStandOnTheWallAndFaceTheSensor) {
+  mocks::FlatWorld world;
+  world.box(-4.0, -2.0, 4.0, 3.0);
+  std::mt19937 random(2);
+  Cloud cloud;
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.01}, random), {}, {}, kParams, cloud);
+  const std::vector<Surfel> surfels = make_surfels(cloud, kParams);
+  ASSERT_GT(surfels.size(), 100U);
+  int planar = 0, off = 0;
+  for (const Surfel& s : surfels) {
+    EXPECT_GE(s.normal.dot(-s.position), 0.0F);
+    if (!s.planar) continue;
+    ++planar;
+    const float along = std::max(std::abs(s.normal.x()), std::abs(s.normal.y()));
+    if (along < 0.97F) ++off;  // at the four corners the fit goes round the corner
+  }
+  EXPECT_GT(planar, static_cast<int>(surfels.size()) * 9 / 10);
+  EXPECT_LT(off, static_cast<int>(surfels.size()) / 10);
+}
+
+TEST(MakeSurfels, AveragesTheNoiseAcrossTheSurface) {
+  mocks::FlatWorld world;
+  world.walls.push_back({{2.0, -5.0}, {2.0, 5.0}});
+  std::mt19937 random(3);
+  Cloud cloud;
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.03}, random), {}, {}, kParams, cloud);
+  double raw = 0.0, fitted = 0.0;
+  int count = 0;
+  for (const Point& p : cloud.points) {
+    if (std::abs(p.y()) < 1.0F) raw += std::pow(static_cast<double>(p.x()) - 2.0, 2), ++count;
+  }
+  raw /= count;
+  count = 0;
+  for (const Surfel& s : make_surfels(cloud, kParams)) {
+    if (std::abs(s.position.y()) < 1.0F)
+      fitted += std::pow(static_cast<double>(s.position.x()) - 2.0, 2), ++count;
+  }
+  ASSERT_GT(count, 10);
+  EXPECT_LT(fitted / count, 0.25 * raw);  // at least half the standard deviation
+}
+
+}  // namespace
+}  // namespace topo::slam

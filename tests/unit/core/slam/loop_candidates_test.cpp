@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/loop_candidates.hpp"
+
+#include <gtest/gtest.h>
+
+namespace topo::slam {
+namespace {
+
+/// A path of straight half-metre steps.
+struct Path {
+  std::vector<types::Se2> poses{{}};
+  std::vector<Edge> edges;
+  void go(double x_m, double y_m) {
+    const types::Se2 target{x_m, y_m, 0.0};
+    const types::Se2 start = poses.back();
+    const double length = std::hypot(target.x_m - start.x_m, target.y_m - start.y_m);
+    const int steps = static_cast<int>(std::round(length / 0.5));
+    for (int i = 1; i <= steps; ++i) {
+      poses.push_back(types::interpolate(start, target, static_cast<double>(i) / steps));
+      Edge edge;
+      edge.from = poses.size() - 2;
+      edge.to = poses.size() - 1;
+      edge.T_from_to = poses[edge.from].inverse() * poses[edge.to];
+      edges.push_back(edge);
+    }
+  }
+};
+
+const LoopParams kParams;
+
+TEST(FindLoopRuns, TheRecentPathIsNoOtherVisit) {
+  Path path;
+  path.go(10.0, 0.0);
+  EXPECT_TRUE(find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams).empty());
+}
+
+TEST(FindLoopRuns, ComingBackAfterALoopFindsTheBeginning) {
+  Path path;
+  path.go(15.0, 0.0);
+  path.go(15.0, 15.0);
+  path.go(0.0, 15.0);
+  path.go(0.0, 1.0);
+  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams);
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].nearest, 0U);
+  EXPECT_NEAR(runs[0].window.half_m, kParams.search_floor_m + kParams.drift_per_m * 59.0 * 1.1, 0.15);
+}
+
+TEST(FindLoopRuns, AClosureShortensTheWayAndNarrowsTheSearch) {
+  Path path;
+  path.go(15.0, 0.0);
+  path.go(15.0, 15.0);
+  path.go(0.0, 15.0);
+  path.go(0.0, 1.0);
+  Edge closure;
+  closure.from = 0;
+  closure.to = path.poses.size() - 2;
+  closure.T_from_to = path.poses[closure.from].inverse() * path.poses[closure.to];
+  path.edges.push_back(closure);
+  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams);
+  ASSERT_FALSE(runs.empty());
+  EXPECT_LT(runs[0].window.half_m, 0.4);
+}
+
+TEST(FindLoopRuns, SeparateVisitsAreSeparateRunsNearestFirst) {
+  Path path;
+  path.go(20.0, 0.0);
+  path.go(20.0, 3.0);
+  path.go(0.0, 3.0);
+  path.go(0.0, 20.0);
+  path.go(10.0, 20.0);
+  path.go(10.0, 1.9);
+  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams);
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_NEAR(path.poses[runs[0].nearest].y_m, 3.0, 1e-9);
+  EXPECT_NEAR(path.poses[runs[1].nearest].y_m, 0.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace topo::slam

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/map_builder.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <map>
+
+#include "tests/unit/core/slam/matching_fixture.hpp"
+
+namespace topo::slam {
+namespace {
+
+using types::Se2;
+
+KeyframePtr keyframe_at(const Se2& pose, std::uint32_t sequence, std::mt19937& random) {
+  const testing::View view = testing::view_of(mocks::two_rooms(), pose, 0.01, random);
+  auto keyframe = std::make_shared<Keyframe>();
+  keyframe->id.sequence = sequence;
+  keyframe->hits = view.cloud.points;
+  keyframe->columns = {{1.0F, 0.5F, 7U << sequence}};
+  return keyframe;
+}
+
+std::map<std::pair<int, int>, grid::CellState> states(const grid::OccupancyGrid& grid) {
+  std::map<std::pair<int, int>, grid::CellState> out;
+  grid.for_each_known([&](grid::CellIndex cell, grid::CellState state) { out[{cell.x, cell.y}] = state; });
+  return out;
+}
+
+std::map<patricia::Key, walls::Slabs> columns(const walls::WallStore& walls) {
+  std::map<patricia::Key, walls::Slabs> out;
+  walls.columns().for_each([&](patricia::Key key, walls::Slabs slabs) { out[key] = slabs; });
+  return out;
+}
+
+TEST(MapBuilder, IsAFunctionOfTheKeyframesAndTheirPoses) {
+  std::mt19937 random(1);
+  const std::vector<Se2> truth{{2.0, 2.0, 0.0}, {3.5, 2.5, 0.5}, {5.0, 3.5, -0.5}, {8.5, 3.6, 0.1}};
+  std::vector<KeyframePtr> keyframes;
+  for (std::uint32_t i = 0; i < truth.size(); ++i) keyframes.push_back(keyframe_at(truth[i], i, random));
+  MapBuilder direct({});
+  direct.update(keyframes, truth);
+  EXPECT_TRUE(rc::check("growing, wandering and coming back gives the same map", [&] {
+    MapBuilder wandering({});
+    const auto off = [](int range) { return *rc::gen::inRange(-range, range) / 100.0; };
+    for (std::size_t n = 1; n <= truth.size(); ++n) {
+      std::vector<Se2> poses(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(n));
+      for (Se2& pose : poses) pose = pose * Se2{off(60), off(60), off(20)};
+      wandering.update({keyframes.data(), n}, poses);
+    }
+    wandering.update(keyframes, truth);
+    GridParams exact;
+    exact.redo_m = exact.redo_rad = 0.0;
+    MapBuilder again(exact);
+    again.update(keyframes, truth);
+    RC_ASSERT(states(again.grid()) == states(direct.grid()));
+    // Keyframes that ended within the threshold keep their old drawing: nearly all cells are the same.
+    const auto a = states(wandering.grid()), b = states(direct.grid());
+    std::size_t same = 0;
+    for (const auto& [cell, state] : b) {
+      const auto found = a.find(cell);
+      if (found != a.end() && found->second == state) ++same;
+    }
+    RC_ASSERT(same > b.size() * 98 / 100);
+  }));
+}
+
+TEST(MapBuilder, WallsFollowTheirKeyframe) {
+  std::mt19937 random(2);
+  const std::vector<KeyframePtr> keyframes{keyframe_at({2.0, 2.0, 0.0}, 0, random)};
+  MapBuilder builder({});
+  builder.update(keyframes, std::vector<Se2>{{2.0, 2.0, 0.0}});
+  const auto before = columns(builder.walls());
+  builder.update(keyframes, std::vector<Se2>{{4.0, 2.0, 0.0}});
+  const auto after = columns(builder.walls());
+  ASSERT_EQ(before.size(), 1U);
+  ASSERT_EQ(after.size(), 1U);
+  EXPECT_EQ(patricia::cell_of(after.begin()->first).x - patricia::cell_of(before.begin()->first).x, 40);
+  EXPECT_EQ(after.begin()->second, before.begin()->second);
+}
+
+}  // namespace
+}  // namespace topo::slam

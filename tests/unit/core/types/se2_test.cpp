@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/types/se2.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace topo::types {
+namespace {
+
+Se2 any_pose() {
+  const auto number = [](int range) { return *rc::gen::inRange(-range, range) / 1000.0; };
+  return {number(50000), number(50000), number(3141)};
+}
+
+void expect_near(const Se2& a, const Se2& b, double tolerance) {
+  EXPECT_NEAR(a.x_m, b.x_m, tolerance);
+  EXPECT_NEAR(a.y_m, b.y_m, tolerance);
+  EXPECT_NEAR(wrap_angle(a.theta_rad - b.theta_rad), 0.0, tolerance);
+}
+
+TEST(WrapAngle, StaysInTheHalfOpenTurn) {
+  EXPECT_TRUE(rc::check("wrapped angles lie in (-pi, pi] and differ by whole turns", [] {
+    const double angle = *rc::gen::inRange(-100000, 100000) / 1000.0;
+    const double wrapped = wrap_angle(angle);
+    RC_ASSERT(wrapped > -std::numbers::pi);
+    RC_ASSERT(wrapped <= std::numbers::pi);
+    RC_ASSERT(std::abs(std::remainder(wrapped - angle, 2.0 * std::numbers::pi)) < 1e-9);
+  }));
+}
+
+TEST(WrapAngle, MapsMinusPiToPi) { EXPECT_DOUBLE_EQ(wrap_angle(-std::numbers::pi), std::numbers::pi); }
+
+TEST(Se2, InverseUndoes) {
+  EXPECT_TRUE(rc::check("T * T^-1 = 1 and (A B) p = A (B p)", [] {
+    const Se2 a = any_pose(), b = any_pose();
+    expect_near(a * a.inverse(), {}, 1e-9);
+    expect_near(a.inverse() * a, {}, 1e-9);
+    const Vector2 p(*rc::gen::inRange(-100, 100), *rc::gen::inRange(-100, 100));
+    RC_ASSERT((((a * b) * p) - (a * (b * p))).norm() < 1e-9);
+  }));
+}
+
+TEST(Se2, RotatesBeforeItTranslates) {
+  const Vector2 p = Se2{1.0, 2.0, std::numbers::pi / 2} * Vector2(1.0, 0.0);
+  EXPECT_NEAR(p.x(), 1.0, 1e-12);
+  EXPECT_NEAR(p.y(), 3.0, 1e-12);
+}
+
+TEST(Interpolate, TakesTheShortWayRound) {
+  const Se2 middle = interpolate({0.0, 0.0, 3.0}, {2.0, 0.0, -3.0}, 0.5);
+  EXPECT_NEAR(middle.x_m, 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(middle.theta_rad), std::numbers::pi, 1e-12);
+}
+
+}  // namespace
+}  // namespace topo::types
