@@ -9,6 +9,9 @@
 namespace topo::slam {
 namespace {
 
+constexpr std::size_t kNeighbours = 3;  ///< on either side, however far apart the beams are
+constexpr float kFlat = 0.2F;           ///< of the scatter across to the scatter along: flatter is a line
+
 /// Are hits i and i + 1 neighbours on one surface?
 bool connected(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   const float gap = (cloud.points[i + 1] - cloud.points[i]).norm();
@@ -27,15 +30,13 @@ Run neighbours(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   Run run{i, i};
   while (run.first > 0 && connected(cloud, run.first - 1, params)) {
     const float d = (cloud.points[run.first - 1] - cloud.points[i]).norm();
-    if (d > radius && i - run.first >= 2) break;
+    if (d > radius && i - run.first >= kNeighbours) break;
     --run.first;
-    if (d > radius) break;
   }
   while (run.last + 1 < cloud.points.size() && connected(cloud, run.last, params)) {
     const float d = (cloud.points[run.last + 1] - cloud.points[i]).norm();
-    if (d > radius && run.last - i >= 2) break;
+    if (d > radius && run.last - i >= kNeighbours) break;
     ++run.last;
-    if (d > radius) break;
   }
   return run;
 }
@@ -61,7 +62,7 @@ Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   surfel.normal = Point(-std::sin(direction), std::cos(direction));
   const Point& p = cloud.points[i];
   if (surfel.normal.dot(cloud.sensor - p) < 0.0F) surfel.normal = -surfel.normal;
-  surfel.planar = count >= 3.0F && small < 0.1F * large;
+  surfel.planar = count >= 3.0F && small < kFlat * large;
   // The measured point, moved onto the fitted line: noise across the surface is averaged, place along it
   // kept.
   surfel.position = surfel.planar ? Point(p - surfel.normal.dot(p - mean) * surfel.normal) : p;
@@ -119,7 +120,11 @@ std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params) 
   const float spacing2 = static_cast<float>(params.match_spacing_m * params.match_spacing_m);
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     if (!surfels.empty() && (cloud.points[i] - surfels.back().position).squaredNorm() < spacing2) continue;
-    surfels.push_back(fit(cloud, neighbours(cloud, i, params), i));
+    const Run run = neighbours(cloud, i, params);
+    // A hit without neighbours is a wall seen at a grazing angle or noise: where it lies on the surface says
+    // nothing.
+    if (run.last - run.first < 2) continue;
+    surfels.push_back(fit(cloud, run, i));
   }
   return surfels;
 }

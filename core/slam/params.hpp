@@ -22,9 +22,9 @@ struct CloudParams {
   double range_max_m = 30.0;      ///< beams beyond are no evidence
   double match_spacing_m = 0.06;  ///< least distance of two points used for matching
   int match_points_max = 400;
-  double normal_radius_m = 0.20;  ///< neighbourhood of a surfel's line fit
+  double normal_radius_m = 0.25;  ///< neighbourhood of a surfel's line fit
   double break_factor = 3.0;  ///< neighbours further apart than this many beam spacings are not one surface
-  double break_floor_m = 0.10;
+  double break_floor_m = 0.20;
 };
 
 /// Iterated closest point-to-line refinement.
