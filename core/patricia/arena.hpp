@@ -10,6 +10,7 @@
 
 #include "core/patricia/check.hpp"
 #include "core/patricia/node.hpp"
+#include "core/patricia/path.hpp"
 #include "core/patricia/pool.hpp"
 
 namespace topo::patricia {
@@ -57,9 +58,12 @@ class Arena {
     return NodeRef<V>(new (leaves_.allocate()) Leaf<V>{key, 1U, std::move(value)});
   }
 
-  /// Takes over one reference of each child.
+  /// Takes over one reference of each child. `leaves`: keys below both.
+  [[nodiscard]] NodeRef<V> make_branch(Key split, NodeRef<V> zero, NodeRef<V> one, std::uint32_t leaves) {
+    return NodeRef<V>(new (branches_.allocate()) Branch<V>{split, {zero, one}, 1U, leaves});
+  }
   [[nodiscard]] NodeRef<V> make_branch(Key split, NodeRef<V> zero, NodeRef<V> one) {
-    return NodeRef<V>(new (branches_.allocate()) Branch<V>{split, {zero, one}, 1U, zero.size() + one.size()});
+    return make_branch(split, zero, one, zero.size() + one.size());
   }
 
   /// Branch over a node whose keys all lie on the other side of `key`'s bit. Takes over both references.
@@ -82,8 +86,8 @@ class Arena {
     }
   }
 
-  /// Frees a branch of one reference whose children's references have been taken over.
-  void free_branch_only(Branch<V>* branch) { branches_.free(branch); }
+  /// The way to the key that was updated last.
+  [[nodiscard]] Path<V>& finger() { return finger_; }
 
  private:
   void release_leaf(Leaf<V>* leaf) {
@@ -104,6 +108,7 @@ class Arena {
   const char* owner_ = &detail::thread_mark;
   Pool<Branch<V>> branches_;
   Pool<Leaf<V>> leaves_;
+  Path<V> finger_;
 
   static_assert(sizeof(Branch<V>) == 32, "two branches a cache line");
 };

@@ -27,8 +27,9 @@ namespace topo::patricia {
 /// owner) and nobody changes this very handle. Nothing blocks or locks.
 ///
 /// Updates change a node in place when only this handle reaches it, and copy it otherwise: a batch of updates
-/// after a snapshot copies a node once. References and pointers that find and update give out are good until
-/// the handle is next changed.
+/// after a snapshot copies a node once. An update of a key near the one updated last, in the same map and
+/// without a snapshot between, walks only the lowest few branches. References and pointers that find and
+/// update give out are good until the handle is next changed.
 ///
 /// When values can be compared (==), an update that leaves its value as it was changes and copies nothing,
 /// and difference reports real differences only.
@@ -43,6 +44,7 @@ class Map {
   Map(const Map& other) : arena_(other.arena_), root_(other.root_) {
     if (root_) {
       arena_->check_owner();
+      arena_->finger().forget();
       (void)Arena<V>::retain(root_);
     }
   }
@@ -91,8 +93,9 @@ class Map {
       root_ = arena_->make_leaf(key, std::move(value));
       return;
     }
-    Path<V> path(root_, key);
-    if (!path.end().is_leaf() || path.end().leaf()->key != key) {
+    Path<V>& path = arena_->finger();
+    path.seek(root_, key);
+    if (!path.found()) {
       add_leaf(path, key, std::move(value));
       return;
     }
@@ -116,8 +119,9 @@ class Map {
       root_ = arena_->make_leaf(key, V{});
       return root_.leaf()->value;
     }
-    Path<V> path(root_, key);
-    if (!path.end().is_leaf() || path.end().leaf()->key != key) return add_leaf(path, key, V{});
+    Path<V>& path = arena_->finger();
+    path.seek(root_, key);
+    if (!path.found()) return add_leaf(path, key, V{});
     if (!path.end_shared()) return path.end().leaf()->value;
     return replace_value(path, V(path.end().leaf()->value));
   }
@@ -126,8 +130,9 @@ class Map {
   bool erase(Key key) {
     if (!root_) return false;
     arena_->check_owner();
-    Path<V> path(root_, key);
-    if (!path.end().is_leaf() || path.end().leaf()->key != key) return false;
+    Path<V>& path = arena_->finger();
+    path.seek(root_, key);
+    if (!path.found()) return false;
     if (path.depth() == 0) {
       clear();
     } else {
@@ -140,6 +145,7 @@ class Map {
   void clear() {
     if (!root_) return;
     arena_->check_owner();
+    arena_->finger().forget();
     arena_->release(std::exchange(root_, NodeRef<V>()));
   }
 
@@ -172,6 +178,7 @@ class Map {
     if (!a.root_) return b;
     check(a.arena_ == b.arena_, "maps of two arenas cannot be merged");
     a.arena_->check_owner();
+    a.arena_->finger().forget();
     Map result(*a.arena_);
     result.root_ = detail::Merger<V, Combine>(*a.arena_, combine, shared).merge(a.root_, b.root_);
     return result;
@@ -202,7 +209,7 @@ class Map {
     const NodeRef<V> end = path.end();
     const Key other_key = end.is_leaf() ? end.leaf()->key : end.branch()->split;
     const NodeRef<V> leaf = arena_->make_leaf(key, std::move(value));
-    path.link(path.depth()) = arena_->join(key, leaf, other_key, end);
+    path.set_link(path.depth(), arena_->join(key, leaf, other_key, end));
     path.add_to_counts(path.depth(), 1U);
     return leaf.leaf()->value;
   }
@@ -214,10 +221,11 @@ class Map {
       return present;
     }
     path.make_exclusive(*arena_, path.depth());
-    const Key key = path.end().leaf()->key;
-    NodeRef<V>& link = path.link(path.depth());
-    arena_->release(std::exchange(link, arena_->make_leaf(key, std::move(value))));
-    return link.leaf()->value;
+    const NodeRef<V> old = path.end();
+    const NodeRef<V> leaf = arena_->make_leaf(old.leaf()->key, std::move(value));
+    path.set_link(path.depth(), leaf);
+    arena_->release(old);
+    return leaf.leaf()->value;
   }
 
   // The branch above the leaf goes too; the leaf's sibling takes its place.
@@ -226,9 +234,10 @@ class Map {
     path.make_exclusive(*arena_, parent_level);
     Branch<V>* parent = path.branch(parent_level);
     const NodeRef<V> sibling = parent->child[1U - path.side(parent_level)];
-    path.link(parent_level) = Arena<V>::retain(sibling);
+    path.set_link(parent_level, Arena<V>::retain(sibling));
     arena_->release(NodeRef<V>(parent));
     path.add_to_counts(parent_level, ~std::uint32_t{0});
+    path.forget();
   }
 
   Arena<V>* arena_ = nullptr;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include "core/patricia/arena.hpp"
 #include "core/patricia/node.hpp"
 
 namespace topo::patricia {
@@ -13,53 +12,67 @@ namespace topo::patricia {
 /// Way from a root towards a key: what an update changes. Remembers from where on nodes are reachable from
 /// another version too: such a node is copied before it changes, one that only this path reaches is changed
 /// in place. So a batch copies a node once, and a version that somebody holds never changes.
+///
+/// An arena keeps one path as a finger: the next key is mostly near the last one, and then only the lowest
+/// few branches are walked again. Whatever changes reference counts or structure otherwise than through the
+/// path (copying and dropping handles, erase, merge) must forget() it.
 template <class V>
 class Path {
  public:
-  /// Goes down as far as branches fit the key; stops at a leaf or at a branch to which the key does not
-  /// belong.
-  Path(NodeRef<V>& root, Key key) : root_(root) {
-    NodeRef<V> node = root;
-    while (!node.is_leaf()) {
-      Branch<V>* branch = node.branch();
-      if (branch->references != 1U && first_shared_ > depth_) first_shared_ = depth_;
-      if (!belongs_below(key, branch->split)) break;
-      const unsigned side = side_of(key, branch->split);
-      steps_[depth_++] = {branch, side};
-      node = branch->child[side];
-    }
-    end_ = node;
-  }
+  Path() = default;
   ~Path() = default;
   Path(const Path&) = delete;
   Path& operator=(const Path&) = delete;
+
+  void forget() { root_ = nullptr; }
+
+  /// Goes down from `root` (not empty) as far as branches fit the key; stops at a leaf or at a branch to
+  /// which the key does not belong.
+  void seek(NodeRef<V>& root, Key key) {
+    if (root_ == &root && root_seen_ == root) {
+      rewind(key ^ key_);
+    } else {
+      root_ = &root;
+      root_seen_ = root;
+      depth_ = 0;
+      first_shared_ = kNothingShared;
+    }
+    key_ = key;
+    descend();
+  }
 
   [[nodiscard]] NodeRef<V> end() const { return end_; }
   [[nodiscard]] unsigned depth() const { return depth_; }
   [[nodiscard]] Branch<V>* branch(unsigned level) const { return steps_[level].branch; }
   [[nodiscard]] unsigned side(unsigned level) const { return steps_[level].side; }
 
-  /// Where the pointer to the node at `level` is stored; `depth()` is the end's.
-  [[nodiscard]] NodeRef<V>& link(unsigned level) {
-    return level == 0 ? root_ : steps_[level - 1].branch->child[steps_[level - 1].side];
+  /// True when the end is the key's leaf.
+  [[nodiscard]] bool found() const { return end_.is_leaf() && end_.leaf()->key == key_; }
+
+  /// Puts another node in the place of the one at `level`; `depth()` is the end's.
+  void set_link(unsigned level, NodeRef<V> node) {
+    if (level == 0) {
+      *root_ = node;
+      root_seen_ = node;
+    } else {
+      steps_[level - 1].branch->child[steps_[level - 1].side] = node;
+    }
   }
 
-  /// True when another version reaches the branch at `level`.
-  [[nodiscard]] bool shared(unsigned level) const { return first_shared_ <= level; }
-
   /// True when another version reaches the end.
-  [[nodiscard]] bool end_shared() const { return shared(depth_) || end_.references() != 1U; }
+  [[nodiscard]] bool end_shared() const { return first_shared_ <= depth_ || end_.references() != 1U; }
 
   /// Copies what is shared of the first `levels` branches, so that their links may be written.
-  void make_exclusive(Arena<V>& arena, unsigned levels) {
+  template <class Arena>
+  void make_exclusive(Arena& arena, unsigned levels) {
     for (unsigned level = first_shared_; level < levels; ++level) {
       Branch<V>* old = steps_[level].branch;
       // The copy has a reference to each child; the old branch loses the one from the link above, and as it
       // is shared, or reachable from a branch that is, it does not lose its last one.
-      const NodeRef<V> copy =
-          arena.make_branch(old->split, Arena<V>::retain(old->child[0]), Arena<V>::retain(old->child[1]));
+      const NodeRef<V> copy = arena.make_branch(old->split, Arena::retain(old->child[0]),
+                                                Arena::retain(old->child[1]), old->leaves);
       --old->references;
-      link(level) = copy;
+      set_link(level, copy);
       steps_[level].branch = copy.branch();
     }
     if (first_shared_ < levels) first_shared_ = levels;
@@ -77,11 +90,32 @@ class Path {
   };
   static constexpr unsigned kNothingShared = 65;
 
-  NodeRef<V>& root_;
+  /// Back up to where a key that differs from the last one by `difference` takes the same way.
+  void rewind(Key difference) {
+    while (depth_ > 0 && parting_bit(steps_[depth_ - 1].branch->split) <= difference) --depth_;
+    if (first_shared_ >= depth_) first_shared_ = kNothingShared;
+  }
+
+  void descend() {
+    NodeRef<V> node = depth_ == 0 ? *root_ : steps_[depth_ - 1].branch->child[steps_[depth_ - 1].side];
+    while (!node.is_leaf()) {
+      Branch<V>* branch = node.branch();
+      if (branch->references != 1U && first_shared_ > depth_) first_shared_ = depth_;
+      if (!belongs_below(key_, branch->split)) break;
+      const unsigned side = side_of(key_, branch->split);
+      steps_[depth_++] = {branch, side};
+      node = branch->child[side];
+    }
+    end_ = node;
+  }
+
+  NodeRef<V>* root_ = nullptr;  ///< the handle's; null: nothing remembered
+  NodeRef<V> root_seen_;        ///< what it pointed to: a handle may have been given another tree since
   NodeRef<V> end_;
+  Key key_ = 0;
   unsigned depth_ = 0;
   unsigned first_shared_ = kNothingShared;
-  std::array<Step, 64> steps_;  // one a key bit at most; not initialised
+  std::array<Step, 64> steps_{};  ///< one a key bit at most
 };
 
 }  // namespace topo::patricia

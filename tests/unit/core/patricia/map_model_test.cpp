@@ -18,7 +18,7 @@ class Walk {
   void step() {
     const Key key = *any_key();
     const Bits value = *few_bits();
-    switch (*rc::gen::inRange(0, 8)) {
+    switch (*rc::gen::inRange(0, 9)) {
       case 0:
       case 1:
         map_.insert_with(key, value, kUnion);
@@ -42,6 +42,9 @@ class Walk {
       case 6:
         versions_.emplace_back(map_, model_);
         break;
+      case 7:
+        exchange_with_other();
+        break;
       default:
         drop_or_go_back(value);
     }
@@ -50,11 +53,13 @@ class Walk {
 
   void check_all() const {
     RC_ASSERT(contents(map_) == model_);
+    RC_ASSERT(contents(other_) == other_model_);
     for (const auto& [version, model] : versions_) RC_ASSERT(contents(version) == model);
   }
 
   void drop_versions_and_check_nodes() {
     versions_.clear();
+    other_.clear();
     assert_only_nodes_of(arena_, model_.size());
     map_.clear();
     assert_only_nodes_of(arena_, 0);
@@ -68,6 +73,18 @@ class Walk {
     if (found != nullptr) RC_ASSERT(*found == expected->second);
     RC_ASSERT(map_.size() == model_.size());
     RC_ASSERT(map_.empty() == model_.empty());
+  }
+
+  /// Updates go on in another map of the same arena, which changes places with the first one.
+  void exchange_with_other() {
+    if (*rc::gen::arbitrary<bool>()) {
+      map_.swap(other_);
+    } else {
+      BitMap held = std::move(map_);
+      map_ = std::move(other_);
+      other_ = std::move(held);
+    }
+    model_.swap(other_model_);
   }
 
   void drop_or_go_back(Bits choice) {
@@ -84,6 +101,8 @@ class Walk {
   BitArena arena_;
   BitMap map_{arena_};
   Model model_;
+  BitMap other_{arena_};
+  Model other_model_;
   std::vector<std::pair<BitMap, Model>> versions_;
 };
 
