@@ -76,8 +76,8 @@ class Map {
     if (!root_) return nullptr;
     NodeRef<V> node = root_;
     while (!node.is_leaf()) {
+      // Whether the key fits the branch is not asked on the way: the leaf tells.
       const Branch<V>* branch = node.branch();
-      if (!belongs_below(key, branch->split)) return nullptr;
       node = branch->child[side_of(key, branch->split)];
     }
     const Leaf<V>* leaf = node.leaf();
