@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types/stamp.hpp"
+
+namespace topo::motion {
+
+/// The robot's outline seen from above, from its centre of rotation.
+struct Footprint {
+  double front_m = 0.21;
+  double rear_m = 0.301;
+  double half_width_m = 0.2125;
+};
+
+/// Larger on every side.
+inline Footprint grown(const Footprint& f, double by_m) {
+  return {f.front_m + by_m, f.rear_m + by_m, f.half_width_m + by_m};
+}
+
+/// What one robot may do: the smallest of configuration, model and firmware.
+struct RobotLimits {
+  double v_max_mps = 0.7;
+  double omega_max_radps = 1.4;
+  double acceleration_mps2 = 0.3;
+  double deceleration_mps2 = 0.5;
+  double angular_acceleration_radps2 = 1.7;
+  Footprint footprint;
+  double margin_m = 0.05;      ///< kept free around the footprint
+  bool allow_reverse = false;  ///< the rear is blind; whoever sets this vouches for the way
+  double v_reverse_max_mps = 0.1;
+  types::Duration request_age_max = std::chrono::milliseconds(300);
+  types::Duration status_age_max = std::chrono::milliseconds(300);
+  types::Duration reaction = std::chrono::milliseconds(100);  ///< from a scan's arrival to the wheels
+};
+
+/// False when a number is not finite or makes no sense: nothing may move then.
+bool is_valid(const RobotLimits& limits);
+
+}  // namespace topo::motion

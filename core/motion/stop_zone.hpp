@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "core/motion/robot_limits.hpp"
+#include "core/types/base_state.hpp"
+#include "core/types/scan.hpp"
+#include "core/types/se2.hpp"
+
+namespace topo::motion {
+
+/// Beams within this angle of the robot's x axis are the forward sector.
+inline constexpr double kForwardSector_rad = 1.0471975511965976;  // 60 degrees
+
+/// What stands around, from the newest raw data. Pointers and spans are borrowed for the call.
+struct Surroundings {
+  const types::Scan* front_scan = nullptr;
+  types::Se2 T_base_laser;
+  std::span<const types::SonarReading> sonar;
+  std::span<const types::Se2> T_base_sonar;  ///< as many as are known; readings without a pose are ignored
+  double sonar_range_max_m = 5.0;
+  types::Stamp now{};
+};
+
+/// Part of the forward sector's beams that measured something or saw nothing within range; 0 for a scan
+/// without a beam there. Below a half the scan counts as stale (DESIGN "Motion and safety").
+double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_laser);
+
+/// How long the robot can go on at `twist` until its footprint with the margin meets something. Zero for a
+/// twist that is not finite, kNever_s when nothing is in the way.
+///
+/// Beams of the forward sector that are too near are obstacles at the sensor's least range, and so are gaps
+/// of invalid beams. A gap of up to three beams (13 mm wide at 1 m with 0.25 degrees) takes the nearer
+/// neighbour's range instead: lone dropouts are everyday and would stop the robot at every scan.
+double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around);
+
+/// The same as a length on the path of the robot's centre; for a turn on the spot there is none: kNever_s or
+/// 0.
+double free_distance_m(const types::Twist2& twist, double free_time_s);
+
+}  // namespace topo::motion

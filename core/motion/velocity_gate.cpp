@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/velocity_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/motion/footprint_sweep.hpp"
+#include "core/motion/stop_zone.hpp"
+
+namespace topo::motion {
+namespace {
+
+using std::chrono::milliseconds;
+using types::Duration;
+using types::Stamp;
+using types::Twist2;
+
+constexpr Duration kFutureMax = milliseconds(20);
+constexpr Duration kScanAgeMax = milliseconds(150);
+constexpr Duration kWatchdogMax = milliseconds(2000);
+constexpr double kScanPeriods = 2.5;
+constexpr double kValidFractionMin = 0.5;
+constexpr double kElapsedMax_s = 0.1;  // a late period may not become a jump in speed
+constexpr double kCreep_mps = 0.01;    // slower than this is standing
+constexpr double kCreep_radps = 0.02;
+
+bool is_finite_twist(const Twist2& t) { return std::isfinite(t.v_mps) && std::isfinite(t.omega_radps); }
+
+bool has_bumper(const types::BaseState& b) { return b.bumpers_front != 0 || b.bumpers_rear != 0; }
+
+std::optional<GateReason> request_fault(const GateInput& in) {
+  if (is_stale(in.request.stamp, in.now, in.limits.request_age_max)) return GateReason::kStaleRequest;
+  if (!is_finite_twist(in.request.twist)) return GateReason::kInvalidRequest;
+  if (in.request.twist.v_mps < 0.0 && !in.limits.allow_reverse) return GateReason::kReverse;
+  return std::nullopt;
+}
+
+std::optional<GateReason> base_fault(const GateInput& in) {
+  if (in.base == nullptr || is_stale(in.base->arrival, in.now, in.limits.status_age_max))
+    return GateReason::kStaleStatus;
+  if (!is_finite(*in.base)) return GateReason::kInvalidStatus;
+  if (in.base->stall_left || in.base->stall_right) return GateReason::kStall;
+  if (has_bumper(*in.base)) return GateReason::kBumper;
+  return std::nullopt;
+}
+
+std::optional<GateReason> scan_fault(const GateInput& in) {
+  if (in.front_scan == nullptr || is_stale(in.front_scan->arrival, in.now, scan_age_max(*in.front_scan)))
+    return GateReason::kStaleScan;
+  // Negated, so that a mount that is not finite is blind as well.
+  if (!(forward_valid_fraction(*in.front_scan, in.T_base_laser) >= kValidFractionMin))
+    return GateReason::kBlindScan;
+  const types::Se2& mount = in.T_base_laser;
+  if (!std::isfinite(mount.x_m) || !std::isfinite(mount.y_m)) return GateReason::kBlindScan;
+  return std::nullopt;
+}
+
+/// Why nothing may move, the gravest first.
+std::optional<GateReason> first_fault(const GateState& state, const GateInput& in) {
+  if (state.estop_latched) return GateReason::kEmergencyStop;
+  if (!is_valid(in.limits)) return GateReason::kInvalidLimits;
+  if (!is_watchdog_safe(in.firmware_watchdog)) return GateReason::kNoWatchdog;
+  if (const auto fault = base_fault(in)) return fault;
+  if (const auto fault = scan_fault(in)) return fault;
+  return request_fault(in);
+}
+
+double elapsed_s(const GateState& state, Stamp now) {
+  if (state.last_stamp == Stamp{} || now <= state.last_stamp) return 0.0;
+  return std::min(types::to_seconds(now - state.last_stamp), kElapsedMax_s);
+}
+
+Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInput& in) {
+  const double dt_s = elapsed_s(state, in.now);
+  const RobotLimits& l = in.limits;
+  return {ramped(state.last.v_mps, wanted.v_mps, l.acceleration_mps2, l.deceleration_mps2, dt_s),
+          ramped(state.last.omega_radps, wanted.omega_radps, l.angular_acceleration_radps2,
+                 l.angular_acceleration_radps2, dt_s)};
+}
+
+double blind_time_s(const GateInput& in) {
+  const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
+  // A first beam that is missing or lies in the future says nothing of the age.
+  const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
+  return types::to_seconds(in.firmware_watchdog + bounded + in.limits.reaction);
+}
+
+void decide_motion(const GateState& state, const GateInput& in, GateOutput& out) {
+  const Twist2 wanted = within_limits(in.request.twist, in.limits);
+  const Twist2 next = ramped_twist(state, wanted, in);
+  const Surroundings around{.front_scan = in.front_scan,
+                            .T_base_laser = in.T_base_laser,
+                            .sonar = in.base->sonar,
+                            .T_base_sonar = in.T_base_sonar,
+                            .now = in.now};
+  const double free_s = free_time_s(next, in.limits, around);
+  out.free_distance_m = free_distance_m(next, free_s);
+  const double scale = stopping_scale(next, free_s, blind_time_s(in), in.limits);
+  const Twist2 safe{next.v_mps * scale, next.omega_radps * scale};
+  const bool creeps = std::abs(safe.v_mps) < kCreep_mps && std::abs(safe.omega_radps) < kCreep_radps;
+  if (scale < 1.0 && creeps) {
+    out.reason = GateReason::kBlocked;
+    return;
+  }
+  out.command.twist = safe;
+  if (scale < 1.0)
+    out.reason = GateReason::kSlowed;
+  else
+    out.reason = safe == in.request.twist ? GateReason::kFree : GateReason::kLimited;
+}
+
+}  // namespace
+
+bool is_stale(Stamp stamp, Stamp now, Duration age_max) {
+  return stamp == Stamp{} || now - stamp > age_max || stamp - now > kFutureMax;
+}
+
+Duration scan_age_max(const types::Scan& scan) {
+  const double period_s = static_cast<double>(scan.geometry.period_s);
+  constexpr double kPeriodMax_s = 0.2;  // slower than any of the scanners: a wrong period excuses nothing
+  if (!(period_s > 0.0 && period_s <= kPeriodMax_s)) return kScanAgeMax;
+  return std::max(kScanAgeMax, types::from_seconds(kScanPeriods * period_s));
+}
+
+bool is_watchdog_safe(Duration watchdog) { return watchdog > Duration::zero() && watchdog <= kWatchdogMax; }
+
+bool is_finite(const types::BaseState& base) {
+  const types::Se2& pose = base.odometry.T_odom_base.se2();
+  return is_finite_twist(base.odometry.twist) && std::isfinite(pose.x_m) && std::isfinite(pose.y_m) &&
+         std::isfinite(pose.theta_rad);
+}
+
+void update_latch(GateState& state, const GateInput& in) {
+  const bool pressed = in.estop_pressed || (in.base != nullptr && in.base->stop_button);
+  if (in.estop_cleared) state.estop_latched = false;
+  if (pressed) state.estop_latched = true;
+}
+
+Twist2 within_limits(const Twist2& twist, const RobotLimits& limits) {
+  const double v_max_mps =
+      twist.v_mps < 0.0 ? std::min(limits.v_reverse_max_mps, limits.v_max_mps) : limits.v_max_mps;
+  double scale = 1.0;
+  if (std::abs(twist.v_mps) > v_max_mps) scale = v_max_mps / std::abs(twist.v_mps);
+  if (std::abs(twist.omega_radps) * scale > limits.omega_max_radps)
+    scale = limits.omega_max_radps / std::abs(twist.omega_radps);
+  return {std::clamp(twist.v_mps * scale, -v_max_mps, v_max_mps),
+          std::clamp(twist.omega_radps * scale, -limits.omega_max_radps, limits.omega_max_radps)};
+}
+
+double ramped(double last, double wanted, double acceleration, double deceleration, double elapsed_s) {
+  const double faster = acceleration * elapsed_s, slower = deceleration * elapsed_s;
+  if (last > 0.0 && wanted < last) return std::max({wanted, last - slower, 0.0});
+  if (last < 0.0 && wanted > last) return std::min({wanted, last + slower, 0.0});
+  return std::clamp(wanted, last - faster, last + faster);
+}
+
+double stopping_scale(const Twist2& twist, double free_s, double blind_s, const RobotLimits& limits) {
+  if (!(free_s > 0.0)) return 0.0;
+  // Seconds of full speed that braking takes: v / 2a, in whichever part brakes longer.
+  const double braking_s = std::max(std::abs(twist.v_mps) / (2.0 * limits.deceleration_mps2),
+                                    std::abs(twist.omega_radps) / (2.0 * limits.angular_acceleration_radps2));
+  if (blind_s + braking_s <= free_s) return 1.0;
+  // s (blind + s braking) = free, in the form that stays exact for short braking.
+  const double root = std::sqrt(blind_s * blind_s + 4.0 * braking_s * free_s);
+  return std::clamp(2.0 * free_s / (blind_s + root), 0.0, 1.0);
+}
+
+GateOutput gate(GateState& state, const GateInput& input) {
+  update_latch(state, input);
+  GateOutput out;
+  out.command.estop = state.estop_latched;
+  const bool asked = !is_stale(input.request.stamp, input.now, input.limits.request_age_max);
+  out.command.enable_motors = asked && input.request.enable_motors && !state.estop_latched;
+  if (const auto fault = first_fault(state, input))
+    out.reason = *fault;
+  else
+    decide_motion(state, input, out);
+  state.last = out.command.twist;
+  state.last_stamp = input.now;
+  return out;
+}
+
+std::string_view to_text(GateReason reason) {
+  switch (reason) {
+    case GateReason::kFree:
+      return "as requested";
+    case GateReason::kLimited:
+      return "limited by the robot's velocity or acceleration";
+    case GateReason::kSlowed:
+      return "slowed by an obstacle ahead";
+    case GateReason::kBlocked:
+      return "stopped: an obstacle is too near";
+    case GateReason::kEmergencyStop:
+      return "stopped: emergency stop, to be cleared by the operator";
+    case GateReason::kInvalidLimits:
+      return "stopped: the robot's limits are not valid";
+    case GateReason::kNoWatchdog:
+      return "stopped: the firmware's watchdog is off, unknown or over 2 s";
+    case GateReason::kStaleRequest:
+      return "stopped: no fresh request";
+    case GateReason::kInvalidRequest:
+      return "stopped: the request is not a number";
+    case GateReason::kStaleStatus:
+      return "stopped: no fresh status from the robot";
+    case GateReason::kInvalidStatus:
+      return "stopped: the robot's status is not a number";
+    case GateReason::kStall:
+      return "stopped: a wheel is stalled";
+    case GateReason::kBumper:
+      return "stopped: a bumper is pressed";
+    case GateReason::kStaleScan:
+      return "stopped: no fresh scan from the front laser";
+    case GateReason::kBlindScan:
+      return "stopped: most of the front laser's forward beams are invalid";
+    case GateReason::kReverse:
+      return "stopped: reversing is not allowed, the rear is blind";
+  }
+  return "unknown";
+}
+
+}  // namespace topo::motion

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/velocity_gate.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <functional>
+#include <limits>
+
+#include "tests/unit/core/motion/surroundings.hpp"
+
+namespace topo::motion {
+namespace {
+
+using std::chrono::milliseconds;
+using types::Duration;
+using types::Stamp;
+using types::Twist2;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr Duration kPeriod = milliseconds(50);
+
+double uniform(double low, double high) { return low + (high - low) * (*rc::gen::inRange(0, 100001) * 1e-5); }
+
+/// A robot, its fresh data, and the gate's state.
+struct Scene {
+  Stamp now{std::chrono::seconds(100)};
+  types::BaseState base;
+  std::unique_ptr<types::Scan> scan = empty_scan(now);
+  GateState state;
+  GateInput input;
+
+  Scene() {
+    input.firmware_watchdog = milliseconds(500);
+    input.request.enable_motors = true;
+    freshen();
+  }
+  void freshen() {
+    base.arrival = now - milliseconds(50);
+    scan->first_beam = now - milliseconds(45);
+    scan->arrival = now - milliseconds(20);
+    input.now = now;
+    input.request.stamp = now - milliseconds(10);
+    input.base = &base;
+    input.front_scan = scan.get();
+  }
+  GateOutput ask(double v_mps, double omega_radps = 0.0) {
+    now += kPeriod;
+    freshen();
+    input.request.twist = {v_mps, omega_radps};
+    return gate(state, input);
+  }
+  GateOutput settle(double v_mps, double omega_radps = 0.0) {
+    GateOutput out;
+    for (int i = 0; i < 60; ++i) out = ask(v_mps, omega_radps);
+    return out;
+  }
+  /// As it stands, without freshening.
+  GateOutput again() { return gate(state, input); }
+};
+
+bool stands(const GateOutput& out) { return out.command.twist == Twist2{}; }
+
+TEST(VelocityGate, PassesAFreeRequest) {
+  Scene scene;
+  const auto out = scene.settle(0.5, 0.4);
+  EXPECT_EQ(out.reason, GateReason::kFree);
+  EXPECT_EQ(out.command.twist, (Twist2{0.5, 0.4}));
+  EXPECT_TRUE(out.command.enable_motors);
+  EXPECT_FALSE(out.command.estop);
+}
+
+TEST(VelocityGate, AcceleratesAndBrakesWithinTheLimits) {
+  Scene scene;
+  double last = scene.ask(0.5).command.twist.v_mps;
+  for (int i = 0; i < 100; ++i) {
+    const double next = scene.ask(i < 50 ? 0.5 : 0.0).command.twist.v_mps;
+    EXPECT_LE(next - last, 0.3 * 0.05 + 1e-9);
+    EXPECT_LE(last - next, 0.5 * 0.05 + 1e-9);
+    last = next;
+  }
+  EXPECT_EQ(last, 0.0);
+}
+
+TEST(VelocityGate, RampGoesThroughZeroInTwoSteps) {
+  EXPECT_EQ(ramped(0.02, -1.0, 0.3, 0.5, 0.05), 0.0);
+  EXPECT_EQ(ramped(-0.02, 1.0, 0.3, 0.5, 0.05), 0.0);
+  EXPECT_DOUBLE_EQ(ramped(0.0, -1.0, 0.3, 0.5, 0.05), -0.015);
+  EXPECT_DOUBLE_EQ(ramped(0.5, 0.0, 0.3, 0.5, 0.05), 0.475);
+  EXPECT_EQ(ramped(0.5, 0.6, 0.3, 0.5, 0.0), 0.5);
+}
+
+TEST(VelocityGate, ClampingKeepsTheArc) {
+  RobotLimits limits;
+  const Twist2 out = within_limits({1.4, 1.0}, limits);
+  EXPECT_DOUBLE_EQ(out.v_mps, 0.7);
+  EXPECT_DOUBLE_EQ(out.omega_radps, 0.5);
+  EXPECT_DOUBLE_EQ(within_limits({0.5, -14.0}, limits).v_mps, 0.05);
+  EXPECT_DOUBLE_EQ(within_limits({-0.5, 0.0}, limits).v_mps, -0.1);
+}
+
+TEST(VelocityGate, StampsAreStaleWhenOldMissingOrFromTheFuture) {
+  const Stamp now{std::chrono::seconds(5)};
+  EXPECT_FALSE(is_stale(now, now, milliseconds(300)));
+  EXPECT_FALSE(is_stale(now - milliseconds(300), now, milliseconds(300)));
+  EXPECT_TRUE(is_stale(now - milliseconds(301), now, milliseconds(300)));
+  EXPECT_TRUE(is_stale(now + milliseconds(21), now, milliseconds(300)));
+  EXPECT_TRUE(is_stale(Stamp{}, Stamp{milliseconds(10)}, milliseconds(300)));
+}
+
+TEST(VelocityGate, AScanMayBeTwoAndAHalfPeriodsOld) {
+  auto scan = empty_scan(Stamp{});
+  EXPECT_EQ(scan_age_max(*scan), milliseconds(150));
+  scan->geometry.period_s = 0.1F;
+  EXPECT_NEAR(types::to_seconds(scan_age_max(*scan)), 0.25, 1e-6);
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -1.0F, 1e9F}) {
+    scan->geometry.period_s = bad;
+    EXPECT_EQ(scan_age_max(*scan), milliseconds(150));
+  }
+}
+
+TEST(VelocityGate, OnlyAWatchdogOfUpToTwoSecondsIsSafe) {
+  EXPECT_TRUE(is_watchdog_safe(milliseconds(2000)));
+  EXPECT_FALSE(is_watchdog_safe(milliseconds(2001)));
+  EXPECT_FALSE(is_watchdog_safe(Duration{}));
+  EXPECT_FALSE(is_watchdog_safe(milliseconds(-1)));
+}
+
+struct Fault {
+  const char* name;
+  GateReason reason;
+  std::function<void(Scene&)> make;
+};
+
+const std::vector<Fault>& faults() {
+  static const std::vector<Fault> kFaults{
+      {"no request for 301 ms", GateReason::kStaleRequest,
+       [](Scene& s) { s.input.request.stamp = s.now - milliseconds(301); }},
+      {"no request ever", GateReason::kStaleRequest, [](Scene& s) { s.input.request.stamp = Stamp{}; }},
+      {"v is NaN", GateReason::kInvalidRequest, [](Scene& s) { s.input.request.twist.v_mps = kNaN; }},
+      {"omega is infinite", GateReason::kInvalidRequest,
+       [](Scene& s) { s.input.request.twist.omega_radps = HUGE_VAL; }},
+      {"reverse", GateReason::kReverse, [](Scene& s) { s.input.request.twist.v_mps = -0.05; }},
+      {"no status", GateReason::kStaleStatus, [](Scene& s) { s.input.base = nullptr; }},
+      {"status 301 ms old", GateReason::kStaleStatus,
+       [](Scene& s) { s.base.arrival = s.now - milliseconds(301); }},
+      {"pose is NaN", GateReason::kInvalidStatus,
+       [](Scene& s) {
+         s.base.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(kNaN, 0.0, 0.0);
+       }},
+      {"measured twist is NaN", GateReason::kInvalidStatus,
+       [](Scene& s) { s.base.odometry.twist.omega_radps = kNaN; }},
+      {"left wheel stalls", GateReason::kStall, [](Scene& s) { s.base.stall_left = true; }},
+      {"right wheel stalls", GateReason::kStall, [](Scene& s) { s.base.stall_right = true; }},
+      {"front bumper", GateReason::kBumper, [](Scene& s) { s.base.bumpers_front = 4; }},
+      {"rear bumper", GateReason::kBumper, [](Scene& s) { s.base.bumpers_rear = 1; }},
+      {"stop button", GateReason::kEmergencyStop, [](Scene& s) { s.base.stop_button = true; }},
+      {"operator's e-stop", GateReason::kEmergencyStop, [](Scene& s) { s.input.estop_pressed = true; }},
+      {"no scan", GateReason::kStaleScan, [](Scene& s) { s.input.front_scan = nullptr; }},
+      {"scan 151 ms old", GateReason::kStaleScan,
+       [](Scene& s) { s.scan->arrival = s.now - milliseconds(151); }},
+      {"empty scan", GateReason::kBlindScan, [](Scene& s) { s.scan->beams = 0; }},
+      {"blind scan", GateReason::kBlindScan,
+       [](Scene& s) {
+         for (std::size_t i = 0; i < s.scan->beams; i += 3)
+           s.scan->range_m[i] = s.scan->range_m[i + 1] = types::kInvalid;
+       }},
+      {"mount is NaN", GateReason::kBlindScan, [](Scene& s) { s.input.T_base_laser.x_m = kNaN; }},
+      {"mount's angle is NaN", GateReason::kBlindScan,
+       [](Scene& s) { s.input.T_base_laser.theta_rad = kNaN; }},
+      {"watchdog off", GateReason::kNoWatchdog, [](Scene& s) { s.input.firmware_watchdog = {}; }},
+      {"watchdog slow", GateReason::kNoWatchdog,
+       [](Scene& s) { s.input.firmware_watchdog = milliseconds(3000); }},
+      {"limits are NaN", GateReason::kInvalidLimits,
+       [](Scene& s) { s.input.limits.deceleration_mps2 = kNaN; }},
+      {"limits are zero", GateReason::kInvalidLimits, [](Scene& s) { s.input.limits.v_max_mps = 0.0; }},
+  };
+  return kFaults;
+}
+
+TEST(VelocityGate, EveryFaultStopsAndIsNamed) {
+  for (const Fault& fault : faults()) {
+    Scene scene;
+    ASSERT_EQ(scene.settle(0.5, 0.2).reason, GateReason::kFree);
+    fault.make(scene);
+    const auto out = scene.again();
+    EXPECT_EQ(out.reason, fault.reason) << fault.name;
+    EXPECT_TRUE(stands(out)) << fault.name;
+    EXPECT_NE(to_text(out.reason), "unknown") << fault.name;
+  }
+}
+
+TEST(VelocityGate, AnyInputWithAFaultStands) {
+  EXPECT_TRUE(rc::check([] {
+    Scene scene;
+    scene.settle(uniform(0.0, 0.7), uniform(-1.0, 1.0));
+    scene.ask(uniform(0.0, 2.0), uniform(-3.0, 3.0));
+    const auto count = *rc::gen::inRange<std::size_t>(1, 4);
+    for (std::size_t i = 0; i < count; ++i)
+      faults()[*rc::gen::inRange<std::size_t>(0, faults().size())].make(scene);
+    RC_ASSERT(stands(scene.again()));
+  }));
+}
+
+TEST(VelocityGate, NeverExceedsTheLimits) {
+  EXPECT_TRUE(rc::check([] {
+    Scene scene;
+    scene.input.limits.allow_reverse = true;
+    put_wall_ahead(*scene.scan, uniform(0.3, 5.0));
+    const RobotLimits& l = scene.input.limits;
+    Twist2 last;
+    for (int i = 0; i < 60; ++i) {
+      const Twist2 t = scene.ask(uniform(-3.0, 3.0), uniform(-5.0, 5.0)).command.twist;
+      RC_ASSERT(t.v_mps <= l.v_max_mps + 1e-12 && t.v_mps >= -l.v_reverse_max_mps - 1e-12);
+      RC_ASSERT(std::abs(t.omega_radps) <= l.omega_max_radps + 1e-12);
+      RC_ASSERT(std::abs(t.v_mps) <= std::abs(last.v_mps) + l.acceleration_mps2 * 0.05 + 1e-9);
+      last = t;
+    }
+  }));
+}
+
+TEST(VelocityGate, MoreRoomNeverMeansLessSpeed) {
+  EXPECT_TRUE(rc::check([] {
+    RobotLimits limits;
+    const Twist2 t{uniform(-0.7, 0.7), uniform(-1.4, 1.4)};
+    const double a = uniform(0.0, 5.0), b = uniform(0.0, 5.0), blind_s = uniform(0.0, 2.5);
+    RC_ASSERT(stopping_scale(t, std::min(a, b), blind_s, limits) <=
+              stopping_scale(t, std::max(a, b), blind_s, limits));
+
+    Scene near, far;
+    const double v_mps = uniform(0.05, 0.7), wall_m = uniform(0.2, 4.0);
+    near.settle(v_mps);
+    far.settle(v_mps);
+    put_wall_ahead(*near.scan, wall_m);
+    put_wall_ahead(*far.scan, wall_m + uniform(0.0, 2.0));
+    RC_ASSERT(near.ask(v_mps).command.twist.v_mps <= far.ask(v_mps).command.twist.v_mps + 1e-12);
+  }));
+}
+
+TEST(VelocityGate, StandsBeforeTheWallWhateverItIsToldAndWhenTheHostDies) {
+  EXPECT_TRUE(rc::check([] {
+    Scene scene;
+    const double watchdog_s = uniform(0.1, 2.0), wall_m = uniform(0.3, 3.0);
+    scene.input.firmware_watchdog = types::from_seconds(watchdog_s);
+    double x_m = 0.0;  // the laser sits at the centre of rotation
+    for (int i = 0; i < 150; ++i) {
+      *scene.scan = *empty_scan(scene.now);
+      put_wall_ahead(*scene.scan, wall_m - x_m);
+      const double v_mps = scene.ask(0.7).command.twist.v_mps;
+      // If nothing is sent from now on: the watchdog's time at this speed, then braking.
+      const double front_m = x_m + scene.input.limits.footprint.front_m;
+      RC_ASSERT(front_m + v_mps * watchdog_s + v_mps * v_mps / (2.0 * 0.5) < wall_m);
+      x_m += v_mps * 0.05;
+    }
+    RC_ASSERT(wall_m - x_m > 0.21);
+  }));
+}
+
+TEST(VelocityGate, SlowsThenBlocks) {
+  Scene scene;
+  scene.settle(0.7);
+  put_wall_ahead(*scene.scan, 0.8);
+  auto out = scene.ask(0.7);
+  EXPECT_EQ(out.reason, GateReason::kSlowed);
+  EXPECT_GT(out.command.twist.v_mps, 0.05);
+  EXPECT_NEAR(out.free_distance_m, 0.54, 1e-2);
+  put_wall_ahead(*scene.scan, 0.262);
+  out = scene.ask(0.7);
+  EXPECT_EQ(out.reason, GateReason::kBlocked);
+  EXPECT_TRUE(stands(out));
+  EXPECT_TRUE(out.command.enable_motors);  // they hold the robot
+}
+
+TEST(VelocityGate, EmergencyStopLatchesUntilCleared) {
+  Scene scene;
+  scene.settle(0.5);
+  scene.input.estop_pressed = true;
+  auto out = scene.ask(0.5);
+  EXPECT_TRUE(out.command.estop);
+  EXPECT_FALSE(out.command.enable_motors);
+  scene.input.estop_cleared = true;  // while it is pressed: nothing
+  EXPECT_TRUE(scene.ask(0.5).command.estop);
+  scene.input.estop_pressed = scene.input.estop_cleared = false;
+  EXPECT_EQ(scene.ask(0.5).reason, GateReason::kEmergencyStop);
+  scene.input.estop_cleared = true;
+  out = scene.ask(0.5);
+  EXPECT_FALSE(out.command.estop);
+  scene.input.estop_cleared = false;
+  EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree);
+}
+
+TEST(VelocityGate, TheStopButtonLatchesToo) {
+  Scene scene;
+  scene.base.stop_button = true;
+  scene.ask(0.5);
+  scene.base.stop_button = false;
+  EXPECT_EQ(scene.settle(0.5).reason, GateReason::kEmergencyStop);
+}
+
+TEST(VelocityGate, EmergencyStopWinsOverEveryOtherFault) {
+  for (const Fault& fault : faults()) {
+    Scene scene;
+    fault.make(scene);
+    scene.input.estop_pressed = true;
+    EXPECT_TRUE(scene.again().command.estop) << fault.name;
+  }
+}
+
+TEST(VelocityGate, ReverseIsSlowWhereItIsAllowed) {
+  Scene scene;
+  scene.input.limits.allow_reverse = true;
+  EXPECT_DOUBLE_EQ(scene.settle(-0.5).command.twist.v_mps, -0.1);
+}
+
+TEST(VelocityGate, AfterAStopItStartsFromRest) {
+  Scene scene;
+  scene.settle(0.5);
+  scene.base.stall_left = true;
+  scene.ask(0.5);
+  scene.base.stall_left = false;
+  EXPECT_LE(scene.ask(0.5).command.twist.v_mps, 0.3 * 0.05 + 1e-12);
+}
+
+}  // namespace
+}  // namespace topo::motion
