@@ -4,23 +4,51 @@
 #include "tests/bench/topobench/output.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
+
+#include <system_error>
+
+#include "daemon/mapfile/atomic_file.hpp"
+#include "daemon/mapfile/map_image.hpp"
+#include "daemon/mapfile/picture.hpp"
 
 namespace topo::bench {
+namespace {
+
+constexpr daemon::Rgb kPathColour{30, 90, 220};
+
+std::string trajectory_text(const LogRun& run) {
+  std::string text;
+  for (const daemon::TimedPose& timed : run.trajectory) {
+    fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} {:.6f} {:.7f}\n", timed.stamp_s, timed.pose.x_m,
+                   timed.pose.y_m, timed.pose.theta_rad);
+  }
+  return text;
+}
+
+types::Status make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return {};
+  return types::fail(
+      types::Errc::kPermission,
+      fmt::format("{}: cannot make the folder for the results: {}", folder.string(), error.message()),
+      error.value());
+}
+
+}  // namespace
+
 types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
                               const LogRun& run) {
-  std::filesystem::create_directories(folder);
-  std::ofstream f(folder / "trajectory.txt");
-  for (const auto& p : run.trajectory)
-    f << fmt::format("{:.6f} {:.6f} {:.6f} {:.6f}\n", p.stamp_s, p.pose.x_m, p.pose.y_m, p.pose.theta_rad);
-  const auto box = map.grid.known_box();
-  std::ofstream g(folder / "map.pgm", std::ios::binary);
-  g << "P5\n" << box.width() << " " << box.height() << "\n255\n";
-  for (int y = box.max.y; y >= box.min.y; --y)
-    for (int x = box.min.x; x <= box.max.x; ++x) {
-      auto s = map.grid.state({x, y});
-      g.put(s == grid::CellState::kUnknown ? char(205) : s == grid::CellState::kFree ? char(254) : char(0));
-    }
-  return {};
+  if (auto made = make_folder(folder); !made) return made;
+  const auto image = daemon::image_of(map.grid);
+  if (!image) return tl::unexpected(image.error());
+  if (auto saved = daemon::save_map(folder.string(), *image); !saved) return saved;
+  daemon::Picture picture = daemon::picture_of(*image);
+  std::vector<types::Se2> path;
+  for (const daemon::TimedPose& timed : run.trajectory) path.push_back(timed.pose);
+  daemon::draw_path(picture, *image, path, kPathColour);
+  if (auto saved = daemon::save_png((folder / "map.png").string(), picture); !saved) return saved;
+  return daemon::write_file((folder / "trajectory.txt").string(), trajectory_text(run));
 }
+
 }  // namespace topo::bench
