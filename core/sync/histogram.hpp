@@ -27,6 +27,7 @@ struct LatencySummary {
 class Histogram {
  public:
   Histogram() = default;
+  ~Histogram() = default;
   Histogram(const Histogram&) = delete;
   Histogram& operator=(const Histogram&) = delete;
 

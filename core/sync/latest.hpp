@@ -16,6 +16,7 @@ template <class T>
 class Latest {
  public:
   Latest() = default;
+  ~Latest() = default;
   Latest(const Latest&) = delete;
   Latest& operator=(const Latest&) = delete;
 

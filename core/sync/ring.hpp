@@ -22,6 +22,7 @@ class Ring {
 
  public:
   Ring() = default;
+  ~Ring() = default;
   Ring(const Ring&) = delete;
   Ring& operator=(const Ring&) = delete;
 

@@ -5,6 +5,7 @@
 // early reuse breaks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -30,7 +31,8 @@ using BitMap = patricia::Map<Bits>;
 using TileMap = patricia::Map<Cow<Tile>>;
 
 constexpr std::size_t kReaders = 3;
-constexpr std::uint64_t kRevisions = 2000;
+constexpr std::uint64_t kLooks = 400;          // of each reader, at versions of the map
+constexpr std::uint64_t kQuickLooks = 300000;  // at small values that are published without a pause
 constexpr std::int32_t kSide = 48;
 
 /// Invariant: the values' sum is `sum`, there are `size` keys, and every tile is filled with one number.
@@ -136,10 +138,10 @@ struct Findings {
   std::uint64_t backwards = 0;
 };
 
-/// Looks until the last revision, holding the version before while it takes the next.
+/// Looks kLooks times, holding the version before while it takes the next.
 void watch(Cell::Reader reader, Findings& findings) {
   Cell::Pin held = reader.pin();
-  while (held->revision < kRevisions) {
+  while (findings.looks < kLooks) {
     Cell::Pin fresh = reader.pin();
     ++findings.looks;
     if (fresh->revision < held->revision) ++findings.backwards;
@@ -154,24 +156,28 @@ TEST(SnapshotStress, PinnedVersionsOfAMapNeverChangeAndNoneLeaks) {
   cell->publish(writer.make_version());
   std::array<Findings, kReaders> findings{};
   std::size_t most_retired = 0;
+  std::atomic<std::size_t> watching{kReaders};
   std::vector<std::thread> readers;
   for (std::size_t i = 0; i < kReaders; ++i) {
-    readers.emplace_back([&, i] { watch(cell->reader(i), findings[i]); });
+    readers.emplace_back([&, i] {
+      watch(cell->reader(i), findings[i]);
+      watching.fetch_sub(1, std::memory_order_relaxed);
+    });
   }
   std::thread mapping([&] {
     writer.adopt();
-    for (std::uint64_t revision = 1; revision < kRevisions; ++revision) {
+    while (watching.load(std::memory_order_relaxed) > 0) {
       writer.change();
       cell->publish(writer.make_version());
       most_retired = std::max(most_retired, cell->retired());
     }
   });
-  mapping.join();
   for (std::thread& r : readers) r.join();
+  mapping.join();
   writer.adopt();
 
   for (const Findings& f : findings) {
-    EXPECT_GT(f.looks, 0U);
+    EXPECT_EQ(f.looks, kLooks);
     EXPECT_EQ(f.broken, 0U);
     EXPECT_EQ(f.backwards, 0U);
   }
@@ -179,6 +185,47 @@ TEST(SnapshotStress, PinnedVersionsOfAMapNeverChangeAndNoneLeaks) {
   EXPECT_EQ(cell->reclaim(), 0U);
   cell.reset();
   EXPECT_TRUE(writer.only_own_nodes_alive());
+}
+
+/// Spoils itself when it is destroyed.
+struct Small {
+  explicit Small(std::uint64_t n) : number(n), twin(~n) {}
+  Small(const Small&) = delete;
+  Small& operator=(const Small&) = delete;
+  ~Small() { twin = number; }
+  [[nodiscard]] bool alive() const { return twin == ~number; }
+  std::uint64_t number;
+  std::uint64_t twin;
+};
+
+// The other test's publishes are far apart; these come into the middle of a pin.
+TEST(SnapshotStress, APinHoldsHoweverFastTheWriterIs) {
+  using SmallCell = sync::SnapshotCell<Small, kReaders>;
+  auto cell = std::make_unique<SmallCell>();
+  cell->publish(std::make_unique<Small>(0));
+  std::array<std::uint64_t, kReaders> wrong{};
+  std::atomic<std::size_t> watching{kReaders};
+  std::vector<std::thread> readers;
+  for (std::size_t i = 0; i < kReaders; ++i) {
+    readers.emplace_back([&, i] {
+      auto reader = cell->reader(i);
+      auto held = reader.pin();
+      for (std::uint64_t look = 0; look < kQuickLooks; ++look) {
+        auto fresh = reader.pin();
+        if (!fresh->alive() || !held->alive() || fresh->number < held->number) ++wrong[i];
+        held = std::move(fresh);
+      }
+      watching.fetch_sub(1, std::memory_order_relaxed);
+    });
+  }
+  std::size_t most_retired = 0;
+  for (std::uint64_t n = 1; watching.load(std::memory_order_relaxed) > 0; ++n) {
+    cell->publish(std::make_unique<Small>(n));
+    most_retired = std::max(most_retired, cell->retired());
+  }
+  for (std::thread& r : readers) r.join();
+  for (const std::uint64_t w : wrong) EXPECT_EQ(w, 0U);
+  EXPECT_LE(most_retired, 2 * kReaders);
 }
 
 }  // namespace

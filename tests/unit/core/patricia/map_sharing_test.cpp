@@ -72,6 +72,44 @@ TEST(Sharing, ErasingAMissingKeyCopiesNothing) {
   EXPECT_TRUE(map.same_version(snapshot));
 }
 
+// The finger remembers which nodes are shared; what changes that behind its back must make it forget.
+
+TEST(Finger, ForgetsWhenASnapshotIsDropped) {
+  BitArena arena;
+  BitMap map = square(arena, 16);
+  BitMap snapshot = map;
+  map.insert_with(cell_key(3, 3), 1, kUnion);  // changes nothing: the way stays shared
+  snapshot.clear();
+  map.insert(cell_key(3, 3), 2);
+  map.insert(cell_key(3, 2), 2);
+  EXPECT_EQ(arena.counts().leaves, 256U);
+  EXPECT_EQ(arena.counts().branches, 255U);
+}
+
+TEST(Finger, ForgetsWhenAMergeSharesTheInnerNodes) {
+  BitArena arena;
+  BitMap map = square(arena, 16);
+  BitMap other(arena);
+  other.insert(cell_key(15, 15), 8);
+  map.insert(cell_key(3, 3), 2);  // the finger is here, and all is exclusive
+  const BitMap both = BitMap::merge(map, other, kUnion);
+  map.insert(cell_key(3, 3), 4);
+  EXPECT_EQ(*both.find(cell_key(3, 3)), 2U);
+  EXPECT_EQ(*map.find(cell_key(3, 3)), 4U);
+}
+
+TEST(Finger, DoesNotTakeOneTreeForAnotherUnderTheSameHandle) {
+  BitArena arena;
+  BitMap map = square(arena, 16);
+  BitMap other = square(arena, 8);
+  map.insert(cell_key(3, 3), 2);
+  map.swap(other);
+  map.insert(cell_key(3, 3), 4);
+  EXPECT_EQ(map.size(), 64U);
+  EXPECT_EQ(*map.find(cell_key(3, 3)), 4U);
+  EXPECT_EQ(*other.find(cell_key(3, 3)), 2U);
+}
+
 /// Counts comparisons, which difference makes for leaves that it could not skip by the pointer.
 struct Counted {
   static inline int comparisons = 0;
