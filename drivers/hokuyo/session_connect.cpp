@@ -168,7 +168,11 @@ void Session::Impl::restart_stream() {
   has_last = false;
   samples = 0;
   tries = 0;
-  set_health(Health::kStarting, place() + ": " + found.product + " " + found.serial_number + " is starting");
+  // What a person must know of the last failure stays on show until a scan proves it cured.
+  if (!faulty && (failures == 0 || health == Health::kDisconnected || health == Health::kWrongDevice)) {
+    set_health(Health::kStarting,
+               place() + ": " + found.product + " " + found.serial_number + " is starting");
+  }
   enter(Phase::kAdjust, "TM0", 300ms);
 }
 
