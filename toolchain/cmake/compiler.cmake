@@ -11,7 +11,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 sees overlaps and overflows inside its own std::string and std::vector at -O3 (GCC bugs 105651 and
     # 107852), and uses after the release of a counted reference. The sanitizer runs see the real ones.
-    add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wuse-after-free=1)
+    add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-use-after-free)
   endif()
 elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # GUARDED_BY and its kin: g++ parses and ignores them.
