@@ -12,9 +12,9 @@ namespace topo::sim {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMargin_m =
-    1e-4;  // cells hold what comes this near: a ray that slips between two cells still meets it
-constexpr double kNudge_m = 1e-7;  // past a cell's border, against standing still through rounding
+// Cells hold what comes this near, so that a ray on the border of two cells meets it.
+constexpr double kMargin_m = 1e-4;
+constexpr double kAhead_m = 1e-7;
 
 double cross_product(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
@@ -180,11 +180,13 @@ void EdgeIndex::cast(const Ray& ray, double glass_draw, std::span<const Prism> p
   };
   clip(ray.x, ray.dx, inverse_x, bounds_.min.x(), bounds_.max.x());
   clip(ray.y, ray.dy, inverse_y, bounds_.min.y(), bounds_.max.y());
-  const double planar = std::hypot(ray.dx, ray.dy);
-  const double nudge = planar > 1e-9 ? kNudge_m / planar : kInfinity;
+  // Cells are looked up a little ahead, so that a ray that runs along a border or stands on one always gets
+  // on; the margin of the cells is wider.
+  const double ahead_x = ray.dx > 0.0 ? kAhead_m : -kAhead_m;
+  const double ahead_y = ray.dy > 0.0 ? kAhead_m : -kAhead_m;
   while (t <= t_leave && t < best.range_m) {
-    const int ix = column(ray.x + t * ray.dx);
-    const int iy = row(ray.y + t * ray.dy);
+    const int ix = column(ray.x + t * ray.dx + ahead_x);
+    const int iy = row(ray.y + t * ray.dy + ahead_y);
     const std::size_t here = cell(ix, iy);
     const int gap = gap_[here];
     if (gap == 0) test_cell(here, ray, glass_draw, prisms, best);
@@ -198,7 +200,7 @@ void EdgeIndex::cast(const Ray& ray, double glass_draw, std::span<const Prism> p
       const int border = ray.dy > 0.0 ? iy + 1 + reach : iy - reach;
       t_exit = std::min(t_exit, (bounds_.min.y() + border * kCell_m - ray.y) * inverse_y);
     }
-    t = std::max(t, t_exit) + nudge;
+    t = t_exit > t ? t_exit : t + kAhead_m;  // the last cell's border, through rounding
   }
 }
 

@@ -89,7 +89,7 @@ class SceneParser {
   }
 
   void wall(TableReader& r) {
-    r.allow({"points_m", "closed", "thickness_m", "z_min_m", "z_max_m", "openings", "alcoves"});
+    r.allow({"points_m", "closed", "thickness_m", "z_min_m", "z_max_m", "openings", "alcoves", "clutter"});
     DrawnWall wall;
     wall.z_max_m = world_.ceiling_m;
     bool closed = false;
@@ -104,22 +104,17 @@ class SceneParser {
     if (!heights(r, false, wall.z_min_m, wall.z_max_m)) return;
     features(r, "openings", WallFeature::Kind::kOpening, wall);
     features(r, "alcoves", WallFeature::Kind::kAlcove, wall);
+    wall_clutter(r, wall);
     if (const std::string fault = build_wall(wall, world_.prisms); !fault.empty())
       r.fault(r.has("openings") ? "openings" : "alcoves", fault);
   }
 
   void features(TableReader& r, std::string_view key, WallFeature::Kind kind, DrawnWall& wall) {
-    const toml::node* node = r.table().get(key);
-    if (node == nullptr) return;
-    if (!node->is_array() || !node->as_array()->is_homogeneous(toml::node_type::table))
-      return r.fault(key, "is no list of tables; expected [{at_m = 2.0, width_m = 0.9}]");
-    for (const toml::node& item : *node->as_array()) {
-      TableReader f(*item.as_table(), fmt::format("[[wall]] {}", key), faults_);
+    each_in(r, key, [&](TableReader& f) {
       WallFeature feature;
       feature.kind = kind;
       std::string side = "left";
-      const bool opening = kind == WallFeature::Kind::kOpening;
-      if (opening) {
+      if (kind == WallFeature::Kind::kOpening) {
         f.allow({"at_m", "width_m", "lintel_m"});
         f.number("lintel_m", false, 0.5, kHigh_m, feature.lintel_m);
       } else {
@@ -128,10 +123,10 @@ class SceneParser {
         f.word("side", {"left", "right"}, side);
       }
       feature.left = side == "left";
-      const bool read = f.number("at_m", true, 0.0, kFar_m, feature.at_m) &
-                        f.number("width_m", true, 0.1, kFar_m, feature.width_m);
-      if (read) wall.features.push_back(feature);
-    }
+      const bool at = f.number("at_m", true, 0.0, kFar_m, feature.at_m);
+      const bool wide = f.number("width_m", true, 0.1, kFar_m, feature.width_m);
+      if (at && wide) wall.features.push_back(feature);
+    });
   }
 
   void box(TableReader& r) {
@@ -155,21 +150,54 @@ class SceneParser {
       world_.prisms.push_back(make_cylinder(center, radius_m, z_min_m, z_max_m));
   }
 
-  void clutter(TableReader& r) {
-    r.allow({"from_m", "to_m", "fraction", "seed", "length_m", "depth_m", "height_m"});
-    ClutterRow row;
+  // The keys that free rows and rows along a wall share.
+  void row_keys(TableReader& r, ClutterRow& row) {
     double seed = 1.0;
-    const bool read = r.point("from_m", true, row.from) & r.point("to_m", true, row.to);
     r.number("fraction", false, 0.0, 1.0, row.fraction);
     r.number("seed", false, 0.0, 1e9, seed);
     r.range("length_m", 0.05, 20.0, row.length_min_m, row.length_max_m);
     r.range("depth_m", 0.02, 20.0, row.depth_min_m, row.depth_max_m);
     r.range("height_m", 0.02, kHigh_m, row.height_min_m, row.height_max_m);
     row.seed = static_cast<std::uint64_t>(seed);
+  }
+
+  void clutter(TableReader& r) {
+    r.allow({"from_m", "to_m", "fraction", "seed", "length_m", "depth_m", "height_m"});
+    ClutterRow row;
+    const bool read = r.point("from_m", true, row.from) & r.point("to_m", true, row.to);
+    row_keys(r, row);
     if (!read) return;
-    if ((row.to - row.from).norm() < 0.1)
+    if ((row.to - row.from).norm() < 0.1) {
       return r.fault("to_m", "is less than 0.1 m from from_m; expected a line to put things along");
+    }
     build_clutter(row, world_.prisms);
+  }
+
+  void wall_clutter(TableReader& r, DrawnWall& wall) {
+    each_in(r, "clutter", [&](TableReader& c) {
+      c.allow({"side", "margin_m", "fraction", "seed", "length_m", "depth_m", "height_m"});
+      WallClutter clutter;
+      std::string side = "left";
+      c.word("side", {"left", "right"}, side);
+      clutter.left = side == "left";
+      c.number("margin_m", false, 0.0, 10.0, clutter.margin_m);
+      row_keys(c, clutter.row);
+      wall.clutter.push_back(clutter);
+    });
+  }
+
+  // Inline tables of a list within a table.
+  template <class Read>
+  void each_in(TableReader& r, std::string_view key, const Read& read) {
+    const toml::node* node = r.table().get(key);
+    if (node == nullptr) return;
+    if (!node->is_array() || !node->as_array()->is_homogeneous(toml::node_type::table)) {
+      return r.fault(key, "is no list of tables; expected [{ ... }, { ... }]");
+    }
+    for (const toml::node& item : *node->as_array()) {
+      TableReader inner(*item.as_table(), fmt::format("{} {}", r.what(), key), faults_);
+      read(inner);
+    }
   }
 
   void glass(TableReader& r) {

@@ -76,6 +76,40 @@ std::string add_features(const DrawnWall& wall, const Vector2& a, const Vector2&
   return {};
 }
 
+// One row between two places of a straight part, if there is room for anything.
+void add_row(const WallClutter& clutter, const DrawnWall& wall, const Vector2& a, const Vector2& along,
+             double from_m, double to_m, std::uint64_t number, std::vector<Prism>& out) {
+  const double low_m = from_m + clutter.margin_m;
+  const double high_m = to_m - clutter.margin_m;
+  if (high_m - low_m < clutter.row.length_min_m) return;
+  const Vector2 aside = (clutter.left ? 0.5 : -0.5) * wall.thickness_m * Vector2(-along.y(), along.x());
+  ClutterRow row = clutter.row;
+  row.seed = derive_seed(row.seed, number);
+  row.from = a + along * (clutter.left ? low_m : high_m) + aside;
+  row.to = a + along * (clutter.left ? high_m : low_m) + aside;
+  build_clutter(row, out);
+}
+
+// `features` in order of their place.
+void add_clutter(const DrawnWall& wall, const WallClutter& clutter, std::vector<Prism>& out) {
+  double offset_m = 0.0;
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i + 1 < wall.points.size(); ++i) {
+    const Vector2& a = wall.points[i];
+    const double length_m = (wall.points[i + 1] - a).norm();
+    const Vector2 along = (wall.points[i + 1] - a) / length_m;
+    double from_m = 0.0;
+    for (const WallFeature& f : wall.features) {
+      const double low_m = f.at_m - 0.5 * f.width_m - offset_m;
+      if (low_m < 0.0 || low_m >= length_m) continue;
+      add_row(clutter, wall, a, along, from_m, low_m, ++number, out);
+      from_m = low_m + f.width_m;
+    }
+    add_row(clutter, wall, a, along, from_m, length_m, ++number, out);
+    offset_m += length_m;
+  }
+}
+
 }  // namespace
 
 std::string build_wall(DrawnWall wall, std::vector<Prism>& out) {
@@ -96,6 +130,7 @@ std::string build_wall(DrawnWall wall, std::vector<Prism>& out) {
       return fmt::format("at {:g} m is beyond the wall, which is {:g} m long", f.at_m, offset_m);
     }
   }
+  for (const WallClutter& clutter : wall.clutter) add_clutter(wall, clutter, out);
   return {};
 }
 

@@ -93,6 +93,23 @@ z_max_m = 1.2
   EXPECT_NEAR(world.cast({4.0, 3.0, 1.0, 0.0, r, r}).range_m, 1.5 / r, 1e-9);   // up to the ceiling
 }
 
+// Once such a ray took ten million steps of 0.1 um: along a border of the grid, off it by less than rounding
+// shows.
+TEST(Rays, GetOnAlongTheBordersOfTheGrid) {
+  const World world = scene(room_text());
+  const Vector2 corner = world.extents().min;
+  for (int i = 3; i < 20; ++i) {
+    const Vector2 p = corner + 0.25 * Vector2(i, i);
+    for (int turn = 0; turn < 4; ++turn) {
+      for (const double off : {0.0, 1e-17, -1e-17, 1e-12, -1e-12, 1e-9, -1e-9}) {
+        const double angle = 0.5 * std::numbers::pi * turn + off;
+        ASSERT_NEAR(world.level_range_m(p.x(), p.y(), 0.3, angle), to_border(p.x(), p.y(), angle, 8.0, 6.0),
+                    1e-6);
+      }
+    }
+  }
+}
+
 TEST(Rays, EndAtTheirLimit) {
   const World world = scene(room_text());
   RayOptions options;
