@@ -44,8 +44,8 @@ class CheckNames(TreeTest):
         self.assert_reports(("core/ScanMatcher.cpp:1", "snake_case"), ("core/scan-matcher.cpp:1", "snake_case"))
 
     def test_value_that_throws_is_banned_everywhere(self):
-        self.write("daemon/a.cpp", HEAD + "int f() {\n  return load()\n      .value();\n}\nint g = node.value<int>();\n")
-        self.assert_reports(("daemon/a.cpp:5", "value() throws"))
+        self.write("daemon/a.cpp", HEAD + "int f() {\n  return load()\n      .value();\n}\nint g = node.value<int>();\nint h = error.value();\n")
+        self.assert_reports(("daemon/a.cpp:4", "value() throws"))
 
     def test_core_has_no_thread_lock_clock_file_stream_or_dice(self):
         lines = {
