@@ -145,6 +145,19 @@ TEST(SimHarness, ASecondClientIsTurnedAway) {
   EXPECT_TRUE(first.wait_for("SERI:"));
 }
 
+TEST(SimHarness, AClientThatComesBackAtOnceFindsTheSensorIdle) {
+  auto sim = start(two_tcp_robots());
+  ASSERT_NE(sim, nullptr);
+  for (int round = 0; round < 20; ++round) {
+    Client client(sim->address(0, DeviceId::kFront));
+    client.send("II\n");
+    ASSERT_TRUE(client.wait_for("LASR:OFF;")) << "round " << round;
+    client.send("MD0000108001000\n");
+    ASSERT_TRUE(client.wait_for("MD0000108001000\n00P\n\n")) << "round " << round;
+    client.send("V");  // half a request that nobody will end
+  }
+}
+
 TEST(SimHarness, ACutLinkComesBackAtTheSamePlace) {
   auto sim = start(two_tcp_robots());
   ASSERT_NE(sim, nullptr);

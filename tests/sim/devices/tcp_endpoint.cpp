@@ -48,7 +48,8 @@ class TcpEndpoint final : public Endpoint {
   }
 
   void service() override {
-    if (!listener_.valid()) return;
+    // A client that goes and comes back at once must find the slot free, and its going must be seen first.
+    if (!listener_.valid() || drop_dead_client() || client_is_talking()) return;
     FileDescriptor fresh(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!fresh.valid()) return;
     if (client_.valid()) return;  // one client at a time: the second is turned away
@@ -84,6 +85,21 @@ class TcpEndpoint final : public Endpoint {
   [[nodiscard]] DeviceAddress address() const override { return {true, "127.0.0.1", port_, {}}; }
 
  private:
+  /// True when the client had gone: nobody else is let in before the caller has seen that.
+  bool drop_dead_client() {
+    if (!client_.valid()) return false;
+    char byte = 0;
+    const auto got = ::recv(client_.get(), &byte, 1, MSG_PEEK);
+    if (got > 0 || (got < 0 && would_block())) return false;
+    client_.reset();
+    return true;
+  }
+  /// Bytes wait before what may be the end of its link: they are read first.
+  bool client_is_talking() const {
+    char byte = 0;
+    return client_.valid() && ::recv(client_.get(), &byte, 1, MSG_PEEK) > 0;
+  }
+
   static bool would_block() { return errno == EAGAIN || errno == EINTR; }
 
   std::uint16_t port_;

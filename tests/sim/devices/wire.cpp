@@ -26,14 +26,16 @@ void Wire::pump(SimTime now) {
   if (const auto absence = device_.take_absence(now)) cut(now + *absence);
   if (cut_ && now >= cut_until_)
     cut_ = !endpoint_->open().has_value();  // the port may still be busy: next time
-  notice_clients(now);
+  endpoint_->service();
+  notice_loss(now);
   receive(now);
+  notice_loss(now);  // before the next service() lets somebody else in
   device_.tick(now);
   transmit(now);
+  notice_loss(now);
 }
 
-void Wire::notice_clients(SimTime now) {
-  endpoint_->service();
+void Wire::notice_loss(SimTime now) {
   const bool connected = endpoint_->connected();
   if (was_connected_ && !connected) {
     staged_.clear();

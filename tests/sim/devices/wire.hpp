@@ -42,7 +42,7 @@ class Wire {
   [[nodiscard]] DeviceAddress address() const { return endpoint_->address(); }
 
  private:
-  void notice_clients(SimTime now);
+  void notice_loss(SimTime now);
   void receive(SimTime now);
   void transmit(SimTime now);
   void stage(SimTime now);
