@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""toolchain/lib/steps.sh and the command lines of the scripts: a failed step is never a green run."""
+
+import pathlib
+import subprocess
+import unittest
+
+TOP = pathlib.Path(__file__).resolve().parents[3]
+
+
+def bash(text):
+    return subprocess.run(
+        ["bash", "-c", f"set -uo pipefail; . '{TOP}/toolchain/lib/steps.sh'; {text}"],
+        capture_output=True, text=True, check=False,
+    )
+
+
+def script(*command):
+    return subprocess.run([TOP / command[0], *command[1:]], capture_output=True, text=True, check=False)
+
+
+class Steps(unittest.TestCase):
+    def test_all_steps_well_is_status_0_with_a_line_for_each(self):
+        done = bash("step one true; step two true; summary all-of-it")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^  one +0\.0 min  ok$")
+        self.assertRegex(done.stdout, r"(?m)^  two +0\.0 min  ok$")
+
+    def test_a_failed_step_fails_the_run_and_does_not_stop_it(self):
+        done = bash("step bad false; step good echo still-running; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("still-running", done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^  bad +0\.0 min  FAILED \(1\)$")
+        self.assertIn("FAILED: 1 step(s)", done.stdout)
+
+    def test_a_step_that_was_not_run_is_a_failure(self):
+        done = bash("skip_step 'all tests' 'no build'; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("NOT RUN", done.stdout)
+
+    def test_a_step_sees_no_terminal_and_no_input(self):
+        done = bash("step read read -r line; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+
+    def test_a_step_tells_its_status(self):
+        done = bash("step three sh -c 'exit 3'; echo status $?")
+        self.assertIn("status 3", done.stdout)
+
+
+class CommandLines(unittest.TestCase):
+    def test_help_is_there(self):
+        for name in ("toolchain/test", "toolchain/install-dependencies", "toolchain/check-layers", "tests/canary/run"):
+            done = script(name, "--help")
+            self.assertEqual(done.returncode, 0, name)
+            self.assertIn("usage", done.stdout.lower(), name)
+
+    def test_an_unknown_argument_is_the_users_fault(self):
+        for name in ("toolchain/test", "toolchain/install-dependencies", "toolchain/check-names", "tests/canary/run"):
+            done = script(name, "--no-such-thing")
+            self.assertEqual(done.returncode, 2, name)
+            self.assertIn("no-such-thing", done.stderr, name)
+
+    def test_a_wrong_number_of_jobs_is_refused_before_anything_is_done(self):
+        done = script("toolchain/test", "--jobs", "none")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("'none'", done.stderr)
+
+    def test_a_profile_holds_the_smaller_ones(self):
+        run, build, ci = (
+            set(script("toolchain/install-dependencies", profile, "--list").stdout.split())
+            for profile in ("run", "build", "ci")
+        )
+        self.assertTrue(run < build < ci)
+
+
+if __name__ == "__main__":
+    unittest.main()
