@@ -46,6 +46,8 @@ class Temporary {
   }
   Temporary(Temporary&& other) noexcept
       : name_(std::exchange(other.name_, {})), path_(std::move(other.path_)) {}
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
   Temporary& operator=(Temporary&&) = delete;
 
   Status commit() {

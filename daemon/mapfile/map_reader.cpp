@@ -12,7 +12,6 @@
 
 namespace topo::daemon {
 
-using types::Errc;
 using types::Result;
 using types::Status;
 

@@ -30,7 +30,11 @@ class HandMade {
       : writer_(FrameWriter::create(path, {77, 1'000, kStart_ns, std::move(channels)})) {}
 
   HandMade& add(std::uint8_t channel, RecordKind kind, int ms, std::string_view text = {}) {
-    const types::Stamp stamp{types::Duration{kStart_ns} + std::chrono::milliseconds(ms)};
+    return add_at(channel, kind, std::chrono::milliseconds(ms), text);
+  }
+  HandMade& add_at(std::uint8_t channel, RecordKind kind, types::Duration after_start,
+                   std::string_view text) {
+    const types::Stamp stamp{types::Duration{kStart_ns} + after_start};
     const auto head = encode_record_head({channel, kind, static_cast<std::uint32_t>(text.size()), stamp});
     records_.insert(records_.end(), head.begin(), head.end());
     const auto body = bytes_of(text);
