@@ -95,6 +95,11 @@ void Session::Impl::lose(Health value, std::string text) {
 
 void Session::Impl::open(Duration timeout) {
   auto stream = connector->connect(timeout);
+  if (!stream && stream.error().code == types::Errc::kTimeout) {
+    // The attempt goes on in the connector; the next call takes it up where it is.
+    set_health(Health::kDisconnected, stream.error().message);
+    return;
+  }
   if (!stream) {
     lose(Health::kDisconnected, stream.error().message);
     return;
