@@ -84,6 +84,66 @@ void keep_between(const Polygon& outline, std::size_t first, std::size_t last, d
   }
 }
 
+// Douglas and Peucker 1973 on a closed line: numbers of the points that stay.
+std::vector<std::size_t> break_points(const Polygon& outline, double tolerance_m) {
+  // Two points far from each other hold the ring open.
+  std::size_t opposite = 0;
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    if ((outline[i] - outline[0]).squaredNorm() > (outline[opposite] - outline[0]).squaredNorm())
+      opposite = i;
+  }
+  std::vector<bool> keep(outline.size(), false);
+  keep[0] = keep[opposite] = true;
+  keep_between(outline, 0, opposite, tolerance_m, keep);
+  keep_between(outline, opposite, outline.size(), tolerance_m, keep);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (keep[i]) kept.push_back(i);
+  }
+  return kept;
+}
+
+struct Line {
+  Vector2 point, direction;
+};
+
+// Least squares through the points between two break points, without the ones at the corners, which are cut
+// there.
+Line fit_line(const Polygon& outline, std::size_t from, std::size_t to) {
+  const std::size_t trim = to - from >= 8 ? 2 : 0;
+  Vector2 mean(0.0, 0.0);
+  double count = 0.0;
+  for (std::size_t i = from + trim; i <= to - trim; ++i) {
+    mean += outline[i % outline.size()];
+    count += 1.0;
+  }
+  mean /= count;
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t i = from + trim; i <= to - trim; ++i) {
+    const Vector2 d = outline[i % outline.size()] - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+  }
+  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
+  return {mean, {std::cos(angle), std::sin(angle)}};
+}
+
+// Where two neighbouring lines meet, if that is near the break point between them; else what both say of that
+// point.
+Vector2 corner(const Line& a, const Line& b, const Vector2& at, double tolerance_m) {
+  const double turn = a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x();
+  if (std::abs(turn) > 0.2) {
+    const Vector2 r = b.point - a.point;
+    const Vector2 meet = a.point + a.direction * ((r.x() * b.direction.y() - r.y() * b.direction.x()) / turn);
+    if ((meet - at).norm() < 2.5 * tolerance_m) return meet;
+  }
+  const auto onto = [&at](const Line& l) {
+    return Vector2(l.point + l.direction * l.direction.dot(at - l.point));
+  };
+  return 0.5 * (onto(a) + onto(b));
+}
+
 void flood(const Raster& solid, int x0, int y0, std::uint32_t label, Pieces& pieces) {
   std::vector<Corner> todo{{x0, y0}};
   pieces.label[solid.index(x0, y0)] = label;
@@ -123,24 +183,22 @@ Pieces label_pieces(const Raster& solid) {
   return pieces;
 }
 
-Polygon simplify(const Polygon& outline, double tolerance_m) {
+Polygon straighten(const Polygon& outline, double tolerance_m) {
   if (outline.size() < 8) return outline;
-  // Two points far from each other hold the ring open.
-  std::size_t opposite = 0;
-  for (std::size_t i = 1; i < outline.size(); ++i) {
-    if ((outline[i] - outline[0]).squaredNorm() > (outline[opposite] - outline[0]).squaredNorm())
-      opposite = i;
+  const std::vector<std::size_t> kept = break_points(outline, tolerance_m);
+  if (kept.size() < 3) return outline;
+  std::vector<Line> lines;
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const std::size_t to = k + 1 < kept.size() ? kept[k + 1] : kept[0] + outline.size();
+    lines.push_back(fit_line(outline, kept[k], to));
   }
-  std::vector<bool> keep(outline.size(), false);
-  keep[0] = keep[opposite] = true;
-  keep_between(outline, 0, opposite, tolerance_m, keep);
-  keep_between(outline, opposite, outline.size(), tolerance_m, keep);
   Polygon out;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (keep[i]) out.push_back(outline[i]);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    out.push_back(
+        corner(lines[(k + kept.size() - 1) % kept.size()], lines[k], outline[kept[k]], tolerance_m));
   }
   const double before = std::abs(area_m2(outline));
-  const bool spoiled = out.size() < 3 || std::abs(std::abs(area_m2(out)) - before) > 0.25 * before;
+  const bool spoiled = std::abs(std::abs(area_m2(out)) - before) > 0.25 * before;
   return spoiled ? outline : out;
 }
 
@@ -155,7 +213,7 @@ std::vector<Contour> trace_contours(const Raster& solid, const Pieces& pieces, d
       if (!is_solid(solid, x, y) || is_solid(solid, x, y - 1)) continue;
       const Polygon outline = follow(solid, {x, y}, kEast, visited, stride);
       const std::uint32_t piece = solid.inside(x, y) ? pieces.label[solid.index(x, y)] : 0U;
-      contours.push_back({simplify(outline, tolerance_cells * solid.resolution_m), piece});
+      contours.push_back({straighten(outline, tolerance_cells * solid.resolution_m), piece});
     }
   }
   return contours;

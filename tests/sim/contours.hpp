@@ -28,7 +28,9 @@ Pieces label_pieces(const Raster& solid);
 /// those middles: walls at any angle become straight, not stairs. Beyond the raster all is solid.
 std::vector<Contour> trace_contours(const Raster& solid, const Pieces& pieces, double tolerance_cells);
 
-/// Douglas and Peucker 1973 for a closed line.
-Polygon simplify(const Polygon& outline, double tolerance_m);
+/// Splits a closed line where it leaves straight parts by more than the tolerance (Douglas and Peucker 1973),
+/// fits a line to every part and joins them again: right angles are sharp, slanted walls straight. Small
+/// outlines stay as they are.
+Polygon straighten(const Polygon& outline, double tolerance_m);
 
 }  // namespace topo::sim

@@ -178,9 +178,10 @@ z_max_m = 0.2
   // Transducer 3 looks 10 degrees to the left from (0.166, 0.027): the low box's front is at x = 4.9.
   EXPECT_NEAR(hear(3, {3.0, 3.0, 0.0}), 4.9 - 3.166, 0.03);
   EXPECT_NEAR(hear(0, {3.0, 3.0, 0.0}), 6.0 - 3.136, 0.01);  // to the left, the wall
-  EXPECT_EQ(hear(8, {3.0, 0.3, 0.0}), kSonarRangeMin_m);     // backwards right, nearly at the wall
-  const World empty =
-      scene("[[start]]\nx_m = 1.0\ny_m = 1.0\n[[wall]]\npoints_m = [[0.0, 0.0], [9.0, 0.0]]\n");
+  EXPECT_EQ(hear(8, {3.0, 0.27, 0.0}), kSonarRangeMin_m);    // backwards right, nearly at the wall
+  const World empty = scene(
+      "[[start]]\nx_m = 1.0\ny_m = 1.0\n[[wall]]\npoints_m = [[0.0, 0.0], [9.0, 0.0]]\n[[wall]]\npoints_m = "
+      "[[0.0, 20.0], [9.0, 20.0]]\n");
   EXPECT_EQ(measure_sonar(empty, model, {5.0, 6.0, 0.5 * kPi}, 3, SimTime{0}, Difficulty::none(), random,
                           kNoMovable)
                 .range_m,
