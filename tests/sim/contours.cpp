@@ -136,7 +136,7 @@ Vector2 corner(const Line& a, const Line& b, const Vector2& at, double tolerance
   if (std::abs(turn) > 0.2) {
     const Vector2 r = b.point - a.point;
     const Vector2 meet = a.point + a.direction * ((r.x() * b.direction.y() - r.y() * b.direction.x()) / turn);
-    if ((meet - at).norm() < 2.5 * tolerance_m) return meet;
+    if ((meet - at).norm() < 1.5 * tolerance_m) return meet;
   }
   const auto onto = [&at](const Line& l) {
     return Vector2(l.point + l.direction * l.direction.dot(at - l.point));

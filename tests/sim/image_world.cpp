@@ -24,7 +24,8 @@ constexpr double kFurnitureAcross_m = 1.0;
 constexpr double kFurnitureHeight_m = 0.8;
 constexpr double kWallHeight_m = 2.5;
 constexpr std::uint8_t kUnknown = 205;  // what map_saver writes
-constexpr double kStraighten_cells = 0.6;
+// The stairs of a slanted line are less than one cell deep.
+constexpr double kStraighten_cells = 1.0;
 
 struct MapFile {
   std::filesystem::path image;
