@@ -19,8 +19,8 @@ struct Odometry {
 
 /// One sonar echo, in the place of its transducer.
 struct SonarReading {
-  Stamp stamp{};        ///< of the packet that brought it; 0 = never heard
-  float range_m = 0.0F; ///< at or beyond the sensor's reach: nothing seen
+  Stamp stamp{};         ///< of the packet that brought it; 0 = never heard
+  float range_m = 0.0F;  ///< at or beyond the sensor's reach: nothing seen
 };
 
 /// Everything one status packet of the base says, in SI units.

@@ -10,16 +10,16 @@ namespace topo::types {
 
 /// Why an operation on the environment (device, file, configuration, wire) failed.
 enum class Errc {
-  kInvalidInput,      ///< what a person or file gave is wrong: the user's fault
-  kNotFound,          ///< no such file, device or host
-  kPermission,        ///< it is there, but not for us
-  kBusy,              ///< somebody else holds it
-  kTimeout,           ///< nothing came in time
-  kClosed,            ///< the peer or the device went away
-  kProtocol,          ///< bytes came that the protocol does not allow
-  kWrongDevice,       ///< a device answers, but not the one that was asked for
-  kUnsupported,       ///< understood and refused
-  kIo,                ///< any other failure of the operating system
+  kInvalidInput,  ///< what a person or file gave is wrong: the user's fault
+  kNotFound,      ///< no such file, device or host
+  kPermission,    ///< it is there, but not for us
+  kBusy,          ///< somebody else holds it
+  kTimeout,       ///< nothing came in time
+  kClosed,        ///< the peer or the device went away
+  kProtocol,      ///< bytes came that the protocol does not allow
+  kWrongDevice,   ///< a device answers, but not the one that was asked for
+  kUnsupported,   ///< understood and refused
+  kIo,            ///< any other failure of the operating system
 };
 
 /// An error that a person can act on: what was found, where, and what would be right.

@@ -14,9 +14,9 @@
 namespace topo::types {
 
 /// Ranges that are no distances (REP-117).
-inline constexpr float kNoReturn = std::numeric_limits<float>::infinity();    ///< nothing within the range
-inline constexpr float kTooNear = -std::numeric_limits<float>::infinity();    ///< something, below the minimum
-inline constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();    ///< measurement failed
+inline constexpr float kNoReturn = std::numeric_limits<float>::infinity();  ///< nothing within the range
+inline constexpr float kTooNear = -std::numeric_limits<float>::infinity();  ///< something, below the minimum
+inline constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();  ///< measurement failed
 
 /// True for a distance, false for kNoReturn, kTooNear and kInvalid.
 inline bool is_hit(float range_m) { return std::isfinite(range_m); }
@@ -44,8 +44,8 @@ struct Scan {  // NOLINT(cppcoreguidelines-pro-type-member-init)
   ScanGeometry geometry;
   std::uint16_t beams = 0;
   bool has_intensity = false;
-  std::array<float, kMaxBeams> range_m;           ///< distance, or one of the values above
-  std::array<std::uint16_t, kMaxBeams> intensity; ///< valid when has_intensity
+  std::array<float, kMaxBeams> range_m;            ///< distance, or one of the values above
+  std::array<std::uint16_t, kMaxBeams> intensity;  ///< valid when has_intensity
 
   [[nodiscard]] std::span<const float> ranges() const { return {range_m.data(), beams}; }
   [[nodiscard]] float angle_rad(std::size_t beam) const {
