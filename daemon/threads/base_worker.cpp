@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/base_worker.hpp"
+
+#include <cerrno>
+#include <ctime>
+
+#include "daemon/logging/event_catalogue.hpp"
+#include "daemon/threads/device_report.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+namespace {
+
+void sleep_until(types::Stamp deadline) {
+  const auto ns = deadline.time_since_epoch().count();
+  const timespec when{static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
+  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace
+
+BaseWorker::BaseWorker(HandOvers& hand_overs, const BaseSetup& setup,
+                       std::unique_ptr<pioneer::Session> session, Vitals& vitals)
+    : hand_overs_(hand_overs), session_(std::move(session)), vitals_(vitals), setup_(setup) {}
+
+void BaseWorker::run() noexcept {
+  Period period(io::monotonic_now() + kPeriod, kPeriod);
+  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+    const types::Stamp due = period.next();
+    serve_until(due);
+    const types::Stamp woken = io::monotonic_now();
+    vitals_.wake.record((woken - due).count());
+    decide();
+    report();
+    const types::Stamp done = io::monotonic_now();
+    vitals_.run.record((done - woken).count());
+    if (const std::uint64_t missed = period.advance(done); missed > 0) {
+      vitals_.add_overruns(missed);
+      post(vitals_.events, done.time_since_epoch().count(), EventId::kDeadlineMissed,
+           sync::Severity::kWarning, {(woken - due).count(), static_cast<std::int64_t>(missed)});
+    }
+    vitals_.beat();
+  }
+  session_->close(kCloseTime);
+  report();
+}
+
+void BaseWorker::serve_until(types::Stamp deadline) {
+  while (true) {
+    const types::Stamp now = io::monotonic_now();
+    if (now >= deadline) return;
+    switch (session_->step(incoming_, deadline - now)) {
+      case pioneer::StepOutcome::kState:
+        take_state();
+        break;
+      case pioneer::StepOutcome::kChanged:
+        break;
+      // Between attempts to connect a session has nothing to wait for.
+      case pioneer::StepOutcome::kNothing:
+        sleep_until(deadline);
+        return;
+    }
+  }
+}
+
+void BaseWorker::take_state() {
+  state_ = incoming_;
+  has_state_ = true;
+  if (types::Odometry* slot = hand_overs_.odometry.try_acquire(); slot != nullptr) {
+    *slot = state_.odometry;
+    hand_overs_.odometry.commit();
+    hand_overs_.mapping_wakeup.post();
+  }
+}
+
+BaseInput BaseWorker::gather() {
+  BaseInput input;
+  input.now = io::monotonic_now();
+  input.estop = hand_overs_.estop.load(std::memory_order_acquire);
+  const std::uint64_t clears = hand_overs_.estop_clears.load(std::memory_order_acquire);
+  input.estop_cleared = clears != clears_seen_;
+  clears_seen_ = clears;
+  input.drive = hand_overs_.drive.read();
+  input.front = hand_overs_.front.to_base.read();
+  const bool ready = session_->health() == pioneer::Health::kReady;
+  input.state = ready && has_state_ ? &state_ : nullptr;
+  if (const auto& info = session_->info(); info) {
+    input.firmware_watchdog = std::chrono::milliseconds(info->watchdog_ms);
+    input.T_base_sonar = {info->T_base_sonar.data(), info->sonars};
+  }
+  return input;
+}
+
+void BaseWorker::decide() {
+  decision_ = base_step(memory_, setup_, gather());
+  // A command that does not go out shows in the session's health, and without it the session stops the base.
+  if (session_->health() == pioneer::Health::kReady) (void)session_->command(decision_.command);
+}
+
+void BaseWorker::report() {
+  fill_report(hand_overs_.base_device.writable(), *session_);
+  hand_overs_.base_device.publish();
+  BaseReport& report = hand_overs_.base_report.writable();
+  report.state = state_;
+  report.reason = decision_.reason;
+  report.ready = session_->health() == pioneer::Health::kReady;
+  report.wanted = decision_.wanted;
+  report.estop_latched = memory_.gate.estop_latched;
+  report.commanded = decision_.command.twist;
+  report.free_distance_m = decision_.free_distance_m;
+  hand_overs_.base_report.publish();
+}
+
+}  // namespace topo::daemon

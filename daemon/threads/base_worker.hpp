@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "daemon/threads/base_step.hpp"
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
+#include "drivers/pioneer/session.hpp"
+
+namespace topo::daemon {
+
+/// The base thread: sole user of the robot's connection. Reads status packets as they come, and at every
+/// whole 50 ms decides and sends one command. Allocates nothing while the session streams.
+class BaseWorker {
+ public:
+  static constexpr types::Duration kPeriod = std::chrono::milliseconds(50);
+  static constexpr types::Duration kCloseTime = std::chrono::milliseconds(800);
+
+  BaseWorker(HandOvers& hand_overs, const BaseSetup& setup, std::unique_ptr<pioneer::Session> session,
+             Vitals& vitals);
+
+  /// The thread's body: until hand_overs.stopping, then the controlled close.
+  void run() noexcept;
+
+ private:
+  void serve_until(types::Stamp deadline);
+  void take_state();
+  void decide();
+  [[nodiscard]] BaseInput gather();
+  void report();
+
+  HandOvers& hand_overs_;
+  std::unique_ptr<pioneer::Session> session_;
+  Vitals& vitals_;
+  types::BaseState incoming_, state_;
+  bool has_state_ = false;
+  BaseSetup setup_;
+  BaseMemory memory_;
+  BaseDecision decision_;
+  std::uint64_t clears_seen_ = 0;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
+
+namespace topo::daemon {
+
+/// The loop closure thread: answers the mapping thread's questions one by one. Slow means later, never
+/// blocking.
+class ClosureWorker {
+ public:
+  ClosureWorker(HandOvers& hand_overs, Vitals& vitals) : hand_overs_(hand_overs), vitals_(vitals) {}
+
+  /// The thread's body: until hand_overs.stopping.
+  void run() noexcept;
+
+ private:
+  void answer(const slam::LoopQuery& query);
+
+  HandOvers& hand_overs_;
+  Vitals& vitals_;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "core/motion/velocity_gate.hpp"
+#include "core/pipeline/map_snapshot.hpp"
+#include "core/slam/loop_closure.hpp"
+#include "core/sync/latest.hpp"
+#include "core/sync/ring.hpp"
+#include "core/sync/snapshot_cell.hpp"
+#include "core/types/base_state.hpp"
+#include "core/types/scan.hpp"
+#include "daemon/threads/fixed_text.hpp"
+#include "daemon/threads/wakeup.hpp"
+
+namespace topo::daemon {
+
+/// What a device's thread tells main of it.
+struct DeviceReport {
+  FixedText<24> state;      ///< "streaming"
+  FixedText<240> message;   ///< one sentence for a person
+  FixedText<120> identity;  ///< model, serial number, firmware
+  bool working = false;
+  std::array<std::uint64_t, 6> counters{};  ///< as the driver's Counters
+};
+
+/// What the operator wants the base to do.
+struct DriveCommand {
+  types::Stamp stamp{};
+  types::Twist2 twist;
+};
+
+struct BaseReport {
+  types::BaseState state;
+  motion::GateReason reason = motion::GateReason::kStaleStatus;
+  bool ready = false;          ///< the session takes commands
+  bool wanted = false;         ///< somebody wants the base to move
+  bool estop_latched = false;  ///< by the operator or the stop button
+  types::Twist2 commanded;
+  double free_distance_m = 0.0;
+};
+
+struct MappingReport {
+  std::uint64_t revision = 0;
+  std::uint64_t keyframes = 0;
+  std::uint64_t matched = 0;
+  std::uint64_t lost = 0;     ///< scans that matched nothing
+  std::uint64_t skipped = 0;  ///< scans left out because of a backlog
+  std::uint64_t closures_accepted = 0;
+  std::uint64_t closures_rejected = 0;
+  double response = 0.0;
+  types::Se2 T_map_base;
+};
+
+inline constexpr std::size_t kScanRing = 32;  ///< 0.8 s at 40 Hz
+inline constexpr std::size_t kOdometryRing = 64;
+inline constexpr std::size_t kSnapshotReaders = 2;
+inline constexpr std::size_t kFilesReader = 0;
+
+using MapSnapshots = sync::SnapshotCell<pipeline::MapSnapshot, kSnapshotReaders>;
+
+/// One scanner's way out.
+struct ScanHandOver {
+  sync::Ring<types::Scan, kScanRing> to_mapping;
+  sync::Latest<types::Scan> to_base;  ///< the front scanner's only
+  sync::Latest<DeviceReport> report;
+};
+
+/// Everything that goes from one thread to another (DESIGN section 2). Large: for the heap.
+struct HandOvers {
+  std::atomic<bool> stopping{false};  ///< every thread ends soon after
+
+  ScanHandOver front, coronal;
+
+  // Main to base. The e-stop is one word, so that nothing can be in its way.
+  std::atomic<bool> estop{false};
+  std::atomic<std::uint64_t> estop_clears{0};  ///< how often the operator cleared it
+  sync::Latest<DriveCommand> drive;
+
+  // Base to mapping and main.
+  sync::Ring<types::Odometry, kOdometryRing> odometry;
+  sync::Latest<DeviceReport> base_device;
+  sync::Latest<BaseReport> base_report;
+
+  // Mapping.
+  Wakeup mapping_wakeup;
+  sync::Latest<MappingReport> mapping_report;
+  /// Made before the threads start, ended by the mapping thread, which alone may destroy snapshots.
+  std::unique_ptr<MapSnapshots> map = std::make_unique<MapSnapshots>();
+
+  // Mapping to loop closure and back.
+  Wakeup closure_wakeup;
+  sync::Ring<slam::LoopQuery, 4> loop_queries;
+  sync::Ring<slam::LoopAnswer, 8> loop_answers;
+};
+
+}  // namespace topo::daemon

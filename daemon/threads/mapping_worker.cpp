@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/mapping_worker.hpp"
+
+#include <utility>
+
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+
+MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, Vitals& vitals)
+    : hand_overs_(hand_overs), params_(params), vitals_(vitals) {
+  odometry_.reserve(kOdometryRing);
+}
+
+void MappingWorker::run() noexcept {
+  {
+    pipeline::MappingState state(params_);
+    publish(state);
+    while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+      hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
+      serve(state);
+      hand_overs_.mapping_report.store(report_);
+      vitals_.beat();
+    }
+    hand_overs_.map.reset();  // snapshots hold nodes of the state's arenas
+  }
+}
+
+void MappingWorker::serve(pipeline::MappingState& state) {
+  take_answers(state);
+  skip_backlog(hand_overs_.front.to_mapping);
+  skip_backlog(hand_overs_.coronal.to_mapping);
+  do {
+    take_odometry();
+  } while (step(state) && !hand_overs_.stopping.load(std::memory_order_acquire));
+}
+
+void MappingWorker::take_answers(pipeline::MappingState& state) {
+  for (auto* answer = hand_overs_.loop_answers.front(); answer != nullptr;
+       answer = hand_overs_.loop_answers.front()) {
+    state.offer(*answer);
+    hand_overs_.loop_answers.pop();
+  }
+}
+
+void MappingWorker::take_odometry() {
+  odometry_.clear();
+  for (auto* o = hand_overs_.odometry.front(); o != nullptr && odometry_.size() < kOdometryRing;
+       o = hand_overs_.odometry.front()) {
+    odometry_.push_back(*o);
+    hand_overs_.odometry.pop();
+  }
+}
+
+/// One step with what is oldest; false when nothing was there.
+bool MappingWorker::step(pipeline::MappingState& state) {
+  auto& front_ring = hand_overs_.front.to_mapping;
+  auto& coronal_ring = hand_overs_.coronal.to_mapping;
+  pipeline::MappingInput input;
+  input.odometry = odometry_;
+  input.front = front_ring.front();
+  input.coronal = coronal_ring.front();
+  if (odometry_.empty() && input.front == nullptr && input.coronal == nullptr) return false;
+  const types::Stamp begin = io::monotonic_now();
+  if (input.front != nullptr) vitals_.wake.record((begin - input.front->arrival).count());
+  auto output = pipeline::mapping_step(state, input);
+  if (input.front != nullptr) front_ring.pop();
+  if (input.coronal != nullptr) coronal_ring.pop();
+  use(state, output);
+  if (!output.matches.empty()) vitals_.run.record((io::monotonic_now() - begin).count());
+  return true;
+}
+
+void MappingWorker::skip_backlog(sync::Ring<types::Scan, kScanRing>& ring) {
+  if (ring.size() > kBacklog) report_.skipped += ring.skip_to_newest();
+}
+
+void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& output) {
+  for (const slam::MatchReport& match : output.matches) {
+    ++(match.matched ? report_.matched : report_.lost);
+    report_.response = match.match.response;
+    report_.T_map_base = match.T_map_base;
+  }
+  for (const slam::LoopVerdict& verdict : output.loop_verdicts) {
+    report_.closures_accepted += static_cast<std::uint64_t>(verdict.accepted);
+    report_.closures_rejected += static_cast<std::uint64_t>(verdict.rejected);
+  }
+  if (output.keyframe_added) publish(state);
+  for (slam::LoopQuery& query : output.loop_queries) ask(std::move(query));
+}
+
+void MappingWorker::ask(slam::LoopQuery query) {
+  // Full: the search is slow, and this question is left out and counted there; the next keyframe asks again.
+  slam::LoopQuery* slot = hand_overs_.loop_queries.try_acquire();
+  if (slot == nullptr) return;
+  *slot = std::move(query);
+  hand_overs_.loop_queries.commit();
+  hand_overs_.closure_wakeup.post();
+}
+
+void MappingWorker::publish(pipeline::MappingState& state) {
+  std::unique_ptr<const pipeline::MapSnapshot> snapshot = state.make_snapshot();
+  report_.revision = snapshot->revision;
+  report_.keyframes = snapshot->keyframes.size();
+  hand_overs_.map->publish(std::move(snapshot));
+}
+
+}  // namespace topo::daemon

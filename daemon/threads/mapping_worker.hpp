@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/pipeline/mapping_step.hpp"
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
+
+namespace topo::daemon {
+
+/// The mapping thread: sole writer of keyframes, grid, wall store and snapshots, and the one that builds and
+/// frees all their nodes, which belong to the thread that made them.
+class MappingWorker {
+ public:
+  /// Scans waiting beyond this are left out, but for the newest.
+  static constexpr std::size_t kBacklog = 12;
+
+  MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, Vitals& vitals);
+
+  /// The thread's body: until hand_overs.stopping. Ends the map cell, so that the readers must be gone by
+  /// then.
+  void run() noexcept;
+
+ private:
+  void serve(pipeline::MappingState& state);
+  void take_answers(pipeline::MappingState& state);
+  void take_odometry();
+  bool step(pipeline::MappingState& state);
+  void skip_backlog(sync::Ring<types::Scan, kScanRing>& ring);
+  void use(pipeline::MappingState& state, pipeline::MappingOutput& output);
+  void ask(slam::LoopQuery query);
+  void publish(pipeline::MappingState& state);
+
+  HandOvers& hand_overs_;
+  slam::MapperParams params_;
+  Vitals& vitals_;
+  std::vector<types::Odometry> odometry_;
+  MappingReport report_;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/scan_worker.hpp"
+
+#include <thread>
+
+#include "daemon/logging/event_catalogue.hpp"
+#include "daemon/threads/device_report.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+
+ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool for_base,
+                       std::unique_ptr<hokuyo::Session> session, Vitals& vitals)
+    : hand_overs_(hand_overs),
+      out_(out),
+      for_base_(for_base),
+      session_(std::move(session)),
+      vitals_(vitals) {}
+
+void ScanWorker::run() noexcept {
+  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+    const types::Stamp begin = io::monotonic_now();
+    const hokuyo::StepOutcome outcome = step();
+    const types::Stamp end = io::monotonic_now();
+    vitals_.beat();
+    if (outcome == hokuyo::StepOutcome::kChanged || end >= next_report_) report();
+    // Between attempts to connect a session has nothing to wait for; a real-time thread must not spin.
+    if (outcome == hokuyo::StepOutcome::kNothing && end - begin < kTimeout / 10) {
+      std::this_thread::sleep_for(kTimeout / 10);
+    }
+  }
+  session_->close(kCloseTime);
+  report();
+}
+
+hokuyo::StepOutcome ScanWorker::step() {
+  // With the ring full (counted there) the sensor is still read, so that the base sees and the line stays
+  // clean.
+  types::Scan* slot = out_.to_mapping.try_acquire();
+  types::Scan& scan = slot != nullptr ? *slot : *spare_;
+  note_ring_full(slot == nullptr);
+  const hokuyo::StepOutcome outcome = session_->step(scan, kTimeout);
+  if (outcome != hokuyo::StepOutcome::kScan) return outcome;
+  const types::Stamp woken = io::monotonic_now();
+  vitals_.wake.record((woken - scan.arrival).count());
+  if (for_base_) out_.to_base.store(scan);
+  if (slot != nullptr) {
+    out_.to_mapping.commit();
+    hand_overs_.mapping_wakeup.post();
+  }
+  vitals_.run.record((io::monotonic_now() - woken).count());
+  return outcome;
+}
+
+void ScanWorker::note_ring_full(bool full) {
+  if (full && !ring_full_) {
+    post(vitals_.events, io::monotonic_now().time_since_epoch().count(), EventId::kScanRingFull,
+         sync::Severity::kWarning, {static_cast<std::int64_t>(out_.to_mapping.rejected())}, vitals_.name);
+  }
+  ring_full_ = full;
+}
+
+void ScanWorker::report() {
+  fill_report(out_.report.writable(), *session_);
+  out_.report.publish();
+  next_report_ = io::monotonic_now() + std::chrono::milliseconds(200);
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
+#include "drivers/hokuyo/session.hpp"
+
+namespace topo::daemon {
+
+/// A scan thread: sole user of one scanner. Scans are decoded into the ring's slot. Allocates nothing while
+/// the session streams.
+class ScanWorker {
+ public:
+  static constexpr types::Duration kTimeout = std::chrono::milliseconds(100);
+  static constexpr types::Duration kCloseTime = std::chrono::milliseconds(500);
+
+  /// `for_base`: the base thread stops by this scanner, and gets every newest scan.
+  ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool for_base,
+             std::unique_ptr<hokuyo::Session> session, Vitals& vitals);
+
+  /// The thread's body: until hand_overs.stopping, then the laser is switched off.
+  void run() noexcept;
+
+ private:
+  hokuyo::StepOutcome step();
+  void note_ring_full(bool full);
+  void report();
+
+  HandOvers& hand_overs_;
+  ScanHandOver& out_;
+  bool for_base_;
+  std::unique_ptr<hokuyo::Session> session_;
+  Vitals& vitals_;
+  std::unique_ptr<types::Scan> spare_ = std::make_unique<types::Scan>();  ///< while the ring is full
+  bool ring_full_ = false;
+  types::Stamp next_report_{};
+};
+
+}  // namespace topo::daemon
