@@ -73,7 +73,7 @@ struct RealtimeConfig {
 };
 
 struct RecordConfig {
-  std::string file;  ///< empty: no recording
+  std::string folder;  ///< empty: no recording
 };
 
 struct Configuration {

@@ -123,10 +123,6 @@ void check_the_rest(LoadedConfiguration& loaded) {
                fmt::format("found {} and {}, floor must be below ceiling", heights.height_min_m,
                            heights.height_max_m));
   }
-  const std::string& log = loaded.values.log.file;
-  if (!log.empty() && log == loaded.values.record.file) {
-    contradict(loaded, "log.file", "record.file", fmt::format("both are \"{}\"", log));
-  }
 }
 
 }  // namespace

@@ -194,9 +194,10 @@ void add_realtime_and_record(std::vector<KeySpec>& t) {
                "CPUs that the real-time threads run on; []: any"});
   t.push_back({"realtime.lock_memory", "", false, SwitchKey{&at<kS, &C::lock_memory>},
                "lock memory, so that a page fault never delays a real-time thread"});
-  t.push_back({"record.file", "", false,
-               TextKey{&at<&Configuration::record, &RecordConfig::file>, kPathForm, &is_optional_path},
-               "record every byte from the devices into this file; --record goes before"});
+  t.push_back({"record.folder", "", false,
+               TextKey{&at<&Configuration::record, &RecordConfig::folder>,
+                       "an absolute path of a folder, or \"\" for none", &is_optional_path},
+               "every start records all bytes from the devices into a new file here; --record goes before"});
 }
 
 std::vector<KeySpec> make_table() {

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "daemon/app/map_saver.hpp"
+#include "daemon/app/monitor.hpp"
+#include "daemon/app/workers.hpp"
+#include "daemon/control/methods.hpp"
+#include "daemon/logging/event_log.hpp"
+
+namespace topo::daemon {
+
+struct AppOptions {
+  Configuration configuration;
+  std::string effective_configuration;  ///< for the `config` method
+  ListeningSocket socket;               ///< of configuration.control.socket
+  ConnectorFactory connectors;
+  std::function<void()> on_stopping;  ///< called when the stop begins; may be empty
+};
+
+/// The daemon: every part made in the order of dependency, and the loop of the main thread. Its members are
+/// in that order, so that they go in the opposite one.
+class App final : public Operations {
+ public:
+  /// Makes all parts; starts no thread and touches no device.
+  static types::Result<std::unique_ptr<App>> make(AppOptions options);
+  ~App() override;
+
+  /// Starts the threads and serves until SIGTERM, SIGINT or request_stop(); then stops in order: the robot
+  /// stands and the lasers are off when this returns. Precondition: SIGTERM and SIGINT are blocked in every
+  /// thread, see block_signals().
+  types::Status run();
+
+  /// Any thread.
+  void request_stop() { stop_requested_.post(); }
+
+  [[nodiscard]] Json status() const override { return monitor_->status(); }
+  [[nodiscard]] Json health() const override { return monitor_->health(); }
+  [[nodiscard]] Json latency() const override { return monitor_->latency(); }
+  [[nodiscard]] Json config() const override { return Json{{"text", options_.effective_configuration}}; }
+  void estop() override;
+  types::Status clear_estop() override;
+  types::Status drive(const types::Twist2& twist) override;
+  void stop() override;
+  void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) override;
+  types::Status set_log_level(const std::string& level) override;
+
+ private:
+  explicit App(AppOptions options) : options_(std::move(options)) {}
+  types::Status prepare();
+  types::Status serve_control();
+  types::Status add_events();
+  types::Status enter_real_time();
+  void tick();
+  static int on_tick(sd_event_source* source, std::uint64_t usec, void* app);
+
+  struct EventDeleter {
+    void operator()(sd_event* event) const { sd_event_unref(event); }
+  };
+
+  AppOptions options_;
+  Wakeup stop_requested_;
+  std::unique_ptr<sd_event, EventDeleter> event_;
+  std::unique_ptr<HandOvers> hand_overs_;
+  std::unique_ptr<Workers> workers_;
+  std::unique_ptr<EventLog> events_;
+  std::unique_ptr<Monitor> monitor_;
+  std::unique_ptr<MapSaver> saver_;
+  std::unique_ptr<Methods> methods_;
+  std::unique_ptr<ControlServer> control_;
+  EventSource tick_, saved_, stop_source_, sigterm_, sigint_;
+};
+
+/// Blocks SIGTERM and SIGINT, which the main loop then reads, and ignores SIGPIPE. Before any thread is
+/// started.
+void block_signals();
+
+}  // namespace topo::daemon

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/monitor.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace topo::daemon {
+namespace {
+
+// Longer than anything that a healthy thread waits for or computes at a stretch.
+constexpr types::Duration kStuckAfter = std::chrono::milliseconds(1500);
+
+/// What the base does, for people.
+std::string_view state_text(const BaseReport& base) {
+  if (base.estop_latched) return motion::to_text(motion::GateReason::kEmergencyStop);
+  if (!base.ready) return "base not connected";
+  if (!base.wanted) return "standing";
+  const bool as_asked =
+      base.reason == motion::GateReason::kFree || base.reason == motion::GateReason::kLimited;
+  return as_asked ? "driving" : motion::to_text(base.reason);
+}
+
+Json pose_json(const types::Se2& pose) {
+  return {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"theta_rad", pose.theta_rad}};
+}
+
+Json histogram_json(const sync::Histogram& histogram) {
+  constexpr double kMs = 1e-6;
+  const auto s = histogram.summary();
+  return {{"count", s.count},
+          {"mean_ms", s.mean_ns * kMs},
+          {"p50_ms", static_cast<double>(s.p50_ns) * kMs},
+          {"p99_ms", static_cast<double>(s.p99_ns) * kMs},
+          {"p999_ms", static_cast<double>(s.p999_ns) * kMs},
+          {"max_ms", static_cast<double>(s.max_ns) * kMs}};
+}
+
+}  // namespace
+
+Monitor::Monitor(const Configuration& configuration, HandOvers& hand_overs, const Workers& workers)
+    : configuration_(configuration), hand_overs_(hand_overs), workers_(workers) {
+  devices_.push_back({"base", &hand_overs.base_device, {}});
+  devices_.push_back({"front", &hand_overs.front.report, {}});
+  if (configuration.coronal.present) devices_.push_back({"coronal", &hand_overs.coronal.report, {}});
+  for (const Vitals* vitals : workers.vital()) pulses_.push_back({vitals, 0, {}});
+}
+
+void Monitor::update(types::Stamp now) {
+  update_devices();
+  if (const auto* report = hand_overs_.base_report.take_new(); report != nullptr) {
+    if (state_text(*report) != state_text(base_)) spdlog::info("base: {}", state_text(*report));
+    base_ = *report;
+  }
+  if (const auto* report = hand_overs_.mapping_report.take_new(); report != nullptr) mapping_ = *report;
+  update_pulses(now);
+}
+
+void Monitor::update_devices() {
+  for (Device& device : devices_) {
+    const DeviceReport* report = device.source->take_new();
+    if (report == nullptr) continue;
+    const bool changed = report->state.view() != device.report.state.view() ||
+                         report->message.view() != device.report.message.view();
+    if (changed && !report->message.view().empty()) {
+      spdlog::log(report->working ? spdlog::level::info : spdlog::level::warn, "{}: {}: {}", device.name,
+                  report->state.view(), report->message.view());
+    }
+    device.report = *report;
+  }
+}
+
+void Monitor::update_pulses(types::Stamp now) {
+  std::vector<std::string_view> stuck;
+  for (Pulse& pulse : pulses_) {
+    const std::uint64_t beats = pulse.vitals->beats.load(std::memory_order_relaxed);
+    if (beats != pulse.beats || pulse.changed == types::Stamp{}) {
+      pulse.beats = beats;
+      pulse.changed = now;
+    }
+    if (now - pulse.changed > kStuckAfter) stuck.push_back(pulse.vitals->name);
+  }
+  if (stuck != stuck_ && !stuck.empty())
+    spdlog::error("threads that do not advance: {}", fmt::join(stuck, ", "));
+  stuck_ = std::move(stuck);
+}
+
+std::string Monitor::summary() const {
+  return fmt::format("{}; {} keyframes, map revision {}", state_text(base_), mapping_.keyframes,
+                     mapping_.revision);
+}
+
+Json Monitor::status() const {
+  return {{"robot", configuration_.robot.name},
+          {"model", model_name(configuration_.robot.model)},
+          {"state", state_text(base_)},
+          {"estop", base_.estop_latched || hand_overs_.estop.load(std::memory_order_acquire)},
+          {"free_distance_m", base_.free_distance_m},
+          {"pose", pose_json(mapping_.T_map_base)},
+          {"odometry", pose_json(base_.state.odometry.T_odom_base.se2())},
+          {"twist",
+           {{"v_mps", base_.state.odometry.twist.v_mps},
+            {"omega_radps", base_.state.odometry.twist.omega_radps}}},
+          {"commanded", {{"v_mps", base_.commanded.v_mps}, {"omega_radps", base_.commanded.omega_radps}}},
+          {"battery_v", base_.state.battery_v},
+          {"motors_enabled", base_.state.motors_enabled},
+          {"stall", base_.state.stall_left || base_.state.stall_right},
+          {"bumpers", {{"front", base_.state.bumpers_front}, {"rear", base_.state.bumpers_rear}}},
+          {"map", map()},
+          {"devices", devices()}};
+}
+
+Json Monitor::map() const {
+  return {
+      {"revision", mapping_.revision},
+      {"keyframes", mapping_.keyframes},
+      {"scans_matched", mapping_.matched},
+      {"scans_lost", mapping_.lost},
+      {"scans_skipped", mapping_.skipped},
+      {"scans_rejected", hand_overs_.front.to_mapping.rejected() + hand_overs_.coronal.to_mapping.rejected()},
+      {"odometry_rejected", hand_overs_.odometry.rejected()},
+      {"closures", {{"accepted", mapping_.closures_accepted}, {"rejected", mapping_.closures_rejected}}},
+      {"response", mapping_.response}};
+}
+
+Json Monitor::devices() const {
+  Json json = Json::object();
+  for (const Device& device : devices_) {
+    const auto& c = device.report.counters;
+    Json counters = device.name == "base"
+                        ? Json{{"status_packets", c[0]}, {"bad_packets", c[1]}, {"lost_packets", c[2]},
+                               {"reconnects", c[3]},     {"commands", c[4]},    {"bytes", c[5]}}
+                        : Json{{"scans", c[0]},      {"checksum_errors", c[1]}, {"resyncs", c[2]},
+                               {"reconnects", c[3]}, {"lost_scans", c[4]},      {"bytes", c[5]}};
+    json[std::string(device.name)] = {{"state", device.report.state.view()},
+                                      {"message", device.report.message.view()},
+                                      {"identity", device.report.identity.view()},
+                                      {"working", device.report.working},
+                                      {"counters", std::move(counters)}};
+  }
+  return json;
+}
+
+Json Monitor::health() const {
+  Json faults = Json::array();
+  for (const auto name : stuck_) faults.push_back(fmt::format("thread {} does not advance", name));
+  for (const Device& device : devices_) {
+    if (device.report.working) continue;
+    faults.push_back(
+        fmt::format("{}: {}: {}", device.name, device.report.state.view(), device.report.message.view()));
+  }
+  const bool healthy = faults.empty();
+  return {{"healthy", healthy}, {"alive", alive()}, {"faults", std::move(faults)}};
+}
+
+Json Monitor::latency() const {
+  Json json = Json::object();
+  for (const Vitals* vitals : workers_.all()) {
+    json[std::string(vitals->name)] = {{"wake", histogram_json(vitals->wake)},
+                                       {"run", histogram_json(vitals->run)},
+                                       {"overruns", vitals->overruns.load(std::memory_order_relaxed)}};
+  }
+  return json;
+}
+
+}  // namespace topo::daemon

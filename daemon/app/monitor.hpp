@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "daemon/app/workers.hpp"
+#include "daemon/control/json_rpc.hpp"
+
+namespace topo::daemon {
+
+/// What main knows of the other threads: the newest of every report, and whether the threads advance. Main
+/// only.
+class Monitor {
+ public:
+  Monitor(const Configuration& configuration, HandOvers& hand_overs, const Workers& workers);
+
+  /// Takes what is new; to be called every now and then. Logs every change of a device's state once.
+  void update(types::Stamp now);
+
+  /// Every vital thread advanced lately: what the service manager's watchdog is fed by.
+  [[nodiscard]] bool alive() const { return stuck_.empty(); }
+  [[nodiscard]] const BaseReport& base() const { return base_; }
+  /// One line for the service manager.
+  [[nodiscard]] std::string summary() const;
+
+  [[nodiscard]] Json status() const;
+  [[nodiscard]] Json health() const;
+  [[nodiscard]] Json latency() const;
+
+ private:
+  struct Device {
+    std::string_view name;
+    sync::Latest<DeviceReport>* source;
+    DeviceReport report;
+  };
+  struct Pulse {
+    const Vitals* vitals;
+    std::uint64_t beats = 0;
+    types::Stamp changed{};
+  };
+  void update_devices();
+  void update_pulses(types::Stamp now);
+  [[nodiscard]] Json devices() const;
+  [[nodiscard]] Json map() const;
+
+  const Configuration& configuration_;
+  HandOvers& hand_overs_;
+  const Workers& workers_;
+  std::vector<Device> devices_;
+  std::vector<Pulse> pulses_;
+  std::vector<std::string_view> stuck_;
+  BaseReport base_;
+  MappingReport mapping_;
+};
+
+}  // namespace topo::daemon

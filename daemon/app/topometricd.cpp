@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <ctime>
+
+#include "daemon/app/app.hpp"
+#include "daemon/app/device_connectors.hpp"
+#include "daemon/app/logging.hpp"
+#include "daemon/app/version.hpp"
+#include "daemon/config/load.hpp"
+
+namespace topo::daemon {
+namespace {
+
+// Exit statuses, as in topometricd(8).
+constexpr int kOk = 0;
+constexpr int kFailed = 1;
+constexpr int kUsersFault = 2;
+
+// Stopping is bounded by the devices' closing times; should one hang nevertheless, the kernel ends us, and
+// the robot's own watchdog has stopped the wheels by then.
+constexpr unsigned kStopLimit_s = 6;
+
+struct Arguments {
+  std::string config, check, record, replay;
+  bool print = false;
+};
+
+int complain(const types::Error& error) {
+  fmt::print(stderr, "topometricd: {}\n", error.message);
+  const bool user = error.code == types::Errc::kInvalidInput || error.code == types::Errc::kNotFound;
+  return user ? kUsersFault : kFailed;
+}
+
+/// Reads a configuration; prints its faults and gives the exit status when it has any.
+int load(const std::string& file, LoadedConfiguration& loaded) {
+  auto read = load_configuration(file);
+  if (!read) {
+    fmt::print(stderr, "topometricd: {}\n", read.error().message);
+    return kUsersFault;
+  }
+  loaded = std::move(*read);
+  if (loaded.faults.empty()) return kOk;
+  fmt::print(stderr, "{}", faults_text(loaded));
+  return kUsersFault;
+}
+
+/// Where to record: the command line's file, or a new one in the configured folder. Empty: nowhere.
+std::string recording_path(const LoadedConfiguration& loaded, const Arguments& arguments) {
+  if (!arguments.record.empty() || !arguments.replay.empty()) return arguments.record;
+  const std::string& folder = loaded.values.record.folder;
+  if (folder.empty()) return {};
+  return fmt::format("{}/{}-{:%Y%m%dT%H%M%S}Z.rec", folder, loaded.values.robot.name,
+                     fmt::gmtime(std::time(nullptr)));
+}
+
+types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file) {
+  if (file.empty()) return std::unique_ptr<Recorder>();
+  RecorderOptions options;
+  options.path = file;
+  options.channels = {"base", "front", "coronal"};
+  return Recorder::start(std::move(options));
+}
+
+int serve(const LoadedConfiguration& loaded, const Arguments& arguments) {
+  if (auto logging = start_logging(loaded.values.log); !logging) return complain(logging.error());
+  std::shared_ptr<Replay> replay;
+  if (!arguments.replay.empty()) {
+    auto opened = Replay::open(arguments.replay);
+    if (!opened) return complain(opened.error());
+    replay = std::move(*opened);
+  }
+  block_signals();
+  // Before a recording is begun: another daemon of this robot may be writing it.
+  auto socket = ListeningSocket::open(loaded.values.control.socket);
+  if (!socket) return complain(socket.error());
+  auto recorder = start_recorder(recording_path(loaded, arguments));
+  if (!recorder) return complain(recorder.error());
+  AppOptions options{loaded.values, effective_text(loaded), std::move(*socket),
+                     replay != nullptr ? replay_connectors(replay) : device_connectors(recorder->get()),
+                     [] { ::alarm(kStopLimit_s); }};
+  auto app = App::make(std::move(options));
+  if (!app) return complain(app.error());
+  const auto ran = (*app)->run();
+  app->reset();
+  if (*recorder != nullptr) {
+    if (auto stopped = (*recorder)->stop(); !stopped) return complain(stopped.error());
+  }
+  return ran ? kOk : complain(ran.error());
+}
+
+int start(int argc, char** argv) {
+  CLI::App cli(
+      "Topometric's daemon: drives a Pioneer with Hokuyo scanners and maps what it sees.\n"
+      "Exit status: 0 stopped in order, 1 failed, 2 wrong configuration or command line.");
+  Arguments arguments;
+  bool version = false;
+  cli.add_option("--config", arguments.config, "configuration file (see /usr/share/doc/topometric)");
+  cli.add_option("--check-config", arguments.check,
+                 "check a configuration file, print all its faults and exit");
+  cli.add_flag("--print-config", arguments.print, "print every effective value with its origin and exit");
+  auto* record =
+      cli.add_option("--record", arguments.record, "record every byte from and to the devices into FILE");
+  cli.add_option("--replay", arguments.replay, "play a recording in place of the devices")->excludes(record);
+  cli.add_flag("--version", version, "print the version and exit");
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? kOk : kUsersFault;
+  }
+  if (version) {
+    fmt::print("topometricd {}\n", kVersion);
+    return kOk;
+  }
+  LoadedConfiguration loaded;
+  if (!arguments.check.empty()) {
+    const int status = load(arguments.check, loaded);
+    if (status == kOk && arguments.print) fmt::print("{}", effective_text(loaded));
+    if (status == kOk && !arguments.print) fmt::print("{}: no faults\n", arguments.check);
+    return status;
+  }
+  if (arguments.config.empty()) {
+    fmt::print(stderr, "topometricd: --config FILE is missing (--help tells more)\n");
+    return kUsersFault;
+  }
+  if (const int status = load(arguments.config, loaded); status != kOk) return status;
+  if (arguments.print) {
+    fmt::print("{}", effective_text(loaded));
+    return kOk;
+  }
+  return serve(loaded, arguments);
+}
+
+}  // namespace
+}  // namespace topo::daemon
+
+int main(int argc, char** argv) { return topo::daemon::start(argc, argv); }

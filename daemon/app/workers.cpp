@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/workers.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using types::Result;
+using types::Status;
+
+hokuyo::SessionConfig session_config(const std::string& name, const ScannerConfig& scanner) {
+  hokuyo::SessionConfig config;
+  config.name = name;
+  config.serial_number = scanner.serial_number;
+  config.intensity = scanner.intensity;
+  config.skip_scans = scanner.skip_scans;
+  config.stamp_offset_s = scanner.stamp_offset_s;
+  return config;
+}
+
+pioneer::SessionConfig session_config(const Configuration& configuration) {
+  const BaseConfig& base = configuration.base;
+  pioneer::SessionConfig config;
+  config.expected_subclass = configuration.robot.model == RobotModel::kP3at ? "p3at-sh" : "p3dx-sh";
+  config.v_max_mps = base.v_max_mps;
+  config.omega_max_radps = base.omega_max_radps;
+  config.acceleration_mps2 = base.acceleration_mps2;
+  config.deceleration_mps2 = base.deceleration_mps2;
+  config.angular_acceleration_radps2 = base.angular_acceleration_radps2;
+  config.sonar = base.sonar;
+  return config;
+}
+
+BaseSetup base_setup(const Configuration& configuration) {
+  const ModelLimits model = model_limits(configuration.robot.model);
+  const RobotConfig& robot = configuration.robot;
+  const BaseConfig& base = configuration.base;
+  const auto or_model = [](double own, double models) { return own > 0.0 ? own : models; };
+  BaseSetup setup;
+  setup.limits.v_max_mps = base.v_max_mps;
+  setup.limits.omega_max_radps = base.omega_max_radps;
+  setup.limits.acceleration_mps2 = base.acceleration_mps2;
+  setup.limits.deceleration_mps2 = base.deceleration_mps2;
+  setup.limits.angular_acceleration_radps2 = base.angular_acceleration_radps2;
+  setup.limits.footprint = {or_model(robot.length_front_m, model.length_front_m),
+                            or_model(robot.length_rear_m, model.length_rear_m),
+                            or_model(robot.width_m, model.width_m) / 2.0};
+  setup.T_base_laser = mapper_params(configuration).T_base_laser;
+  return setup;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers& hand_overs,
+                                               const ConnectorFactory& connectors) {
+  std::unique_ptr<Workers> workers(new Workers(c, hand_overs));
+  auto base = connectors("base", c.base.address);
+  if (!base) return tl::unexpected(base.error());
+  workers->base_ = std::make_unique<BaseWorker>(
+      hand_overs, base_setup(c), std::make_unique<pioneer::Session>(session_config(c), std::move(*base)),
+      workers->base_vitals_);
+  auto front = connectors("front", c.front.address);
+  if (!front) return tl::unexpected(front.error());
+  workers->front_ = std::make_unique<ScanWorker>(
+      hand_overs, hand_overs.front, true,
+      std::make_unique<hokuyo::Session>(session_config("front", c.front), std::move(*front)),
+      workers->front_vitals_);
+  workers->vital_ = {&workers->base_vitals_, &workers->front_vitals_};
+  if (c.coronal.present) {
+    auto coronal = connectors("coronal", c.coronal.address);
+    if (!coronal) return tl::unexpected(coronal.error());
+    workers->coronal_ = std::make_unique<ScanWorker>(
+        hand_overs, hand_overs.coronal, false,
+        std::make_unique<hokuyo::Session>(session_config("coronal", c.coronal), std::move(*coronal)),
+        workers->coronal_vitals_);
+    workers->vital_.push_back(&workers->coronal_vitals_);
+  }
+  workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), workers->mapping_vitals_);
+  workers->closure_ = std::make_unique<ClosureWorker>(hand_overs, workers->closure_vitals_);
+  workers->vital_.push_back(&workers->mapping_vitals_);
+  workers->all_ = workers->vital_;
+  workers->all_.push_back(&workers->closure_vitals_);
+  return workers;
+}
+
+ThreadSettings Workers::real_time(std::string name, int priority) const {
+  const RealtimeConfig& config = configuration_.realtime;
+  ThreadSettings settings;
+  settings.name = std::move(name);
+  settings.fifo_priority = config.policy == RealtimePolicy::kOff ? 0 : priority;
+  settings.cpus = config.cpus;
+  return settings;
+}
+
+template <class Worker>
+Status Workers::launch(Thread& thread, ThreadSettings settings, Worker& worker) {
+  auto& refusals = refusals_[launched_++];
+  return thread.start(settings, [settings, &worker, &refusals] {
+    for (const std::string& refusal : apply_settings(settings)) {
+      if (auto* slot = refusals.try_acquire(); slot != nullptr) {
+        *slot = refusal;
+        refusals.commit();
+      }
+    }
+    worker.run();
+  });
+}
+
+Status Workers::start() {
+  const RealtimeConfig& config = configuration_.realtime;
+  ThreadSettings closure, mapping;
+  closure.name = "closure";
+  closure.nice = 5;
+  mapping.name = "mapping";
+  closure.stack_bytes = mapping.stack_bytes = 8 << 20;
+  if (auto s = launch(closure_thread_, closure, *closure_); !s) return s;
+  if (auto s = launch(mapping_thread_, mapping, *mapping_); !s) return s;
+  if (coronal_ != nullptr) {
+    if (auto s = launch(coronal_thread_, real_time("coronal", config.scan_priority), *coronal_); !s) return s;
+  }
+  if (auto s = launch(front_thread_, real_time("front", config.scan_priority), *front_); !s) return s;
+  return launch(base_thread_, real_time("base", config.base_priority), *base_);
+}
+
+void Workers::stop() {
+  hand_overs_.stopping.store(true, std::memory_order_release);
+  hand_overs_.mapping_wakeup.post();
+  hand_overs_.closure_wakeup.post();
+  base_thread_.join();
+  front_thread_.join();
+  coronal_thread_.join();
+  closure_thread_.join();
+  mapping_thread_.join();
+}
+
+std::vector<std::string> Workers::take_refusals() {
+  std::vector<std::string> texts;
+  for (auto& ring : refusals_) {
+    for (const auto* text = ring.front(); text != nullptr; text = ring.front()) {
+      texts.push_back(text->str());
+      ring.pop();
+    }
+  }
+  return texts;
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "daemon/config/configuration.hpp"
+#include "daemon/threads/base_worker.hpp"
+#include "daemon/threads/closure_worker.hpp"
+#include "daemon/threads/mapping_worker.hpp"
+#include "daemon/threads/scan_worker.hpp"
+#include "daemon/threads/thread.hpp"
+
+namespace topo::daemon {
+
+/// Makes the connector of a device: "base", "front", "coronal" and its configured address. Real ones, tapped
+/// ones, a recording's or a test's.
+using ConnectorFactory = std::function<types::Result<std::unique_ptr<io::Connector>>(
+    const std::string& channel, const std::string& address)>;
+
+/// The workers and their threads, from start to orderly stop.
+class Workers {
+ public:
+  /// Builds sessions and workers; touches no device yet.
+  static types::Result<std::unique_ptr<Workers>> make(const Configuration& configuration,
+                                                      HandOvers& hand_overs,
+                                                      const ConnectorFactory& connectors);
+  ~Workers() { stop(); }
+
+  types::Status start();
+  /// Tells all threads to end and waits for them: the robot stands, the lasers are off. Bounded by the
+  /// sessions' closing times and one mapping step.
+  void stop();
+
+  /// Threads that must advance, or the daemon is not alive.
+  [[nodiscard]] const std::vector<Vitals*>& vital() const { return vital_; }
+  /// All threads.
+  [[nodiscard]] const std::vector<Vitals*>& all() const { return all_; }
+  /// Main, once a message: what the system refused to a thread (real-time scheduling, CPUs).
+  std::vector<std::string> take_refusals();
+
+ private:
+  Workers(const Configuration& configuration, HandOvers& hand_overs)
+      : configuration_(configuration), hand_overs_(hand_overs) {}
+  template <class Worker>
+  types::Status launch(Thread& thread, ThreadSettings settings, Worker& worker);
+  [[nodiscard]] ThreadSettings real_time(std::string name, int priority) const;
+
+  const Configuration& configuration_;
+  HandOvers& hand_overs_;
+  Vitals base_vitals_{"base"}, front_vitals_{"front"}, coronal_vitals_{"coronal"}, mapping_vitals_{"mapping"},
+      closure_vitals_{"closure"};
+  std::vector<Vitals*> vital_, all_;
+  std::unique_ptr<BaseWorker> base_;
+  std::unique_ptr<ScanWorker> front_, coronal_;
+  std::unique_ptr<MappingWorker> mapping_;
+  std::unique_ptr<ClosureWorker> closure_;
+  std::array<sync::Ring<FixedText<160>, 4>, 5> refusals_;  ///< one producer each
+  std::size_t launched_ = 0;
+  Thread closure_thread_, mapping_thread_, coronal_thread_, front_thread_, base_thread_;
+};
+
+}  // namespace topo::daemon

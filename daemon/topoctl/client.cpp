@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/topoctl/client.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "daemon/control/unix_socket.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+
+using types::Errc;
+using types::fail;
+using types::Result;
+
+Result<Client> Client::connect(const std::string& socket) {
+  auto fd = connect_unix(socket);
+  if (!fd) return tl::unexpected(fd.error());
+  return Client(std::move(*fd));
+}
+
+Result<Json> Client::call(std::string_view method, const Json& params, types::Duration timeout) {
+  const int id = next_id_++;
+  const std::string line = request_line(method, params, id);
+  std::string_view rest = line;
+  while (!rest.empty()) {
+    const ssize_t sent =
+        io::retry_interrupted([&] { return ::send(fd_.get(), rest.data(), rest.size(), MSG_NOSIGNAL); });
+    if (sent < 0)
+      return fail(Errc::kClosed, fmt::format("the daemon hung up: {}", std::strerror(errno)), errno);
+    rest.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  const auto answer = read_line(io::monotonic_now() + timeout);
+  if (!answer) return tl::unexpected(answer.error());
+  return parse_answer(*answer, id);
+}
+
+Result<std::string> Client::read_line(types::Stamp deadline) {
+  std::array<char, 16384> bytes{};
+  while (true) {
+    if (auto line = in_.take_line()) return std::move(*line);
+    const int ready = io::wait_for(fd_.get(), POLLIN, deadline - io::monotonic_now());
+    if (ready == 0) return fail(Errc::kTimeout, "the daemon does not answer");
+    const ssize_t got =
+        io::retry_interrupted([&] { return ::recv(fd_.get(), bytes.data(), bytes.size(), 0); });
+    if (got <= 0) return fail(Errc::kClosed, "the daemon hung up");
+    if (!in_.append({bytes.data(), static_cast<std::size_t>(got)}))
+      return fail(Errc::kProtocol, "endless answer");
+  }
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/types/stamp.hpp"
+#include "daemon/control/json_rpc.hpp"
+#include "daemon/control/line_buffer.hpp"
+#include "drivers/io/unique_fd.hpp"
+
+namespace topo::daemon {
+
+/// One connection to a daemon's control socket. Blocking; one thread uses it.
+class Client {
+ public:
+  /// kNotFound: no daemon serves there.
+  static types::Result<Client> connect(const std::string& socket);
+
+  /// Asks and waits for the answer. kTimeout, kClosed, or as parse_answer.
+  types::Result<Json> call(std::string_view method, const Json& params, types::Duration timeout);
+
+ private:
+  explicit Client(io::UniqueFd fd) : fd_(std::move(fd)) {}
+  types::Result<std::string> read_line(types::Stamp deadline);
+
+  // An answer may be long; a daemon that never ends a line is none.
+  static constexpr std::size_t kMaxAnswerBytes = 4 << 20;
+  io::UniqueFd fd_;
+  LineBuffer in_{kMaxAnswerBytes};
+  int next_id_ = 1;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "daemon/control/json_rpc.hpp"
+
+namespace topo::daemon {
+
+// Answers of the daemon for people. Members that are missing show as "-": an older daemon may have fewer.
+
+std::string status_table(const Json& status);
+std::string latency_table(const Json& latency);
+std::string health_table(const Json& health);
+
+}  // namespace topo::daemon

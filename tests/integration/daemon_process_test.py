@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""topometricd and topoctl as processes, with toposim's devices: what an operator does, and what he does wrong.
+
+usage: daemon_process_test.py TOPOMETRICD TOPOCTL TOPOSIM
+"""
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+from sim_client_tools import Simulation
+
+DAEMON, CTL, SIM = sys.argv[1:4]
+PATIENCE_S = 60
+
+
+def configuration(folder, robot, more=""):
+    path = os.path.join(folder, "topometric.toml")
+    devices = robot["devices"] if "devices" in robot else robot
+    address = {name: "tcp:%s:%d" % (devices[name]["host"], devices[name]["port"]) for name in ("base", "front", "coronal")}
+    with open(path, "w") as file:
+        file.write("""[robot]
+model = "p3dx"
+[base]
+address = "%s"
+[scanner.front]
+address = "%s"
+x_m = 0.021
+[scanner.coronal]
+address = "%s"
+[control]
+socket = "%s/ctl.sock"
+[realtime]
+policy = "off"
+%s""" % (address["base"], address["front"], address["coronal"], folder, more))
+    return path
+
+
+class Daemon:
+    def __init__(self, folder, config, *options):
+        self.folder = folder
+        self.log = open(os.path.join(folder, "log"), "ab")
+        self.process = subprocess.Popen([DAEMON, "--config", config, *options], stderr=self.log)
+        self.until(lambda: self.ctl("version").returncode == 0, "the daemon does not answer")
+
+    def ctl(self, *words):
+        return subprocess.run([CTL, "--socket", self.folder + "/ctl.sock", *words], capture_output=True, text=True, timeout=120)
+
+    def status(self):
+        done = self.ctl("--json", "status")
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+
+    def until(self, pleases, complaint):
+        limit = time.monotonic() + PATIENCE_S
+        while not pleases():
+            assert self.process.poll() is None, "the daemon ended: %s" % self.logged()
+            assert time.monotonic() < limit, "%s: %s" % (complaint, self.logged())
+            time.sleep(0.05)
+
+    def logged(self):
+        with open(os.path.join(self.folder, "log")) as file:
+            return file.read()[-3000:]
+
+    def stop(self):
+        begin = time.monotonic()
+        self.process.send_signal(signal.SIGTERM)
+        status = self.process.wait(10)
+        seconds = time.monotonic() - begin
+        self.log.close()
+        assert status == 0, "exit status %d: %s" % (status, self.logged())
+        assert not os.path.exists(self.folder + "/ctl.sock"), "the socket is left behind"
+        return seconds
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+
+
+def test_wrong_configuration(folder):
+    path = os.path.join(folder, "wrong.toml")
+    with open(path, "w") as file:
+        file.write('[robot]\nmodle = "p3dx"\n[base]\naddress = 7\n')
+    for option in ("--check-config", "--config"):
+        done = run(DAEMON, option, path)
+        assert done.returncode == 2, done
+        assert "%s:2:1: \"robot.modle\": unknown key, did you mean robot.model?" % path in done.stderr, done.stderr
+        assert "%s:4:11: base.address: found 7" % path in done.stderr, done.stderr
+        assert "scanner.front.address is missing" in done.stderr, done.stderr
+    assert run(DAEMON, "--config", folder + "/nothing.toml").returncode == 2
+    assert run(DAEMON, "--no-such-option").returncode == 2
+    assert run(DAEMON).returncode == 2
+    assert run(DAEMON, "--version").stdout.startswith("topometricd ")
+    assert os.listdir(folder) == ["wrong.toml"], os.listdir(folder)
+
+
+def test_ctl_without_daemon(folder):
+    done = run(CTL, "--socket", folder + "/none.sock", "status")
+    assert done.returncode == 3 and "none.sock" in done.stderr, done
+    assert run(CTL, "no-such-command").returncode == 2
+    assert run(CTL).returncode == 2
+    assert run(CTL, "--help").returncode == 0
+
+
+def test_operator(folder):
+    with Simulation(SIM, folder) as sim:
+        config = configuration(folder, sim.robot)
+        assert run(DAEMON, "--check-config", config).returncode == 0
+        shown = run(DAEMON, "--config", config, "--print-config")
+        assert "v_max_mps = 0.7  # default" in shown.stdout, shown.stdout
+        daemon = Daemon(folder, config, "--record", folder + "/run.rec")
+        ready = lambda: all(d["working"] for d in daemon.status()["devices"].values())
+        daemon.until(ready, "devices do not come up")
+        daemon.until(lambda: daemon.status()["map"]["keyframes"] > 0, "no map")
+
+        second = run(DAEMON, "--config", config)
+        assert second.returncode == 1 and "another topometricd" in second.stderr, second
+        assert daemon.ctl("version").returncode == 0
+
+        before = sim.truth()
+        assert daemon.ctl("drive", "0.3", "0", "--for", "3").returncode == 0
+        assert daemon.ctl("drive", "9", "0").returncode == 1
+        assert daemon.ctl("drive", "0", "-0.5", "--for", "0.5").returncode == 0
+        after = sim.truth()
+        moved = sum((a - b) ** 2 for a, b in zip(position(after), position(before))) ** 0.5
+        assert 0.3 < moved < 1.2, (before, after)
+
+        assert daemon.ctl("estop").returncode == 0
+        done = daemon.ctl("drive", "0.1", "0")
+        assert done.returncode == 1 and "clear-estop" in done.stderr, done
+        assert daemon.ctl("clear-estop").returncode == 0
+
+        os.mkdir(folder + "/map")
+        done = daemon.ctl("map", "save", folder + "/map")
+        assert done.returncode == 0, done
+        assert sorted(os.listdir(folder + "/map")) == ["cloud.ply", "map.pgm", "map.yaml"]
+        assert daemon.ctl("map", "save", folder + "/nowhere/map").returncode == 1
+        assert daemon.ctl("log-level", "debug").returncode == 0
+        assert daemon.ctl("log-level", "loud").returncode == 1
+        for words in (["status"], ["latency"], ["health"], ["config"]):
+            done = daemon.ctl(*words)
+            assert done.returncode == 0 and done.stdout, done
+        latency = json.loads(daemon.ctl("--json", "latency").stdout)
+        print("latency", json.dumps(latency))
+        check_slow_client(daemon)
+        seconds = daemon.stop()
+        print("stopped in %.2f s" % seconds)
+        assert seconds < 3, seconds
+    check_replay(folder, config)
+
+
+def position(truth):
+    pose = truth.get("pose", truth)
+    return pose["x_m"], pose["y_m"]
+
+
+def check_slow_client(daemon):
+    """A client that asks and never reads does not keep the others waiting."""
+    slow = socket.socket(socket.AF_UNIX)
+    slow.connect(daemon.folder + "/ctl.sock")
+    slow.settimeout(1)
+    try:
+        for _ in range(5000):
+            slow.sendall(b'{"jsonrpc": "2.0", "method": "config", "id": 1}\n')
+    except OSError:
+        pass
+    assert daemon.ctl("status").returncode == 0
+    slow.close()
+
+
+def check_replay(folder, config):
+    daemon = Daemon(folder, config, "--replay", folder + "/run.rec")
+    daemon.until(lambda: daemon.status()["map"]["keyframes"] >= 2, "the recording gives no map")
+    assert daemon.stop() < 3
+    assert run(DAEMON, "--config", config, "--replay", folder + "/nothing.rec").returncode == 2
+
+
+def test_devices_that_are_not_there(folder):
+    robot = {name: {"host": "127.0.0.1", "port": 9} for name in ("base", "front", "coronal")}
+    for at, name in enumerate(robot):
+        robot[name]["port"] = 9 + at
+    daemon = Daemon(folder, configuration(folder, robot))
+    daemon.until(lambda: "127.0.0.1:10" in daemon.status()["devices"]["front"]["message"], "the device is not named")
+    assert daemon.ctl("map", "save", folder).returncode == 1
+    assert daemon.stop() < 3
+
+
+def main():
+    for name, test in sorted(globals().items()):
+        if name.startswith("test_"):
+            with tempfile.TemporaryDirectory() as folder:
+                begin = time.monotonic()
+                test(folder)
+                print("%s: %.1f s" % (name, time.monotonic() - begin), flush=True)
+
+
+if __name__ == "__main__":
+    main()
