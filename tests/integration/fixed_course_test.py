@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""topometricd and toposim as real processes on real transports: a robot is driven on a fixed course through a drawn
+building, and its map is held against the truth.
+
+usage: fixed_course_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]
+The driver steers by what the daemon says of the robot's place, never by the simulator's truth. TOPOMETRIC_OUT names a
+folder that keeps map, trajectory and truth; TOPOMETRIC_COURSE=whole drives all the way round (about three minutes)."""
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BIN = SOURCE = None
+SHORT = [(7.0, 0.0), (15.9, 0.0), (15.9, 3.0)]  # in map: metres from the start
+WHOLE = SHORT + [(15.9, 12.8), (7.0, 12.8), (-1.9, 12.8), (-1.9, 0.0), (2.0, 0.0)]
+
+
+class Client:
+    """One connection to the control socket: JSON-RPC 2.0, one object a line."""
+
+    def __init__(self, path):
+        self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        self.socket.settimeout(10.0)
+        self.socket.connect(str(path))
+        self.file = self.socket.makefile("rw")
+        self.number = 0
+
+    def call(self, method, **params):
+        self.number += 1
+        self.file.write(json.dumps({"jsonrpc": "2.0", "id": self.number, "method": method, "params": params}) + "\n")
+        self.file.flush()
+        answer = json.loads(self.file.readline())
+        if "error" in answer:
+            raise RuntimeError("%s: %s" % (method, answer["error"]))
+        return answer["result"]
+
+    def close(self):
+        self.file.close()
+        self.socket.close()
+
+
+def wait_for(condition, seconds, what):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.05)
+    raise AssertionError("%s did not come within %g s" % (what, seconds))
+
+
+def compose(a, b):
+    c, s = math.cos(a[2]), math.sin(a[2])
+    return a[0] + c * b[0] - s * b[1], a[1] + s * b[0] + c * b[1], a[2] + b[2]
+
+
+def inverse(a):
+    c, s = math.cos(a[2]), math.sin(a[2])
+    return -c * a[0] - s * a[1], s * a[0] - c * a[1], -a[2]
+
+
+def wrap(angle):
+    return math.atan2(math.sin(angle), math.cos(angle))
+
+
+def read_poses(path):
+    rows = [tuple(map(float, line.split())) for line in path.read_text().splitlines() if line[:1] not in ("", "#", "t")]
+    return [(row[0], row[1:4]) for row in rows]
+
+
+def pose_at(poses, stamp):
+    """Between the two samples around the stamp; none where there are none."""
+    after = next((i for i, (t, _) in enumerate(poses) if t >= stamp), None)
+    if after is None or after == 0:
+        return None
+    (t0, a), (t1, b) = poses[after - 1], poses[after]
+    k = (stamp - t0) / (t1 - t0)
+    return a[0] + k * (b[0] - a[0]), a[1] + k * (b[1] - a[1]), a[2] + k * wrap(b[2] - a[2])
+
+
+def steer(pose, target):
+    """Turn towards the target, then drive; slower the more the nose is off and the nearer it is."""
+    dx, dy = target[0] - pose[0], target[1] - pose[1]
+    off = wrap(math.atan2(dy, dx) - pose[2])
+    turn = max(-0.7, min(0.7, 1.5 * off))
+    if abs(off) > 0.5:
+        return 0.0, turn
+    return max(0.08, min(0.45, 0.9 * math.hypot(dx, dy))) * math.cos(off), turn
+
+
+class FixedCourse(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder, True)
+        self.processes = []
+        self.addCleanup(self.kill)
+
+    def kill(self):
+        for process in self.processes:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+
+    def start(self, name, *arguments, **options):
+        log = open(self.folder / (name + ".log"), "w")
+        process = subprocess.Popen([str(BIN / name), *map(str, arguments)], stderr=log, text=True, **options)
+        log.close()
+        self.processes.append(process)
+        return process
+
+    def start_simulator(self):
+        simulator = self.start("toposim", "--world", SOURCE / "config/worlds/course.toml", "--tcp", "--seed", 3,
+                               "--truth", self.folder / "truth.tsv", "--die-with-parent", stdout=subprocess.PIPE)
+        ready = json.loads(simulator.stdout.readline())
+        robot = ready["robots"][0]
+        return simulator, {name: robot[name]["address"] for name in ("front", "coronal", "base")}
+
+    def write_config(self, addresses):
+        text = (SOURCE / "config/simulation.toml").read_text()
+        for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
+            text = re.sub(r"(\[%s\].*?\naddress = )\"[^\"]*\"" % re.escape(section), r'\1"%s"' % addresses[device], text,
+                          count=1, flags=re.S)
+        path = self.folder / "control.sock"
+        text = re.sub(r'(?m)^socket = "[^"]*"', 'socket = "%s"' % path, text, count=1)
+        config = self.folder / "robot.toml"
+        config.write_text(text)
+        return config, path
+
+    def follow(self, client, course):
+        for target in course:
+            end = time.monotonic() + 90.0
+            while True:
+                self.assertLess(time.monotonic(), end, "the robot does not get to %s: %s" % (target, client.call("status")))
+                status = client.call("status")
+                pose = status["pose"]["x_m"], status["pose"]["y_m"], status["pose"]["theta_rad"]
+                if math.hypot(target[0] - pose[0], target[1] - pose[1]) < 0.25:
+                    break
+                v, omega = steer(pose, target)
+                client.call("drive", v_mps=v, omega_radps=omega)
+                time.sleep(0.05)
+        client.call("stop")
+
+    def error_of(self, trajectory, truth):
+        """Root mean square and worst distance of the keyframes from the truth, laid on it by the best rigid motion."""
+        pairs = [(pose, pose_at(truth, stamp)) for stamp, pose in trajectory]
+        pairs = [(a, b) for a, b in pairs if b is not None]
+        self.assertGreater(len(pairs), 10)
+        n = len(pairs)
+        ax, ay = sum(a[0] for a, _ in pairs) / n, sum(a[1] for a, _ in pairs) / n
+        bx, by = sum(b[0] for _, b in pairs) / n, sum(b[1] for _, b in pairs) / n
+        cross = sum((a[0] - ax) * (b[1] - by) - (a[1] - ay) * (b[0] - bx) for a, b in pairs)
+        dot = sum((a[0] - ax) * (b[0] - bx) + (a[1] - ay) * (b[1] - by) for a, b in pairs)
+        turn = math.atan2(cross, dot)
+        c, s = math.cos(turn), math.sin(turn)
+        errors = [math.hypot(c * (a[0] - ax) - s * (a[1] - ay) - (b[0] - bx), s * (a[0] - ax) + c * (a[1] - ay) - (b[1] - by))
+                  for a, b in pairs]
+        return math.sqrt(sum(e * e for e in errors) / n), max(errors)
+
+    def test_the_map_agrees_with_the_truth(self):
+        simulator, addresses = self.start_simulator()
+        config, path = self.write_config(addresses)
+        daemon = self.start("topometricd", "--config", config)
+        wait_for(path.exists, 10.0, "the control socket")
+        client = Client(path)
+        self.addCleanup(client.close)
+        wait_for(lambda: client.call("health")["healthy"] and client.call("status")["map"]["keyframes"] > 0, 30.0,
+                 "a healthy robot with a map")
+        whole = os.environ.get("TOPOMETRIC_COURSE") == "whole"
+        self.follow(client, WHOLE if whole else SHORT)
+        saved = self.folder / "map"
+        client.call("map.save", dir=str(saved))
+        status, latency = client.call("status"), client.call("latency")
+        daemon.send_signal(signal.SIGTERM)
+        self.assertEqual(daemon.wait(5.0), 0)
+        simulator.send_signal(signal.SIGTERM)
+        self.assertEqual(simulator.wait(5.0), 0)
+
+        self.assertEqual(status["map"]["scans_lost"], 0)
+        rms, worst = self.error_of(read_poses(saved / "trajectory.txt"), read_poses(self.folder / "truth.tsv"))
+        print("keyframes against the truth: rmse %.3f m, worst %.3f m; %s; %s" %
+              (rms, worst, json.dumps(status["map"]), json.dumps(latency)), file=sys.stderr)
+        self.keep(saved)
+        self.assertLess(rms, 0.08)
+        self.assertLess(worst, 0.25)
+        for name in ("map.pgm", "map.yaml", "cloud.ply"):
+            self.assertGreater((saved / name).stat().st_size, 100, name)
+
+    def keep(self, saved):
+        if "TOPOMETRIC_OUT" not in os.environ:
+            return
+        out = pathlib.Path(os.environ["TOPOMETRIC_OUT"])
+        shutil.copytree(saved, out / "fixed_course", dirs_exist_ok=True)
+        shutil.copy(self.folder / "truth.tsv", out / "fixed_course")
+        shutil.copy(self.folder / "topometricd.log", out / "fixed_course")
+
+
+if __name__ == "__main__":
+    BIN, SOURCE = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
+    unittest.main(verbosity=2)
