@@ -3,11 +3,40 @@
 #include "daemon/app/map_saver.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+
+#include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/cloud.hpp"
 #include "daemon/mapfile/map_image.hpp"
 
 namespace topo::daemon {
+namespace {
+
+/// The folder itself, not the ones above it: a mistyped path is to be seen, not made.
+types::Status make_folder(const std::string& folder) {
+  constexpr mode_t kMode = 0775;
+  if (::mkdir(folder.c_str(), kMode) == 0 || errno == EEXIST) return {};
+  return types::fail(types::Errc::kInvalidInput,
+                     fmt::format("{}: cannot make the folder: {}", folder, std::strerror(errno)), errno);
+}
+
+/// The way through the keyframes as a text, a line each: stamp on CLOCK_MONOTONIC, x, y, theta of the robot
+/// in map.
+std::string trajectory_text(const pipeline::MapSnapshot& map) {
+  std::string text;
+  for (const pipeline::KeyframePose& keyframe : map.keyframes) {
+    fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} {:.6f} {:.7f}\n",
+                   types::to_seconds(keyframe.stamp), keyframe.T_map_base.x_m(), keyframe.T_map_base.y_m(),
+                   keyframe.T_map_base.theta_rad());
+  }
+  return text;
+}
+
+}  // namespace
 
 types::Status MapSaver::start() {
   ThreadSettings settings;
@@ -83,8 +112,11 @@ MapSaver::Outcome MapSaver::write(const std::string& folder) {
   const auto image = image_of(snapshot->grid);
   if (!image) return tl::unexpected(image.error());
   const auto cloud = cloud_of(snapshot->walls);
+  if (const auto made = make_folder(folder); !made) return tl::unexpected(made.error());
   if (const auto saved = save_map(folder, *image); !saved) return tl::unexpected(saved.error());
   if (const auto saved = save_cloud(folder + "/cloud.ply", cloud); !saved)
+    return tl::unexpected(saved.error());
+  if (const auto saved = write_file(folder + "/trajectory.txt", trajectory_text(*snapshot)); !saved)
     return tl::unexpected(saved.error());
   return SavedMap{folder, snapshot->revision, image->width, image->height, cloud.size()};
 }
