@@ -18,6 +18,7 @@ from sim_client_tools import Simulation
 
 DAEMON, CTL, SIM = sys.argv[1:4]
 PATIENCE_S = 60
+STARTED = []  # daemons, so that none outlives a test that failed
 
 
 def configuration(folder, robot, more=""):
@@ -47,6 +48,7 @@ class Daemon:
         self.folder = folder
         self.log = open(os.path.join(folder, "log"), "ab")
         self.process = subprocess.Popen([DAEMON, "--config", config, *options], stderr=self.log)
+        STARTED.append(self.process)
         self.until(lambda: self.ctl("version").returncode == 0, "the daemon does not answer")
 
     def ctl(self, *words):
@@ -139,7 +141,7 @@ def test_operator(folder):
         os.mkdir(folder + "/map")
         done = daemon.ctl("map", "save", folder + "/map")
         assert done.returncode == 0, done
-        assert sorted(os.listdir(folder + "/map")) == ["cloud.ply", "map.pgm", "map.yaml"]
+        assert sorted(os.listdir(folder + "/map")) == ["cloud.ply", "map.pgm", "map.yaml", "trajectory.txt"]
         assert daemon.ctl("map", "save", folder + "/nowhere/map").returncode == 1
         assert daemon.ctl("log-level", "debug").returncode == 0
         assert daemon.ctl("log-level", "loud").returncode == 1
@@ -196,7 +198,12 @@ def main():
         if name.startswith("test_"):
             with tempfile.TemporaryDirectory() as folder:
                 begin = time.monotonic()
-                test(folder)
+                try:
+                    test(folder)
+                finally:
+                    for process in STARTED:
+                        process.kill()
+                    STARTED.clear()
                 print("%s: %.1f s" % (name, time.monotonic() - begin), flush=True)
 
 
