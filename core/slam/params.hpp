@@ -11,10 +11,10 @@ namespace topo::slam {
 /// Robotics, section 5.4, with independent translation and rotation).
 struct MotionNoise {
   double trans_per_m = 0.10;  ///< along and across the motion
-  double trans_floor_m = 0.01;
+  double trans_floor_m = 0.03;
   double rot_per_rad = 0.10;
   double rot_per_m_rad = 0.04;
-  double rot_floor_rad = 0.005;
+  double rot_floor_rad = 0.02;
 };
 
 /// Scan to cloud: what of a scan is used.
@@ -82,7 +82,7 @@ struct LoopParams {
 struct GraphParams {
   int iterations_max = 12;
   double loop_kernel = 3.0;  ///< Cauchy scale of a closure, in standard deviations
-  double odometry_trans_floor_m = 0.01;
+  double odometry_trans_floor_m = 0.03;
   double odometry_rot_floor_rad = 0.003;
   double loop_trans_floor_m = 0.03;
   double loop_rot_floor_rad = 0.008;
