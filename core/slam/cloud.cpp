@@ -41,6 +41,17 @@ Run neighbours(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   return run;
 }
 
+/// How far noise along the beam turns the fitted line: it adds variance * u u^T to the scatter (u the beam's
+/// direction), which is not across the line where the beam meets it aslant, and which turns the larger
+/// eigenvector towards u. The variance is what the scatter across the line shows of it.
+float noise_tilt(const Point& along, const Point& beam, float small, float large) {
+  constexpr float kGrazing = 0.15F;  // sine of the angle to the surface: below, nothing is seen of the noise
+  const Point u = beam.normalized();
+  const float u_along = along.dot(u), u_across = -along.y() * u.x() + along.x() * u.y();
+  if (std::abs(u_across) < kGrazing || large <= 0.0F) return 0.0F;
+  return std::atan(small * u_along / (u_across * large));
+}
+
 /// Line fit by the smaller eigenvector of the points' scatter.
 Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   const auto count = static_cast<float>(run.last - run.first + 1);
@@ -57,10 +68,12 @@ Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   const float half_trace = 0.5F * (xx + yy);
   const float root = std::sqrt(0.25F * (xx - yy) * (xx - yy) + xy * xy);
   const float small = half_trace - root, large = half_trace + root;
-  const float direction = 0.5F * std::atan2(2.0F * xy, xx - yy);  // of the larger eigenvector
-  Surfel surfel;
-  surfel.normal = Point(-std::sin(direction), std::cos(direction));
   const Point& p = cloud.points[i];
+  const float direction = 0.5F * std::atan2(2.0F * xy, xx - yy);  // of the larger eigenvector
+  const float tilt =
+      noise_tilt(Point(std::cos(direction), std::sin(direction)), p - cloud.sensor, small, large);
+  Surfel surfel;
+  surfel.normal = Point(-std::sin(direction - tilt), std::cos(direction - tilt));
   if (surfel.normal.dot(cloud.sensor - p) < 0.0F) surfel.normal = -surfel.normal;
   surfel.planar = count >= 3.0F && small < kFlat * large;
   // The measured point, moved onto the fitted line: noise across the surface is averaged, place along it
@@ -68,6 +81,23 @@ Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   surfel.position = surfel.planar ? Point(p - surfel.normal.dot(p - mean) * surfel.normal) : p;
   return surfel;
 }
+
+/// Chooses hits by the way that the beam has swept across its range, not by the distance of measured points:
+/// among those the ones whose noise happens to push them ahead would be chosen more often, outwards on one
+/// wall of a corridor and inwards on the other, and the map would turn (2 degrees in 60 m at 30 mm of noise).
+class Thinning {
+ public:
+  explicit Thinning(double spacing_m) : spacing_m_(static_cast<float>(spacing_m)), swept_m_(spacing_m_) {}
+  bool takes(float spacing_m) {
+    swept_m_ += spacing_m;
+    if (swept_m_ < spacing_m_) return false;
+    swept_m_ = 0.0F;
+    return true;
+  }
+
+ private:
+  float spacing_m_, swept_m_;
+};
 
 }  // namespace
 
@@ -105,9 +135,9 @@ void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const S
 
 void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Point>& out) {
   out.clear();
-  const float spacing2 = static_cast<float>(params.match_spacing_m * params.match_spacing_m);
-  for (const Point& p : cloud.points) {
-    if (out.empty() || (p - out.back()).squaredNorm() >= spacing2) out.push_back(p);
+  Thinning thinning(params.match_spacing_m);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (thinning.takes(cloud.spacing_m[i])) out.push_back(cloud.points[i]);
   }
   const auto limit = static_cast<std::size_t>(params.match_points_max);
   if (out.size() <= limit) return;
@@ -117,9 +147,9 @@ void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Po
 
 std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params) {
   std::vector<Surfel> surfels;
-  const float spacing2 = static_cast<float>(params.match_spacing_m * params.match_spacing_m);
+  Thinning thinning(params.match_spacing_m);
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    if (!surfels.empty() && (cloud.points[i] - surfels.back().position).squaredNorm() < spacing2) continue;
+    if (!thinning.takes(cloud.spacing_m[i])) continue;
     const Run run = neighbours(cloud, i, params);
     // A hit without neighbours is a wall seen at a grazing angle or noise: where it lies on the surface says
     // nothing.

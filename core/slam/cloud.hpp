@@ -41,12 +41,12 @@ struct SweepMotion {
 void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
                 const CloudParams& params, Cloud& cloud);
 
-/// Points for matching: at least `match_spacing_m` apart along the beams and at most `match_points_max`,
-/// evenly.
+/// Points for matching: one for every `match_spacing_m` that the beam sweeps across its range, and at most
+/// `match_points_max`, evenly.
 void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Point>& out);
 
-/// Surfels of a keyframe: line fit over each point's neighbours along the beam order, thinned to
-/// `match_spacing_m`.
+/// Surfels of a keyframe: line fit over each point's neighbours along the beam order, thinned like the points
+/// for matching.
 std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params);
 
 }  // namespace topo::slam

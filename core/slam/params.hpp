@@ -20,7 +20,7 @@ struct MotionNoise {
 /// Scan to cloud: what of a scan is used.
 struct CloudParams {
   double range_max_m = 30.0;      ///< beams beyond are no evidence
-  double match_spacing_m = 0.06;  ///< least distance of two points used for matching
+  double match_spacing_m = 0.04;  ///< sweep of the beam between two points used for matching
   int match_points_max = 400;
   double normal_radius_m = 0.25;  ///< neighbourhood of a surfel's line fit
   double break_factor = 3.0;  ///< neighbours further apart than this many beam spacings are not one surface

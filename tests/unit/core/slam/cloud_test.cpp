@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/mocks/flat_world.hpp"
+#include "tests/unit/core/slam/matching_fixture.hpp"
 
 namespace topo::slam {
 namespace {
+
+using testing::View;
 
 const CloudParams kParams;
 
@@ -52,20 +55,68 @@ TEST(MakeCloud, UnbendsTheSweep) {
   }
 }
 
-TEST(SelectPoints, KeepsTheSpacingAndTheLimit) {
+TEST(SelectPoints, KeepsTheSweepAndTheLimit) {
+  mocks::FlatWorld world;
+  for (int k = 0; k < 720; ++k) {  // a round room of 5 m
+    const double a = 0.0087266 * k, b = 0.0087266 * (k + 1);
+    world.walls.push_back({{5.0 * std::cos(a), 5.0 * std::sin(a)}, {5.0 * std::cos(b), 5.0 * std::sin(b)}});
+  }
   std::mt19937 random(1);
   Cloud cloud;
-  make_cloud(mocks::take_scan(mocks::two_rooms(), {3.0, 3.0, 0.3}, {}, {1081, 4.7, 30.0, 0.0}, random), {},
-             {}, kParams, cloud);
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.0}, random), {}, {}, kParams, cloud);
   std::vector<Point> points;
   select_points(cloud, kParams, points);
-  ASSERT_GT(points.size(), 100U);
+  // Beams are 0.0218 m apart on the wall: every second one makes up 0.04 m.
+  EXPECT_NEAR(static_cast<double>(points.size()), 1081.0 / 2.0,
+              2.0 + (1081.0 / 2.0 - kParams.match_points_max));
   EXPECT_LE(points.size(), static_cast<std::size_t>(kParams.match_points_max));
-  for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GE((points[i] - points[i - 1]).norm(), 0.0599F);
   CloudParams few = kParams;
   few.match_points_max = 50;
   select_points(cloud, few, points);
   EXPECT_EQ(points.size(), 50U);
+}
+
+/// A wall seen aslant, 1 m to the right.
+View slanted_view(std::mt19937& random, double sigma_m) {
+  mocks::FlatWorld world;
+  world.walls.push_back({{1.0, -1.0}, {4.0, -1.0}});
+  View view;
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, sigma_m}, random), {}, {}, kParams,
+             view.cloud);
+  select_points(view.cloud, kParams, view.points);
+  view.surfels = make_surfels(view.cloud, kParams);
+  return view;
+}
+
+/// Which points are chosen must not depend on their noise: else a wall moves.
+TEST(SelectPoints, DoesNotPreferNoise) {
+  std::mt19937 random(5);
+  double chosen = 0.0, all = 0.0;
+  std::size_t chosen_count = 0, all_count = 0;
+  for (int k = 0; k < 200; ++k) {
+    const View view = slanted_view(random, 0.03);
+    for (const Point& p : view.points) chosen += static_cast<double>(p.y()) + 1.0, ++chosen_count;
+    for (const Point& p : view.cloud.points) all += static_cast<double>(p.y()) + 1.0, ++all_count;
+  }
+  ASSERT_GT(chosen_count, 5000U);
+  EXPECT_NEAR(chosen / static_cast<double>(chosen_count), 0.0, 1e-3);
+  EXPECT_NEAR(all / static_cast<double>(all_count), 0.0, 1e-3);
+}
+
+/// Noise along the beam turns a plain line fit by 0.029 rad here; more than half of that must be gone.
+TEST(MakeSurfels, NoiseAlongTheBeamDoesNotTurnTheNormals) {
+  std::mt19937 random(6);
+  double turn = 0.0;
+  int count = 0;
+  for (int k = 0; k < 200; ++k) {
+    for (const Surfel& s : slanted_view(random, 0.03).surfels) {
+      if (!s.planar || s.position.x() < 1.4F || s.position.x() > 3.0F) continue;
+      turn += std::asin(std::clamp(static_cast<double>(s.normal.x()), -1.0, 1.0));
+      ++count;
+    }
+  }
+  ASSERT_GT(count, 2000);
+  EXPECT_NEAR(turn / count, 0.0, 0.014);
 }
 
 TEST(MakeSurfels, NormalsStandOnTheWallAndFaceTheSensor) {
