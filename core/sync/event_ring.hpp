@@ -15,7 +15,7 @@ namespace topo::sync {
 enum class Severity : std::uint8_t { kDebug, kInfo, kWarning, kError };
 
 /// What a real-time thread has to say, unformatted. What `id` and `args` mean is the daemon's table.
-struct Event {
+struct Event {  // NOLINT(cppcoreguidelines-pro-type-member-init): text is filled up to text_length
   static constexpr std::size_t kMaxText = 48;
 
   std::int64_t stamp_ns = 0;

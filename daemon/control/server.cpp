@@ -115,7 +115,7 @@ void ControlServer::answer(const Call& call, const Answer& answer) {
   send(*client, answer ? result_line(call.request.id, *answer) : error_line(call.request.id, answer.error()));
 }
 
-void ControlServer::send(Client& client, std::string line) {
+void ControlServer::send(Client& client, const std::string& line) {
   client.out += line;
   if (!write_to(client) || client.out.size() > kMaxUnread) client.dead = true;
   if (!client.dead) return;

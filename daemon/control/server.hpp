@@ -62,7 +62,7 @@ class ControlServer {
   bool read_from(Client& client);
   void serve_line(Client& client, const std::string& line);
   bool write_to(Client& client);
-  void send(Client& client, std::string line);
+  void send(Client& client, const std::string& line);
   void drop(const Client& client);
 
   sd_event* event_;

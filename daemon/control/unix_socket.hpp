@@ -18,6 +18,8 @@ class ListeningSocket {
   static types::Result<ListeningSocket> open(const std::string& path);
 
   ListeningSocket(ListeningSocket&& other) noexcept = default;
+  ListeningSocket(const ListeningSocket&) = delete;
+  ListeningSocket& operator=(const ListeningSocket&) = delete;
   ListeningSocket& operator=(ListeningSocket&&) = delete;
   ~ListeningSocket();
 

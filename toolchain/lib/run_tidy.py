@@ -17,8 +17,10 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("core", "drivers", "daemon")
 
 
-def key_of(entry, rules):
+def key_of(entry, version):
     """A hash of everything that clang-tidy's verdict depends on, or None when the file does not preprocess."""
+    # The checks in effect for this file: a folder may have rules of its own.
+    rules = subprocess.run(["clang-tidy", "--dump-config", entry["file"], "--"], capture_output=True, check=True).stdout
     command = [word for word in shlex.split(entry["command"]) if not word.endswith("ccache")]
     if "-o" in command:
         at = command.index("-o")
@@ -27,13 +29,13 @@ def key_of(entry, rules):
     done = subprocess.run([*command, "-E", "-C", "-dD", "-dI"], cwd=entry["directory"], capture_output=True, check=False)
     if done.returncode != 0:
         return None
-    return hashlib.sha256(b"\0".join([rules, " ".join(command).encode(), done.stdout])).hexdigest()
+    return hashlib.sha256(b"\0".join([version, rules, " ".join(command).encode(), done.stdout])).hexdigest()
 
 
-def check(entry, database, rules, cache):
+def check(entry, database, version, cache):
     """(file, seconds, output or None when clean)."""
     start = time.monotonic()
-    key = key_of(entry, rules)
+    key = key_of(entry, version)
     if key and (cache / key).exists():
         return entry["file"], 0.0, None
     done = subprocess.run(
@@ -69,14 +71,13 @@ def main():
     arguments = parser.parse_args()
     cache = pathlib.Path(os.environ["TOPOMETRIC_TIDY_CACHE"])
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout
-    rules = version + (TOP / ".clang-tidy").read_bytes()
     entries = chosen(json.loads(arguments.database.read_text()), arguments.files)
     if not entries:
         raise SystemExit("check-tidy: nothing to check")
     failed = remembered = 0
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         for file, seconds, output in pool.map(
-            lambda entry: check(entry, arguments.database, rules, cache), entries
+            lambda entry: check(entry, arguments.database, version, cache), entries
         ):
             name = os.path.relpath(file, TOP)
             remembered += seconds == 0.0
