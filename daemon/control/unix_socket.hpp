@@ -17,6 +17,8 @@ class ListeningSocket {
   /// kBusy: another daemon serves this path. kInvalidInput: something that is no socket is there.
   static types::Result<ListeningSocket> open(const std::string& path);
 
+  ListeningSocket(const ListeningSocket&) = delete;
+  ListeningSocket& operator=(const ListeningSocket&) = delete;
   ListeningSocket(ListeningSocket&& other) noexcept = default;
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
