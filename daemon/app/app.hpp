@@ -28,6 +28,8 @@ class App final : public Operations {
  public:
   /// Makes all parts; starts no thread and touches no device.
   static types::Result<std::unique_ptr<App>> make(AppOptions options);
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
   ~App() override;
 
   /// Starts the threads and serves until SIGTERM, SIGINT or request_stop(); then stops in order: the robot

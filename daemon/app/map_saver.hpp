@@ -31,13 +31,16 @@ class MapSaver {
   using Done = std::function<void(Outcome)>;
 
   explicit MapSaver(HandOvers& hand_overs) : snapshots_(hand_overs.map->reader(kFilesReader)) {}
+  MapSaver(const MapSaver&) = delete;
+  MapSaver& operator=(const MapSaver&) = delete;
   ~MapSaver() { stop(); }
 
   types::Status start();
   /// Finishes the map being written; what waits is refused with the next collect().
   void stop();
 
-  /// Main. map.pgm, map.yaml and cloud.ply into `folder`, each there whole or not at all.
+  /// Main. map.pgm, map.yaml, cloud.ply and trajectory.txt into `folder`, which is made when only it is
+  /// missing; each there whole or not at all.
   void save(const std::string& folder, Done done);
   /// Main. Readable when an outcome waits.
   [[nodiscard]] int fd() const { return outcome_ready_.fd(); }

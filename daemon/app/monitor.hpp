@@ -36,7 +36,7 @@ class Monitor {
     DeviceReport report;
   };
   struct Pulse {
-    const Vitals* vitals;
+    const Vitals* vitals = nullptr;
     std::uint64_t beats = 0;
     types::Stamp changed{};
   };

@@ -93,7 +93,7 @@ ThreadSettings Workers::real_time(std::string name, int priority) const {
 }
 
 template <class Worker>
-Status Workers::launch(Thread& thread, ThreadSettings settings, Worker& worker) {
+Status Workers::launch(Thread& thread, const ThreadSettings& settings, Worker& worker) {
   auto& refusals = refusals_[launched_++];
   return thread.start(settings, [settings, &worker, &refusals] {
     for (const std::string& refusal : apply_settings(settings)) {

@@ -29,6 +29,8 @@ class Workers {
   static types::Result<std::unique_ptr<Workers>> make(const Configuration& configuration,
                                                       HandOvers& hand_overs,
                                                       const ConnectorFactory& connectors);
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
   ~Workers() { stop(); }
 
   types::Status start();
@@ -47,7 +49,7 @@ class Workers {
   Workers(const Configuration& configuration, HandOvers& hand_overs)
       : configuration_(configuration), hand_overs_(hand_overs) {}
   template <class Worker>
-  types::Status launch(Thread& thread, ThreadSettings settings, Worker& worker);
+  types::Status launch(Thread& thread, const ThreadSettings& settings, Worker& worker);
   [[nodiscard]] ThreadSettings real_time(std::string name, int priority) const;
 
   const Configuration& configuration_;
