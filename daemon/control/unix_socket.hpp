@@ -20,8 +20,6 @@ class ListeningSocket {
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
   ListeningSocket(ListeningSocket&& other) noexcept = default;
-  ListeningSocket(const ListeningSocket&) = delete;
-  ListeningSocket& operator=(const ListeningSocket&) = delete;
   ListeningSocket& operator=(ListeningSocket&&) = delete;
   ~ListeningSocket();
 
