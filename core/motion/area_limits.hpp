@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/types/se2.hpp"
+
+namespace topo::motion {
+
+/// Corners in order, in map; the last is joined to the first.
+using Polygon = std::vector<types::Vector2>;
+
+/// Where the robot may be (stairs and glass that no laser sees). In metres in map, whose origin is the start
+/// or that of a loaded map.
+struct AreaLimits {
+  std::optional<Polygon> keep_in;  ///< must not be left; nothing: anywhere
+  std::vector<Polygon> keep_out;   ///< must not be entered
+
+  [[nodiscard]] bool empty() const { return !keep_in && keep_out.empty(); }
+};
+
+/// May the point be visited? A point on an edge may not.
+bool allows(const AreaLimits& limits, const types::Vector2& p_map);
+
+/// Distance from an allowed point to the nearest edge of any polygon, metres; infinity without limits; 0
+/// where the point is not allowed.
+double distance_to_limit_m(const AreaLimits& limits, const types::Vector2& p_map);
+
+/// Straight line between two points that stays allowed.
+bool allows_segment(const AreaLimits& limits, const types::Vector2& a, const types::Vector2& b);
+
+}  // namespace topo::motion

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/goals/essential_goals.hpp"
+#include "core/goals/goal.hpp"
+#include "core/grid/dense_map.hpp"
+#include "core/pipeline/map_snapshot.hpp"
+#include "core/places/place_map.hpp"
+#include "core/walls/compass.hpp"
+#include "core/walls/wall_extraction.hpp"
+
+namespace topo::pipeline {
+
+struct AnalysisParams {
+  walls::CompassParams compass;
+  walls::WallParams walls;
+  places::PlaceParams places;
+  goals::GoalParams goals;
+};
+
+/// Everything the topometric analysis says of one map (paper sections II-A to II-E). A value.
+struct Analysis {
+  std::uint64_t revision = 0;
+  grid::DenseMap map;
+  std::vector<float> clearance_m;  ///< kOccupiedOrUnknown
+  walls::Compass compass;
+  std::vector<types::Segment> walls;
+  places::Skeleton skeleton;
+  places::PlaceMap places;
+  goals::GoalSet goals;
+};
+
+/// All stages on one snapshot; the pose history are the snapshot's keyframes and `visited`.
+Analysis analyse(const MapSnapshot& snapshot, std::span<const types::Vector2> visited,
+                 const AnalysisParams& params);
+
+}  // namespace topo::pipeline

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/motion/area_limits.hpp"
+#include "core/motion/velocity_gate.hpp"
+#include "core/pipeline/plan.hpp"
+#include "core/types/base_state.hpp"
+#include "core/types/scan.hpp"
+
+namespace topo::pipeline {
+
+/// What stays the same while the daemon runs.
+struct ControlSetup {
+  motion::RobotLimits limits;
+  types::Se2 T_base_laser;  ///< front scanner
+  motion::AreaLimits area;
+  types::Duration plan_age_max = std::chrono::seconds(1);
+};
+
+/// The operator's hand on the robot, with a dead man's switch (limits.request_age_max). Goes before the plan.
+struct Teleop {
+  types::Stamp stamp{};
+  types::Twist2 twist;
+};
+
+/// What the base thread decides from, once a period. Pointers: the newest of each, null when there is none.
+struct ControlInput {
+  types::Stamp now{};
+  bool estop = false;
+  bool estop_cleared = false;  ///< since the last period
+  const Teleop* teleop = nullptr;
+  const Plan* plan = nullptr;
+  const types::BaseState* state = nullptr;
+  const types::Scan* front = nullptr;
+  std::span<const types::Se2> T_base_sonar;
+  types::Duration firmware_watchdog{};
+};
+
+enum class ControlMode : std::uint8_t {
+  kStanding,  ///< nobody wants it to move
+  kTeleop,
+  kFollowing,   ///< the plan's path
+  kArrived,     ///< at the end of a path that ends at its goal
+  kWaiting,     ///< something is in the way; it may go by itself
+  kRecovering,  ///< backing off along the way it came, turning free
+  kStuck,       ///< recovery did not help: planning shall give the goal up
+};
+std::string_view to_text(ControlMode mode);
+
+/// What control tells planning and main.
+struct ControlReport {
+  types::Stamp stamp{};
+  ControlMode mode = ControlMode::kStanding;
+  std::uint64_t goal_id = 0;  ///< of the plan that `mode` is about
+  motion::GateReason reason = motion::GateReason::kStaleStatus;
+  types::Odometry odometry;  ///< newest
+  bool base_ready = false;   ///< status packets are fresh and sane
+  bool estop_latched = false;
+  bool bumped = false;  ///< in this period a bumper was pressed or a wheel stalled
+  float battery_v = 0.0F;
+  float state_of_charge = -1.0F;  ///< 0..1; negative: not reported
+  types::Twist2 commanded;
+  double free_distance_m = 0.0;
+  std::uint32_t recoveries = 0;  ///< begun since the start
+};
+
+struct ControlOutput {
+  types::BaseCommand command;
+  ControlReport report;
+};
+
+/// Remembered from one period to the next: ramps, the e-stop's latch, the last metre driven, the recovery.
+/// Allocates in the constructor only.
+class ControlState {
+ public:
+  ControlState();
+  ~ControlState();
+  ControlState(const ControlState&) = delete;
+  ControlState& operator=(const ControlState&) = delete;
+
+ private:
+  friend ControlOutput control_step(ControlState&, const ControlSetup&, const ControlInput&);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One period of the base thread (DESIGN "Motion and safety"): the operator's hand, else the plan, else
+/// standing; everything through the velocity gate, which has the last word. Anything stale, unknown or
+/// contradictory: zero velocity. Allocates nothing.
+ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input);
+
+}  // namespace topo::pipeline

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/goals/goal.hpp"
+#include "core/grid/wavefront.hpp"
+#include "core/motion/area_limits.hpp"
+#include "core/pipeline/analysis.hpp"
+#include "core/pipeline/control_step.hpp"
+#include "core/pipeline/map_snapshot.hpp"
+#include "core/pipeline/plan.hpp"
+#include "core/types/result.hpp"
+
+namespace topo::pipeline {
+
+enum class Strategy : std::uint8_t {
+  kTopometric,       ///< the paper's: a handful of essential goals from the place map
+  kNearestFrontier,  ///< Yamauchi 1997: always the nearest frontier; the baseline
+};
+std::string_view to_text(Strategy strategy);
+
+enum class Finish : std::uint8_t {
+  kEssential,  ///< home when no essential goal is left
+  kComplete,   ///< then the remaining frontiers that a robot can enter, place by place
+};
+std::string_view to_text(Finish finish);
+
+struct PlannerParams {
+  Strategy strategy = Strategy::kTopometric;
+  Finish finish = Finish::kComplete;
+  AnalysisParams analysis;
+  grid::TravelRules travel;
+  motion::AreaLimits area;
+  types::Se2 T_base_laser;       ///< front scanner, for what stands in the way now
+  double frontier_min_m = 0.75;  ///< narrower frontiers are nobody's goal
+  double goal_reached_m = 0.5;   ///< an exploration goal counts as visited from here
+  double home_reached_m = 0.15;
+  double give_up_s = 60.0;       ///< a goal given up comes back after this
+  double switch_gain = 0.8;      ///< another goal must cost less than this share of the present one's
+  double battery_home_v = 11.6;  ///< below for 10 s: home
+  double charge_home = 0.2;      ///< the same for a reported state of charge
+};
+
+/// What the operator wants.
+enum class Order : std::uint8_t { kStand, kExplore, kHome, kGoTo };
+
+struct Mission {
+  std::uint64_t number = 0;  ///< a new number is a new mission
+  Order order = Order::kStand;
+  bool paused = false;
+  types::Vector2 target{0.0, 0.0};  ///< kGoTo, in map
+};
+
+/// Where the mapper has the robot now; newer than the snapshot.
+struct TrackedPose {
+  types::Stamp stamp{};        ///< of the last scan placed
+  std::uint64_t revision = 0;  ///< of the map that the pose is in
+  types::Transform2<types::Map, types::Odom> T_map_odom;
+  bool matched = false;
+};
+
+/// What one planning period looks at. Pointers: null when never heard of.
+struct PlanningInput {
+  types::Stamp now{};
+  const MapSnapshot* map = nullptr;
+  const TrackedPose* tracked = nullptr;
+  const ControlReport* control = nullptr;
+  const types::Scan* front = nullptr;  ///< newest, for obstacles that no keyframe holds yet
+  Mission mission;
+};
+
+/// A goal that was put off, and until when.
+struct GivenUp {
+  types::Vector2 p_map{0.0, 0.0};
+  types::Stamp until{};
+  std::string why;
+};
+
+/// A decision that an operator can read ("topoctl goals --why").
+struct Decision {
+  types::Stamp stamp{};
+  types::Vector2 p_map{0.0, 0.0};
+  std::string text;  ///< "taken: east side of place 3, opening 1.9 m, 12.3 m to go"
+};
+
+/// What planning knows, immutable once handed over; for status, files and pictures.
+struct PlanningReport {
+  std::uint64_t sequence = 0;
+  types::Stamp stamp{};
+  Activity activity = Activity::kIdle;
+  std::string reason;  ///< one sentence: why this activity
+  std::uint64_t mission = 0;
+  bool mission_ended = false;  ///< done or failed
+  bool second_phase = false;   ///< filling in gaps
+  types::Transform2<types::Map, types::Base> T_map_base;
+  types::Transform2<types::Map, types::Base> T_map_start;
+  double known_m2 = 0.0;                     ///< free cells seen so far
+  std::shared_ptr<const Analysis> analysis;  ///< newest; null before the first
+  std::vector<goals::Goal> open_goals;       ///< what may be chosen now, either phase
+  std::vector<GivenUp> given_up;
+  std::vector<Decision> decisions;  ///< the last 64, oldest first
+  std::optional<goals::Goal> goal;  ///< on the way to it
+  std::vector<types::Vector2> route_map;
+  int frontier_clusters = 0;  ///< at least 0.75 m wide, as explore_lite counts
+  std::uint64_t goals_issued = 0;
+  std::uint64_t decisions_made = 0;
+  std::uint64_t clusters_sum = 0;  ///< over the decisions
+  std::uint64_t goals_sum = 0;     ///< over the decisions
+};
+
+struct PlanningOutput {
+  Plan plan;
+  std::unique_ptr<const PlanningReport> report;  ///< never null
+};
+
+/// The planning thread's whole state. Used by one thread.
+class PlanningState {
+ public:
+  explicit PlanningState(const PlannerParams& params);
+  ~PlanningState();
+  PlanningState(const PlanningState&) = delete;
+  PlanningState& operator=(const PlanningState&) = delete;
+
+ private:
+  friend PlanningOutput planning_step(PlanningState&, const PlanningInput&);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One period (DESIGN "Exploration"): analysis of the map when it changed, goals of the phase, choice, route.
+/// Never throws; with anything missing or stale the plan is to stand, and the report says why.
+PlanningOutput planning_step(PlanningState& state, const PlanningInput& input);
+
+/// Can an operator's goal be gone to, as the map is? The reason when it cannot (unknown space, occupied, not
+/// reachable, forbidden area). For the control socket, before a mission is made of it.
+types::Status check_target(const Analysis& analysis, const PlannerParams& params, const types::Vector2& from,
+                           const types::Vector2& target);
+
+}  // namespace topo::pipeline

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+#include "core/places/skeleton.hpp"
+#include "core/types/geometry.hpp"
+
+namespace topo::places {
+
+struct PlaceParams {
+  double density_min = 0.80;  ///< free share of a place's bounding box, for a merge (paper II-C, condition 1)
+  double width_ratio_max = 1.8;  ///< of the clearances of two corridor pieces, for a merge
+  double spur_m = 0.30;  ///< skeleton ends that stick out no more than this beyond the axis are dropped
+};
+
+struct Place {
+  types::Rectangle box;  ///< of its free space, in the compass frame (map turned by -compass_rad)
+  types::Vector2 centroid{0.0, 0.0};  ///< of its free space, in map
+  double area_m2 = 0.0;
+  float clearance_max_m = 0.0F;
+};
+
+/// Two places that touch.
+struct PlaceBorder {
+  std::uint16_t a = 0;  ///< indices of places, a < b
+  std::uint16_t b = 0;
+  double length_m = 0.0;
+};
+
+/// The free space divided into places (paper section II-C).
+struct PlaceMap {
+  double compass_rad = 0.0;
+  std::vector<std::uint16_t> labels;  ///< 0 outside free space, else index of the place + 1; as map.cells
+  std::vector<Place> places;
+  std::vector<PlaceBorder> borders;
+};
+
+/// Labels by skeleton node, then merging of neighbours to a fixed point under the two conditions of paper
+/// section II-C: the union's box in the compass frame is mostly free, and no wall is crossed. Independent of
+/// the order of nodes. Without a compass the map's own axes.
+PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
+                        const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
+                        const PlaceParams& params = {});
+
+}  // namespace topo::places

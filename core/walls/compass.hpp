@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/types/se2.hpp"
+
+namespace topo::walls {
+
+struct CompassParams {
+  double bin_m = 0.10;               ///< width of a bin of the projection
+  double coarse_step_rad = 0.01745;  ///< 1 degree
+  double fine_step_rad = 0.001745;   ///< 0.1 degree
+  double confidence_min = 0.02;      ///< below: no dominant direction
+  std::size_t points_max = 20000;    ///< more are thinned evenly
+};
+
+/// The direction that a building is aligned to (paper section II-A).
+struct Compass {
+  std::optional<double> angle_rad;  ///< in [0, pi/2); nothing: no dominant direction
+  double confidence = 0.0;          ///< depth of the minimum below the curve's median, relative: 0 to 1
+  std::vector<double> entropy;      ///< of both projections, summed, per coarse step from 0 to pi/2
+};
+
+/// Entropy of the histogram of the points' projections, summed with its orthogonal partner's; its minimum
+/// over orientation, refined to fine_step_rad. Order of the points does not matter.
+Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params = {});
+
+}  // namespace topo::walls
