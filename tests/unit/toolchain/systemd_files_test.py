@@ -33,6 +33,8 @@ class SystemdFiles(unittest.TestCase):
         text = UNIT.read_text()
         text, programs = re.subn(r"^ExecStart=/usr/bin/topometricd\b", "ExecStart=/bin/true", text, flags=re.M)
         self.assertEqual(programs, 1, "the package installs /usr/bin/topometricd")
+        text, helpers = re.subn(r"^ExecStopPost=-/usr/bin/topometric-estop\b", "ExecStopPost=-/bin/true", text, flags=re.M)
+        self.assertEqual(helpers, 1, "the package installs /usr/bin/topometric-estop")
         unit = self.folder / UNIT.name
         unit.write_text(text)
         return str(unit)
@@ -61,7 +63,8 @@ class SystemdFiles(unittest.TestCase):
         for line in (
             "Type=notify", "WatchdogSec=2s", "Restart=on-failure", "User=topometric", "LimitRTPRIO=50",
             "LimitMEMLOCK=infinity", "RuntimeDirectory=topometric", "SupplementaryGroups=dialout",
-            "RestrictRealtime=no", "DeviceAllow=char-ttyACM rw", "DeviceAllow=char-ttyUSB rw",
+            "ExecStopPost=-/usr/bin/topometric-estop --config /etc/topometric/topometric.toml",
+            "RestartPreventExitStatus=2", "RestrictRealtime=no", "DeviceAllow=char-ttyACM rw", "DeviceAllow=char-ttyUSB rw",
         ):
             self.assertIn(line, lines)
 

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Run by the service manager after the daemon has stopped, whichever way it did (systemd/topometric.service).
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "daemon/app/version.hpp"
+#include "daemon/config/load.hpp"
+#include "daemon/control/unix_socket.hpp"
+#include "daemon/estop/stop_robot.hpp"
+#include "drivers/io/make_connector.hpp"
+
+namespace topo::daemon {
+namespace {
+
+// Exit statuses, as in topometric-estop(8).
+constexpr int kOk = 0;
+constexpr int kFailed = 1;
+constexpr int kUsersFault = 2;
+constexpr int kDaemonLives = 3;
+
+/// stop_robot() is bounded; a name server that does not answer is not. Then the kernel ends us.
+constexpr unsigned kHardLimit_s = 2;
+
+int complain(const std::string& message, int status) {
+  fmt::print(stderr, "topometric-estop: {}\n", message);
+  return status;
+}
+
+int stop(const std::string& address) {
+  auto connector = io::make_connector(address);
+  if (!connector) return complain(connector.error().message, kUsersFault);
+  const auto outcome = stop_robot(**connector);
+  if (!outcome) return complain(outcome.error().message, kFailed);
+  if (*outcome == StopOutcome::kMoves) {
+    return complain(fmt::format("{}: E_STOP, VEL 0, RVEL 0 and CLOSE written, but the wheels still turned at "
+                                "the last report",
+                                address),
+                    kFailed);
+  }
+  const char* seen = *outcome == StopOutcome::kStands ? "the robot stands" : "the robot reports nothing";
+  fmt::print("topometric-estop: {}: E_STOP, VEL 0, RVEL 0, CLOSE written; {}\n", address, seen);
+  return kOk;
+}
+
+int stop_configured(const std::string& file) {
+  const auto loaded = load_configuration(file);
+  if (!loaded) return complain(loaded.error().message, kUsersFault);
+  if (!loaded->faults.empty()) {
+    fmt::print(stderr, "{}", faults_text(*loaded));
+    return kUsersFault;
+  }
+  // A port has one master: two that write to it make the robot jerk.
+  const std::string& socket = loaded->values.control.socket;
+  if (connect_unix(socket)) {
+    return complain(fmt::format("a daemon serves this robot on {}; use topoctl estop", socket), kDaemonLives);
+  }
+  return stop(loaded->values.base.address);
+}
+
+int start(int argc, char** argv) {
+  CLI::App cli(
+      "Stops a robot whose daemon is gone: writes E_STOP, VEL 0, RVEL 0 and CLOSE to its port, in less than "
+      "a "
+      "second.\n"
+      "Exit status: 0 written, 1 failed or the robot still moves, 2 wrong configuration or command line, 3 a "
+      "daemon is running.");
+  std::string config, address;
+  bool version = false;
+  auto* from_file = cli.add_option("--config", config, "the daemon's configuration file");
+  cli.add_option("--address", address, "the base's address: serial:/dev/NAME or tcp:HOST:PORT")
+      ->excludes(from_file);
+  cli.add_flag("--version", version, "print the version and exit");
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? kOk : kUsersFault;
+  }
+  if (version) {
+    fmt::print("topometric-estop {}\n", kVersion);
+    return kOk;
+  }
+  if (config.empty() && address.empty())
+    return complain("--config FILE or --address ADDRESS is missing (--help tells more)", kUsersFault);
+  ::alarm(kHardLimit_s);
+  return config.empty() ? stop(address) : stop_configured(config);
+}
+
+}  // namespace
+}  // namespace topo::daemon
+
+int main(int argc, char** argv) { return topo::daemon::start(argc, argv); }
