@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/grid/dense_map.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace topo::grid {
+namespace {
+
+struct Grid {
+  patricia::Arena<TileRef> arena;
+  OccupancyGrid grid{arena, 0.05};
+
+  void set(CellIndex c, CellCounts counts) {
+    const int tx = c.x >> 5, ty = c.y >> 5;
+    grid.tile_to_change(tx, ty).cells[Tile::index(c.x - tx * Tile::kSide, c.y - ty * Tile::kSide)] = counts;
+  }
+};
+
+TEST(DenseMap, OfAnEmptyGridIsEmpty) {
+  Grid g;
+  EXPECT_TRUE(dense_map(g.grid).cells.empty());
+  EXPECT_TRUE(dense_map(g.grid).box.empty());
+  (void)g.grid.tile_to_change(3, -4);  // a tile in which nothing was seen
+  EXPECT_TRUE(dense_map(g.grid).cells.empty());
+}
+
+TEST(DenseMap, OfOneCellIsTheCellAndItsMargin) {
+  Grid g;
+  g.set({-33, 64}, {1, 0});
+  const DenseMap map = dense_map(g.grid);
+  EXPECT_EQ(map.box.min, (CellIndex{-34, 63}));
+  EXPECT_EQ(map.box.max, (CellIndex{-32, 65}));
+  ASSERT_EQ(map.cells.size(), 9U);
+  EXPECT_EQ(map.state({-33, 64}), CellState::kOccupied);
+  EXPECT_EQ(dense_map(g.grid, 5).cells.size(), 121U);
+  EXPECT_EQ(dense_map(g.grid, 0).cells.size(), 9U) << "the margin is at least one";
+}
+
+TEST(DenseMap, HasTheGridsStatesAndTheSmallestBox) {
+  EXPECT_TRUE(rc::check("same states", [] {
+    Grid g;
+    const auto cells = *rc::gen::container<std::vector<std::pair<int, int>>>(
+        rc::gen::pair(rc::gen::inRange(-100, 100), rc::gen::inRange(-100, 100)));
+    for (const auto& [x, y] : cells) {
+      g.set({x, y}, {*rc::gen::inRange<std::uint16_t>(0, 4), *rc::gen::inRange<std::uint16_t>(0, 12)});
+    }
+    const DenseMap map = dense_map(g.grid);
+    const CellBox known = g.grid.known_box();
+    RC_ASSERT(map.box.empty() == known.empty());
+    if (known.empty()) return;
+    RC_ASSERT(map.box.min == (CellIndex{known.min.x - 1, known.min.y - 1}));
+    RC_ASSERT(map.box.max == (CellIndex{known.max.x + 1, known.max.y + 1}));
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      RC_ASSERT(map.cells[i] == g.grid.state(map.cell(i)));
+      RC_ASSERT(map.index(map.cell(i)) == i);
+    }
+  }));
+}
+
+TEST(DenseMap, CountsUpToTheirLimitsGiveTheStateOfTheCell) {
+  Grid g;
+  const std::uint16_t values[] = {0, 1, 2, 3, 4, 21844, 21845, 21846, 65534, 65535};
+  int x = 0;
+  for (const std::uint16_t hits : values)
+    for (const std::uint16_t misses : values) g.set({x++, 0}, {hits, misses});
+  const DenseMap map = dense_map(g.grid);
+  for (int i = 0; i < x; ++i) EXPECT_EQ(map.state({i, 0}), g.grid.state({i, 0})) << i;
+}
+
+}  // namespace
+}  // namespace topo::grid

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/grid/wavefront.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <queue>
+
+#include "core/grid/distance.hpp"
+#include "tests/unit/core/grid/maps.hpp"
+
+namespace topo::grid {
+namespace {
+
+constexpr TravelRules kSmallRobot{.radius_m = 0.10, .preferred_m = 0.25, .crowding = 2.0, .start_m = 0.0};
+
+CellIndex moved(CellIndex cell, CellIndex by) { return {cell.x + by.x, cell.y + by.y}; }
+
+bool open(const DenseMap& map, const std::vector<float>& clearance, CellIndex cell,
+          const TravelRules& rules) {
+  return map.state(cell) == CellState::kFree &&
+         clearance[map.index(cell)] >= static_cast<float>(rules.radius_m);
+}
+
+double per_metre(double clearance, const TravelRules& rules) {
+  const double lacking = std::max(0.0, rules.preferred_m - clearance);
+  return 1.0 + rules.crowding * lacking / (rules.preferred_m - rules.radius_m);
+}
+
+/// The same by the textbook, with a heap and doubles; the start must be open.
+std::vector<double> plain_dijkstra(const DenseMap& map, const std::vector<float>& clearance, CellIndex start,
+                                   const TravelRules& rules) {
+  std::vector<double> cost(map.cells.size(), HUGE_VAL);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  queue.push({cost[map.index(start)] = 0.0, map.index(start)});
+  while (!queue.empty()) {
+    const auto [so_far, i] = queue.top();
+    queue.pop();
+    if (so_far > cost[i]) continue;
+    for (const CellIndex by : kNeighbours) {
+      const CellIndex next = moved(map.cell(i), by);
+      if (!map.contains(next) || !open(map, clearance, next, rules)) continue;
+      const std::size_t n = map.index(next);
+      const double length = std::hypot(by.x, by.y) * map.resolution_m;
+      const double c =
+          so_far + length * (per_metre(clearance[i], rules) + per_metre(clearance[n], rules)) / 2.0;
+      if (c < cost[n]) queue.push({cost[n] = c, n});
+    }
+  }
+  return cost;
+}
+
+std::vector<CellIndex> open_cells(const DenseMap& map, const std::vector<float>& clearance,
+                                  const TravelRules& rules) {
+  std::vector<CellIndex> cells;
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    if (open(map, clearance, map.cell(i), rules)) cells.push_back(map.cell(i));
+  return cells;
+}
+
+TEST(Wavefront, CostsWhatPlainDijkstraFinds) {
+  EXPECT_TRUE(rc::check("optimal", [] {
+    const DenseMap map = random_map(40);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const auto starts = open_cells(map, clearance, kSmallRobot);
+    RC_PRE(!starts.empty());
+    const CellIndex start = *rc::gen::elementOf(starts);
+    const TravelField field = travel_field(map, clearance, start, kSmallRobot);
+    const auto expected = plain_dijkstra(map, clearance, start, kSmallRobot);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (std::isinf(expected[i])) {
+        RC_ASSERT(std::isinf(field.cost_m[i]));
+      } else {
+        RC_ASSERT(std::abs(static_cast<double>(field.cost_m[i]) - expected[i]) <= 1e-4 * (1.0 + expected[i]));
+      }
+    }
+  }));
+}
+
+TEST(Wavefront, CostsAreSymmetricAndKeepTheTriangleInequality) {
+  EXPECT_TRUE(rc::check("a metric", [] {
+    const DenseMap map = random_map(30);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const auto cells = open_cells(map, clearance, kSmallRobot);
+    RC_PRE(!cells.empty());
+    const CellIndex a = *rc::gen::elementOf(cells), b = *rc::gen::elementOf(cells);
+    const auto from_a = travel_field(map, clearance, a, kSmallRobot);
+    const auto from_b = travel_field(map, clearance, b, kSmallRobot);
+    const float ab = from_a.cost_m[map.index(b)], ba = from_b.cost_m[map.index(a)];
+    RC_ASSERT(std::isinf(ab) == std::isinf(ba));
+    if (std::isinf(ab)) return;
+    RC_ASSERT(std::abs(ab - ba) <= 1e-3F);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      if (std::isinf(from_b.cost_m[i])) continue;
+      RC_ASSERT(from_a.cost_m[i] <= ab + from_b.cost_m[i] + 1e-3F);
+    }
+  }));
+}
+
+TEST(Wavefront, RoutesKeepTheClearanceAndAddUpToTheCost) {
+  EXPECT_TRUE(rc::check("routes", [] {
+    const DenseMap map = random_map(40);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const auto cells = open_cells(map, clearance, kSmallRobot);
+    RC_PRE(!cells.empty());
+    const CellIndex start = *rc::gen::elementOf(cells), goal = *rc::gen::elementOf(cells);
+    const TravelField field = travel_field(map, clearance, start, kSmallRobot);
+    const auto route = route_to(map, field, goal);
+    RC_ASSERT(route.empty() == std::isinf(field.cost_m[map.index(goal)]));
+    if (route.empty()) return;
+    RC_ASSERT(route.front() == start);
+    RC_ASSERT(route.back() == goal);
+    double cost = 0.0;
+    for (std::size_t i = 1; i < route.size(); ++i) {
+      RC_ASSERT(open(map, clearance, route[i], kSmallRobot));
+      const int dx = route[i].x - route[i - 1].x, dy = route[i].y - route[i - 1].y;
+      RC_ASSERT(std::max(std::abs(dx), std::abs(dy)) == 1);
+      cost += std::hypot(dx, dy) * map.resolution_m / 2.0 *
+              (per_metre(clearance[map.index(route[i - 1])], kSmallRobot) +
+               per_metre(clearance[map.index(route[i])], kSmallRobot));
+    }
+    RC_ASSERT(std::abs(cost - static_cast<double>(field.cost_m[map.index(goal)])) <= 1e-4 * (1.0 + cost));
+  }));
+}
+
+TEST(Wavefront, GoesRoundWhatIsNear) {
+  // A corridor of 2 m: the way along it keeps to the middle, though a wall is no farther.
+  const DenseMap map = filled_map(120, 40, CellState::kFree);
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelRules rules;
+  const TravelField field = travel_field(map, clearance, {10, 7}, rules);
+  const auto route = route_to(map, field, {110, 7});
+  ASSERT_FALSE(route.empty());
+  EXPECT_GE(clearance[map.index(route[route.size() / 2])], static_cast<float>(rules.preferred_m) - 0.05F);
+}
+
+TEST(Wavefront, ReachesNothingFromOutsideTheMapOrInEmptyOnes) {
+  const DenseMap map = filled_map(20, 20, CellState::kFree);
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelField field = travel_field(map, clearance, {100, 100}, {});
+  EXPECT_THAT(field.cost_m, testing::Each(testing::Gt(1e9F)));
+  EXPECT_TRUE(route_to(map, field, {10, 10}).empty());
+  EXPECT_TRUE(travel_field(DenseMap{}, {}, {0, 0}, {}).cost_m.empty());
+  EXPECT_FALSE(nearest_reachable(DenseMap{}, TravelField{}, {0, 0}, 5.0));
+}
+
+TEST(Wavefront, FromTheBorderReachesTheStartOnly) {
+  const DenseMap map = filled_map(20, 20, CellState::kFree);
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  for (const CellIndex start : {CellIndex{-1, -1}, CellIndex{20, 20}, CellIndex{-1, 5}}) {
+    const TravelField field = travel_field(map, clearance, start, {});
+    EXPECT_EQ(field.cost_m[map.index(start)], 0.0F);
+    EXPECT_THAT(route_to(map, field, start), testing::ElementsAre(start));
+    EXPECT_TRUE(route_to(map, field, {10, 10}).empty());
+  }
+}
+
+TEST(Wavefront, KnowsNoWayThroughOccupiedOrUnknownCells) {
+  for (const auto state : {CellState::kOccupied, CellState::kUnknown}) {
+    DenseMap map = filled_map(80, 40, CellState::kFree);
+    for (int y = 0; y < 40; ++y) map.cells[map.index({40, y})] = state;
+    // With unknown space open in the clearance, it is still closed to the route.
+    const auto clearance = clearance_m(map, Boundary::kOccupied);
+    const TravelField field = travel_field(map, clearance, {20, 20}, {});
+    EXPECT_TRUE(std::isinf(field.cost_m[map.index({60, 20})]));
+    EXPECT_FALSE(std::isinf(field.cost_m[map.index({30, 20})]));
+  }
+}
+
+TEST(Wavefront, ARobotTooNearToAWallMayLeaveAndRunsAwayFromIt) {
+  const DenseMap map = filled_map(60, 60, CellState::kFree);
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const CellIndex start{30, 2};  // 0.15 m from the unknown
+  const TravelField field = travel_field(map, clearance, start, {});
+  const auto route = route_to(map, field, {30, 30});
+  ASSERT_FALSE(route.empty());
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    EXPECT_GE(clearance[map.index(route[i])], clearance[map.index(route[i - 1])]) << i;
+  }
+  // Only near the start: along the wall there is no way.
+  EXPECT_TRUE(std::isinf(field.cost_m[map.index({50, 2})]));
+}
+
+TEST(Wavefront, LeavesUnknownCellsUnderItsFootprintButNoOthers) {
+  DenseMap map = filled_map(60, 60, CellState::kFree);
+  for (int y = 27; y <= 33; ++y)
+    for (int x = 27; x <= 33; ++x) map.cells[map.index({x, y})] = CellState::kUnknown;
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelField inside = travel_field(map, clearance, {30, 30}, {});
+  EXPECT_FALSE(std::isinf(inside.cost_m[map.index({50, 30})]));
+  const TravelField outside = travel_field(map, clearance, {50, 30}, {});
+  EXPECT_TRUE(std::isinf(outside.cost_m[map.index({30, 30})]));
+}
+
+TEST(Wavefront, DoesNotSlipBetweenOccupiedCellsThatMeetAtACorner) {
+  const DenseMap map = drawn_map({"########", "#...#..#", "#..#...#", "#.#....#", "##.....#", "########"});
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelRules rules{.radius_m = 0.05, .preferred_m = 0.1, .crowding = 1.0, .start_m = 0.6};
+  const TravelField field = travel_field(map, clearance, {1, 3}, rules);
+  EXPECT_TRUE(std::isinf(field.cost_m[map.index({5, 3})]));
+  EXPECT_FALSE(std::isinf(field.cost_m[map.index({3, 4})]));
+}
+
+TEST(Wavefront, NearestReachableIsTheNearestWithinTheLimit) {
+  EXPECT_TRUE(rc::check("nearest", [] {
+    const DenseMap map = random_map(40);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const auto cells = open_cells(map, clearance, kSmallRobot);
+    RC_PRE(!cells.empty());
+    const TravelField field = travel_field(map, clearance, *rc::gen::elementOf(cells), kSmallRobot);
+    const CellIndex goal{*rc::gen::inRange(-10, 50), *rc::gen::inRange(-10, 50)};
+    const double within_m = 0.05 * *rc::gen::inRange(0, 30);
+    double expected = HUGE_VAL;
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const CellIndex c = map.cell(i);
+      if (!std::isinf(field.cost_m[i]))
+        expected = std::min(expected, std::hypot(c.x - goal.x, c.y - goal.y) * 0.05);
+    }
+    const auto found = nearest_reachable(map, field, goal, within_m);
+    RC_ASSERT(found.has_value() == (expected <= within_m));
+    if (!found) return;
+    RC_ASSERT(!std::isinf(field.cost_m[map.index(*found)]));
+    RC_ASSERT(std::abs(std::hypot(found->x - goal.x, found->y - goal.y) * 0.05 - expected) < 1e-9);
+  }));
+}
+
+}  // namespace
+}  // namespace topo::grid
