@@ -25,6 +25,8 @@ std::string trajectory_text(const LogRun& run) {
   return text;
 }
 
+}  // namespace
+
 types::Status make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -35,7 +37,11 @@ types::Status make_folder(const std::filesystem::path& folder) {
       error.value());
 }
 
-}  // namespace
+types::Status write_map(const std::filesystem::path& folder, const pipeline::MapSnapshot& map) {
+  const auto image = daemon::image_of(map.grid);
+  if (!image) return tl::unexpected(image.error());
+  return daemon::save_map(folder.string(), *image);
+}
 
 types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
                               const LogRun& run) {

@@ -10,6 +10,12 @@
 
 namespace topo::bench {
 
+/// Makes the folder for results if it is missing.
+types::Status make_folder(const std::filesystem::path& folder);
+
+/// map.pgm and map.yaml in an existing folder.
+types::Status write_map(const std::filesystem::path& folder, const pipeline::MapSnapshot& map);
+
 /// map.pgm, map.yaml, map.png (with the trajectory) and trajectory.txt in a folder, which is made if missing.
 types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
                               const LogRun& run);

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bench/topobench/explore/explore_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "daemon/mapfile/atomic_file.hpp"
+#include "tests/bench/topobench/explore/coverage_plot.hpp"
+#include "tests/bench/topobench/output.hpp"
+#include "tests/sim/picture.hpp"
+
+namespace topo::bench {
+namespace {
+
+using nlohmann::json;
+
+constexpr sim::Colour kUnseen{240, 170, 170};
+constexpr sim::Colour kSeen{170, 225, 170};
+constexpr sim::Colour kGoal{230, 120, 0};
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+json or_null(const std::optional<double>& value) { return value ? json(*value) : json(nullptr); }
+
+json quantiles_ms(std::vector<double> values) {
+  if (values.empty()) return nullptr;
+  std::sort(values.begin(), values.end());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  const auto p99 = static_cast<std::size_t>(0.99 * static_cast<double>(values.size() - 1));
+  return {{"mean", mean}, {"p99", values[p99]}, {"max", values.back()}};
+}
+
+/// Root mean square distance between estimate and truth with the map laid on the true start.
+double ate_rmse_m(const RunSetup& setup, const RunResult& result) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < result.truth.size(); ++i) {
+    const types::Se2 estimate = setup.plant.start * result.estimate[i];
+    sum += (estimate.translation() - result.truth[i].translation()).squaredNorm();
+  }
+  return result.truth.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(result.truth.size()));
+}
+
+json coverage_list(const RunResult& result) {
+  json list = json::array();
+  for (const auto& [t_s, share] : result.coverage) list.push_back({t_s, rounded(share, 1e-5)});
+  return list;
+}
+
+std::string decisions_text(const RunResult& result) {
+  std::string text;
+  for (const pipeline::Decision& decision : result.decisions) {
+    fmt::format_to(std::back_inserter(text), "{:8.1f} s  ({:6.2f}, {:6.2f})  {}\n",
+                   types::to_seconds(decision.stamp), decision.p_map.x(), decision.p_map.y(), decision.text);
+  }
+  return text;
+}
+
+std::string poses_text(const RunSetup& setup, const RunResult& result) {
+  std::string text = "# t_s x_m y_m theta_rad (true, in the building), the same as the robot believed it\n";
+  for (std::size_t i = 0; i < result.truth.size(); ++i) {
+    const sim::Se2& a = result.truth[i];
+    const sim::Se2 b = setup.plant.start * result.estimate[i];
+    fmt::format_to(std::back_inserter(text), "{:.3f}\t{:.4f}\t{:.4f}\t{:.5f}\t{:.4f}\t{:.4f}\t{:.5f}\n",
+                   result.coverage[i].first, a.x_m, a.y_m, a.theta_rad, b.x_m, b.y_m, b.theta_rad);
+  }
+  return text;
+}
+
+sim::Picture overview(const sim::World& world, const RunSetup& setup, const RunResult& result,
+                      const sim::Raster& visible) {
+  sim::Picture picture(world.extents(), 0.025);
+  sim::Raster unseen = visible;
+  for (std::size_t i = 0; i < unseen.cells.size(); ++i) {
+    if (result.covered.cells[i] != 0) unseen.cells[i] = 0;
+  }
+  picture.tint(unseen, kUnseen);
+  picture.tint(result.covered, kSeen);
+  picture.world(world);
+  picture.path(result.truth, sim::kTruthInk);
+  types::Vector2 before = setup.plant.start.translation();
+  for (const IssuedGoal& goal : result.goals) {
+    const types::Vector2 p = setup.plant.start * goal.p_map;
+    picture.line(before, p, kGoal);
+    picture.dot(p, kGoal, 5);
+    before = p;
+  }
+  picture.dot(setup.plant.start.translation(), sim::kScanInk, 8);
+  return picture;
+}
+
+}  // namespace
+
+json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& result, double reachable_m2) {
+  return {{"world", title.world},
+          {"strategy", title.strategy},
+          {"robots", 1},
+          {"seed", title.seed},
+          {"fidelity", setup.fidelity == Fidelity::kFull ? "full" : "plan"},
+          {"finish", title.finish},
+          {"radio", "none"},
+          {"reachable_m2", rounded(reachable_m2, 1e-3)},
+          {"t50_s", or_null(result.reached_s[0])},
+          {"t90_s", or_null(result.reached_s[1])},
+          {"t95_s", or_null(result.reached_s[2])},
+          {"t99_s", or_null(result.reached_s[3])},
+          {"t_home_s", or_null(result.home_s)},
+          {"limit_s", setup.limit_s},
+          {"distance_m", {result.distance_m}},
+          {"goals_issued", result.goals_issued},
+          {"clusters_sum", result.clusters_sum},
+          {"goals_sum", result.goals_sum},
+          {"decisions", result.decisions_made},
+          {"decision_ms", quantiles_ms(result.decision_ms)},
+          {"collisions", result.collisions},
+          {"home", {result.home}},
+          {"home_distance_m", result.home_distance_m},
+          {"end_s", result.end_s},
+          {"ended_as", std::string(to_text(result.activity))},
+          {"reason", result.reason},
+          {"covered", result.coverage.empty() ? 0.0 : result.coverage.back().second},
+          {"known", result.known_fraction},
+          {"ate_rmse_m", ate_rmse_m(setup, result)},
+          {"speedup_over_real_time", result.end_s / std::max(result.wall_s, 1e-9)},
+          {"wall_s",
+           {{"all", result.wall_s},
+            {"simulation", result.spent.simulation_s},
+            {"mapping", result.spent.mapping_s},
+            {"planning", result.spent.planning_s},
+            {"control", result.spent.control_s},
+            {"measuring", result.spent.measuring_s}}},
+          {"coverage", coverage_list(result)}};
+}
+
+types::Status write_run_files(const std::filesystem::path& folder, const sim::World& world,
+                              const RunSetup& setup, const RunResult& result, const sim::Raster& visible) {
+  if (auto made = make_folder(folder); !made) return made;
+  if (auto saved = overview(world, setup, result, visible).save_png(folder / "explore.png"); !saved)
+    return saved;
+  if (auto saved = coverage_plot(result).save_png(folder / "coverage.png"); !saved) return saved;
+  if (auto saved = daemon::write_file((folder / "decisions.txt").string(), decisions_text(result)); !saved)
+    return saved;
+  return daemon::write_file((folder / "poses.tsv").string(), poses_text(setup, result));
+}
+
+}  // namespace topo::bench

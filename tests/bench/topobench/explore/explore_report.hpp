@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/bench/topobench/explore/explore_run.hpp"
+
+namespace topo::bench {
+
+/// What was asked for, for the report.
+struct RunTitle {
+  std::string world, strategy, finish;
+  std::uint64_t seed = 1;
+};
+
+/// The keys of REPORTS "topobench explore", and some more.
+nlohmann::json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& result,
+                         double reachable_m2);
+
+/// explore.png (true walls, area, path, goals), coverage.png, decisions.txt and truth.tsv in a folder, which
+/// is made if missing.
+types::Status write_run_files(const std::filesystem::path& folder, const sim::World& world,
+                              const RunSetup& setup, const RunResult& result, const sim::Raster& visible);
+
+}  // namespace topo::bench

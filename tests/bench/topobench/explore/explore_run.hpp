@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/bench/topobench/explore/coverage.hpp"
+#include "tests/bench/topobench/explore/plant.hpp"
+#include "tests/bench/topobench/explore/robot_mind.hpp"
+#include "tests/sim/area.hpp"
+
+namespace topo::bench {
+
+enum class Fidelity { kFull, kPlan };
+
+struct RunSetup {
+  Fidelity fidelity = Fidelity::kFull;
+  double limit_s = 1800.0;
+  int closure_delay_scans = 20;  ///< half a second
+  PlantSetup plant;
+  MindSetup mind;
+};
+
+/// Looks on, and for tests puts other things in the way.
+class RunHooks {
+ public:
+  virtual ~RunHooks() = default;
+  /// Before the mind gets them; may be changed.
+  virtual void readings(Readings& /*readings*/) {}
+  virtual void planned(const pipeline::PlanningOutput& /*output*/) {}
+  virtual void commanded(const pipeline::ControlOutput& /*output*/) {}
+  virtual void ticked(Plant& /*plant*/) {}
+};
+
+/// Wall time that one part of the loop took.
+struct Spent {
+  double simulation_s = 0.0, mapping_s = 0.0, planning_s = 0.0, control_s = 0.0, measuring_s = 0.0;
+};
+
+struct IssuedGoal {
+  double t_s = 0.0;
+  types::Vector2 p_map{0.0, 0.0};
+};
+
+struct RunResult {
+  static constexpr std::array<double, 4> kShares{0.50, 0.90, 0.95, 0.99};
+
+  double end_s = 0.0;
+  double wall_s = 0.0;
+  Spent spent;
+  std::array<std::optional<double>, kShares.size()> reached_s;  ///< when kShares of the area were known
+  std::optional<double> home_s;                                 ///< the mission done and the robot home
+  bool home = false;                                            ///< at the end, within 0.5 m of its start
+  double home_distance_m = 0.0;
+  double distance_m = 0.0;
+  std::uint64_t collisions = 0;
+  std::vector<std::pair<double, double>> coverage;  ///< every second
+  double known_fraction = 0.0;                      ///< at the end: free or occupied
+  std::vector<double> decision_ms;
+  std::uint64_t goals_issued = 0, clusters_sum = 0, goals_sum = 0, decisions_made = 0;
+  pipeline::Activity activity = pipeline::Activity::kIdle;
+  std::string reason;
+  bool mission_ended = false;
+  std::vector<sim::Se2> truth;     ///< in the building, every second
+  std::vector<sim::Se2> estimate;  ///< in map, the same moments
+  std::vector<IssuedGoal> goals;
+  std::vector<pipeline::Decision> decisions;
+  sim::Raster covered;
+};
+
+/// One exploration from start to end in lock-step (DESIGN section 4: time comes in as a value). The same
+/// arguments give the same result but for the wall times. `visible`: what counts as the building's area.
+RunResult run_exploration(Plant& plant, RobotMind& mind, const RunSetup& setup, const sim::Raster& visible,
+                          RunHooks* hooks = nullptr);
+
+/// The parts for a run.
+types::Result<std::unique_ptr<Plant>> make_plant(sim::World world, const RunSetup& setup);
+std::unique_ptr<RobotMind> make_mind(const RunSetup& setup);
+
+/// Everything as config/simulation.toml has it.
+RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity);
+
+}  // namespace topo::bench
