@@ -12,19 +12,21 @@
 
 namespace topo::goals {
 
-/// A connected run of free cells that touch unknown space (Yamauchi 1997).
+/// A connected run (eight neighbours) of free cells that have unknown space at one of their four sides
+/// (Yamauchi 1997).
 struct Frontier {
   types::Vector2 centroid{0.0, 0.0};
   double width_m = 0.0;              ///< greater extent of its cells plus one cell
-  std::vector<std::uint32_t> cells;  ///< indices into the map
+  std::vector<std::uint32_t> cells;  ///< indices into the map, ascending
 };
 
 /// All clusters at least `width_min_m` wide (0.75 m: what a robot can enter, and what explore_lite counts),
-/// in the order of their first cells.
+/// in the order of their first cells. Linear in the cells.
 std::vector<Frontier> find_frontiers(const grid::DenseMap& map, double width_min_m = 0.75);
 
-/// The cell from which a frontier is best visited: reachable, nearest in travel to the frontier's cells with
-/// at least the rules' clearance; nothing when no cell within `within_m` of the frontier can be reached.
+/// The cell from which a frontier is best visited: of the cells that the field reaches, the one with the
+/// fewest steps over free cells to the frontier's cells, and of several the one nearest to the frontier's
+/// centroid; nothing when none is within `within_m` of such steps. Costs the cells around the frontier.
 std::optional<grid::CellIndex> approach_cell(const grid::DenseMap& map, const Frontier& frontier,
                                              const grid::TravelField& field, double within_m);
 
