@@ -46,6 +46,7 @@ int signed_byte(int value, int shift) { return static_cast<std::int8_t>(value >>
 
 void ArcosDevice::handle(const arcos::Command& command, SimTime now) {
   last_packet_ = now;  // any valid packet feeds the watchdog, and the setpoint from before resumes
+  if (command.number == kEStop) ++e_stops_;
   if (state_ == State::kOpen) return handle_open(command, now);
   handle_sync(command, now);
 }

@@ -63,6 +63,8 @@ class ArcosDevice final : public WireDevice {
   [[nodiscard]] bool watchdog_holds(SimTime now) const;
   [[nodiscard]] const arcos::Parameters& parameters() const { return parameters_; }
   [[nodiscard]] std::uint64_t bad_packets() const { return receiver_.bad_checksums(); }
+  /// E_STOP packets since the start, whatever the state.
+  [[nodiscard]] std::uint64_t e_stops() const { return e_stops_; }
 
  private:
   void handle(const arcos::Command& command, SimTime now);
@@ -93,6 +95,7 @@ class ArcosDevice final : public WireDevice {
   int sync_index_ = 0;
   int baud_code_;
   SimTime last_packet_{0};
+  std::uint64_t e_stops_ = 0;
   SimTime next_sip_{0};
 
   bool motors_on_ = false;

@@ -131,6 +131,7 @@ json device_status(SimRig& rig, std::size_t i) {
   devices["base"]["state"] = kStates[static_cast<std::size_t>(robot.base().state())];
   devices["base"]["motors_on"] = robot.base().motors_on();
   devices["base"]["watchdog_holds"] = robot.base().watchdog_holds(rig.now());
+  devices["base"]["e_stops"] = robot.base().e_stops();
   devices["base"]["bad_packets"] = robot.base().bad_packets();
   return devices;
 }
