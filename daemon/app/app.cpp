@@ -59,7 +59,9 @@ Status App::prepare() {
   workers_ = std::move(*workers);
   events_ = std::make_unique<EventLog>(spdlog::default_logger());
   monitor_ = std::make_unique<Monitor>(options_.configuration, *hand_overs_, *workers_);
-  saver_ = std::make_unique<MapSaver>(*hand_overs_);
+  operator_ =
+      std::make_unique<Operator>(options_.configuration, options_.effective_configuration, *hand_overs_,
+                                 *monitor_, [this](const Json& news) { control_->publish(news); });
   if (auto s = serve_control(); !s) return s;
   return add_events();
 }
@@ -71,7 +73,8 @@ Status App::serve_control() {
                  options_.configuration.control.group);
   }
   methods_ = std::make_unique<Methods>(
-      *this, [this](const Call& call, const Answer& answer) { control_->answer(call, answer); });
+      *operator_, [this](const Call& call, const Answer& answer) { control_->answer(call, answer); },
+      [this](std::uint64_t client) { control_->subscribe(client); });
   control_ = std::make_unique<ControlServer>(event_.get(), std::move(options_.socket), group,
                                              [this](const Call& call) { return methods_->answer(call); });
   return control_->start();
@@ -91,19 +94,18 @@ Status App::add_events() {
   const auto requested = [](sd_event_source* s, int, std::uint32_t, void*) {
     return sd_event_exit(sd_event_source_get_event(s), 0);
   };
-  if (auto s =
-          from_sd(sd_event_add_io(event, &source, stop_requested_.fd(), EPOLLIN, requested, nullptr), "stop");
-      !s) {
-    return s;
-  }
-  stop_source_.reset(source);
+  if (auto s = watch(stop_requested_.fd(), requested, nullptr, stop_source_); !s) return s;
   const auto saved = [](sd_event_source*, int, std::uint32_t, void* app) {
-    static_cast<App*>(app)->saver_->collect();
+    static_cast<App*>(app)->operator_->collect(0);
     return 0;
   };
-  if (auto s = from_sd(sd_event_add_io(event, &source, saver_->fd(), EPOLLIN, saved, this), "saver"); !s)
-    return s;
-  saved_.reset(source);
+  const auto searched = [](sd_event_source*, int, std::uint32_t, void* app) {
+    static_cast<App*>(app)->operator_->collect(1);
+    return 0;
+  };
+  const auto fds = operator_->finished_fds();
+  if (auto s = watch(fds[0], saved, this, saved_); !s) return s;
+  if (auto s = watch(fds[1], searched, this, searched_); !s) return s;
   const int added =
       sd_event_add_time_relative(event, &source, CLOCK_MONOTONIC, kTickUsec, 0, &App::on_tick, this);
   if (auto s = from_sd(added, "timer"); !s) return s;
@@ -117,10 +119,25 @@ int App::on_tick(sd_event_source* source, std::uint64_t, void* app) {
   return sd_event_source_set_enabled(source, SD_EVENT_ONESHOT);
 }
 
+Status App::watch(int fd, sd_event_io_handler_t handler, void* data, EventSource& source) {
+  sd_event_source* added = nullptr;
+  const int result = sd_event_add_io(event_.get(), &added, fd, EPOLLIN, handler, data);
+  source.reset(added);
+  return from_sd(result, "event loop");
+}
+
+/// Who reads maps and reports goes before the threads that made them and end them.
+void App::end_readers() {
+  saved_.reset();
+  searched_.reset();
+  operator_.reset();  // nobody calls it any more: the loop, which serves the socket, has ended
+}
+
 void App::tick() {
   for (const std::string& refusal : workers_->take_refusals()) spdlog::warn("{}", refusal);
   for (Vitals* vitals : workers_->all()) events_->drain(vitals->name, vitals->events);
   monitor_->update(io::monotonic_now());
+  operator_->tick(io::monotonic_now());
   // A dead worker must not be covered up by a main loop that runs: then the service manager starts us again.
   const std::string state =
       fmt::format("STATUS={}{}", monitor_->summary(), monitor_->alive() ? "\nWATCHDOG=1" : "");
@@ -143,9 +160,9 @@ Status App::enter_real_time() {
 
 Status App::run() {
   if (auto s = enter_real_time(); !s) return s;
-  if (auto s = saver_->start(); !s) return s;
+  if (auto s = operator_->start(); !s) return s;
   if (auto s = workers_->start(); !s) {
-    saver_.reset();
+    end_readers();
     workers_->stop();
     return s;
   }
@@ -155,74 +172,10 @@ Status App::run() {
   const int looped = sd_event_loop(event_.get());
   sd_notify(0, "STOPPING=1");
   if (options_.on_stopping) options_.on_stopping();
-  // The map's readers go before the mapping thread, which ends the map.
-  saved_.reset();
-  saver_.reset();
+  end_readers();
   workers_->stop();
   spdlog::info("stopped");
   return from_sd(looped, "event loop");
-}
-
-void App::estop() {
-  hand_overs_->estop.store(true, std::memory_order_release);
-  spdlog::warn("e-stop");
-}
-
-Status App::clear_estop() {
-  stop();  // what was wanted before the e-stop is not wanted any more
-  hand_overs_->estop.store(false, std::memory_order_release);
-  hand_overs_->estop_clears.fetch_add(1, std::memory_order_acq_rel);
-  spdlog::info("e-stop cleared");
-  return {};
-}
-
-Status App::drive(const types::Twist2& twist) {
-  const BaseConfig& base = options_.configuration.base;
-  if (std::abs(twist.v_mps) > base.v_max_mps) {
-    return fail(Errc::kInvalidInput,
-                fmt::format("v_mps: found {}, expected at most {} either way", twist.v_mps, base.v_max_mps));
-  }
-  if (std::abs(twist.omega_radps) > base.omega_max_radps) {
-    return fail(Errc::kInvalidInput, fmt::format("omega_radps: found {}, expected at most {} either way",
-                                                 twist.omega_radps, base.omega_max_radps));
-  }
-  // The base's report comes a moment later than a clear; the gate has the last word either way.
-  if (hand_overs_->estop.load(std::memory_order_acquire)) {
-    return fail(Errc::kBusy, "the e-stop is latched; clear it first (topoctl clear-estop)");
-  }
-  hand_overs_->drive.store({io::monotonic_now(), twist});
-  return {};
-}
-
-void App::stop() { hand_overs_->drive.store({io::monotonic_now() - std::chrono::hours(1), {}}); }
-
-void App::save_map(const std::string& folder, std::function<void(Result<Json>)> done) {
-  if (folder.empty() || folder.front() != '/') {
-    done(fail(Errc::kInvalidInput, fmt::format("dir: found \"{}\", expected an absolute path", folder)));
-    return;
-  }
-  saver_->save(folder, [done = std::move(done)](MapSaver::Outcome outcome) {
-    if (!outcome) {
-      done(tl::unexpected(outcome.error()));
-      return;
-    }
-    spdlog::info("map revision {} saved to {}", outcome->revision, outcome->folder);
-    done(Json{{"dir", outcome->folder},
-              {"revision", outcome->revision},
-              {"width", outcome->width},
-              {"height", outcome->height},
-              {"points", outcome->points}});
-  });
-}
-
-Status App::set_log_level(const std::string& level) {
-  const auto parsed = parse_log_level(level);
-  if (!parsed) {
-    return fail(Errc::kInvalidInput,
-                fmt::format("level: found \"{}\", expected trace, debug, info, warning or error", level));
-  }
-  topo::daemon::set_log_level(*parsed);
-  return {};
 }
 
 }  // namespace topo::daemon

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "daemon/app/map_saver.hpp"
 #include "daemon/app/monitor.hpp"
+#include "daemon/app/operator.hpp"
 #include "daemon/app/workers.hpp"
 #include "daemon/control/methods.hpp"
 #include "daemon/logging/event_log.hpp"
@@ -24,13 +24,13 @@ struct AppOptions {
 
 /// The daemon: every part made in the order of dependency, and the loop of the main thread. Its members are
 /// in that order, so that they go in the opposite one.
-class App final : public Operations {
+class App {
  public:
   /// Makes all parts; starts no thread and touches no device.
   static types::Result<std::unique_ptr<App>> make(AppOptions options);
   App(const App&) = delete;
   App& operator=(const App&) = delete;
-  ~App() override;
+  ~App();
 
   /// Starts the threads and serves until SIGTERM, SIGINT or request_stop(); then stops in order: the robot
   /// stands and the lasers are off when this returns. Precondition: SIGTERM and SIGINT are blocked in every
@@ -40,17 +40,6 @@ class App final : public Operations {
   /// Any thread.
   void request_stop() { stop_requested_.post(); }
 
-  [[nodiscard]] Json status() const override { return monitor_->status(); }
-  [[nodiscard]] Json health() const override { return monitor_->health(); }
-  [[nodiscard]] Json latency() const override { return monitor_->latency(); }
-  [[nodiscard]] Json config() const override { return Json{{"text", options_.effective_configuration}}; }
-  void estop() override;
-  types::Status clear_estop() override;
-  types::Status drive(const types::Twist2& twist) override;
-  void stop() override;
-  void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) override;
-  types::Status set_log_level(const std::string& level) override;
-
  private:
   explicit App(AppOptions options) : options_(std::move(options)) {}
   types::Status prepare();
@@ -58,6 +47,8 @@ class App final : public Operations {
   types::Status add_events();
   types::Status enter_real_time();
   void tick();
+  void end_readers();
+  types::Status watch(int fd, sd_event_io_handler_t handler, void* data, EventSource& source);
   static int on_tick(sd_event_source* source, std::uint64_t usec, void* app);
 
   struct EventDeleter {
@@ -71,10 +62,10 @@ class App final : public Operations {
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<EventLog> events_;
   std::unique_ptr<Monitor> monitor_;
-  std::unique_ptr<MapSaver> saver_;
+  std::unique_ptr<Operator> operator_;
   std::unique_ptr<Methods> methods_;
   std::unique_ptr<ControlServer> control_;
-  EventSource tick_, saved_, stop_source_, sigterm_, sigint_;
+  EventSource tick_, saved_, searched_, stop_source_, sigterm_, sigint_;
 };
 
 /// Blocks SIGTERM and SIGINT, which the main loop then reads, and ignores SIGPIPE. Before any thread is

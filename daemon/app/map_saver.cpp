@@ -9,6 +9,7 @@
 #include <cstring>
 #include <iterator>
 
+#include "daemon/app/plan_json.hpp"
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/cloud.hpp"
 #include "daemon/mapfile/map_image.hpp"
@@ -38,73 +39,7 @@ std::string trajectory_text(const pipeline::MapSnapshot& map) {
 
 }  // namespace
 
-types::Status MapSaver::start() {
-  ThreadSettings settings;
-  settings.name = "files";
-  settings.nice = 5;
-  settings.stack_bytes = 4 << 20;
-  return thread_.start(settings, [this, settings] {
-    (void)apply_settings(settings);
-    run();
-  });
-}
-
-void MapSaver::stop() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  job_ready_.post();
-  thread_.join();
-}
-
-void MapSaver::save(const std::string& folder, Done done) {
-  constexpr std::size_t kMostWaiting = 8;
-  const std::lock_guard lock(mutex_);
-  if (stopping_ || waiting_.size() >= kMostWaiting) {
-    finished_.push_back(
-        {folder, std::move(done),
-         types::fail(types::Errc::kBusy, "too many maps wait to be saved, or the daemon is stopping")});
-    outcome_ready_.post();
-    return;
-  }
-  waiting_.push_back({folder, std::move(done), SavedMap{}});
-  job_ready_.post();
-}
-
-void MapSaver::collect() {
-  outcome_ready_.wait(types::Duration::zero());
-  std::deque<Job> finished;
-  {
-    const std::lock_guard lock(mutex_);
-    finished.swap(finished_);
-  }
-  for (Job& job : finished) job.done(std::move(job.outcome));
-}
-
-void MapSaver::run() {
-  while (true) {
-    job_ready_.wait(std::chrono::seconds(10));
-    while (true) {
-      Job job;
-      {
-        const std::lock_guard lock(mutex_);
-        if (stopping_) return;
-        if (waiting_.empty()) break;
-        job = std::move(waiting_.front());
-        waiting_.pop_front();
-      }
-      job.outcome = write(job.folder);
-      {
-        const std::lock_guard lock(mutex_);
-        finished_.push_back(std::move(job));
-      }
-      outcome_ready_.post();
-    }
-  }
-}
-
-MapSaver::Outcome MapSaver::write(const std::string& folder) {
+types::Result<SavedMap> MapSaver::save(const std::string& folder) {
   const auto snapshot = snapshots_.pin();
   if (!snapshot || snapshot->keyframes.empty()) {
     return types::fail(types::Errc::kNotFound, "there is no map yet: no scan was matched since the start");
@@ -118,7 +53,18 @@ MapSaver::Outcome MapSaver::write(const std::string& folder) {
     return tl::unexpected(saved.error());
   if (const auto saved = write_file(folder + "/trajectory.txt", trajectory_text(*snapshot)); !saved)
     return tl::unexpected(saved.error());
-  return SavedMap{folder, snapshot->revision, image->width, image->height, cloud.size()};
+  SavedMap saved{folder, snapshot->revision, image->width, image->height, cloud.size(), 0, 0};
+  if (const auto analysed = save_analysis(folder, saved); !analysed) return tl::unexpected(analysed.error());
+  return saved;
+}
+
+/// What planning made of the map; nothing when it has not looked at one yet.
+types::Status MapSaver::save_analysis(const std::string& folder, SavedMap& saved) {
+  const auto report = reports_.pin();
+  if (!report || report->analysis == nullptr) return {};
+  saved.places = report->analysis->places.places.size();
+  saved.goals = report->open_goals.size();
+  return write_file(folder + "/goals.json", goals_json(*report).dump(1) + "\n");
 }
 
 }  // namespace topo::daemon

@@ -10,6 +10,8 @@ namespace {
 
 // Longer than anything that a healthy thread waits for or computes at a stretch.
 constexpr types::Duration kStuckAfter = std::chrono::milliseconds(1500);
+// Planning computes longer on a large map; the base stands by itself when its plan is too old.
+constexpr types::Duration kPlanningStuckAfter = std::chrono::seconds(10);
 
 /// What the base does, for people.
 std::string_view state_text(const BaseReport& base) {
@@ -43,7 +45,10 @@ Monitor::Monitor(const Configuration& configuration, HandOvers& hand_overs, cons
   devices_.push_back({"base", &hand_overs.base_device, {}});
   devices_.push_back({"front", &hand_overs.front.report, {}});
   if (configuration.coronal.present) devices_.push_back({"coronal", &hand_overs.coronal.report, {}});
-  for (const Vitals* vitals : workers.vital()) pulses_.push_back({vitals, 0, {}});
+  for (const Vitals* vitals : workers.vital()) {
+    const bool planning = vitals->name == "planning";
+    pulses_.push_back({vitals, planning ? kPlanningStuckAfter : kStuckAfter, 0, {}});
+  }
 }
 
 void Monitor::update(types::Stamp now) {
@@ -78,12 +83,25 @@ void Monitor::update_pulses(types::Stamp now) {
       pulse.beats = beats;
       pulse.changed = now;
     }
-    if (now - pulse.changed > kStuckAfter) stuck.push_back(pulse.vitals->name);
+    if (now - pulse.changed > pulse.patience) stuck.push_back(pulse.vitals->name);
   }
   if (stuck != stuck_ && !stuck.empty())
     spdlog::error("threads that do not advance: {}", fmt::join(stuck, ", "));
   stuck_ = std::move(stuck);
 }
+
+std::string Monitor::device_obstacle() const {
+  for (const Device& device : devices_) {
+    if (device.report.working) continue;
+    const std::string_view message = device.report.message.view();
+    return fmt::format("{} is not ready: {}{}{}", device.name, device.report.state.view(),
+                       message.empty() ? "" : ": ", message);
+  }
+  return base_.ready ? "" : "base is not ready: it takes no commands yet";
+}
+
+/// As new as the odometry: the last correction of it carried on.
+types::Se2 Monitor::pose() const { return (mapping_.T_map_odom * base_.state.odometry.T_odom_base).se2(); }
 
 std::string Monitor::summary() const {
   return fmt::format("{}; {} keyframes, map revision {}", state_text(base_), mapping_.keyframes,
@@ -96,7 +114,7 @@ Json Monitor::status() const {
           {"state", state_text(base_)},
           {"estop", base_.estop_latched || hand_overs_.estop.load(std::memory_order_acquire)},
           {"free_distance_m", base_.free_distance_m},
-          {"pose", pose_json(mapping_.T_map_base)},
+          {"pose", pose_json(pose())},
           {"odometry", pose_json(base_.state.odometry.T_odom_base.se2())},
           {"twist",
            {{"v_mps", base_.state.odometry.twist.v_mps},

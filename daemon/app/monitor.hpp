@@ -22,6 +22,9 @@ class Monitor {
   /// Every vital thread advanced lately: what the service manager's watchdog is fed by.
   [[nodiscard]] bool alive() const { return stuck_.empty(); }
   [[nodiscard]] const BaseReport& base() const { return base_; }
+  [[nodiscard]] bool has_map() const { return mapping_.keyframes > 0; }
+  /// The first device that does not work, and why; empty when all do and the base takes commands.
+  [[nodiscard]] std::string device_obstacle() const;
   /// One line for the service manager.
   [[nodiscard]] std::string summary() const;
 
@@ -37,11 +40,13 @@ class Monitor {
   };
   struct Pulse {
     const Vitals* vitals = nullptr;
+    types::Duration patience{};
     std::uint64_t beats = 0;
     types::Stamp changed{};
   };
   void update_devices();
   void update_pulses(types::Stamp now);
+  [[nodiscard]] types::Se2 pose() const;
   [[nodiscard]] Json devices() const;
   [[nodiscard]] Json map() const;
 

@@ -32,19 +32,15 @@ pioneer::SessionConfig session_config(const Configuration& configuration) {
 }
 
 BaseSetup base_setup(const Configuration& configuration) {
-  const ModelLimits model = model_limits(configuration.robot.model);
-  const RobotConfig& robot = configuration.robot;
   const BaseConfig& base = configuration.base;
-  const auto or_model = [](double own, double models) { return own > 0.0 ? own : models; };
   BaseSetup setup;
   setup.limits.v_max_mps = base.v_max_mps;
   setup.limits.omega_max_radps = base.omega_max_radps;
   setup.limits.acceleration_mps2 = base.acceleration_mps2;
   setup.limits.deceleration_mps2 = base.deceleration_mps2;
   setup.limits.angular_acceleration_radps2 = base.angular_acceleration_radps2;
-  setup.limits.footprint = {or_model(robot.length_front_m, model.length_front_m),
-                            or_model(robot.length_rear_m, model.length_rear_m),
-                            or_model(robot.width_m, model.width_m) / 2.0};
+  setup.limits.footprint = footprint(configuration);
+  setup.limits.margin_m = configuration.motion.margin_m;
   setup.T_base_laser = mapper_params(configuration).T_base_laser;
   return setup;
 }
@@ -76,8 +72,12 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
     workers->vital_.push_back(&workers->coronal_vitals_);
   }
   workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), workers->mapping_vitals_);
+  workers->planning_ = std::make_unique<PlanningWorker>(hand_overs, planner_params(c),
+                                                        types::from_seconds(c.exploration.planning_period_s),
+                                                        workers->planning_vitals_);
   workers->closure_ = std::make_unique<ClosureWorker>(hand_overs, workers->closure_vitals_);
   workers->vital_.push_back(&workers->mapping_vitals_);
+  workers->vital_.push_back(&workers->planning_vitals_);
   workers->all_ = workers->vital_;
   workers->all_.push_back(&workers->closure_vitals_);
   return workers;
@@ -108,13 +108,15 @@ Status Workers::launch(Thread& thread, const ThreadSettings& settings, Worker& w
 
 Status Workers::start() {
   const RealtimeConfig& config = configuration_.realtime;
-  ThreadSettings closure, mapping;
+  ThreadSettings closure, mapping, planning;
   closure.name = "closure";
   closure.nice = 5;
   mapping.name = "mapping";
-  closure.stack_bytes = mapping.stack_bytes = 8 << 20;
+  planning.name = "planning";
+  closure.stack_bytes = mapping.stack_bytes = planning.stack_bytes = 8 << 20;
   if (auto s = launch(closure_thread_, closure, *closure_); !s) return s;
   if (auto s = launch(mapping_thread_, mapping, *mapping_); !s) return s;
+  if (auto s = launch(planning_thread_, planning, *planning_); !s) return s;
   if (coronal_ != nullptr) {
     if (auto s = launch(coronal_thread_, real_time("coronal", config.scan_priority), *coronal_); !s) return s;
   }
@@ -124,12 +126,15 @@ Status Workers::start() {
 
 void Workers::stop() {
   hand_overs_.stopping.store(true, std::memory_order_release);
-  hand_overs_.mapping_wakeup.post();
+  hand_overs_.planning_wakeup.post();
   hand_overs_.closure_wakeup.post();
   base_thread_.join();
   front_thread_.join();
   coronal_thread_.join();
   closure_thread_.join();
+  planning_thread_.join();
+  hand_overs_.readers_gone.store(true, std::memory_order_release);
+  hand_overs_.mapping_wakeup.post();
   mapping_thread_.join();
 }
 

@@ -12,6 +12,7 @@
 #include "daemon/threads/base_worker.hpp"
 #include "daemon/threads/closure_worker.hpp"
 #include "daemon/threads/mapping_worker.hpp"
+#include "daemon/threads/planning_worker.hpp"
 #include "daemon/threads/scan_worker.hpp"
 #include "daemon/threads/thread.hpp"
 
@@ -55,15 +56,16 @@ class Workers {
   const Configuration& configuration_;
   HandOvers& hand_overs_;
   Vitals base_vitals_{"base"}, front_vitals_{"front"}, coronal_vitals_{"coronal"}, mapping_vitals_{"mapping"},
-      closure_vitals_{"closure"};
+      planning_vitals_{"planning"}, closure_vitals_{"closure"};
   std::vector<Vitals*> vital_, all_;
   std::unique_ptr<BaseWorker> base_;
   std::unique_ptr<ScanWorker> front_, coronal_;
   std::unique_ptr<MappingWorker> mapping_;
+  std::unique_ptr<PlanningWorker> planning_;
   std::unique_ptr<ClosureWorker> closure_;
-  std::array<sync::Ring<FixedText<160>, 4>, 5> refusals_;  ///< one producer each
+  std::array<sync::Ring<FixedText<160>, 4>, 6> refusals_;  ///< one producer each
   std::size_t launched_ = 0;
-  Thread closure_thread_, mapping_thread_, coronal_thread_, front_thread_, base_thread_;
+  Thread closure_thread_, mapping_thread_, planning_thread_, coronal_thread_, front_thread_, base_thread_;
 };
 
 }  // namespace topo::daemon

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/robot_limits.hpp"
+#include "core/pipeline/planning_step.hpp"
 #include "core/slam/params.hpp"
 
 namespace topo::daemon {
@@ -50,6 +52,25 @@ struct ScannerConfig {
   double stamp_offset_s = 0.0;
 };
 
+/// What the planner is told. Defaults that the planner has too are taken from there.
+struct ExplorationConfig {
+  pipeline::Strategy strategy = pipeline::PlannerParams{}.strategy;
+  pipeline::Finish finish = pipeline::PlannerParams{}.finish;
+  double planning_period_s = 0.4;
+  double frontier_min_m = pipeline::PlannerParams{}.frontier_min_m;
+  double goal_reached_m = pipeline::PlannerParams{}.goal_reached_m;
+  double home_reached_m = pipeline::PlannerParams{}.home_reached_m;
+  double goal_give_up_s = pipeline::PlannerParams{}.give_up_s;
+  double battery_home_v = pipeline::PlannerParams{}.battery_home_v;
+  double charge_home = pipeline::PlannerParams{}.charge_home;
+  std::string save_folder;  ///< empty: nothing is saved by itself
+};
+
+struct MotionConfig {
+  double margin_m = motion::RobotLimits{}.margin_m;
+  double passage_radius_m = 0.0;  ///< 0: as the hull
+};
+
 struct ControlConfig {
   std::string socket = "/run/topometric/control.sock";
   std::string group = "topometric";
@@ -82,6 +103,8 @@ struct Configuration {
   ScannerConfig front;
   ScannerConfig coronal;
   slam::MapperParams mapping;  ///< but for the scanners' places, which mapper_params() adds
+  ExplorationConfig exploration;
+  MotionConfig motion;
   ControlConfig control;
   LogConfig log;
   RealtimeConfig realtime;
@@ -90,6 +113,12 @@ struct Configuration {
 
 /// The mapper's parameters with the scanners where the configuration has them.
 [[nodiscard]] slam::MapperParams mapper_params(const Configuration& configuration);
+
+/// The planner's parameters with the robot's size and its scanner's place.
+[[nodiscard]] pipeline::PlannerParams planner_params(const Configuration& configuration);
+
+/// The robot's hull: the configured one, or the model's.
+[[nodiscard]] motion::Footprint footprint(const Configuration& configuration);
 
 /// Hull and speed of a model as sold (PROTOCOLS section 6.2), what a configuration is checked against.
 struct ModelLimits {

@@ -35,6 +35,8 @@ ChoiceKey choice(std::span<const std::string_view> names) {
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 2> kModels{"p3dx", "p3at"};
+constexpr std::array<std::string_view, 2> kStrategies{"topometric", "nearest_frontier"};
+constexpr std::array<std::string_view, 2> kFinishes{"essential", "complete"};
 constexpr std::array<std::string_view, 5> kLevels{"trace", "debug", "info", "warning", "error"};
 constexpr std::array<std::string_view, 3> kPolicies{"enforce", "try", "off"};
 
@@ -164,6 +166,42 @@ void add_mapping(std::vector<KeySpec>& t) {
                "beams of the coronal scanner beyond are no evidence"});
 }
 
+void add_exploration(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::exploration;
+  using C = ExplorationConfig;
+  t.push_back({"exploration.strategy", "", false, choice<kS, &C::strategy>(kStrategies),
+               "topometric: a handful of goals from the places; nearest_frontier: always the nearest edge"});
+  t.push_back({"exploration.finish", "", false, choice<kS, &C::finish>(kFinishes),
+               "essential: home when no essential goal is left; complete: then the remaining gaps"});
+  t.push_back({"exploration.planning_period_s", "s", false, RealKey{&at<kS, &C::planning_period_s>, 0.1, 0.8},
+               "from one decision to the next"});
+  t.push_back({"exploration.frontier_min_m", "m", false, RealKey{&at<kS, &C::frontier_min_m>, 0.1, 3.0},
+               "narrower edges of unknown space are nobody's goal"});
+  t.push_back({"exploration.goal_reached_m", "m", false, RealKey{&at<kS, &C::goal_reached_m>, 0.1, 3.0},
+               "an exploration goal counts as visited from here"});
+  t.push_back({"exploration.home_reached_m", "m", false, RealKey{&at<kS, &C::home_reached_m>, 0.05, 1.0},
+               "the robot is home this near to its start"});
+  t.push_back({"exploration.goal_give_up_s", "s", false, RealKey{&at<kS, &C::goal_give_up_s>, 1.0, 3600.0},
+               "a goal that was given up comes back after this"});
+  t.push_back({"exploration.battery_home_v", "V", false, RealKey{&at<kS, &C::battery_home_v>, 0.0, 60.0},
+               "below this voltage for 10 s the robot goes home; 0: never"});
+  t.push_back({"exploration.charge_home", "", false, RealKey{&at<kS, &C::charge_home>, 0.0, 1.0},
+               "the same for the state of charge, where the robot reports one; 0: never"});
+  t.push_back(
+      {"exploration.save_folder", "", false,
+       TextKey{&at<kS, &C::save_folder>, "an absolute path of a folder, or \"\" for none", &is_optional_path},
+       "where the map is saved when a mission is done; \"\": only \"map save\" saves"});
+}
+
+void add_motion(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::motion;
+  using C = MotionConfig;
+  t.push_back({"motion.margin_m", "m", false, RealKey{&at<kS, &C::margin_m>, 0.02, 0.5},
+               "kept free around the hull; the robot stops before less is left"});
+  t.push_back({"motion.passage_radius_m", "m", false, RealKey{&at<kS, &C::passage_radius_m>, 0.0, 1.0},
+               "routes keep this far from everything; 0: half the width and the margin"});
+}
+
 void add_control_and_log(std::vector<KeySpec>& t) {
   constexpr auto kC = &Configuration::control;
   constexpr auto kL = &Configuration::log;
@@ -207,6 +245,8 @@ std::vector<KeySpec> make_table() {
   add_scanner<&Configuration::front>(table, "scanner.front", false);
   add_scanner<&Configuration::coronal>(table, "scanner.coronal", true);
   add_mapping(table);
+  add_exploration(table);
+  add_motion(table);
   add_control_and_log(table);
   add_realtime_and_record(table);
   return table;
@@ -285,25 +325,5 @@ std::string quoted(std::string_view text) {
   }
   return out + "\"";
 }
-
-slam::MapperParams mapper_params(const Configuration& configuration) {
-  slam::MapperParams params = configuration.mapping;
-  const ScannerConfig& front = configuration.front;
-  const ScannerConfig& coronal = configuration.coronal;
-  params.T_base_laser = {front.x_m, front.y_m, front.yaw_rad};
-  params.coronal.x_m = coronal.x_m;
-  params.coronal.y_m = coronal.y_m;
-  params.coronal.z_m = coronal.z_m;
-  params.coronal.roll_rad = coronal.roll_rad;
-  params.coronal.mirrored = coronal.mirrored;
-  return params;
-}
-
-ModelLimits model_limits(RobotModel model) {
-  if (model == RobotModel::kP3at) return {0.313, 0.313, 0.505, 0.7, 2.45};
-  return {0.210, 0.301, 0.425, 1.2, 5.24};
-}
-
-const char* model_name(RobotModel model) { return model == RobotModel::kP3at ? "P3-AT" : "P3-DX"; }
 
 }  // namespace topo::daemon

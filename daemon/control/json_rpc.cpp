@@ -112,6 +112,10 @@ std::string error_line(const Json& id, const RpcError& error) {
                    {"error", Json{{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
 }
 
+std::string notification_line(std::string_view method, const Json& params) {
+  return dump(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}});
+}
+
 std::string request_line(std::string_view method, const Json& params, int id) {
   return dump(Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
 }
@@ -134,6 +138,13 @@ Result<Json> parse_answer(std::string_view line, int id) {
     return fail(Errc::kProtocol, "the daemon's answer belongs to no request of ours");
   }
   return Json(std::move(*result));
+}
+
+std::optional<Json> parse_notification(std::string_view line) {
+  Json json = Json::parse(line, nullptr, false);
+  if (!json.is_object() || !json.contains("method") || json.contains("id")) return {};
+  const auto params = json.find("params");
+  return params == json.end() ? Json::object() : Json(std::move(*params));
 }
 
 tl::expected<double, RpcError> real_param(const Json& params, const char* name) {

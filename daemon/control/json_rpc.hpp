@@ -48,11 +48,15 @@ tl::expected<RpcRequest, RpcError> parse_request(std::string_view line);
 /// One line with its line feed.
 std::string result_line(const Json& id, const Json& result);
 std::string error_line(const Json& id, const RpcError& error);
+std::string notification_line(std::string_view method, const Json& params);
 std::string request_line(std::string_view method, const Json& params, int id);
 
 /// The result of an answer with this id; kRefused errors and the like as kUnsupported, kForbidden as
 /// kPermission, kInvalidParams as kInvalidInput, a line that is no answer as kProtocol.
 types::Result<Json> parse_answer(std::string_view line, int id);
+
+/// The params when the line is a notification (a method without an id), else nothing.
+std::optional<Json> parse_notification(std::string_view line);
 
 /// Member `name` of params. The error names the method's parameter, what was found and what is expected.
 tl::expected<double, RpcError> real_param(const Json& params, const char* name);

@@ -46,8 +46,8 @@ Answer call_log_level(Operations& o, const Json& params) {
   return done(o.set_log_level(*level));
 }
 
-const std::array<Method, 10>& methods() {
-  static const std::array<Method, 10> table{{
+const std::array<Method, 17>& methods() {
+  static const std::array<Method, 17> table{{
       {"status", false, {}, [](Operations& o, const Json&) -> Answer { return o.status(); }},
       {"version",
        false,
@@ -58,6 +58,13 @@ const std::array<Method, 10>& methods() {
       {"health", false, {}, [](Operations& o, const Json&) -> Answer { return o.health(); }},
       {"latency", false, {}, [](Operations& o, const Json&) -> Answer { return o.latency(); }},
       {"config", false, {}, [](Operations& o, const Json&) -> Answer { return o.config(); }},
+      {"goals", false, {}, [](Operations& o, const Json&) -> Answer { return o.goals(); }},
+      {"places", false, {}, [](Operations& o, const Json&) -> Answer { return o.places(); }},
+      {"progress", false, {}, [](Operations& o, const Json&) -> Answer { return o.progress(); }},
+      {"start", true, {}, [](Operations& o, const Json&) { return done(o.explore()); }},
+      {"home", true, {}, [](Operations& o, const Json&) { return done(o.go_home()); }},
+      {"pause", true, {}, [](Operations& o, const Json&) { return done(o.pause()); }},
+      {"resume", true, {}, [](Operations& o, const Json&) { return done(o.resume()); }},
       {"estop", false, {}, [](Operations& o, const Json&) -> Answer { return o.estop(), Json::object(); }},
       {"clear_estop", true, {}, [](Operations& o, const Json&) { return done(o.clear_estop()); }},
       {"drive", true, {"v_mps", "omega_radps"}, &call_drive},
@@ -73,28 +80,68 @@ Answer forbidden(std::string_view method) {
       fmt::format("{} is for root, the daemon's user and the members of its group (control.group)", method)});
 }
 
+Answer call_save(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  const auto folder = text_param(call.request.params, "dir");
+  if (!folder) return tl::unexpected(folder.error());
+  waits = true;
+  o.save_map(*folder, [late, call](types::Result<Json> result) {
+    late(call, result ? Answer(std::move(*result)) : Answer(refuse(result.error())));
+  });
+  return Json();
+}
+
+Answer call_goto(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  const auto x_m = real_param(call.request.params, "x_m");
+  if (!x_m) return tl::unexpected(x_m.error());
+  const auto y_m = real_param(call.request.params, "y_m");
+  if (!y_m) return tl::unexpected(y_m.error());
+  waits = true;
+  o.go_to({*x_m, *y_m}, [late, call](const types::Status& status) { late(call, done(status)); });
+  return Json();
+}
+
+/// A method whose answer may come after the call; `waits` says that it does.
+struct LateMethod {
+  std::string_view name;
+  std::initializer_list<std::string_view> params;
+  Answer (*call)(Operations&, const Call&, const Methods::Late&, bool& waits);
+};
+
+const std::array<LateMethod, 2>& late_methods() {
+  static const std::array<LateMethod, 2> table{
+      {{"map.save", {"dir"}, &call_save}, {"goto", {"x_m", "y_m"}, &call_goto}}};
+  return table;
+}
+
+template <class Table>
+const auto* find(const Table& table, std::string_view name) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const auto& m) { return m.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::optional<Answer> Methods::answer(const Call& call) {
   const RpcRequest& request = call.request;
-  if (request.method == "map.save") {
-    if (!call.may_command) return forbidden(request.method);
-    if (const auto wrong = only_params(request.params, {"dir"})) return tl::unexpected(*wrong);
-    const auto folder = text_param(request.params, "dir");
-    if (!folder) return tl::unexpected(folder.error());
-    operations_.save_map(*folder, [late = late_, call](types::Result<Json> result) {
-      late(call, result ? Answer(std::move(*result)) : Answer(refuse(result.error())));
-    });
-    return {};
+  if (const auto* method = find(methods(), request.method); method != nullptr) {
+    if (method->commands && !call.may_command) return forbidden(method->name);
+    if (const auto wrong = only_params(request.params, method->params)) return tl::unexpected(*wrong);
+    return method->call(operations_, request.params);
   }
-  const auto found = std::find_if(methods().begin(), methods().end(),
-                                  [&](const Method& m) { return m.name == request.method; });
-  if (found == methods().end()) {
-    return tl::unexpected<RpcError>(RpcError{RpcCode::kMethodNotFound, "no such method"});
+  if (const auto* method = find(late_methods(), request.method); method != nullptr) {
+    if (!call.may_command) return forbidden(method->name);
+    if (const auto wrong = only_params(request.params, method->params)) return tl::unexpected(*wrong);
+    bool waits = false;
+    Answer answer = method->call(operations_, call, late_, waits);
+    return waits ? std::nullopt : std::optional<Answer>(std::move(answer));
   }
-  if (found->commands && !call.may_command) return forbidden(found->name);
-  if (const auto wrong = only_params(request.params, found->params)) return tl::unexpected(*wrong);
-  return found->call(operations_, request.params);
+  if (request.method == "events.subscribe") {
+    if (const auto wrong = only_params(request.params, {})) return tl::unexpected(*wrong);
+    // The answer is what holds now; what changes later comes as events, so that nothing falls between.
+    subscribe_(call.client);
+    return Answer(operations_.progress());
+  }
+  return tl::unexpected<RpcError>(RpcError{RpcCode::kMethodNotFound, "no such method"});
 }
 
 }  // namespace topo::daemon

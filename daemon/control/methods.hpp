@@ -21,20 +21,35 @@ class Operations {
   [[nodiscard]] virtual Json config() const = 0;
   /// Latches; the base stops within 100 ms.
   virtual void estop() = 0;
+  /// The goals and why, the places; empty before planning has seen a map.
+  [[nodiscard]] virtual Json goals() const = 0;
+  [[nodiscard]] virtual Json places() const = 0;
+  /// Whether a mission would be taken now, and the newest mission: what scripts wait for.
+  [[nodiscard]] virtual Json progress() const = 0;
+  /// Missions. Refused with the reason.
+  virtual types::Status explore() = 0;
+  virtual types::Status go_home() = 0;
+  virtual types::Status pause() = 0;
+  virtual types::Status resume() = 0;
   virtual types::Status clear_estop() = 0;
   /// Drives for the dead-man's time unless called again.
   virtual types::Status drive(const types::Twist2& twist) = 0;
   virtual void stop() = 0;
   /// Writes the map's files into a folder and calls `done` on the main thread, later.
   virtual void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) = 0;
+  /// Looks whether the point can be gone to and calls `done` on the main thread, later.
+  virtual void go_to(const types::Vector2& target, std::function<void(types::Status)> done) = 0;
   virtual types::Status set_log_level(const std::string& level) = 0;
 };
 
-/// The methods of the control socket. `late` takes answers that come after answer() has returned.
+/// The methods of the control socket. `late` takes answers that come after answer() has returned;
+/// `subscribe` is told of a client that wants events.
 class Methods {
  public:
   using Late = std::function<void(const Call&, const Answer&)>;
-  Methods(Operations& operations, Late late) : operations_(operations), late_(std::move(late)) {}
+  using Subscribe = std::function<void(std::uint64_t client)>;
+  Methods(Operations& operations, Late late, Subscribe subscribe)
+      : operations_(operations), late_(std::move(late)), subscribe_(std::move(subscribe)) {}
 
   /// The answer, or nothing when it comes late.
   std::optional<Answer> answer(const Call& call);
@@ -42,6 +57,7 @@ class Methods {
  private:
   Operations& operations_;
   Late late_;
+  Subscribe subscribe_;
 };
 
 }  // namespace topo::daemon

@@ -25,6 +25,7 @@ struct ControlServer::Client {
   std::uint64_t number = 0;
   bool may_command = false;
   bool dead = false;
+  bool subscribed = false;
   io::UniqueFd fd;
   EventSource source;
   LineBuffer in{kMaxRequestBytes};
@@ -113,6 +114,17 @@ void ControlServer::answer(const Call& call, const Answer& answer) {
                                    [&call](const Client& c) { return c.number == call.client; });
   if (client == clients_.end()) return;
   send(*client, answer ? result_line(call.request.id, *answer) : error_line(call.request.id, answer.error()));
+}
+
+void ControlServer::subscribe(std::uint64_t number) {
+  for (Client& client : clients_) client.subscribed = client.subscribed || client.number == number;
+}
+
+void ControlServer::publish(const Json& params) {
+  const std::string line = notification_line("event", params);
+  for (Client& client : clients_) {
+    if (client.subscribed && !client.dead) send(client, line);
+  }
 }
 
 void ControlServer::send(Client& client, const std::string& line) {

@@ -52,6 +52,11 @@ class ControlServer {
   /// The late answer to a call; a client that left meanwhile gets nothing.
   void answer(const Call& call, const Answer& answer);
 
+  /// From now on the client gets what is published, too.
+  void subscribe(std::uint64_t client);
+  /// A notification to all who subscribed: {"jsonrpc": "2.0", "method": "event", "params": {...}}.
+  void publish(const Json& params);
+
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
  private:

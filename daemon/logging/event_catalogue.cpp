@@ -21,6 +21,7 @@ constexpr std::array kTemplates{
     EventTemplate{"state_ring_full",
                   "the mapping thread is behind: {a} odometry readings lost since the start"},
     EventTemplate{"deadline_missed", "woke {a_ms:.1f} ms late, left out {b} periods"},
+    EventTemplate{"planning_slow", "planning took {a_ms:.0f} ms, the period is {b_ms:.0f} ms"},
     EventTemplate{"scan_stale",
                   "stopped: the newest front scan is {a_ms:.0f} ms old, {b_ms:.0f} ms are allowed"},
     EventTemplate{"state_stale",

@@ -22,6 +22,7 @@ enum class EventId : std::uint16_t {
   kScanRingFull,
   kStateRingFull,
   kDeadlineMissed,
+  kPlanningSlow,
   kScanStale,
   kStateStale,
   kPlanStale,

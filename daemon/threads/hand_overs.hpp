@@ -8,7 +8,10 @@
 #include <memory>
 
 #include "core/motion/velocity_gate.hpp"
+#include "core/pipeline/control_step.hpp"
 #include "core/pipeline/map_snapshot.hpp"
+#include "core/pipeline/plan.hpp"
+#include "core/pipeline/planning_step.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/sync/latest.hpp"
 #include "core/sync/ring.hpp"
@@ -54,26 +57,32 @@ struct MappingReport {
   std::uint64_t closures_accepted = 0;
   std::uint64_t closures_rejected = 0;
   double response = 0.0;
-  types::Se2 T_map_base;
+  types::Transform2<types::Map, types::Odom> T_map_odom;
 };
 
 inline constexpr std::size_t kScanRing = 32;  ///< 0.8 s at 40 Hz
 inline constexpr std::size_t kOdometryRing = 64;
 inline constexpr std::size_t kSnapshotReaders = 2;
 inline constexpr std::size_t kFilesReader = 0;
+inline constexpr std::size_t kPlanningReader = 1;
+inline constexpr std::size_t kReportReaders = 2;
+inline constexpr std::size_t kMainReader = 1;  ///< of planning's reports; kFilesReader is the other
 
 using MapSnapshots = sync::SnapshotCell<pipeline::MapSnapshot, kSnapshotReaders>;
+using PlanningReports = sync::SnapshotCell<pipeline::PlanningReport, kReportReaders>;
 
 /// One scanner's way out.
 struct ScanHandOver {
   sync::Ring<types::Scan, kScanRing> to_mapping;
-  sync::Latest<types::Scan> to_base;  ///< the front scanner's only
+  sync::Latest<types::Scan> to_base;      ///< the front scanner's only
+  sync::Latest<types::Scan> to_planning;  ///< the front scanner's only
   sync::Latest<DeviceReport> report;
 };
 
 /// Everything that goes from one thread to another (DESIGN section 2). Large: for the heap.
 struct HandOvers {
-  std::atomic<bool> stopping{false};  ///< every thread ends soon after
+  std::atomic<bool> stopping{false};      ///< every thread but mapping's ends soon after
+  std::atomic<bool> readers_gone{false};  ///< nobody pins maps any more: the mapping thread ends
 
   ScanHandOver front, coronal;
 
@@ -82,7 +91,17 @@ struct HandOvers {
   std::atomic<std::uint64_t> estop_clears{0};  ///< how often the operator cleared it
   sync::Latest<DriveCommand> drive;
 
-  // Base to mapping and main.
+  // Main to planning.
+  Wakeup planning_wakeup;
+  sync::Latest<pipeline::Mission> mission;
+
+  // Planning to base and main.
+  sync::Latest<pipeline::Plan> plan;
+  /// Made before the threads start, ended by the planning thread, which alone destroys reports.
+  std::unique_ptr<PlanningReports> planning = std::make_unique<PlanningReports>();
+
+  // Base to planning, mapping and main.
+  sync::Latest<pipeline::ControlReport> control_to_planning;
   sync::Ring<types::Odometry, kOdometryRing> odometry;
   sync::Latest<DeviceReport> base_device;
   sync::Latest<BaseReport> base_report;
@@ -90,6 +109,7 @@ struct HandOvers {
   // Mapping.
   Wakeup mapping_wakeup;
   sync::Latest<MappingReport> mapping_report;
+  sync::Latest<pipeline::TrackedPose> tracked;  ///< to planning
   /// Made before the threads start, ended by the mapping thread, which alone may destroy snapshots.
   std::unique_ptr<MapSnapshots> map = std::make_unique<MapSnapshots>();
 

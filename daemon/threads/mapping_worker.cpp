@@ -17,8 +17,9 @@ void MappingWorker::run() noexcept {
   {
     pipeline::MappingState state(params_);
     publish(state);
-    while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+    while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
       hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
+      if (hand_overs_.stopping.load(std::memory_order_acquire)) continue;
       serve(state);
       hand_overs_.mapping_report.store(report_);
       vitals_.beat();
@@ -80,14 +81,19 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
   for (const slam::MatchReport& match : output.matches) {
     ++(match.matched ? report_.matched : report_.lost);
     report_.response = match.match.response;
-    report_.T_map_base = match.T_map_base;
   }
   for (const slam::LoopVerdict& verdict : output.loop_verdicts) {
     report_.closures_accepted += static_cast<std::uint64_t>(verdict.accepted);
     report_.closures_rejected += static_cast<std::uint64_t>(verdict.rejected);
   }
   if (output.keyframe_added) publish(state);
+  if (!output.matches.empty()) hand_over_pose(state, output.matches.back());
   for (slam::LoopQuery& query : output.loop_queries) ask(std::move(query));
+}
+
+void MappingWorker::hand_over_pose(const pipeline::MappingState& state, const slam::MatchReport& match) {
+  report_.T_map_odom = types::Transform2<types::Map, types::Odom>(state.mapper().T_map_odom());
+  hand_overs_.tracked.store({match.stamp, report_.revision, report_.T_map_odom, match.matched});
 }
 
 void MappingWorker::ask(slam::LoopQuery query) {

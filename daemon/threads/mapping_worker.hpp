@@ -20,8 +20,8 @@ class MappingWorker {
 
   MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, Vitals& vitals);
 
-  /// The thread's body: until hand_overs.stopping. Ends the map cell, so that the readers must be gone by
-  /// then.
+  /// The thread's body: until hand_overs.readers_gone, because it ends the map cell; it maps no more once
+  /// hand_overs.stopping.
   void run() noexcept;
 
  private:
@@ -33,6 +33,7 @@ class MappingWorker {
   void use(pipeline::MappingState& state, pipeline::MappingOutput& output);
   void ask(slam::LoopQuery query);
   void publish(pipeline::MappingState& state);
+  void hand_over_pose(const pipeline::MappingState& state, const slam::MatchReport& match);
 
   HandOvers& hand_overs_;
   slam::MapperParams params_;

@@ -10,13 +10,9 @@
 
 namespace topo::daemon {
 
-ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool for_base,
+ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
                        std::unique_ptr<hokuyo::Session> session, Vitals& vitals)
-    : hand_overs_(hand_overs),
-      out_(out),
-      for_base_(for_base),
-      session_(std::move(session)),
-      vitals_(vitals) {}
+    : hand_overs_(hand_overs), out_(out), front_(front), session_(std::move(session)), vitals_(vitals) {}
 
 void ScanWorker::run() noexcept {
   while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
@@ -44,7 +40,10 @@ hokuyo::StepOutcome ScanWorker::step() {
   if (outcome != hokuyo::StepOutcome::kScan) return outcome;
   const types::Stamp woken = io::monotonic_now();
   vitals_.wake.record((woken - scan.arrival).count());
-  if (for_base_) out_.to_base.store(scan);
+  if (front_) {
+    out_.to_base.store(scan);
+    out_.to_planning.store(scan);
+  }
   if (slot != nullptr) {
     out_.to_mapping.commit();
     hand_overs_.mapping_wakeup.post();

@@ -17,9 +17,9 @@ class ScanWorker {
   static constexpr types::Duration kTimeout = std::chrono::milliseconds(100);
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(500);
 
-  /// `for_base`: the base thread stops by this scanner, and gets every newest scan.
-  ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool for_base,
-             std::unique_ptr<hokuyo::Session> session, Vitals& vitals);
+  /// `front`: the base thread stops by this scanner, and gets every newest scan; planning too.
+  ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front, std::unique_ptr<hokuyo::Session> session,
+             Vitals& vitals);
 
   /// The thread's body: until hand_overs.stopping, then the laser is switched off.
   void run() noexcept;
@@ -31,7 +31,7 @@ class ScanWorker {
 
   HandOvers& hand_overs_;
   ScanHandOver& out_;
-  bool for_base_;
+  bool front_;
   std::unique_ptr<hokuyo::Session> session_;
   Vitals& vitals_;
   std::unique_ptr<types::Scan> spare_ = std::make_unique<types::Scan>();  ///< while the ring is full

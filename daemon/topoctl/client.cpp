@@ -36,9 +36,26 @@ Result<Json> Client::call(std::string_view method, const Json& params, types::Du
       return fail(Errc::kClosed, fmt::format("the daemon hung up: {}", std::strerror(errno)), errno);
     rest.remove_prefix(static_cast<std::size_t>(sent));
   }
-  const auto answer = read_line(io::monotonic_now() + timeout);
-  if (!answer) return tl::unexpected(answer.error());
-  return parse_answer(*answer, id);
+  const types::Stamp deadline = io::monotonic_now() + timeout;
+  while (true) {
+    const auto answer = read_line(deadline);
+    if (!answer) return tl::unexpected(answer.error());
+    auto event = parse_notification(*answer);
+    if (!event) return parse_answer(*answer, id);
+    events_.push_back(std::move(*event));
+  }
+}
+
+Result<Json> Client::next_event(types::Duration timeout) {
+  const types::Stamp deadline = io::monotonic_now() + timeout;
+  while (events_.empty()) {
+    const auto line = read_line(deadline);
+    if (!line) return tl::unexpected(line.error());
+    if (auto event = parse_notification(*line)) events_.push_back(std::move(*event));
+  }
+  Json event = std::move(events_.front());
+  events_.pop_front();
+  return event;
 }
 
 Result<std::string> Client::read_line(types::Stamp deadline) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,14 @@ class Client {
   static types::Result<Client> connect(const std::string& socket);
 
   /// Asks and waits for the answer. kTimeout, kClosed, or as parse_answer.
+  /// Notifications that come meanwhile are kept for next_event().
   types::Result<Json> call(std::string_view method, const Json& params, types::Duration timeout);
+
+  /// The params of the next notification, after "events.subscribe" was called. kTimeout, kClosed.
+  types::Result<Json> next_event(types::Duration timeout);
+
+  /// For a poll loop; what was read already does not show there.
+  [[nodiscard]] int fd() const { return fd_.get(); }
 
  private:
   explicit Client(io::UniqueFd fd) : fd_(std::move(fd)) {}
@@ -29,6 +37,7 @@ class Client {
   static constexpr std::size_t kMaxAnswerBytes = 4 << 20;
   io::UniqueFd fd_;
   LineBuffer in_{kMaxAnswerBytes};
+  std::deque<Json> events_;
   int next_id_ = 1;
 };
 

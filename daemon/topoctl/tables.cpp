@@ -16,14 +16,7 @@ const Json& at(const Json& json, const char* path) {
   return json.contains(pointer) ? json[pointer] : none;
 }
 
-std::string text(const Json& json, const char* path) {
-  const Json& value = at(json, path);
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_float()) return fmt::format("{:.3f}", value.get<double>());
-  if (value.is_number()) return fmt::format("{}", value.get<std::int64_t>());
-  return "-";
-}
+std::string text(const Json& json, const char* path) { return text_at(json, path); }
 
 std::string row(std::string_view name, const std::string& value) {
   return fmt::format("{:<12}{}\n", name, value);
@@ -34,11 +27,89 @@ std::string pose_text(const Json& json, const std::string& path) {
                      text(json, (path + "/y_m").c_str()), text(json, (path + "/theta_rad").c_str()));
 }
 
+std::string number(const Json& json, const char* path, int decimals) {
+  const Json& value = at(json, path);
+  return value.is_number() ? fmt::format("{:.{}f}", value.get<double>(), decimals) : "-";
+}
+
+std::string point_text(const Json& json) {
+  return fmt::format("({}, {})", number(json, "/x_m", 2), number(json, "/y_m", 2));
+}
+
+std::string goal_text(const Json& goal) {
+  return fmt::format("{}  place {}, opening {} m", point_text(goal), text(goal, "/place"),
+                     number(goal, "/opening_m", 2));
+}
+
+/// `line` of every member of the list at `path`.
+template <class Line>
+std::string rows(const Json& json, const char* path, Line line) {
+  std::string out;
+  const Json& list = at(json, path);
+  if (!list.is_array()) return out;
+  for (const Json& member : list) out += line(member);
+  return out;
+}
+
 }  // namespace
+
+std::string text_at(const Json& json, const char* path) {
+  const Json& value = at(json, path);
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_float()) return fmt::format("{:.3f}", value.get<double>());
+  if (value.is_number()) return fmt::format("{}", value.get<std::int64_t>());
+  return "-";
+}
+
+std::string mission_text(const Json& mission) {
+  const std::string reason = text(mission, "/reason");
+  return fmt::format("mission {} ({}) {}{}{}; {} s, {} m driven\n", text(mission, "/number"),
+                     text(mission, "/order"), text(mission, "/state"),
+                     reason.empty() || reason == "-" ? "" : ": ", reason == "-" ? "" : reason,
+                     number(mission, "/elapsed_s", 0), number(mission, "/distance_m", 1));
+}
+
+std::string goals_table(const Json& goals) {
+  std::string out;
+  if (at(goals, "/goal").is_object()) out += row("on the way", goal_text(at(goals, "/goal")));
+  out += rows(goals, "/open", [](const Json& g) { return row("open", goal_text(g)); });
+  out += rows(goals, "/given_up", [](const Json& g) {
+    return row("given up", fmt::format("{}  back in {} s: {}", point_text(g), number(g, "/back_in_s", 0),
+                                       text(g, "/why")));
+  });
+  return out.empty() ? "no goals\n" : out;
+}
+
+std::string why_table(const Json& goals) {
+  std::string out = goals_table(goals);
+  out += rows(goals, "/dropped", [](const Json& g) {
+    return row("dropped", fmt::format("{}  {}", goal_text(g), text(g, "/why")));
+  });
+  out += rows(goals, "/decisions", [](const Json& d) {
+    return row(fmt::format("{} s ago", number(d, "/age_s", 0)),
+               fmt::format("{}  {}", point_text(d), text(d, "/text")));
+  });
+  return out;
+}
+
+std::string places_table(const Json& places) {
+  std::string out = fmt::format("{:>5} {:>18} {:>9} {:>16} {:>6}\n", "place", "middle (m)", "area m2",
+                                "length x width m", "goals");
+  return out + rows(places, "/places", [](const Json& p) {
+           return fmt::format("{:>5} {:>18} {:>9} {:>16} {:>6}\n", text(p, "/number"), point_text(p),
+                              number(p, "/area_m2", 1),
+                              number(p, "/length_m", 1) + " x " + number(p, "/width_m", 1),
+                              text(p, "/goals"));
+         });
+}
 
 std::string status_table(const Json& status) {
   std::string out = row("robot", fmt::format("{} ({})", text(status, "/robot"), text(status, "/model")));
   out += row("state", text(status, "/state"));
+  out += row("activity", fmt::format("{}; {}", text(status, "/activity"), text(status, "/reason")));
+  out += row("mission", mission_text(at(status, "/mission")));
+  out.pop_back();  // a line of its own has its end already
   out += row("e-stop", text(status, "/estop"));
   out += row("pose", pose_text(status, "/pose"));
   out += row("odometry", pose_text(status, "/odometry"));

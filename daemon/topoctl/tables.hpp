@@ -13,5 +13,13 @@ namespace topo::daemon {
 std::string status_table(const Json& status);
 std::string latency_table(const Json& latency);
 std::string health_table(const Json& health);
+std::string goals_table(const Json& goals);
+std::string why_table(const Json& goals);
+std::string places_table(const Json& places);
+/// One line.
+std::string mission_text(const Json& mission);
+
+/// The member at a path such as "/map/keyframes" as text: "yes" and "no", three decimals; "-" without it.
+std::string text_at(const Json& json, const char* path);
 
 }  // namespace topo::daemon

@@ -1,70 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <filesystem>
-#include <thread>
 
 #include "daemon/app/version.hpp"
-#include "daemon/config/configuration.hpp"
-#include "daemon/topoctl/client.hpp"
+#include "daemon/topoctl/commands.hpp"
 #include "daemon/topoctl/tables.hpp"
-#include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
 namespace {
 
-// Exit statuses, as in topoctl(1).
-constexpr int kOk = 0;
-constexpr int kFailed = 1;
-constexpr int kUsage = 2;
-constexpr int kNoDaemon = 3;
-
-constexpr types::Duration kPatience = std::chrono::seconds(5);
 constexpr types::Duration kSavePatience = std::chrono::minutes(2);
-constexpr types::Duration kDrivePeriod =
-    std::chrono::milliseconds(100);  // the daemon's dead man waits 300 ms
-
-std::atomic<bool> interrupted{false};
-
-struct Arguments {
-  std::string socket = ControlConfig{}.socket;
-  bool json = false;
-  std::string folder, level;
-  double v_mps = 0.0, omega_radps = 0.0, seconds = 1.0;
-};
-
-int complain(const types::Error& error) {
-  fmt::print(stderr, "topoctl: {}\n", error.message);
-  return error.code == types::Errc::kNotFound ? kNoDaemon : kFailed;
-}
-
-types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params,
-                        types::Duration patience = kPatience) {
-  auto client = Client::connect(arguments.socket);
-  if (!client) return tl::unexpected(client.error());
-  auto answer = client->call(method, params, patience);
-  // What the daemon refuses is no missing daemon, whatever its reason.
-  if (!answer && answer.error().code == types::Errc::kNotFound)
-    return types::fail(types::Errc::kIo, answer.error().message);
-  return answer;
-}
-
-/// Asks, and prints the answer as JSON or through `table`.
-int show(const Arguments& arguments, const char* method, std::string (*table)(const Json&),
-         const Json& params = Json::object(), types::Duration patience = kPatience) {
-  const auto answer = ask(arguments, method, params, patience);
-  if (!answer) return complain(answer.error());
-  if (arguments.json) {
-    fmt::print("{}\n", answer->dump(2, ' ', false, Json::error_handler_t::replace));
-  } else {
-    fmt::print("{}", table(*answer));
-  }
-  return kOk;
-}
+constexpr types::Duration kSearchPatience = std::chrono::seconds(30);
 
 std::string nothing(const Json&) { return {}; }
 
@@ -82,34 +31,21 @@ int save_map(const Arguments& arguments) {
   return show(arguments, "map.save", table, Json{{"dir", folder.string()}}, kSavePatience);
 }
 
-/// Keeps telling the daemon, which stops by itself when we are gone.
-int drive(const Arguments& arguments) {
-  auto client = Client::connect(arguments.socket);
-  if (!client) return complain(client.error());
-  ::signal(SIGINT, [](int) { interrupted = true; });
-  ::signal(SIGTERM, [](int) { interrupted = true; });
-  const Json params{{"v_mps", arguments.v_mps}, {"omega_radps", arguments.omega_radps}};
-  const types::Stamp end = io::monotonic_now() + types::from_seconds(arguments.seconds);
-  while (!interrupted && io::monotonic_now() < end) {
-    if (const auto answer = client->call("drive", params, kPatience); !answer)
-      return complain(answer.error());
-    std::this_thread::sleep_for(std::min(kDrivePeriod, end - io::monotonic_now()));
-  }
-  const auto stopped = client->call("stop", Json::object(), kPatience);
-  return stopped ? kOk : complain(stopped.error());
-}
-
 /// One subcommand: its name, help and what it does.
 void add(CLI::App& parent, const char* name, const char* help, int& status, std::function<int()> act) {
   parent.add_subcommand(name, help)->callback([&status, act = std::move(act)] { status = act(); });
 }
 
-void add_queries(CLI::App& cli, const Arguments& a, int& status) {
+void add_queries(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "status", "where the robot is and what it does", status,
       [&a] { return show(a, "status", &status_table); });
   add(cli, "health", "what is wrong, if anything", status, [&a] { return show(a, "health", &health_table); });
   add(cli, "latency", "wake-up latency and run time of the threads", status,
       [&a] { return show(a, "latency", &latency_table); });
+  add(cli, "goals", "where the robot may go next", status,
+      [&a] { return show(a, "goals", a.why ? &why_table : &goals_table); });
+  cli.get_subcommand("goals")->add_flag("--why", a.why, "why each goal was taken, dropped or given up");
+  add(cli, "places", "the places of the map", status, [&a] { return show(a, "places", &places_table); });
   add(cli, "version", "version of the daemon and of this program", status, [&a] {
     return show(a, "version", [](const Json& answer) {
       return fmt::format("topometricd {}\ntopoctl {}\n", member(answer, "version"), kVersion);
@@ -124,9 +60,8 @@ void add_commands(CLI::App& cli, Arguments& a, int& status) {
       [&a] { return show(a, "estop", &nothing); });
   add(cli, "clear-estop", "let the robot move again", status,
       [&a] { return show(a, "clear_estop", &nothing); });
-  add(cli, "stop", "end the driving", status, [&a] { return show(a, "stop", &nothing); });
   add(cli, "drive", "drive at V m/s and W rad/s (counter-clockwise), then stop", status,
-      [&a] { return drive(a); });
+      [&a] { return drive_for(a); });
   auto* driving = cli.get_subcommand("drive");
   driving->add_option("V", a.v_mps, "forward speed in m/s")->required();
   driving->add_option("W", a.omega_radps, "turning speed in rad/s")->required();
@@ -145,10 +80,35 @@ void add_commands(CLI::App& cli, Arguments& a, int& status) {
       ->required();
 }
 
+void add_missions(CLI::App& cli, Arguments& a, int& status) {
+  add(cli, "start", "explore, and come home", status, [&a] { return show(a, "start", &nothing); });
+  add(cli, "pause", "stand; the mission is kept", status, [&a] { return show(a, "pause", &nothing); });
+  add(cli, "resume", "go on with the paused mission", status, [&a] { return show(a, "resume", &nothing); });
+  add(cli, "home", "come back to the start", status, [&a] { return show(a, "home", &nothing); });
+  add(cli, "goto", "go to a place of the map", status, [&a] {
+    return show(a, "goto", &nothing, Json{{"x_m", a.x_m}, {"y_m", a.y_m}}, kSearchPatience);
+  });
+  auto* going = cli.get_subcommand("goto");
+  going->add_option("X", a.x_m, "metres in map")->required();
+  going->add_option("Y", a.y_m, "metres in map")->required();
+  add(cli, "stop", "end the mission and the driving: the robot stands", status,
+      [&a] { return show(a, "stop", &nothing); });
+  auto* wait = cli.add_subcommand("wait", "wait for something; --timeout S");
+  wait->require_subcommand(1);
+  wait->fallthrough();
+  wait->add_option("--timeout", a.timeout_s, "seconds after which to give up (for ever)")
+      ->check(CLI::Range(0.0, 1e6));
+  add(*wait, "done", "until the mission has ended: status 0 done, 5 failed or stopped", status,
+      [&a] { return wait_done(a); });
+  add(*wait, "ready", "until a mission would be taken", status, [&a] { return wait_ready(a); });
+  for (auto* sub : wait->get_subcommands({})) sub->fallthrough();
+}
+
 int start(int argc, char** argv) {
   CLI::App cli(
       "The operator's command for topometricd.\n"
-      "Exit status: 0 done, 1 refused or failed, 2 wrong command line, 3 no daemon.");
+      "Exit status: 0 done, 1 refused or failed, 2 wrong command line, 3 no daemon, 4 not in time,\n"
+      "5 the mission that was waited for failed or was stopped.");
   Arguments arguments;
   int status = kOk;
   cli.add_option("--socket", arguments.socket, "the daemon's control socket (control.socket)")
@@ -157,6 +117,7 @@ int start(int argc, char** argv) {
   cli.require_subcommand(1);
   cli.fallthrough();
   add_queries(cli, arguments, status);
+  add_missions(cli, arguments, status);
   add_commands(cli, arguments, status);
   try {
     cli.parse(argc, argv);

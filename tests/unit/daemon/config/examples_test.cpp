@@ -84,6 +84,7 @@ TEST(KeyTable, IsDocumentedAndItsDefaultsAreAccepted) {
     const bool unit_in_name =
         key.path.ends_with("_m") || key.path.ends_with("_s") || key.path.ends_with("_rad") ||
         key.path.ends_with("_mps") || key.path.ends_with("_radps") || key.path.ends_with("_mps2") ||
+        key.path.ends_with("_v") ||
         key.path.ends_with("_radps2") || key.path.ends_with("_per_m") || key.path.ends_with("_per_rad");
     EXPECT_EQ(unit_in_name, !key.unit.empty()) << key.path;
     if (key.required) continue;

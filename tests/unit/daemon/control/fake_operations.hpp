@@ -16,12 +16,25 @@ class FakeOperations final : public Operations {
   types::Twist2 twist;
   std::string folder;
   std::function<void(types::Result<Json>)> save_done;
+  types::Vector2 target{0.0, 0.0};
+  std::function<void(types::Status)> goto_done;
   types::Status outcome;
 
   [[nodiscard]] Json status() const override { return Json{{"state", "standing"}}; }
   [[nodiscard]] Json health() const override { return Json{{"healthy", true}}; }
   [[nodiscard]] Json latency() const override { return Json::object(); }
   [[nodiscard]] Json config() const override { return Json{{"text", ""}}; }
+  [[nodiscard]] Json goals() const override { return Json{{"open", Json::array()}}; }
+  [[nodiscard]] Json places() const override { return Json{{"places", Json::array()}}; }
+  [[nodiscard]] Json progress() const override { return Json{{"ready", true}}; }
+  types::Status explore() override { return calls.push_back("explore"), outcome; }
+  types::Status go_home() override { return calls.push_back("home"), outcome; }
+  types::Status pause() override { return calls.push_back("pause"), outcome; }
+  types::Status resume() override { return calls.push_back("resume"), outcome; }
+  void go_to(const types::Vector2& point, std::function<void(types::Status)> done) override {
+    target = point;
+    goto_done = std::move(done);
+  }
   void estop() override { calls.push_back("estop"); }
   types::Status clear_estop() override { return calls.push_back("clear_estop"), outcome; }
   types::Status drive(const types::Twist2& t) override {

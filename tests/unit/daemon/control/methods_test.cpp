@@ -25,11 +25,14 @@ class MethodsTest : public ::testing::Test {
 
   FakeOperations operations;
   std::optional<Answer> late;
-  Methods methods{operations, [this](const Call&, const Answer& answer) { late = answer; }};
+  std::vector<std::uint64_t> subscribers;
+  Methods methods{operations, [this](const Call&, const Answer& answer) { late = answer; },
+                  [this](std::uint64_t client) { subscribers.push_back(client); }};
 };
 
 TEST_F(MethodsTest, AnybodyMayLookAndEstop) {
-  for (const auto* method : {"status", "version", "health", "latency", "config", "estop"}) {
+  for (const auto* method : {"status", "version", "health", "latency", "config", "estop", "goals", "places",
+                             "progress", "events.subscribe"}) {
     const auto answer = ask(method, Json::object(), false);
     ASSERT_TRUE(answer.has_value() && answer->has_value()) << method;
   }
@@ -43,7 +46,11 @@ TEST_F(MethodsTest, CommandsNeedTheRight) {
   EXPECT_EQ(refusal("log_level", {{"level", "debug"}}, false), RpcCode::kForbidden);
   EXPECT_EQ(refusal("map.save", {{"dir", "/tmp"}}, false), RpcCode::kForbidden);
   EXPECT_THAT(operations.calls, IsEmpty());
+  for (const auto* method : {"start", "home", "pause", "resume"})
+    EXPECT_EQ(refusal(method, Json::object(), false), RpcCode::kForbidden) << method;
+  EXPECT_EQ(refusal("goto", {{"x_m", 1}, {"y_m", 1}}, false), RpcCode::kForbidden);
   EXPECT_FALSE(operations.save_done);
+  EXPECT_FALSE(operations.goto_done);
 }
 
 TEST_F(MethodsTest, DriveTakesTwoNumbers) {
@@ -60,6 +67,31 @@ TEST_F(MethodsTest, RefusalsCarryTheReason) {
   ASSERT_TRUE(answer.has_value() && !answer->has_value());
   EXPECT_EQ(answer->error().code, RpcCode::kRefused);
   EXPECT_EQ(answer->error().message, "the stop button is pressed");
+}
+
+TEST_F(MethodsTest, MissionsAreGivenByName) {
+  for (const auto* method : {"start", "pause", "resume", "home"})
+    ASSERT_TRUE(ask(method, Json::object())->has_value()) << method;
+  EXPECT_THAT(operations.calls, ElementsAre("explore", "pause", "resume", "home"));
+  EXPECT_EQ(refusal("start", {{"fast", true}}), RpcCode::kInvalidParams);
+}
+
+TEST_F(MethodsTest, GotoIsAnsweredWhenTheWayWasLookedFor) {
+  EXPECT_EQ(refusal("goto", {{"x_m", 1.0}}), RpcCode::kInvalidParams);
+  EXPECT_FALSE(ask("goto", {{"x_m", 1.5}, {"y_m", -2}}).has_value());
+  EXPECT_EQ(operations.target, (types::Vector2{1.5, -2.0}));
+  EXPECT_FALSE(late.has_value());
+  operations.goto_done(types::fail(types::Errc::kUnsupported, "unknown space"));
+  ASSERT_TRUE(late.has_value() && !late->has_value());
+  EXPECT_EQ(late->error().code, RpcCode::kRefused);
+  EXPECT_EQ(late->error().message, "unknown space");
+}
+
+TEST_F(MethodsTest, SubscribersGetWhatHoldsNow) {
+  const auto answer = ask("events.subscribe", Json::object(), false);
+  ASSERT_TRUE(answer.has_value() && answer->has_value());
+  EXPECT_EQ((**answer)["ready"], true);
+  EXPECT_THAT(subscribers, ElementsAre(1U));
 }
 
 TEST_F(MethodsTest, UnknownMethod) { EXPECT_EQ(refusal("fly", Json::object()), RpcCode::kMethodNotFound); }

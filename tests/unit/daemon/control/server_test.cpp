@@ -127,6 +127,16 @@ TEST_F(ServerTest, LateAnswerFindsItsClientOrNobody) {
   server->answer(*kept, Json(true));
 }
 
+TEST_F(ServerTest, OnlySubscribersGetWhatIsPublished) {
+  const auto a = connect(), b = connect();
+  write(a, "{\"jsonrpc\":\"2.0\",\"method\":\"later\",\"id\":1}\n");
+  ASSERT_TRUE(kept.has_value());
+  server->subscribe(kept->client);
+  server->publish({{"event", "done"}});
+  EXPECT_EQ(read(a), "{\"jsonrpc\":\"2.0\",\"method\":\"event\",\"params\":{\"event\":\"done\"}}\n");
+  EXPECT_EQ(read(b), "");
+}
+
 TEST_F(ServerTest, ClientThatDoesNotReadIsDroppedAndOthersAreServed) {
   const auto slow = connect(), quick = connect();
   for (int i = 0; i < 10 && server->clients() == 2; ++i) {

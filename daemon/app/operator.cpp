@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/operator.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <utility>
+
+#include "daemon/app/logging.hpp"
+#include "daemon/app/plan_json.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+
+using pipeline::Order;
+using types::Errc;
+using types::fail;
+using types::Result;
+using types::Status;
+
+Operator::Operator(const Configuration& configuration, std::string effective, HandOvers& hand_overs,
+                   Monitor& monitor, Announce announce)
+    : configuration_(configuration),
+      effective_(std::move(effective)),
+      hand_overs_(hand_overs),
+      monitor_(monitor),
+      announce_(std::move(announce)),
+      plan_(hand_overs),
+      saver_(hand_overs) {}
+
+Status Operator::start() {
+  if (auto s = files_.start("files"); !s) return s;
+  return searches_.start("searches");
+}
+
+void Operator::tick(types::Stamp now) {
+  plan_.update();
+  add_distance();
+  if (monitor_.base().estop_latched) interrupt("the emergency stop");
+  const auto* report = plan_.report();
+  if (report != nullptr && missions_.note(*report, now)) {
+    announce_mission("done");
+    const std::string& folder = configuration_.exploration.save_folder;
+    if (!folder.empty()) {
+      save_map(folder, [](const Result<Json>& saved) {
+        if (!saved) spdlog::error("the map was not saved: {}", saved.error().message);
+      });
+    }
+  }
+  watch_battery(now);
+  watch_readiness();
+}
+
+void Operator::add_distance() {
+  const types::Vector2 at = monitor_.base().state.odometry.T_odom_base.se2().translation();
+  // A jump is a base that counts anew, no way driven: at 10 Hz no robot gets half a metre.
+  constexpr double kJump_m = 0.5;
+  const double way_m = (at - measured_from_).norm();
+  if (measuring_ && missions_.active() && way_m < kJump_m) distance_m_ += way_m;
+  measured_from_ = at;
+  measuring_ = monitor_.base().ready;
+}
+
+void Operator::watch_battery(types::Stamp now) {
+  const BaseReport& base = monitor_.base();
+  const ExplorationConfig& limits = configuration_.exploration;
+  constexpr types::Duration kPatience = std::chrono::seconds(10);  // starting motors pull the voltage down
+  const double battery_v = static_cast<double>(base.state.battery_v);
+  const double charge = static_cast<double>(base.state.state_of_charge);
+  const bool low =
+      base.ready && (battery_v < limits.battery_home_v || (charge >= 0.0 && charge < limits.charge_home));
+  if (!low) {
+    low_since_ = {};
+    return;
+  }
+  if (low_since_ == types::Stamp{}) low_since_ = now;
+  if (low_told_ || now - low_since_ < kPatience) return;
+  low_told_ = true;
+  spdlog::warn("battery low: {:.1f} V, home below {:.1f} V (exploration.battery_home_v)",
+               base.state.battery_v, limits.battery_home_v);
+  announce_({{"event", "battery_low"}, {"battery_v", battery_v}});
+}
+
+void Operator::watch_readiness() {
+  const bool ready = obstacle().empty();
+  if (ready && !ready_) announce_({{"event", "ready"}});
+  ready_ = ready;
+}
+
+bool Operator::estop_latched() const {
+  return monitor_.base().estop_latched || hand_overs_.estop.load(std::memory_order_acquire);
+}
+
+std::string Operator::obstacle() const {
+  if (estop_latched()) return "the e-stop is latched; clear it first (topoctl clear-estop)";
+  if (std::string device = monitor_.device_obstacle(); !device.empty()) return device;
+  const auto* report = plan_.report();
+  if (!monitor_.has_map() || report == nullptr)
+    return "there is no map yet: no scan was matched since the start";
+  return {};
+}
+
+Status Operator::begin(Order order, const types::Vector2& target) {
+  if (auto s = missions_.begin(order, target, obstacle(), io::monotonic_now()); !s) return s;
+  distance_m_ = 0.0;
+  end_driving();
+  send_mission();
+  announce_mission("mission");
+  return {};
+}
+
+Status Operator::pause() {
+  if (auto s = missions_.pause("paused by the operator"); !s) return s;
+  send_mission();
+  announce_mission("mission");
+  return {};
+}
+
+Status Operator::resume() {
+  if (auto s = missions_.resume(obstacle()); !s) return s;
+  end_driving();
+  send_mission();
+  announce_mission("mission");
+  return {};
+}
+
+/// The robot is taken out of the mission's hand: whoever goes on must say so.
+void Operator::interrupt(const std::string& why) {
+  if (missions_.state() != MissionState::kUnderWay || !missions_.pause("paused by " + why)) return;
+  send_mission();
+  announce_mission("mission");
+}
+
+void Operator::send_mission() {
+  hand_overs_.mission.store(missions_.mission());
+  hand_overs_.planning_wakeup.post();
+}
+
+void Operator::end_driving() { hand_overs_.drive.store({io::monotonic_now() - std::chrono::hours(1), {}}); }
+
+void Operator::announce_mission(std::string_view event) {
+  spdlog::info("mission {} ({}): {}{}{}", missions_.number(), to_text(missions_.order()),
+               to_text(missions_.state()), missions_.reason().empty() ? "" : ": ", missions_.reason());
+  announce_({{"event", event}, {"mission", mission_json()}});
+}
+
+void Operator::estop() {
+  hand_overs_.estop.store(true, std::memory_order_release);
+  spdlog::warn("e-stop");
+  interrupt("the emergency stop");
+}
+
+Status Operator::clear_estop() {
+  end_driving();  // what was wanted before the e-stop is not wanted any more
+  hand_overs_.estop.store(false, std::memory_order_release);
+  hand_overs_.estop_clears.fetch_add(1, std::memory_order_acq_rel);
+  spdlog::info("e-stop cleared");
+  return {};
+}
+
+Status Operator::drive(const types::Twist2& twist) {
+  const BaseConfig& base = configuration_.base;
+  if (std::abs(twist.v_mps) > base.v_max_mps) {
+    return fail(Errc::kInvalidInput,
+                fmt::format("v_mps: found {}, expected at most {} either way", twist.v_mps, base.v_max_mps));
+  }
+  if (std::abs(twist.omega_radps) > base.omega_max_radps) {
+    return fail(Errc::kInvalidInput, fmt::format("omega_radps: found {}, expected at most {} either way",
+                                                 twist.omega_radps, base.omega_max_radps));
+  }
+  // The base's report comes a moment later than a clear; the gate has the last word either way.
+  if (hand_overs_.estop.load(std::memory_order_acquire)) {
+    return fail(Errc::kBusy, "the e-stop is latched; clear it first (topoctl clear-estop)");
+  }
+  interrupt("an operator who drives");  // or the robot would go off by itself when the keys are let go
+  hand_overs_.drive.store({io::monotonic_now(), twist});
+  return {};
+}
+
+void Operator::stop() {
+  end_driving();
+  if (!missions_.stop(io::monotonic_now())) return;
+  send_mission();
+  announce_mission("done");
+}
+
+void Operator::go_to(const types::Vector2& target, std::function<void(Status)> done) {
+  if (const std::string why = obstacle(); !why.empty()) return done(fail(Errc::kBusy, why));
+  const auto* report = plan_.report();
+  if (report == nullptr || report->analysis == nullptr)
+    return done(fail(Errc::kBusy, "the map was not analysed yet; try again in a moment"));
+  // The search takes as long as the map is large; an e-stop must not wait for it.
+  auto job = [this, analysis = report->analysis, params = planner_params(configuration_), target, done,
+              from = report->T_map_base.se2().translation()]() -> Background::Finish {
+    const Status possible = pipeline::check_target(*analysis, params, from, target);
+    return [this, possible, target, done] { done(possible ? begin(Order::kGoTo, target) : possible); };
+  };
+  if (const auto added = searches_.add(std::move(job)); !added) done(added);
+}
+
+void Operator::save_map(const std::string& folder, std::function<void(Result<Json>)> done) {
+  if (folder.empty() || folder.front() != '/') {
+    return done(
+        fail(Errc::kInvalidInput, fmt::format("dir: found \"{}\", expected an absolute path", folder)));
+  }
+  auto job = [this, folder, done]() -> Background::Finish {
+    return [done, saved = saver_.save(folder)] {
+      if (!saved) return done(tl::unexpected(saved.error()));
+      spdlog::info("map revision {} saved to {}", saved->revision, saved->folder);
+      done(Json{{"dir", saved->folder},
+                {"revision", saved->revision},
+                {"width", saved->width},
+                {"height", saved->height},
+                {"points", saved->points},
+                {"places", saved->places},
+                {"goals", saved->goals}});
+    };
+  };
+  if (const auto added = files_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+Status Operator::set_log_level(const std::string& level) {
+  const auto parsed = parse_log_level(level);
+  if (!parsed) {
+    return fail(Errc::kInvalidInput,
+                fmt::format("level: found \"{}\", expected trace, debug, info, warning or error", level));
+  }
+  topo::daemon::set_log_level(*parsed);
+  return {};
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "daemon/app/background.hpp"
+#include "daemon/app/map_saver.hpp"
+#include "daemon/app/mission_control.hpp"
+#include "daemon/app/monitor.hpp"
+#include "daemon/app/plan_watch.hpp"
+#include "daemon/control/methods.hpp"
+
+namespace topo::daemon {
+
+/// What the operator can ask for, done. Main only, but for the jobs that it gives to the background threads.
+class Operator final : public Operations {
+ public:
+  using Announce = std::function<void(const Json& event)>;
+  /// `effective`: the configuration as text. `announce` takes events for those who subscribed.
+  Operator(const Configuration& configuration, std::string effective, HandOvers& hand_overs, Monitor& monitor,
+           Announce announce);
+
+  /// Starts the background threads.
+  types::Status start();
+  /// Main, when readable: finished_fds()[i] belongs to collect(i).
+  [[nodiscard]] std::array<int, 2> finished_fds() const { return {files_.fd(), searches_.fd()}; }
+  void collect(std::size_t i) { i == 0 ? files_.collect() : searches_.collect(); }
+
+  /// After the monitor's update, every tick: what planning says, the stop button, the battery.
+  void tick(types::Stamp now);
+
+  [[nodiscard]] Json status() const override;
+  [[nodiscard]] Json health() const override { return monitor_.health(); }
+  [[nodiscard]] Json latency() const override { return monitor_.latency(); }
+  [[nodiscard]] Json config() const override { return Json{{"text", effective_}}; }
+  [[nodiscard]] Json goals() const override;
+  [[nodiscard]] Json places() const override;
+  [[nodiscard]] Json progress() const override;
+  void estop() override;
+  types::Status clear_estop() override;
+  types::Status drive(const types::Twist2& twist) override;
+  void stop() override;
+  types::Status explore() override { return begin(pipeline::Order::kExplore, {0.0, 0.0}); }
+  types::Status go_home() override { return begin(pipeline::Order::kHome, {0.0, 0.0}); }
+  types::Status pause() override;
+  types::Status resume() override;
+  void go_to(const types::Vector2& target, std::function<void(types::Status)> done) override;
+  void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) override;
+  types::Status set_log_level(const std::string& level) override;
+
+ private:
+  types::Status begin(pipeline::Order order, const types::Vector2& target);
+  /// Why the robot cannot be sent off now; empty when it can.
+  [[nodiscard]] std::string obstacle() const;
+  [[nodiscard]] bool estop_latched() const;
+  [[nodiscard]] Json mission_json() const;
+  void interrupt(const std::string& why);
+  void send_mission();
+  void end_driving();
+  void announce_mission(std::string_view event);
+  void watch_battery(types::Stamp now);
+  void watch_readiness();
+  void add_distance();
+
+  const Configuration& configuration_;
+  std::string effective_;
+  HandOvers& hand_overs_;
+  Monitor& monitor_;
+  Announce announce_;
+  PlanWatch plan_;
+  MissionControl missions_;
+  MapSaver saver_;
+  Background files_, searches_;
+  types::Stamp low_since_{};  ///< the battery; zero: it is not
+  bool low_told_ = false;
+  bool ready_ = false;
+  double distance_m_ = 0.0;  ///< driven since the newest mission began
+  types::Vector2 measured_from_{0.0, 0.0};
+  bool measuring_ = false;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "daemon/threads/hand_overs.hpp"
+
+namespace topo::daemon {
+
+/// Main's eye on planning: pins its newest report, and logs every decision once. Main only.
+class PlanWatch {
+ public:
+  explicit PlanWatch(HandOvers& hand_overs) : reports_(hand_overs.planning->reader(kMainReader)) {}
+
+  /// Takes the newest report; to be called every now and then.
+  void update();
+
+  /// Null before the first one. Good until the next update().
+  [[nodiscard]] const pipeline::PlanningReport* report() const { return report_.get(); }
+
+ private:
+  PlanningReports::Reader reports_;
+  PlanningReports::Pin report_;
+  types::Stamp logged_{};  ///< of the newest decision that was logged
+};
+
+}  // namespace topo::daemon

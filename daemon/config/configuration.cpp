@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/config/configuration.hpp"
+
+namespace topo::daemon {
+
+slam::MapperParams mapper_params(const Configuration& configuration) {
+  slam::MapperParams params = configuration.mapping;
+  const ScannerConfig& front = configuration.front;
+  const ScannerConfig& coronal = configuration.coronal;
+  params.T_base_laser = {front.x_m, front.y_m, front.yaw_rad};
+  params.coronal.x_m = coronal.x_m;
+  params.coronal.y_m = coronal.y_m;
+  params.coronal.z_m = coronal.z_m;
+  params.coronal.roll_rad = coronal.roll_rad;
+  params.coronal.mirrored = coronal.mirrored;
+  return params;
+}
+
+pipeline::PlannerParams planner_params(const Configuration& configuration) {
+  const ExplorationConfig& e = configuration.exploration;
+  const MotionConfig& m = configuration.motion;
+  // Rounding to cells costs up to half a diagonal of one.
+  constexpr double kRounding = 0.75;
+  const double hull_m = footprint(configuration).half_width_m + m.margin_m +
+                        kRounding * configuration.mapping.grid.resolution_m;
+  pipeline::PlannerParams params;
+  params.strategy = e.strategy;
+  params.finish = e.finish;
+  params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : hull_m;
+  params.travel.preferred_m = 2.0 * params.travel.radius_m;
+  params.analysis.goals.robot_radius_m = params.travel.radius_m;
+  params.T_base_laser = mapper_params(configuration).T_base_laser;
+  params.frontier_min_m = e.frontier_min_m;
+  params.goal_reached_m = e.goal_reached_m;
+  params.home_reached_m = e.home_reached_m;
+  params.give_up_s = e.goal_give_up_s;
+  params.battery_home_v = e.battery_home_v;
+  params.charge_home = e.charge_home;
+  return params;
+}
+
+motion::Footprint footprint(const Configuration& configuration) {
+  const ModelLimits model = model_limits(configuration.robot.model);
+  const RobotConfig& robot = configuration.robot;
+  const auto or_model = [](double own, double models) { return own > 0.0 ? own : models; };
+  return {or_model(robot.length_front_m, model.length_front_m),
+          or_model(robot.length_rear_m, model.length_rear_m), or_model(robot.width_m, model.width_m) / 2.0};
+}
+
+ModelLimits model_limits(RobotModel model) {
+  if (model == RobotModel::kP3at) return {0.313, 0.313, 0.505, 0.7, 2.45};
+  return {0.210, 0.301, 0.425, 1.2, 5.24};
+}
+
+const char* model_name(RobotModel model) { return model == RobotModel::kP3at ? "P3-AT" : "P3-DX"; }
+
+}  // namespace topo::daemon

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/planning_worker.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "daemon/logging/event_catalogue.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+
+void PlanningWorker::run() noexcept {
+  {
+    MapSnapshots::Reader maps = hand_overs_.map->reader(kPlanningReader);
+    pipeline::PlanningState state(params_);
+    Period period(io::monotonic_now() + period_, period_);
+    while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+      const types::Duration left = period.next() - io::monotonic_now();
+      hand_overs_.planning_wakeup.wait(std::max(left, types::Duration::zero()));
+      vitals_.beat();
+      if (hand_overs_.stopping.load(std::memory_order_acquire)) break;
+      const types::Stamp begin = io::monotonic_now();
+      const bool due = begin >= period.next();
+      if (due) vitals_.wake.record((begin - period.next()).count());
+      decide(state, maps);
+      const types::Stamp end = io::monotonic_now();
+      vitals_.run.record((end - begin).count());
+      note_budget(begin, end);
+      if (due) vitals_.add_overruns(period.advance(end));
+      vitals_.beat();
+    }
+  }
+  hand_overs_.planning.reset();
+}
+
+void PlanningWorker::decide(pipeline::PlanningState& state, MapSnapshots::Reader& maps) {
+  const MapSnapshots::Pin map = maps.pin();
+  if (const auto* mission = hand_overs_.mission.take_new(); mission != nullptr) mission_ = *mission;
+  pipeline::PlanningInput input;
+  input.map = map.get();
+  input.tracked = hand_overs_.tracked.read();
+  input.control = hand_overs_.control_to_planning.read();
+  input.front = hand_overs_.front.to_planning.read();
+  input.mission = mission_;
+  input.now = io::monotonic_now();  // after everything was taken: nothing in the input is from the future
+  pipeline::PlanningOutput output = pipeline::planning_step(state, input);
+  hand_overs_.plan.store(output.plan);
+  hand_overs_.planning->publish(std::move(output.report));
+}
+
+void PlanningWorker::note_budget(types::Stamp begin, types::Stamp end) {
+  // The base goes on by the last plan until it is too old.
+  if (end - begin <= period_) return;
+  post(vitals_.events, end.time_since_epoch().count(), EventId::kPlanningSlow, sync::Severity::kWarning,
+       {(end - begin).count(), period_.count()});
+}
+
+}  // namespace topo::daemon

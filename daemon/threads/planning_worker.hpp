@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/pipeline/planning_step.hpp"
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
+
+namespace topo::daemon {
+
+/// The planning thread: sole writer of the plan and of planning's reports. Decides at whole periods, and at
+/// once when the mission changes.
+class PlanningWorker {
+ public:
+  PlanningWorker(HandOvers& hand_overs, const pipeline::PlannerParams& params, types::Duration period,
+                 Vitals& vitals)
+      : hand_overs_(hand_overs), params_(params), period_(period), vitals_(vitals) {}
+
+  /// The thread's body: until hand_overs.stopping. Ends the reports' cell, so that its readers must be gone
+  /// by then.
+  void run() noexcept;
+
+ private:
+  void decide(pipeline::PlanningState& state, MapSnapshots::Reader& maps);
+  void note_budget(types::Stamp begin, types::Stamp end);
+
+  HandOvers& hand_overs_;
+  pipeline::PlannerParams params_;
+  types::Duration period_;
+  Vitals& vitals_;
+  pipeline::Mission mission_;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/topoctl/commands.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <atomic>
+
+namespace topo::daemon {
+namespace {
+
+std::atomic<bool> was_interrupted{false};
+
+}  // namespace
+
+bool interrupted() { return was_interrupted.load(std::memory_order_relaxed); }
+
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { was_interrupted.store(true, std::memory_order_relaxed); };
+  // Without SA_RESTART: who waits for the daemon is woken.
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+  ::sigaction(SIGHUP, &action, nullptr);
+}
+
+int complain(const types::Error& error) {
+  fmt::print(stderr, "topoctl: {}\n", error.message);
+  return error.code == types::Errc::kNotFound ? kNoDaemon : kFailed;
+}
+
+std::string pretty(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params,
+                        types::Duration patience) {
+  auto client = Client::connect(arguments.socket);
+  if (!client) return tl::unexpected(client.error());
+  auto answer = client->call(method, params, patience);
+  // What the daemon refuses is no missing daemon, whatever its reason.
+  if (!answer && answer.error().code == types::Errc::kNotFound)
+    return types::fail(types::Errc::kIo, answer.error().message);
+  return answer;
+}
+
+int show(const Arguments& arguments, const char* method, std::string (*table)(const Json&),
+         const Json& params, types::Duration patience) {
+  const auto answer = ask(arguments, method, params, patience);
+  if (!answer) return complain(answer.error());
+  if (arguments.json) {
+    fmt::print("{}\n", pretty(*answer));
+  } else {
+    fmt::print("{}", table(*answer));
+  }
+  return kOk;
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "daemon/config/configuration.hpp"
+#include "daemon/topoctl/client.hpp"
+
+namespace topo::daemon {
+
+// Exit statuses, as in topoctl(1).
+inline constexpr int kOk = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kUsage = 2;
+inline constexpr int kNoDaemon = 3;
+inline constexpr int kTimedOut = 4;
+inline constexpr int kMissionFailed = 5;
+
+inline constexpr types::Duration kPatience = std::chrono::seconds(5);
+
+/// The command line.
+struct Arguments {
+  std::string socket = ControlConfig{}.socket;
+  bool json = false;
+  bool why = false;
+  std::string folder, level, what;
+  double v_mps = 0.0, omega_radps = 0.0, seconds = 1.0;
+  double x_m = 0.0, y_m = 0.0;
+  double timeout_s = 0.0;   ///< 0: for ever
+  double interval_s = 1.0;  ///< of watch
+};
+
+/// Set by SIGINT and SIGTERM after catch_signals().
+[[nodiscard]] bool interrupted();
+void catch_signals();
+
+/// Prints what went wrong; the exit status for it.
+int complain(const types::Error& error);
+
+/// JSON as this program prints it; text of the wire that is no UTF-8 is replaced.
+std::string pretty(const Json& json);
+std::string one_line(const Json& json);
+
+/// One question on a connection of its own.
+types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params = Json::object(),
+                        types::Duration patience = kPatience);
+
+/// Asks, and prints the answer as JSON or through `table`. The exit status.
+int show(const Arguments& arguments, const char* method, std::string (*table)(const Json&),
+         const Json& params = Json::object(), types::Duration patience = kPatience);
+
+// Commands with a file of their own: each returns the exit status.
+
+int drive_for(const Arguments& arguments);
+int wait_done(const Arguments& arguments);
+int wait_ready(const Arguments& arguments);
+
+}  // namespace topo::daemon
