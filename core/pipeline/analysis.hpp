@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,8 +34,9 @@ struct Analysis {
   goals::GoalSet goals;
 };
 
-/// All stages on one snapshot; the pose history are the snapshot's keyframes and `visited`.
-Analysis analyse(const MapSnapshot& snapshot, std::span<const types::Vector2> visited,
-                 const AnalysisParams& params);
+/// All stages on one snapshot. `map` is made of it (prepared_map.hpp), `clearance_m` is its distance map with
+/// kOccupiedOrUnknown; `visited` are the corrected paths of all robots, in map.
+Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
+                 std::span<const types::Vector2> visited, const AnalysisParams& params);
 
 }  // namespace topo::pipeline

@@ -13,6 +13,7 @@
 #include "core/motion/area_limits.hpp"
 #include "core/pipeline/analysis.hpp"
 #include "core/pipeline/control_step.hpp"
+#include "core/pipeline/given_up_goals.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/types/result.hpp"
@@ -73,13 +74,6 @@ struct PlanningInput {
   const ControlReport* control = nullptr;
   const types::Scan* front = nullptr;  ///< newest, for obstacles that no keyframe holds yet
   Mission mission;
-};
-
-/// A goal that was put off, and until when.
-struct GivenUp {
-  types::Vector2 p_map{0.0, 0.0};
-  types::Stamp until{};
-  std::string why;
 };
 
 /// A decision that an operator can read ("topoctl goals --why").

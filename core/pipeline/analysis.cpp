@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/analysis.hpp"
+
+namespace topo::pipeline {
+
+Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
+                 std::span<const types::Vector2> visited, const AnalysisParams& params) {
+  Analysis a;
+  a.revision = snapshot.revision;
+  a.map = std::move(map);
+  a.clearance_m = std::move(clearance_m);
+  // The store's walls are the confident ones; without a coronal scanner there are none, and what is occupied
+  // must do.
+  std::vector<types::Vector2> points = walls::wall_points(snapshot.walls);
+  const std::vector<types::Vector2> occupied = walls::occupied_points(a.map);
+  a.compass = walls::entropy_compass(occupied, params.compass);
+  if (points.empty()) points = occupied;
+  const double compass_rad = a.compass.angle_rad.value_or(0.0);
+  a.walls = walls::extract_walls(points, compass_rad, params.walls);
+  a.skeleton = places::skeletonise(a.map, a.clearance_m);
+  a.places = places::segment_places(a.map, a.clearance_m, a.skeleton, a.walls, compass_rad, params.places);
+  a.goals = goals::essential_goals({a.map, a.clearance_m, a.skeleton, a.places, visited}, params.goals);
+  return a;
+}
+
+}  // namespace topo::pipeline

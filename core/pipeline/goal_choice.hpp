@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/goals/goal.hpp"
+#include "core/grid/wavefront.hpp"
+#include "core/pipeline/given_up_goals.hpp"
+
+namespace topo::pipeline {
+
+/// A goal, the cell from which it is seen to, and what going there costs.
+struct Candidate {
+  goals::Goal goal;
+  grid::CellIndex cell;
+  double cost_m = 0.0;
+};
+
+/// Goals that can be reached and are not put off, in the order given. `unreachable` counts those left out
+/// because no way leads there now.
+std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
+                                     const grid::TravelField& field, const GivenUpGoals& given_up,
+                                     types::Stamp now, int& unreachable);
+
+/// Frontiers that a robot can get to as goals; the second phase's, and the baseline's. `clusters` counts all
+/// that are `width_min_m` wide, reachable or not. `labels`: place of every cell, or empty.
+std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
+                                        double width_min_m, std::span<const std::uint16_t> labels,
+                                        int& clusters);
+
+/// The candidate that a present goal has become: goals recede as the map grows (paper section III).
+const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);
+
+/// The cheapest candidate; the present goal's successor stays unless another costs less than `switch_gain` of
+/// it. Candidates in `home_place` (0: none) cost half: gaps are filled place by place. Null when there is
+/// none.
+const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain,
+                        std::uint16_t home_place);
+
+}  // namespace topo::pipeline

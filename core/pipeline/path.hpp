@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+#include "core/pipeline/plan.hpp"
+
+namespace topo::pipeline {
+
+/// The route's cells as a path that a robot can follow, points about 0.1 m apart: corners of the grid are cut
+/// where the straight line keeps the clearance that the route had (as far as `preferred_m`), then rounded. In
+/// map; the first and last cell's centres stay.
+std::vector<types::Vector2> smooth_path(const grid::DenseMap& map, std::span<const float> clearance_m,
+                                        std::span<const grid::CellIndex> route, double preferred_m);
+
+/// The path's beginning into the plan, in odom.
+void put_path(std::span<const types::Vector2> path_map,
+              const types::Transform2<types::Map, types::Odom>& T_map_odom, Plan& plan);
+
+/// Length of a path, metres.
+double length_m(std::span<const types::Vector2> path);
+
+}  // namespace topo::pipeline

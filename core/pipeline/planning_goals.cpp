@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/pipeline/planning_state.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+constexpr std::size_t kDecisionsKept = 64;
+constexpr types::Duration kStandstill = std::chrono::seconds(25);  // longer than a recovery takes
+constexpr double kProgress_m = 0.5;
+constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
+constexpr double kBlockedAhead_m = 0.40;  // from the centre of the robot to what it got stuck on
+
+std::string metres(double value) {
+  std::array<char, 24> text{};
+  const int n = std::snprintf(text.data(), text.size(), "%.1f m", value);
+  return {text.data(), static_cast<std::size_t>(std::max(n, 0))};
+}
+
+std::string description(const goals::Goal& goal) {
+  std::string text;
+  if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
+  text += goal.place != 0 ? "place " + std::to_string(goal.place) : "frontier";
+  return text + ", opening " + metres(goal.opening_m);
+}
+
+}  // namespace
+
+void PlanningState::Impl::note(const PlanningInput& in, const types::Vector2& p_map, std::string text) {
+  if (decisions.size() == kDecisionsKept) decisions.erase(decisions.begin());
+  decisions.push_back({in.now, p_map, std::move(text)});
+}
+
+void PlanningState::Impl::end(Activity how, std::string why) {
+  activity = how;
+  reason = std::move(why);
+  ended = true;
+  goal.reset();
+  has_target = false;
+}
+
+void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
+  note(in, goal->p_map, "given up: " + why);
+  given_up.add(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
+  goal.reset();
+}
+
+/// Is the present goal done with: reached, stuck on the way, no progress?
+void PlanningState::Impl::settle_goal(const PlanningInput& in) {
+  if (!goal) return;
+  const types::Vector2 here = T_map_base.se2().translation();
+  const bool about_this = in.control->goal_id == goal_id;
+  if (about_this && in.control->mode == ControlMode::kStuck && blamed_goal != goal_id) {
+    blamed_goal = goal_id;
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0),
+                       in.now + types::from_seconds(params.give_up_s)});
+    give_up(in, "stuck on the way");
+    return;
+  }
+  if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
+      (about_this && in.control->mode == ControlMode::kArrived)) {
+    // What is still open after a visit cannot be seen from there: no reason to come again soon.
+    given_up.add(goal->p_map, in.now + types::from_seconds(params.give_up_s), "visited");
+    note(in, goal->p_map, "reached");
+    goal.reset();
+    return;
+  }
+  if ((here - progress_at).norm() > kProgress_m) {
+    progress_at = here;
+    last_progress = in.now;
+  }
+  if (in.now - last_progress > kStandstill) return give_up(in, "no progress");
+  if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
+}
+
+std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in) {
+  int unreachable = 0;
+  const bool essential = params.strategy == Strategy::kTopometric;
+  std::vector<goals::Goal> frontiers =
+      frontier_goals(map, field, params.frontier_min_m, analysis->places.labels, clusters);
+  std::vector<Candidate> candidates;
+  second_phase = false;
+  if (essential)
+    candidates = candidates_of(analysis->goals.goals, analysis->map, field, given_up, in.now, unreachable);
+  if (candidates.empty() && (!essential || params.finish == Finish::kComplete)) {
+    second_phase = essential;
+    candidates = candidates_of(frontiers, map, field, given_up, in.now, unreachable);
+  }
+  return candidates;
+}
+
+void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& candidate) {
+  goal = candidate.goal;
+  target = candidate.cell;
+  ++goal_id;
+  ++goals_issued;
+  goal_taken = last_progress = in.now;
+  progress_at = T_map_base.se2().translation();
+  note(in, goal->p_map, "taken: " + description(*goal) + ", " + metres(candidate.cost_m) + " to go");
+}
+
+void PlanningState::Impl::explore(const PlanningInput& in) {
+  settle_goal(in);
+  const std::vector<Candidate> candidates = find_candidates(in);
+  open_goals.clear();
+  for (const Candidate& c : candidates) open_goals.push_back(c.goal);
+  const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;
+  if (goal && present == nullptr) {
+    note(in, goal->p_map, "dropped: seen, or no longer a goal");
+    goal.reset();
+  }
+  const std::uint16_t here = goal ? goal->place : std::uint16_t{0};
+  const Candidate* best =
+      choose(candidates, present, params.switch_gain, second_phase ? here : std::uint16_t{0});
+  if (best == nullptr) {
+    if (given_up.call_back(in.now)) {
+      activity = Activity::kThinking;
+      reason = "only goals given up before are left: they are tried again";
+      has_target = false;
+      return;
+    }
+    returning = true;
+    return_reason = "explored: no goal is left in reach";
+    note(in, T_map_start.se2().translation(), return_reason);
+    return go_home(in, return_reason);
+  }
+  ++decisions_made;
+  clusters_sum += static_cast<std::uint64_t>(clusters);
+  goals_sum += candidates.size();
+  if (best == present) {
+    goal = best->goal;  // it recedes; it stays the same goal
+    target = best->cell;
+  } else {
+    if (goal) note(in, goal->p_map, "left for a nearer one");
+    take_goal(in, *best);
+  }
+  has_target = true;
+  activity = Activity::kExploring;
+  reason = description(*goal);
+}
+
+void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_map, double reached_m,
+                              Activity underway) {
+  if (!goal) {
+    goal = goals::Goal{};
+    goal->p_map = p_map;
+    ++goal_id;
+    goal_taken = last_progress = in.now;
+    progress_at = T_map_base.se2().translation();
+  }
+  const types::Vector2 here = T_map_base.se2().translation();
+  const bool arrived = in.control->goal_id == goal_id && in.control->mode == ControlMode::kArrived;
+  if ((p_map - here).norm() <= reached_m || (arrived && (p_map - here).norm() <= 2.0 * reached_m + 0.1))
+    return end(Activity::kDone, "arrived");
+  if (in.control->goal_id == goal_id && in.control->mode == ControlMode::kStuck) {
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0),
+                       in.now + types::from_seconds(params.give_up_s)});
+    ++goal_id;  // another way, and control begins anew
+  }
+  if ((here - progress_at).norm() > kProgress_m) {
+    progress_at = here;
+    last_progress = in.now;
+  }
+  if (in.now - last_progress > 4 * kStandstill) return end(Activity::kFailed, "no progress for 100 s");
+  const auto cell = grid::nearest_reachable(map, field, map.cell_at(p_map), 0.5);
+  has_target = cell.has_value();
+  if (cell) target = *cell;
+  activity = underway;
+  if (!cell) reason = "no way there just now";
+}
+
+void PlanningState::Impl::go_home(const PlanningInput& in, std::string why) {
+  reason = std::move(why);
+  aim(in, T_map_start.se2().translation(), params.home_reached_m, Activity::kReturning);
+  if (activity == Activity::kDone && returning) reason = return_reason;
+}
+
+void PlanningState::Impl::go_to(const PlanningInput& in) {
+  reason = "on the operator's order";
+  aim(in, mission.target, params.home_reached_m, Activity::kGoingTo);
+}
+
+}  // namespace topo::pipeline

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "core/grid/distance.hpp"
+#include "core/pipeline/planning_state.hpp"
+#include "core/pipeline/prepared_map.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+constexpr types::Duration kAnalysisPeriod = std::chrono::milliseconds(900);
+constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
+constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again before it matters
+constexpr double kBlockedRadius_m = 0.15;
+
+double free_area_m2(const grid::DenseMap& map) {
+  const auto cells = std::count(map.cells.begin(), map.cells.end(), grid::CellState::kFree);
+  return static_cast<double>(cells) * map.resolution_m * map.resolution_m;
+}
+
+/// Where a robot was: corrected poses of its keyframes.
+std::vector<types::Vector2> visited(const MapSnapshot& snapshot) {
+  std::vector<types::Vector2> points;
+  points.reserve(snapshot.keyframes.size());
+  for (const KeyframePose& keyframe : snapshot.keyframes)
+    points.push_back(keyframe.T_map_base.se2().translation());
+  return points;
+}
+
+/// A ring of points that stands for something unseen.
+void add_disc(const types::Vector2& centre, std::vector<types::Vector2>& points) {
+  points.push_back(centre);
+  for (const double dx : {-kBlockedRadius_m, kBlockedRadius_m}) {
+    points.push_back(centre + types::Vector2(dx, 0.0));
+    points.push_back(centre + types::Vector2(0.0, dx));
+  }
+}
+
+}  // namespace
+
+void PlanningState::Impl::refresh_map(const PlanningInput& in) {
+  if (in.map->revision == map_revision && !map.cells.empty()) return;
+  map_revision = in.map->revision;
+  map = prepare_map(*in.map, params.area, params.travel.radius_m);
+  clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  known_m2 = free_area_m2(map);
+}
+
+void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
+  if (analysis != nullptr && analysis->revision == map_revision) return;
+  // On the way to a goal the map changes with every keyframe; the goal does not need to be looked at as
+  // often.
+  if (analysis != nullptr && goal && in.now - analysed < kAnalysisPeriod) return;
+  analysed = in.now;
+  analysis =
+      std::make_shared<const Analysis>(analyse(*in.map, map, clearance_m, visited(*in.map), params.analysis));
+}
+
+void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
+  travel_clearance_m = clearance_m;
+  std::vector<types::Vector2> obstacles;
+  const bool live = in.front != nullptr && in.now - in.front->arrival <= kLiveAgeMax;
+  if (live) obstacles = confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
+  std::erase_if(blocked, [&](const Blocked& b) { return b.until <= in.now; });
+  for (const Blocked& b : blocked) add_disc(b.p_map, obstacles);
+  lower_clearance(map, obstacles, params.travel.preferred_m, travel_clearance_m);
+  const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
+  field = grid::travel_field(map, travel_clearance_m, start, params.travel);
+}
+
+}  // namespace topo::pipeline

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/pipeline/goal_choice.hpp"
+#include "core/pipeline/planning_step.hpp"
+
+namespace topo::pipeline {
+
+/// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
+struct PlanningState::Impl {
+  explicit Impl(const PlannerParams& given) : params(given) {}
+
+  // The step, in the order in which it goes (planning_step.cpp).
+  PlanningOutput step(const PlanningInput& in);
+  void take_mission(const PlanningInput& in);
+  void locate(const PlanningInput& in);
+  void watch_battery(const PlanningInput& in);
+  void decide(const PlanningInput& in);
+  [[nodiscard]] std::unique_ptr<PlanningReport> make_report(const PlanningInput& in) const;
+  void make_plan(const PlanningInput& in, Plan& plan);
+
+  // The map as it is for travelling (planning_map.cpp).
+  void refresh_map(const PlanningInput& in);
+  void refresh_analysis(const PlanningInput& in);
+  void refresh_travel(const PlanningInput& in);
+
+  // Where to (planning_goals.cpp).
+  void explore(const PlanningInput& in);
+  void settle_goal(const PlanningInput& in);
+  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in);
+  void take_goal(const PlanningInput& in, const Candidate& candidate);
+  void go_home(const PlanningInput& in, std::string why);
+  void go_to(const PlanningInput& in);
+  void aim(const PlanningInput& in, const types::Vector2& target, double reached_m, Activity underway);
+  void give_up(const PlanningInput& in, std::string why);
+  void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
+  void end(Activity how, std::string why);
+
+  PlannerParams params;
+  std::uint64_t sequence = 0;
+
+  // The mission.
+  Mission mission;
+  Activity activity = Activity::kIdle;
+  std::string reason = "no mission yet";
+  bool ended = true;
+  bool second_phase = false;
+  bool returning = false;  ///< an exploration on its way home
+  std::string return_reason;
+  types::Stamp battery_low_since{};
+  bool battery_low = false;
+
+  // Where the robot is.
+  types::Transform2<types::Map, types::Odom> T_map_odom;
+  types::Transform2<types::Map, types::Base> T_map_base, T_map_start;
+
+  // The map.
+  std::uint64_t map_revision = 0;
+  grid::DenseMap map;
+  std::vector<float> clearance_m;         ///< of the map alone
+  std::vector<float> travel_clearance_m;  ///< and of what stands there now
+  double known_m2 = 0.0;
+  std::shared_ptr<const Analysis> analysis;
+  types::Stamp analysed{};
+  grid::TravelField field;
+
+  // The goal.
+  std::uint64_t goal_id = 0;
+  std::optional<goals::Goal> goal;
+  grid::CellIndex target;
+  bool has_target = false;
+  types::Stamp goal_taken{}, last_progress{};
+  types::Vector2 progress_at{0.0, 0.0};
+  GivenUpGoals given_up;
+  struct Blocked {
+    types::Vector2 p_map{0.0, 0.0};
+    types::Stamp until{};
+  };
+  std::vector<Blocked> blocked;  ///< places where the robot got stuck on something that no laser sees
+  std::uint64_t blamed_goal = 0;
+  std::vector<goals::Goal> open_goals;
+  std::vector<Decision> decisions;
+  std::vector<types::Vector2> route;
+  int clusters = 0;
+  std::uint64_t goals_issued = 0, decisions_made = 0, clusters_sum = 0, goals_sum = 0;
+};
+
+}  // namespace topo::pipeline

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+#include "core/motion/area_limits.hpp"
+#include "core/pipeline/map_snapshot.hpp"
+#include "core/types/scan.hpp"
+
+// From the mapper's grid to the map that is planned on. Each step is a function of its own.
+namespace topo::pipeline {
+
+/// Unknown cells between free ones become free: at 20 m the beams of a scan are 9 cm apart, and the stripes
+/// between them are no frontier. A cell is between when the nearest known cells on both sides, along a row, a
+/// column or a diagonal and at most `reach` cells away, are free.
+void close_gaps(grid::DenseMap& map, int reach);
+
+/// The disc around a place where the robot stood is free, unless something was seen there: the scanner looks
+/// over 270 degrees, and what is under the robot it never sees.
+void free_disc(grid::DenseMap& map, const types::Vector2& centre, double radius_m);
+
+/// Cells outside of the limits become occupied: no way leads there and nothing behind them is missed.
+void apply_limits(grid::DenseMap& map, const motion::AreaLimits& limits);
+
+/// All of it for a snapshot. `robot_radius_m` is the swing radius.
+grid::DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limits,
+                           double robot_radius_m);
+
+/// End points of a scan within `range_max_m`, in map, that a neighbouring beam confirms: a lone point is a
+/// mixed pixel as often as not.
+std::vector<types::Vector2> confirmed_points(const types::Scan& scan, const types::Se2& T_map_laser,
+                                             double range_max_m);
+
+/// Takes points into a clearance map as obstacles, up to `reach_m` around each: clearance never grows.
+void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> obstacles, double reach_m,
+                     std::vector<float>& clearance_m);
+
+}  // namespace topo::pipeline

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/goal_choice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace topo::pipeline {
+namespace {
+
+using types::Vector2;
+
+Candidate candidate(double x_m, double cost_m, std::uint16_t place = 0) {
+  Candidate c;
+  c.goal.p_map = c.goal.opening = Vector2(x_m, 0.0);
+  c.goal.place = place;
+  c.cost_m = cost_m;
+  return c;
+}
+
+const types::Stamp kNow = types::stamp_from_seconds(50.0);
+
+TEST(Choose, theCheapestAndNothingOfNothing) {
+  const std::vector<Candidate> candidates{candidate(0.0, 5.0), candidate(10.0, 3.0), candidate(20.0, 9.0)};
+  EXPECT_EQ(choose(candidates, nullptr, 0.8, 0), &candidates[1]);
+  EXPECT_EQ(choose({}, nullptr, 0.8, 0), nullptr);
+}
+
+TEST(Choose, thePresentGoalStaysUntilAnotherIsMuchCheaper) {
+  const std::vector<Candidate> candidates{candidate(0.0, 5.0), candidate(10.0, 4.5)};
+  EXPECT_EQ(choose(candidates, &candidates[0], 0.8, 0), &candidates[0]);
+  EXPECT_EQ(choose(candidates, &candidates[0], 1.0, 0), &candidates[1]);
+}
+
+TEST(Choose, gapsOfOnePlaceAreFilledBeforeTheNext) {
+  const std::vector<Candidate> candidates{candidate(0.0, 5.0, 7), candidate(10.0, 3.0, 8)};
+  EXPECT_EQ(choose(candidates, nullptr, 0.8, 7), &candidates[0]);
+}
+
+TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
+  const std::vector<Candidate> candidates{candidate(3.0, 1.0), candidate(9.0, 1.0)};
+  goals::Goal goal;
+  goal.p_map = goal.opening = Vector2(2.0, 0.0);
+  EXPECT_EQ(successor_of(goal, candidates), &candidates[0]);
+  goal.p_map = goal.opening = Vector2(-5.0, 0.0);
+  EXPECT_EQ(successor_of(goal, candidates), nullptr);
+}
+
+TEST(GivenUpGoals, comeBackOnceAndThenStayAway) {
+  GivenUpGoals given_up;
+  const auto later = kNow + std::chrono::seconds(60);
+  given_up.add({1.0, 1.0}, later, "stuck");
+  EXPECT_TRUE(given_up.hold({1.5, 1.0}, kNow));
+  EXPECT_FALSE(given_up.hold({3.0, 1.0}, kNow));
+  EXPECT_FALSE(given_up.hold({1.0, 1.0}, later));
+  EXPECT_TRUE(given_up.call_back(kNow));
+  EXPECT_FALSE(given_up.hold({1.0, 1.0}, kNow));
+  EXPECT_FALSE(given_up.call_back(kNow));  // it is back already
+  given_up.add({1.1, 1.0}, later, "stuck again");
+  ASSERT_EQ(given_up.list().size(), 1U);
+  EXPECT_TRUE(given_up.hold({1.0, 1.0}, later + std::chrono::hours(1)));
+  EXPECT_FALSE(given_up.call_back(kNow));
+}
+
+}  // namespace
+}  // namespace topo::pipeline

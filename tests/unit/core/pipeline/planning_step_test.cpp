@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/planning_step.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A corridor with a junction, a dead end, three rooms behind doors of 1 m.
+const std::vector<std::string> kFloor = {
+    "################################################################",
+    "#                    #                    #                    #",
+    "#                    #                    #                    #",
+    "#                    #                    #                    #",
+    "#                    #                    #                    #",
+    "#                    #                    #                    #",
+    "#                    #                    #                    #",
+    "########    ####################    ##############    ##########",
+    "#                                                              #",
+    "#                                                              #",
+    "#                                                              #",
+    "#                                                              #",
+    "#   S                                                          #",
+    "#                                                              #",
+    "#                                                              #",
+    "########################        ################################",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       #        #",
+    "                       ##########",
+};
+
+PlannerParams params_of(Strategy strategy, Finish finish) {
+  PlannerParams params;
+  params.strategy = strategy;
+  params.finish = finish;
+  return params;
+}
+
+struct Outcome {
+  PlanningOutput last;
+  int periods = 0;
+};
+
+Outcome run_until_ended(ToyBuilding& building, PlanningState& state, const Mission& mission,
+                        int periods_max) {
+  Outcome run;
+  do {
+    run.last = building.run_period(state, mission);
+    ++run.periods;
+  } while (!run.last.report->mission_ended && run.periods < periods_max);
+  return run;
+}
+
+const types::Vector2 kNowhere{0.0, 0.0};
+
+class BothStrategies : public ::testing::TestWithParam<Strategy> {};
+
+TEST_P(BothStrategies, exploreAllAndComeHome) {
+  ToyBuilding building(kFloor);
+  const types::Vector2 start = building.robot();
+  PlanningState state(params_of(GetParam(), Finish::kComplete));
+  const Outcome run = run_until_ended(building, state, {1, Order::kExplore, false, kNowhere}, 1200);
+  EXPECT_EQ(run.last.report->activity, Activity::kDone) << run.last.report->reason;
+  EXPECT_GE(building.coverage(), 0.97);
+  EXPECT_LE((building.robot() - start).norm(), 0.3);
+  EXPECT_FALSE(run.last.plan.moving);
+  std::printf("%s: %d periods, %.1f m, %d goals, coverage %.3f\n", std::string(to_text(GetParam())).c_str(),
+              run.periods, building.path_m(), static_cast<int>(run.last.report->goals_issued),
+              building.coverage());
+  for (const Decision& d : run.last.report->decisions)
+    std::printf("  %.1f (%.1f, %.1f) %s\n", types::to_seconds(d.stamp) - 100.0, d.p_map.x(), d.p_map.y(),
+                d.text.c_str());
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, BothStrategies,
+                         ::testing::Values(Strategy::kTopometric, Strategy::kNearestFrontier),
+                         [](const auto& each) { return std::string(to_text(each.param)); });
+
+TEST(PlanningStep, standsUntilItIsTold) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  for (int i = 0; i < 10; ++i) {
+    const PlanningOutput out = building.run_period(state, {});
+    EXPECT_FALSE(out.plan.moving);
+    EXPECT_EQ(out.report->activity, Activity::kIdle);
+  }
+  EXPECT_EQ(building.path_m(), 0.0);
+}
+
+TEST(PlanningStep, pausesAndGoesOn) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  Mission mission{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 10; ++i) (void)building.run_period(state, mission);
+  mission.paused = true;
+  const double gone_m = building.path_m();
+  EXPECT_GT(gone_m, 0.5);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_EQ(building.run_period(state, mission).report->activity, Activity::kPaused);
+  EXPECT_EQ(building.path_m(), gone_m);
+  mission.paused = false;
+  for (int i = 0; i < 10; ++i) (void)building.run_period(state, mission);
+  EXPECT_GT(building.path_m(), gone_m + 0.5);
+}
+
+TEST(PlanningStep, aStuckGoalIsGivenUpWithItsReason) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 4; ++i) (void)building.run_period(state, mission);
+  building.control().mode = ControlMode::kStuck;
+  const PlanningOutput out = building.run_period(state, mission);
+  ASSERT_EQ(out.report->given_up.size(), 1U);
+  EXPECT_THAT(out.report->given_up.front().why, HasSubstr("stuck"));
+  EXPECT_GT(out.report->given_up.front().until, building.now());
+}
+
+TEST(PlanningStep, lowBatteryMeansHome) {
+  ToyBuilding building(kFloor);
+  const types::Vector2 start = building.robot();
+  PlanningState state({});
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 30; ++i) (void)building.run_period(state, mission);
+  ASSERT_GT((building.robot() - start).norm(), 2.0);
+  building.control().battery_v = 11.2F;
+  const Outcome run = run_until_ended(building, state, mission, 200);
+  EXPECT_TRUE(run.last.report->mission_ended);
+  EXPECT_LE((building.robot() - start).norm(), 0.3);
+  EXPECT_THAT(run.last.report->reason, HasSubstr("battery"));
+}
+
+TEST(PlanningStep, standsWhenAnythingIsMissing) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 4; ++i) (void)building.run_period(state, mission);
+  building.control().base_ready = false;
+  EXPECT_FALSE(building.run_period(state, mission).plan.moving);
+  building.control().base_ready = true;
+  EXPECT_TRUE(building.run_period(state, mission).plan.moving);
+  building.control().estop_latched = true;
+  EXPECT_FALSE(building.run_period(state, mission).plan.moving);
+  PlanningInput nothing;
+  nothing.now = building.now();
+  nothing.mission = mission;
+  EXPECT_FALSE(planning_step(state, nothing).plan.moving);
+}
+
+TEST(PlanningStep, goesWhereTheOperatorSays) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const types::Vector2 target = building.robot() + types::Vector2(4.0, 0.0);
+  const Outcome run = run_until_ended(building, state, {1, Order::kGoTo, false, target}, 100);
+  EXPECT_EQ(run.last.report->activity, Activity::kDone);
+  EXPECT_LE((building.robot() - target).norm(), 0.3);
+}
+
+TEST(PlanningStep, refusesTargetsItCannotReach) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const PlanningOutput out = building.run_period(state, {});
+  ASSERT_NE(out.report->analysis, nullptr);
+  const auto check = [&](const types::Vector2& p) {
+    return check_target(*out.report->analysis, PlannerParams{}, building.robot(), p);
+  };
+  EXPECT_TRUE(check(building.robot() + types::Vector2(2.0, 0.0)).has_value());
+  EXPECT_THAT(check({100.0, 100.0}).error().message, HasSubstr("unknown"));
+  EXPECT_THAT(check({0.1, building.robot().y()}).error().message, HasSubstr("stands"));
+}
+
+TEST(PlanningStep, doesNotLeaveItsArea) {
+  ToyBuilding building(kFloor);
+  PlannerParams params = params_of(Strategy::kTopometric, Finish::kComplete);
+  params.area.keep_in = motion::Polygon{{0.0, 0.0}, {7.0, 0.0}, {7.0, 7.0}, {0.0, 7.0}};
+  PlanningState state(params);
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  PlanningOutput out;
+  for (int i = 0; i < 400 && !(i > 0 && out.report->mission_ended); ++i) {
+    out = building.run_period(state, mission);
+    ASSERT_TRUE(motion::allows(params.area, building.robot()));
+  }
+  EXPECT_EQ(out.report->activity, Activity::kDone);
+  EXPECT_GT(building.path_m(), 1.0);
+}
+
+}  // namespace
+}  // namespace topo::pipeline
