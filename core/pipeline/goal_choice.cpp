@@ -33,8 +33,7 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
 }
 
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        double width_min_m, std::span<const std::uint16_t> labels,
-                                        int& clusters) {
+                                        double width_min_m, int& clusters) {
   std::vector<goals::Goal> found;
   const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, width_min_m);
   clusters = static_cast<int>(frontiers.size());
@@ -45,7 +44,6 @@ std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::T
     goal.p_map = map.centre_of(*cell);
     goal.opening = frontier.centroid;
     goal.opening_m = frontier.width_m;
-    if (!labels.empty()) goal.place = labels[map.index(*cell)];
     found.push_back(goal);
   }
   return found;

@@ -26,10 +26,9 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
                                      types::Stamp now, int& unreachable);
 
 /// Frontiers that a robot can get to as goals; the second phase's, and the baseline's. `clusters` counts all
-/// that are `width_min_m` wide, reachable or not. `labels`: place of every cell, or empty.
+/// that are `width_min_m` wide, reachable or not.
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        double width_min_m, std::span<const std::uint16_t> labels,
-                                        int& clusters);
+                                        double width_min_m, int& clusters);
 
 /// The candidate that a present goal has become: goals recede as the map grows (paper section III).
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);

@@ -21,6 +21,13 @@ std::string metres(double value) {
   return {text.data(), static_cast<std::size_t>(std::max(n, 0))};
 }
 
+/// Label of the place that a point is in; 0: none.
+std::uint16_t place_at(const Analysis& analysis, const types::Vector2& p_map) {
+  const grid::CellIndex cell = analysis.map.cell_at(p_map);
+  if (!analysis.map.contains(cell) || analysis.places.labels.empty()) return 0;
+  return analysis.places.labels[analysis.map.index(cell)];
+}
+
 std::string description(const goals::Goal& goal) {
   std::string text;
   if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
@@ -80,8 +87,9 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
 std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in) {
   int unreachable = 0;
   const bool essential = params.strategy == Strategy::kTopometric;
-  std::vector<goals::Goal> frontiers =
-      frontier_goals(map, field, params.frontier_min_m, analysis->places.labels, clusters);
+  std::vector<goals::Goal> frontiers = frontier_goals(map, field, params.frontier_min_m, clusters);
+  // The places may be those of an older map.
+  for (goals::Goal& frontier : frontiers) frontier.place = place_at(*analysis, frontier.p_map);
   std::vector<Candidate> candidates;
   second_phase = false;
   if (essential)

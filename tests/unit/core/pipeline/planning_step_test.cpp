@@ -178,7 +178,7 @@ TEST(PlanningStep, refusesTargetsItCannotReach) {
   };
   EXPECT_TRUE(check(building.robot() + types::Vector2(2.0, 0.0)).has_value());
   EXPECT_THAT(check({100.0, 100.0}).error().message, HasSubstr("unknown"));
-  EXPECT_THAT(check({0.1, building.robot().y()}).error().message, HasSubstr("stands"));
+  EXPECT_THAT(check({0.22, building.robot().y()}).error().message, HasSubstr("stands"));
 }
 
 TEST(PlanningStep, doesNotLeaveItsArea) {
