@@ -92,8 +92,7 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
   for (goals::Goal& frontier : frontiers) frontier.place = place_at(*analysis, frontier.p_map);
   std::vector<Candidate> candidates;
   second_phase = false;
-  if (essential)
-    candidates = candidates_of(analysis->goals.goals, analysis->map, field, given_up, in.now, unreachable);
+  if (essential) candidates = candidates_of(analysis->goals.goals, map, field, given_up, in.now, unreachable);
   if (candidates.empty() && (!essential || params.finish == Finish::kComplete)) {
     second_phase = essential;
     candidates = candidates_of(frontiers, map, field, given_up, in.now, unreachable);
