@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/motion/robot_limits.hpp"
 #include "core/types/se2.hpp"
+#include "core/types/transform.hpp"
 
 namespace topo::motion {
 
@@ -30,5 +32,14 @@ double distance_to_limit_m(const AreaLimits& limits, const types::Vector2& p_map
 
 /// Straight line between two points that stays allowed.
 bool allows_segment(const AreaLimits& limits, const types::Vector2& a, const types::Vector2& b);
+
+/// How far the outline sticks out of what is allowed, metres; 0 when all of it is allowed.
+double intrusion_m(const AreaLimits& limits, const types::Se2& T_map_base, const Footprint& footprint);
+
+/// How long a robot may go on at `twist` until its outline leaves what is allowed; kNever_s (infinity) when
+/// it does not within `until_s`. Where it is out already (the map was corrected, or somebody carried it), the
+/// time until it would be further out than before: it may come in, and nothing else.
+double area_free_time_s(const AreaLimits& limits, const types::Se2& T_map_base, const types::Twist2& twist,
+                        const Footprint& footprint, double until_s);
 
 }  // namespace topo::motion

@@ -14,13 +14,16 @@ using types::Vector2;
 constexpr double kStraight_radps = 1e-6;
 
 double straight_contact_s(const Vector2& p, double v_mps, const Footprint& f) {
-  if (std::abs(p.y()) > f.half_width_m || v_mps == 0.0) return kNever_s;
-  const double gap_m = v_mps > 0.0 ? p.x() - f.front_m : -f.rear_m - p.x();
+  if (std::abs(p.y()) > std::min(f.half_width_m, f.swing_radius_m) || v_mps == 0.0) return kNever_s;
+  const double on_circle_m = std::sqrt(f.swing_radius_m * f.swing_radius_m - p.y() * p.y());
+  const double front_m = std::min(f.front_m, on_circle_m), rear_m = std::min(f.rear_m, on_circle_m);
+  const double gap_m = v_mps > 0.0 ? p.x() - front_m : -rear_m - p.x();
   return gap_m < 0.0 ? kNever_s : gap_m / std::abs(v_mps);
 }
 
 /// Seen from the robot, the world turns about the centre of its arc, at (0, radius_m): a point keeps its
-/// distance rho from there, and meets the footprint where that circle crosses one of the four sides.
+/// distance rho from there, and meets the footprint where that circle crosses one of the four sides or the
+/// circle that cuts the corners.
 class Arc {
  public:
   Arc(const Vector2& p, const Twist2& twist, const Footprint& f)
@@ -35,6 +38,7 @@ class Arc {
     cross_side_at_x(-footprint_.rear_m);
     cross_side_at_y(footprint_.half_width_m);
     cross_side_at_y(-footprint_.half_width_m);
+    cross_swing_circle();
     return first_s_;
   }
 
@@ -43,14 +47,29 @@ class Arc {
     const double square = rho_m_ * rho_m_ - x_m * x_m;
     if (square < 0.0) return;
     for (const double y_m : {std::sqrt(square), -std::sqrt(square)})
-      if (std::abs(y_m + radius_m_) <= footprint_.half_width_m) meet(x_m, y_m);
+      if (std::abs(y_m + radius_m_) <= footprint_.half_width_m && in_circle(x_m, y_m)) meet(x_m, y_m);
   }
   void cross_side_at_y(double side_m) {
     const double y_m = side_m - radius_m_;
     const double square = rho_m_ * rho_m_ - y_m * y_m;
     if (square < 0.0) return;
     for (const double x_m : {std::sqrt(square), -std::sqrt(square)})
-      if (x_m <= footprint_.front_m && x_m >= -footprint_.rear_m) meet(x_m, y_m);
+      if (x_m <= footprint_.front_m && x_m >= -footprint_.rear_m && in_circle(x_m, y_m)) meet(x_m, y_m);
+  }
+  void cross_swing_circle() {
+    const double swing_m = footprint_.swing_radius_m;
+    if (!std::isfinite(swing_m) || radius_m_ == 0.0) return;
+    const double from_base_m =
+        (swing_m * swing_m + radius_m_ * radius_m_ - rho_m_ * rho_m_) / (2.0 * radius_m_);
+    const double square = swing_m * swing_m - from_base_m * from_base_m;
+    if (square < 0.0 || std::abs(from_base_m) > footprint_.half_width_m) return;
+    for (const double x_m : {std::sqrt(square), -std::sqrt(square)})
+      if (x_m <= footprint_.front_m && x_m >= -footprint_.rear_m) meet(x_m, from_base_m - radius_m_);
+  }
+  /// `y_m` from the centre of the arc.
+  [[nodiscard]] bool in_circle(double x_m, double y_m) const {
+    const double from_base_m = y_m + radius_m_;
+    return x_m * x_m + from_base_m * from_base_m <= footprint_.swing_radius_m * footprint_.swing_radius_m;
   }
   void meet(double x_m, double y_m) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -64,8 +83,23 @@ class Arc {
   double first_s_ = kNever_s;
 };
 
+/// Nearest point of the outline: of the rectangle, of the circle, or where the two cross.
 Vector2 nearest_in(const Footprint& f, const Vector2& p) {
-  return {std::clamp(p.x(), -f.rear_m, f.front_m), std::clamp(p.y(), -f.half_width_m, f.half_width_m)};
+  const Vector2 in_box{std::clamp(p.x(), -f.rear_m, f.front_m),
+                       std::clamp(p.y(), -f.half_width_m, f.half_width_m)};
+  const double swing_m = f.swing_radius_m;
+  if (in_box.norm() <= swing_m) return in_box;
+  const Vector2 on_circle = p.normalized() * swing_m;
+  if (on_circle.x() <= f.front_m && on_circle.x() >= -f.rear_m && std::abs(on_circle.y()) <= f.half_width_m)
+    return on_circle;
+  const auto other_m = [swing_m](double side_m) {
+    return std::sqrt(std::max(0.0, swing_m * swing_m - side_m * side_m));
+  };
+  const double end_m = p.x() > 0.0 ? std::min(f.front_m, swing_m) : std::min(f.rear_m, swing_m);
+  const Vector2 at_end{std::copysign(end_m, p.x()), std::copysign(other_m(end_m), p.y())};
+  const Vector2 at_side{std::copysign(other_m(f.half_width_m), p.x()), std::copysign(f.half_width_m, p.y())};
+  const bool end_reaches = std::abs(at_end.y()) <= f.half_width_m;
+  return end_reaches && (p - at_end).norm() < (p - at_side).norm() ? at_end : at_side;
 }
 
 /// Whether the gap to the footprint closes at more than a fifth of the point's relative speed.
@@ -79,7 +113,8 @@ bool approaches(const Vector2& p, const Twist2& twist, const Footprint& f) {
 }  // namespace
 
 bool contains(const Footprint& f, const Vector2& p) {
-  return p.x() <= f.front_m && p.x() >= -f.rear_m && std::abs(p.y()) <= f.half_width_m;
+  return p.x() <= f.front_m && p.x() >= -f.rear_m && std::abs(p.y()) <= f.half_width_m &&
+         p.squaredNorm() <= f.swing_radius_m * f.swing_radius_m;
 }
 
 double contact_time_s(const Vector2& p, const Twist2& twist, const Footprint& f) {

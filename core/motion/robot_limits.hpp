@@ -2,20 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/types/stamp.hpp"
 
 namespace topo::motion {
 
-/// The robot's outline seen from above, from its centre of rotation.
+/// The robot's outline seen from above, from its centre of rotation: a rectangle, cut to the circle that the
+/// robot needs to turn on the spot (PROTOCOLS section 6.2: a P3-DX has no corners outside of 0.267 m, though
+/// its rectangle has).
 struct Footprint {
   double front_m = 0.21;
   double rear_m = 0.301;
   double half_width_m = 0.2125;
+  double swing_radius_m = HUGE_VAL;  ///< unknown: the rectangle
 };
+
+/// Radius of the smallest circle about the centre of rotation that holds the outline.
+inline double reach_m(const Footprint& f) {
+  return std::min(f.swing_radius_m, std::hypot(std::max(f.front_m, f.rear_m), f.half_width_m));
+}
 
 /// Larger on every side.
 inline Footprint grown(const Footprint& f, double by_m) {
-  return {f.front_m + by_m, f.rear_m + by_m, f.half_width_m + by_m};
+  return {f.front_m + by_m, f.rear_m + by_m, f.half_width_m + by_m, f.swing_radius_m + by_m};
 }
 
 /// What one robot may do: the smallest of configuration, model and firmware.
@@ -26,8 +37,9 @@ struct RobotLimits {
   double deceleration_mps2 = 0.5;
   double angular_acceleration_radps2 = 1.7;
   Footprint footprint;
-  double margin_m = 0.05;      ///< kept free around the footprint
-  bool allow_reverse = false;  ///< the rear is blind; whoever sets this vouches for the way
+  double margin_m = 0.05;       ///< kept free around the footprint
+  double turn_margin_m = 0.03;  ///< the same while turning on the spot, where no way adds its error
+  bool allow_reverse = false;   ///< the rear is blind; whoever sets this vouches for the way
   double v_reverse_max_mps = 0.1;
   types::Duration request_age_max = std::chrono::milliseconds(300);
   types::Duration status_age_max = std::chrono::milliseconds(300);

@@ -41,25 +41,76 @@ float gap_range_m(const Scan& scan, std::size_t begin, std::size_t end) {
   return nearer_m < least_m ? least_m : nearer_m;
 }
 
+/// Nearest beam in a direction that measured a distance, at most three away; `beam` itself when there is
+/// none.
+std::size_t neighbour(const Scan& scan, std::size_t beam, bool after) {
+  constexpr std::size_t kAway = 3;
+  for (std::size_t away = 1; away <= kAway; ++away) {
+    if (after ? beam + away >= scan.beams : away > beam) return beam;
+    const std::size_t other = after ? beam + away : beam - away;
+    if (types::is_hit(scan.range_m[other])) return other;
+    if (scan.range_m[other] == types::kNoReturn) return beam;
+  }
+  return beam;
+}
+
+/// Squared distance between the hits of two beams a few steps apart.
+double gap_square_m2(const Scan& scan, std::size_t a, std::size_t b) {
+  const double ra = static_cast<double>(scan.range_m[a]), rb = static_cast<double>(scan.range_m[b]);
+  const double angle_rad = static_cast<double>(scan.geometry.angle_increment_rad) *
+                           (static_cast<double>(a) - static_cast<double>(b));
+  return (ra - rb) * (ra - rb) + ra * rb * angle_rad * angle_rad;
+}
+
+bool is_mixed_pixel(const Scan& scan, std::size_t beam) {
+  constexpr float kFrom_m = 0.7F;
+  constexpr double kGap2_m2 = 0.15 * 0.15;
+  if (scan.range_m[beam] < kFrom_m) return false;
+  const auto apart = [&](bool after) {
+    const std::size_t other = neighbour(scan, beam, after);
+    return other != beam && gap_square_m2(scan, beam, other) > kGap2_m2;
+  };
+  return apart(false) && apart(true);
+}
+
+/// Sine and cosine of equally spaced angles by turning a vector on: a beam costs no call of sin.
+class BeamDirections {
+ public:
+  BeamDirections(const Scan& scan, double yaw_rad) {
+    const double first = static_cast<double>(scan.geometry.angle_min_rad) + yaw_rad;
+    const double step = static_cast<double>(scan.geometry.angle_increment_rad);
+    now_ = {std::cos(first), std::sin(first)};
+    step_ = {std::cos(step), std::sin(step)};
+  }
+  [[nodiscard]] const Vector2& now() const { return now_; }
+  void advance() {
+    now_ = {now_.x() * step_.x() - now_.y() * step_.y(), now_.x() * step_.y() + now_.y() * step_.x()};
+  }
+
+ private:
+  Vector2 now_, step_;
+};
+
 /// Calls visit(point in base, in forward sector) for whatever the scan takes for an obstacle.
 template <class Visit>
 void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, Visit visit) {
   const float least_m = std::max(scan.geometry.range_min_m, kLeastRange_m);
-  const auto point = [&](std::size_t beam, float range_m) {
-    const double angle_rad = static_cast<double>(scan.angle_rad(beam)), range = static_cast<double>(range_m);
-    return T_base_laser * Vector2{range * std::cos(angle_rad), range * std::sin(angle_rad)};
+  BeamDirections direction(scan, T_base_laser.theta_rad);
+  const auto point = [&](float range_m) -> Vector2 {
+    return T_base_laser.translation() + static_cast<double>(range_m) * direction.now();
   };
   std::size_t gap_begin = 0, gap_until = 0;
-  for (std::size_t i = 0; i < scan.beams; ++i) {
+  for (std::size_t i = 0; i < scan.beams; ++i, direction.advance()) {
     const float range_m = scan.range_m[i];
+    if (range_m == types::kNoReturn) continue;
     const bool forward = is_forward(scan, T_base_laser, i);
     if (types::is_hit(range_m)) {
-      visit(point(i, range_m), forward);
+      if (!is_mixed_pixel(scan, i)) visit(point(range_m), forward);
       continue;
     }
-    if (range_m == types::kNoReturn || !forward) continue;
+    if (!forward) continue;
     if (range_m == types::kTooNear) {
-      visit(point(i, least_m), true);
+      visit(point(least_m), true);
       continue;
     }
     if (i >= gap_until) {
@@ -68,18 +119,24 @@ void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, Visit v
       gap_until = gap_end(scan, i);
     }
     const float taken_m = gap_range_m(scan, gap_begin, gap_until);
-    if (taken_m != types::kNoReturn) visit(point(i, taken_m), true);
+    if (taken_m != types::kNoReturn) visit(point(taken_m), true);
   }
 }
 
-double scan_free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around) {
-  double free_s = kNever_s;
+/// What a touch of the front is left from.
+bool is_left_behind(const Vector2& p, const RobotLimits& limits, const Surroundings& around) {
+  return around.backing_off && p.x() > 0.0 && contains(limits.footprint, p);
+}
+
+/// Calls visit(point) for the obstacles of the scan that are not the robot itself.
+template <class Visit>
+void for_each_scan_point(const RobotLimits& limits, const Surroundings& around, Visit visit) {
+  if (around.front_scan == nullptr) return;
   for_each_obstacle(*around.front_scan, around.T_base_laser, [&](const Vector2& p, bool forward) {
     // Beside and behind, a hit within the outline is the robot itself.
     if (!forward && contains(limits.footprint, p)) return;
-    free_s = std::min(free_s, contact_time_with_margin_s(p, twist, limits.footprint, limits.margin_m));
+    if (!is_left_behind(p, limits, around)) visit(p);
   });
-  return free_s;
 }
 
 bool is_fresh_echo(const types::SonarReading& reading, const Surroundings& around) {
@@ -88,14 +145,20 @@ bool is_fresh_echo(const types::SonarReading& reading, const Surroundings& aroun
          std::isfinite(reading.range_m) && static_cast<double>(reading.range_m) < around.sonar_range_max_m;
 }
 
-double sonar_free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around) {
-  double free_s = kNever_s;
+template <class Visit>
+void for_each_echo(const RobotLimits& limits, const Surroundings& around, Visit visit) {
   for (std::size_t i = 0; i < std::min(around.sonar.size(), around.T_base_sonar.size()); ++i) {
     if (!is_fresh_echo(around.sonar[i], around)) continue;
     const Vector2 p = around.T_base_sonar[i] * Vector2{static_cast<double>(around.sonar[i].range_m), 0.0};
-    free_s = std::min(free_s, contact_time_with_margin_s(p, twist, limits.footprint, limits.margin_m));
+    if (!is_left_behind(p, limits, around)) visit(p);
   }
-  return free_s;
+}
+
+/// What is kept free at a twist: less while turning on the spot.
+double margin_m(const types::Twist2& twist, const RobotLimits& limits) {
+  constexpr double kOnTheSpot_mps = 0.01;
+  return std::abs(twist.v_mps) < kOnTheSpot_mps ? std::min(limits.turn_margin_m, limits.margin_m)
+                                                : limits.margin_m;
 }
 
 }  // namespace
@@ -112,9 +175,27 @@ double forward_valid_fraction(const Scan& scan, const types::Se2& T_base_laser) 
 
 double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around) {
   if (!std::isfinite(twist.v_mps) || !std::isfinite(twist.omega_radps)) return 0.0;
-  double free_s = sonar_free_time_s(twist, limits, around);
-  if (around.front_scan != nullptr) free_s = std::min(free_s, scan_free_time_s(twist, limits, around));
+  double free_s = kNever_s;
+  const double keep_m = margin_m(twist, limits);
+  const auto shorten = [&](const Vector2& p) {
+    free_s = std::min(free_s, contact_time_with_margin_s(p, twist, limits.footprint, keep_m));
+  };
+  for_each_echo(limits, around, shorten);
+  for_each_scan_point(limits, around, shorten);
   return free_s;
+}
+
+std::size_t collect_obstacles(const RobotLimits& limits, const Surroundings& around, double reach_m,
+                              double spacing_m, std::span<Vector2> out) {
+  std::size_t count = 0;
+  const auto keep = [&](const Vector2& p) {
+    if (count == out.size() || !(p.squaredNorm() < reach_m * reach_m)) return;
+    if (count > 0 && (p - out[count - 1]).squaredNorm() < spacing_m * spacing_m) return;
+    out[count++] = p;
+  };
+  for_each_echo(limits, around, keep);
+  for_each_scan_point(limits, around, keep);
+  return count;
 }
 
 double free_distance_m(const types::Twist2& twist, double free_time_s) {

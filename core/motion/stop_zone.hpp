@@ -22,6 +22,9 @@ struct Surroundings {
   std::span<const types::Se2> T_base_sonar;  ///< as many as are known; readings without a pose are ignored
   double sonar_range_max_m = 5.0;
   types::Stamp now{};
+  /// The robot moves backwards out of a touch: what a front bumper or a beam has within the outline's front
+  /// half is left behind and does not count.
+  bool backing_off = false;
 };
 
 /// Part of the forward sector's beams that measured something or saw nothing within range; 0 for a scan
@@ -34,7 +37,15 @@ double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_
 /// Beams of the forward sector that are too near are obstacles at the sensor's least range, and so are gaps
 /// of invalid beams. A gap of up to three beams (13 mm wide at 1 m with 0.25 degrees) takes the nearer
 /// neighbour's range instead: lone dropouts are everyday and would stop the robot at every scan.
+///
+/// A single beam that hangs in the air beyond 0.7 m, both neighbours more than 0.15 m away from it, is a
+/// mixed pixel at an edge and does not count: at 0.7 m anything of 1 cm is hit by three beams.
 double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around);
+
+/// The obstacles as free_time_s() takes them, in base, within `reach_m` of the robot's centre and thinned to
+/// about `spacing_m`, for those who look for a way. Returns how many were written to `out`.
+std::size_t collect_obstacles(const RobotLimits& limits, const Surroundings& around, double reach_m,
+                              double spacing_m, std::span<types::Vector2> out);
 
 /// The same as a length on the path of the robot's centre; for a turn on the spot there is none: kNever_s or
 /// 0.

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/motion/footprint_sweep.hpp"
-#include "core/motion/stop_zone.hpp"
 
 namespace topo::motion {
 namespace {
@@ -28,12 +27,11 @@ constexpr double kCreep_radps = 0.02;
 
 bool is_finite_twist(const Twist2& t) { return std::isfinite(t.v_mps) && std::isfinite(t.omega_radps); }
 
-bool has_bumper(const types::BaseState& b) { return b.bumpers_front != 0 || b.bumpers_rear != 0; }
-
 std::optional<GateReason> request_fault(const GateInput& in) {
   if (is_stale(in.request.stamp, in.now, in.limits.request_age_max)) return GateReason::kStaleRequest;
   if (!is_finite_twist(in.request.twist)) return GateReason::kInvalidRequest;
-  if (in.request.twist.v_mps < 0.0 && !in.limits.allow_reverse) return GateReason::kReverse;
+  if (in.request.twist.v_mps < 0.0 && !in.limits.allow_reverse && !in.backing_off)
+    return GateReason::kReverse;
   return std::nullopt;
 }
 
@@ -41,8 +39,9 @@ std::optional<GateReason> base_fault(const GateInput& in) {
   if (in.base == nullptr || is_stale(in.base->arrival, in.now, in.limits.status_age_max))
     return GateReason::kStaleStatus;
   if (!is_finite(*in.base)) return GateReason::kInvalidStatus;
-  if (in.base->stall_left || in.base->stall_right) return GateReason::kStall;
-  if (has_bumper(*in.base)) return GateReason::kBumper;
+  const bool leaves = in.backing_off && in.request.twist.v_mps <= 0.0;
+  if ((in.base->stall_left || in.base->stall_right) && !leaves) return GateReason::kStall;
+  if (in.base->bumpers_rear != 0 || (in.base->bumpers_front != 0 && !leaves)) return GateReason::kBumper;
   return std::nullopt;
 }
 
@@ -57,6 +56,15 @@ std::optional<GateReason> scan_fault(const GateInput& in) {
   return std::nullopt;
 }
 
+bool has_area(const GateInput& in) { return in.area != nullptr && !in.area->empty(); }
+
+std::optional<GateReason> area_fault(const GateInput& in) {
+  if (!has_area(in)) return std::nullopt;
+  const bool known = in.T_map_base && std::isfinite(in.T_map_base->x_m) &&
+                     std::isfinite(in.T_map_base->y_m) && std::isfinite(in.T_map_base->theta_rad);
+  return known ? std::nullopt : std::optional(GateReason::kNoPlace);
+}
+
 /// Why nothing may move, the gravest first.
 std::optional<GateReason> first_fault(const GateState& state, const GateInput& in) {
   if (state.estop_latched) return GateReason::kEmergencyStop;
@@ -64,6 +72,7 @@ std::optional<GateReason> first_fault(const GateState& state, const GateInput& i
   if (!is_watchdog_safe(in.firmware_watchdog)) return GateReason::kNoWatchdog;
   if (const auto fault = base_fault(in)) return fault;
   if (const auto fault = scan_fault(in)) return fault;
+  if (const auto fault = area_fault(in)) return fault;
   return request_fault(in);
 }
 
@@ -80,28 +89,28 @@ Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInpu
                  l.angular_acceleration_radps2, dt_s)};
 }
 
-double blind_time_s(const GateInput& in) {
-  const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
-  // A first beam that is missing or lies in the future says nothing of the age.
-  const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
-  return types::to_seconds(in.firmware_watchdog + bounded + in.limits.reaction);
-}
-
 void decide_motion(const GateState& state, const GateInput& in, GateOutput& out) {
   const Twist2 wanted = within_limits(in.request.twist, in.limits);
   const Twist2 next = ramped_twist(state, wanted, in);
-  const Surroundings around{.front_scan = in.front_scan,
-                            .T_base_laser = in.T_base_laser,
-                            .sonar = in.base->sonar,
-                            .T_base_sonar = in.T_base_sonar,
-                            .now = in.now};
-  const double free_s = free_time_s(next, in.limits, around);
+  const double blind_s = blind_time_s(in);
+  const double free_s = free_time_s(next, in.limits, surroundings(in));
   out.free_distance_m = free_distance_m(next, free_s);
-  const double scale = stopping_scale(next, free_s, blind_time_s(in), in.limits);
+  double scale = stopping_scale(next, free_s, blind_s, in.limits);
+  bool at_edge = false;
+  if (has_area(in) && scale > 0.0) {
+    const Twist2 clear{next.v_mps * scale, next.omega_radps * scale};
+    const double until_s = blind_s + 0.5 * std::abs(clear.v_mps) / in.limits.deceleration_mps2 +
+                           0.5 * std::abs(clear.omega_radps) / in.limits.angular_acceleration_radps2;
+    const double allowed_s = area_free_time_s(*in.area, *in.T_map_base, clear,
+                                              grown(in.limits.footprint, in.limits.margin_m), until_s);
+    const double part = stopping_scale(clear, allowed_s, blind_s, in.limits);
+    at_edge = part < 1.0;
+    scale *= part;
+  }
   const Twist2 safe{next.v_mps * scale, next.omega_radps * scale};
   const bool creeps = std::abs(safe.v_mps) < kCreep_mps && std::abs(safe.omega_radps) < kCreep_radps;
   if (scale < 1.0 && creeps) {
-    out.reason = GateReason::kBlocked;
+    out.reason = at_edge ? GateReason::kAreaLimit : GateReason::kBlocked;
     return;
   }
   out.command.twist = safe;
@@ -122,6 +131,22 @@ Duration scan_age_max(const types::Scan& scan) {
   constexpr double kPeriodMax_s = 0.2;  // slower than any of the scanners: a wrong period excuses nothing
   if (!(period_s > 0.0 && period_s <= kPeriodMax_s)) return kScanAgeMax;
   return std::max(kScanAgeMax, types::from_seconds(kScanPeriods * period_s));
+}
+
+double blind_time_s(const GateInput& in) {
+  const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
+  // A first beam that is missing or lies in the future says nothing of the age.
+  const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
+  return types::to_seconds(in.firmware_watchdog + bounded + in.limits.reaction);
+}
+
+Surroundings surroundings(const GateInput& in) {
+  return {.front_scan = in.front_scan,
+          .T_base_laser = in.T_base_laser,
+          .sonar = in.base->sonar,
+          .T_base_sonar = in.T_base_sonar,
+          .now = in.now,
+          .backing_off = in.backing_off && in.request.twist.v_mps <= 0.0};
 }
 
 bool is_watchdog_safe(Duration watchdog) { return watchdog > Duration::zero() && watchdog <= kWatchdogMax; }
@@ -216,6 +241,10 @@ std::string_view to_text(GateReason reason) {
       return "stopped: most of the front laser's forward beams are invalid";
     case GateReason::kReverse:
       return "stopped: reversing is not allowed, the rear is blind";
+    case GateReason::kAreaLimit:
+      return "stopped: the edge of the allowed area is too near";
+    case GateReason::kNoPlace:
+      return "stopped: there are area limits, and the robot's place is not known";
   }
   return "unknown";
 }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "core/motion/area_limits.hpp"
 #include "core/motion/robot_limits.hpp"
+#include "core/motion/stop_zone.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/scan.hpp"
 #include "core/types/se2.hpp"
@@ -30,6 +33,8 @@ enum class GateReason {
   kStaleScan,
   kBlindScan,  ///< fewer than half of the forward beams are valid
   kReverse,    ///< the rear is blind
+  kAreaLimit,  ///< the edge of the allowed area is too near
+  kNoPlace,    ///< there are area limits, and nobody knows where the robot is
 };
 
 /// One sentence for a person.
@@ -53,6 +58,11 @@ struct GateInput {
   bool estop_cleared = false;  ///< by the operator, in this period; does nothing while something is pressed
   types::Duration firmware_watchdog{};
   RobotLimits limits;
+  /// The request backs off along the way the robot came, which whoever sets this vouches for: it may leave a
+  /// pressed front bumper or a stall. A rear bumper stops it all the same.
+  bool backing_off = false;
+  const AreaLimits* area = nullptr;      ///< null or empty: none
+  std::optional<types::Se2> T_map_base;  ///< now; needed when there are area limits
 };
 
 struct GateState {
@@ -76,6 +86,9 @@ GateOutput gate(GateState& state, const GateInput& input);
 bool is_stale(types::Stamp stamp, types::Stamp now, types::Duration age_max);
 /// By arrival: the greater of 150 ms and two and a half periods.
 types::Duration scan_age_max(const types::Scan& scan);
+/// How long the robot may go on at a twist after this period: until the firmware's watchdog bites, plus the
+/// age of what the scan shows and the time until the wheels react. Needs input.front_scan.
+double blind_time_s(const GateInput& input);
 bool is_watchdog_safe(types::Duration watchdog);
 bool is_finite(const types::BaseState& base);
 void update_latch(GateState& state, const GateInput& input);
@@ -83,6 +96,8 @@ void update_latch(GateState& state, const GateInput& input);
 types::Twist2 within_limits(const types::Twist2& twist, const RobotLimits& limits);
 /// Towards `wanted`: faster with the acceleration, slower with the deceleration, through zero in two steps.
 double ramped(double last, double wanted, double acceleration, double deceleration, double elapsed_s);
+/// Surroundings of a gate's input; base and scan must be there.
+Surroundings surroundings(const GateInput& input);
 /// The part of a twist after which the robot still stands before contact: with scale s it goes on for the
 /// blind time (firmware watchdog, age of the scan, reaction) and then brakes. Between 0 and 1, growing with
 /// free_time_s.

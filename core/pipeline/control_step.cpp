@@ -2,44 +2,291 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/control_step.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/motion/path_follower.hpp"
+#include "core/motion/recovery.hpp"
+#include "core/motion/stop_zone.hpp"
+#include "core/motion/trail.hpp"
+
 namespace topo::pipeline {
+namespace {
+
+using motion::GateReason;
+using motion::RecoveryPhase;
+using types::Se2;
+using types::Twist2;
+
+constexpr std::size_t kObstaclesMax = 512;
+constexpr double kObstacleReach_m = 2.8;  // more than the way that 0.7 m/s needs free
+constexpr double kObstacleSpacing_m = 0.03;
+constexpr double kExtrapolateMax_s = 0.3;
+constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wished for no longer: off
+constexpr double kSameGoal_m = 0.2;
+
+/// What the period wants, before the gate.
+struct Wish {
+  ControlMode mode = ControlMode::kStanding;
+  Twist2 twist;
+  bool moving = false;  ///< somebody wants the robot to move: motors on
+  bool backing_off = false;
+};
+
+bool is_fresh(types::Stamp stamp, types::Stamp now, types::Duration age_max) {
+  return !motion::is_stale(stamp, now, age_max);
+}
+
+/// Where the robot is now by its newest reckoning, which is up to some 200 ms old.
+Se2 extrapolated(const types::Odometry& odometry, types::Stamp now) {
+  const double dt_s = std::clamp(types::to_seconds(now - odometry.stamp), 0.0, kExtrapolateMax_s);
+  const double turn = odometry.twist.omega_radps * dt_s, way = odometry.twist.v_mps * dt_s;
+  return odometry.T_odom_base.se2() * Se2{way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn};
+}
+
+/// Reasons that have to do with the place and not with the state of the robot.
+bool is_in_the_way(GateReason reason) {
+  return reason == GateReason::kBlocked || reason == GateReason::kAreaLimit;
+}
+
+bool is_touch(GateReason reason) { return reason == GateReason::kStall || reason == GateReason::kBumper; }
+
+bool lets_move(GateReason reason) {
+  return reason == GateReason::kFree || reason == GateReason::kLimited || reason == GateReason::kSlowed;
+}
+
+bool is_touching(const types::BaseState& b) {
+  return b.bumpers_front != 0 || b.bumpers_rear != 0 || b.stall_left || b.stall_right;
+}
+
+ControlMode mode_of(RecoveryPhase phase) {
+  switch (phase) {
+    case RecoveryPhase::kNone:
+      return ControlMode::kFollowing;
+    case RecoveryPhase::kWaiting:
+      return ControlMode::kWaiting;
+    case RecoveryPhase::kBacking:
+    case RecoveryPhase::kTurning:
+      return ControlMode::kRecovering;
+    case RecoveryPhase::kStuck:
+      return ControlMode::kStuck;
+  }
+  return ControlMode::kStuck;
+}
+
+}  // namespace
 
 struct ControlState::Impl {
   motion::GateState gate;
-  bool armed = false;  ///< motors are enabled from the first wish to move until an e-stop
+  GateReason last_reason = GateReason::kFree;
+  motion::PathFollower follower;
+  motion::Recovery recovery;
+  motion::Trail trail;
+  types::Stamp trail_stamp{};
+  types::Stamp wanted_at{};  ///< when somebody last wanted to move; zero: never, or an e-stop since
+  bool held = false;         ///< after an e-stop: until the plan stood, or is about another goal
+  std::uint64_t held_goal = 0;
+  bool recovering = false;  ///< the last period's motion was the recovery's
+  std::uint64_t arrived_goal = 0;
+  types::Vector2 arrived_at{0.0, 0.0};
+  bool arrived = false;
+  std::array<types::Vector2, kObstaclesMax> obstacles{};
+
+  [[nodiscard]] motion::GateInput gate_input(const ControlSetup& setup, const ControlInput& in) const;
+  [[nodiscard]] std::optional<Se2> place(const ControlSetup& setup, const ControlInput& in) const;
+  void drive_on(const ControlInput& in);
+  [[nodiscard]] bool may_follow(const ControlSetup& setup, const ControlInput& in);
+  [[nodiscard]] Wish wish(const ControlSetup& setup, const ControlInput& in,
+                          const motion::GateInput& gate_in);
+  [[nodiscard]] Wish follow(const ControlInput& in, const motion::GateInput& gate_in);
+  [[nodiscard]] Wish teleop(const Teleop& teleop, const motion::GateInput& gate_in) const;
+  [[nodiscard]] motion::FollowOutput way(const Plan& plan, const Se2& T_odom_base,
+                                         const motion::GateInput& gate_in);
+  [[nodiscard]] bool is_arrived(const Plan& plan);
+  void latch(const ControlInput& in);
 };
 
 ControlState::ControlState() : impl_(std::make_unique<Impl>()) {}
 ControlState::~ControlState() = default;
 
+motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, const ControlInput& in) const {
+  motion::GateInput g;
+  g.now = in.now;
+  g.request.stamp = in.now;
+  g.base = in.state;
+  g.front_scan = in.front;
+  g.T_base_laser = setup.T_base_laser;
+  g.T_base_sonar = in.T_base_sonar;
+  g.estop_pressed = in.estop;
+  g.estop_cleared = in.estop_cleared;
+  g.firmware_watchdog = in.firmware_watchdog;
+  g.limits = setup.limits;
+  g.area = &setup.area;
+  g.T_map_base = place(setup, in);
+  return g;
+}
+
+/// Where the robot is in map, if somebody knows: by the newest plan, which has to be fresh.
+std::optional<Se2> ControlState::Impl::place(const ControlSetup& setup, const ControlInput& in) const {
+  if (in.plan == nullptr || in.state == nullptr) return std::nullopt;
+  if (!is_fresh(in.plan->stamp, in.now, setup.plan_age_max)) return std::nullopt;
+  return in.plan->T_map_odom.se2() * extrapolated(in.state->odometry, in.now);
+}
+
+/// The trail takes every reckoning once.
+void ControlState::Impl::drive_on(const ControlInput& in) {
+  if (in.state == nullptr || in.state->odometry.stamp == trail_stamp || !motion::is_finite(*in.state)) return;
+  trail_stamp = in.state->odometry.stamp;
+  trail.update(in.state->odometry.T_odom_base.se2());
+}
+
+/// After an e-stop the plan has to have stood, or to be about another goal, before it may move the robot.
+bool ControlState::Impl::may_follow(const ControlSetup& setup, const ControlInput& in) {
+  if (in.plan == nullptr || !is_fresh(in.plan->stamp, in.now, setup.plan_age_max)) return false;
+  if (held && (!in.plan->moving || in.plan->goal_id != held_goal)) held = false;
+  return in.plan->moving && in.plan->points > 0 && !held && !gate.estop_latched;
+}
+
+Wish ControlState::Impl::teleop(const Teleop& teleop, const motion::GateInput& gate_in) const {
+  Wish wish{ControlMode::kTeleop, teleop.twist, true, false};
+  if (!(teleop.twist.v_mps < 0.0)) return wish;
+  // The rear is blind: backwards means back along the way it came.
+  const double speed_mps = std::min(-teleop.twist.v_mps, gate_in.limits.v_reverse_max_mps);
+  const bool watched = gate_in.front_scan != nullptr && gate_in.base != nullptr;
+  if (!watched || trail.length_m() <= speed_mps * motion::blind_time_s(gate_in)) return wish;
+  const Twist2 back = trail.back_twist(speed_mps);
+  if (back == Twist2{}) return wish;
+  wish.twist = back;
+  wish.backing_off = true;
+  return wish;
+}
+
+motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom_base,
+                                             const motion::GateInput& gate_in) {
+  const std::size_t count = motion::collect_obstacles(gate_in.limits, motion::surroundings(gate_in),
+                                                      kObstacleReach_m, kObstacleSpacing_m, obstacles);
+  motion::FollowInput f;
+  f.T_odom_base = T_odom_base;
+  f.twist = gate.last;
+  f.path_odom = {plan.path_odom.data(), std::min<std::size_t>(plan.points, Plan::kMaxPoints)};
+  f.path_number = plan.sequence;
+  f.ends_at_goal = plan.path_ends_at_goal;
+  f.obstacles_base = {obstacles.data(), count};
+  f.blind_s = motion::blind_time_s(gate_in);
+  f.limits = &gate_in.limits;
+  return follower.step(f);
+}
+
+bool ControlState::Impl::is_arrived(const Plan& plan) {
+  const std::size_t last = std::min<std::size_t>(plan.points, Plan::kMaxPoints) - 1;
+  arrived = arrived && arrived_goal == plan.goal_id && plan.path_ends_at_goal &&
+            (plan.path_odom[last] - arrived_at).norm() < kSameGoal_m;
+  return arrived;
+}
+
+Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput& gate_in) {
+  const Plan& plan = *in.plan;
+  Wish wish{ControlMode::kFollowing, {}, true, false};
+  if (is_arrived(plan)) {
+    recovery.pause(in.now);
+    wish.mode = ControlMode::kArrived;
+    wish.moving = false;
+    return wish;
+  }
+  const bool able = gate_in.base != nullptr && gate_in.front_scan != nullptr &&
+                    motion::is_finite(*gate_in.base) &&
+                    (lets_move(last_reason) || is_in_the_way(last_reason) || is_touch(last_reason));
+  if (!able) {  // the gate says why; it is nobody's fault that the robot does not get on
+    recovery.pause(in.now);
+    return wish;
+  }
+  const Se2 T_odom_base = extrapolated(gate_in.base->odometry, in.now);
+  const motion::FollowOutput out = way(plan, T_odom_base, gate_in);
+  motion::RecoveryInput r;
+  r.now = in.now;
+  r.goal_id = plan.goal_id;
+  r.T_odom_base = T_odom_base;
+  r.blocked = out.blocked || (!recovering && is_in_the_way(last_reason));
+  r.touching = is_touching(*gate_in.base);
+  r.refused = recovering && !lets_move(last_reason);
+  r.turn_rad = out.turn_rad;
+  r.blind_s = motion::blind_time_s(gate_in);
+  r.trail = &trail;
+  r.limits = &gate_in.limits;
+  const motion::RecoveryOutput rescue = recovery.step(r);
+  wish.mode = mode_of(rescue.phase);
+  recovering = wish.mode == ControlMode::kRecovering;
+  const bool may_go = rescue.phase == RecoveryPhase::kNone || rescue.phase == RecoveryPhase::kWaiting;
+  wish.twist = may_go ? out.twist : rescue.twist;
+  wish.backing_off = rescue.backing_off;
+  if (may_go && out.arrived) {
+    arrived = true;
+    arrived_goal = plan.goal_id;
+    arrived_at = plan.path_odom[std::min<std::size_t>(plan.points, Plan::kMaxPoints) - 1];
+    wish.mode = ControlMode::kArrived;
+  }
+  return wish;
+}
+
+Wish ControlState::Impl::wish(const ControlSetup& setup, const ControlInput& in,
+                              const motion::GateInput& gate_in) {
+  const bool follows = may_follow(setup, in);
+  const bool by_hand = in.teleop != nullptr && in.teleop->stamp != types::Stamp{} &&
+                       in.now - in.teleop->stamp <= setup.limits.request_age_max;
+  if (by_hand || !follows) {
+    follower.reset();
+    recovery.pause(in.now);
+    recovering = false;
+  }
+  if (by_hand) return teleop(*in.teleop, gate_in);
+  return follows ? follow(in, gate_in) : Wish{};
+}
+
+/// After an e-stop the operator has to ask anew before the motors are enabled again.
+void ControlState::Impl::latch(const ControlInput& in) {
+  if (!gate.estop_latched) return;
+  wanted_at = types::Stamp{};
+  if (held || in.plan == nullptr || !in.plan->moving) return;
+  held = true;
+  held_goal = in.plan->goal_id;
+}
+
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input) {
   ControlState::Impl& memory = *state.impl_;
-  const bool wanted = input.teleop != nullptr && input.teleop->stamp != types::Stamp{} &&
-                      input.now - input.teleop->stamp <= setup.limits.request_age_max;
-  memory.armed = memory.armed || wanted;
-  motion::GateInput gate_input;
-  gate_input.now = input.now;
-  gate_input.request.stamp = wanted ? input.teleop->stamp : input.now;
-  if (wanted) gate_input.request.twist = input.teleop->twist;
-  gate_input.request.enable_motors = memory.armed;
-  gate_input.base = input.state;
-  gate_input.front_scan = input.front;
-  gate_input.T_base_laser = setup.T_base_laser;
-  gate_input.T_base_sonar = input.T_base_sonar;
-  gate_input.estop_pressed = input.estop;
-  gate_input.estop_cleared = input.estop_cleared;
-  gate_input.firmware_watchdog = input.firmware_watchdog;
-  gate_input.limits = setup.limits;
-  const motion::GateOutput out = motion::gate(memory.gate, gate_input);
-  if (memory.gate.estop_latched) memory.armed = false;
+  memory.drive_on(input);
+  motion::GateInput gate_in = memory.gate_input(setup, input);
+  const Wish wish = memory.wish(setup, input, gate_in);
+  if (wish.moving) memory.wanted_at = input.now;
+  gate_in.request.twist = wish.twist;
+  gate_in.backing_off = wish.backing_off;
+  gate_in.request.enable_motors =
+      memory.wanted_at != types::Stamp{} && input.now - memory.wanted_at <= kMotorsLinger;
+  const motion::GateOutput out = motion::gate(memory.gate, gate_in);
+  memory.last_reason = out.reason;
+  memory.latch(input);
+
   ControlOutput result;
   result.command = out.command;
-  result.report.stamp = input.now;
-  result.report.mode = wanted ? ControlMode::kTeleop : ControlMode::kStanding;
-  result.report.reason = out.reason;
-  result.report.estop_latched = memory.gate.estop_latched;
-  result.report.commanded = out.command.twist;
-  result.report.free_distance_m = out.free_distance_m;
+  ControlReport& report = result.report;
+  report.stamp = input.now;
+  report.mode = wish.mode;
+  report.goal_id = input.plan != nullptr ? input.plan->goal_id : 0;
+  report.reason = out.reason;
+  report.estop_latched = memory.gate.estop_latched;
+  report.commanded = out.command.twist;
+  report.free_distance_m = out.free_distance_m;
+  report.recoveries = memory.recovery.begun();
+  if (input.state != nullptr) {
+    const types::BaseState& base = *input.state;
+    report.odometry = base.odometry;
+    report.base_ready =
+        is_fresh(base.arrival, input.now, setup.limits.status_age_max) && motion::is_finite(base);
+    report.bumped = is_touching(base);
+    report.battery_v = base.battery_v;
+    report.state_of_charge = base.state_of_charge;
+  }
   return result;
 }
 

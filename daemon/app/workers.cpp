@@ -31,9 +31,9 @@ pioneer::SessionConfig session_config(const Configuration& configuration) {
   return config;
 }
 
-BaseSetup base_setup(const Configuration& configuration) {
+pipeline::ControlSetup control_setup(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
-  BaseSetup setup;
+  pipeline::ControlSetup setup;
   setup.limits.v_max_mps = base.v_max_mps;
   setup.limits.omega_max_radps = base.omega_max_radps;
   setup.limits.acceleration_mps2 = base.acceleration_mps2;
@@ -53,7 +53,7 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   auto base = connectors("base", c.base.address);
   if (!base) return tl::unexpected(base.error());
   workers->base_ = std::make_unique<BaseWorker>(
-      hand_overs, base_setup(c), std::make_unique<pioneer::Session>(session_config(c), std::move(*base)),
+      hand_overs, control_setup(c), std::make_unique<pioneer::Session>(session_config(c), std::move(*base)),
       workers->base_vitals_);
   auto front = connectors("front", c.front.address);
   if (!front) return tl::unexpected(front.error());

@@ -44,13 +44,18 @@ motion::Footprint footprint(const Configuration& configuration) {
   const ModelLimits model = model_limits(configuration.robot.model);
   const RobotConfig& robot = configuration.robot;
   const auto or_model = [](double own, double models) { return own > 0.0 ? own : models; };
-  return {or_model(robot.length_front_m, model.length_front_m),
-          or_model(robot.length_rear_m, model.length_rear_m), or_model(robot.width_m, model.width_m) / 2.0};
+  motion::Footprint footprint{or_model(robot.length_front_m, model.length_front_m),
+                              or_model(robot.length_rear_m, model.length_rear_m),
+                              or_model(robot.width_m, model.width_m) / 2.0};
+  // A hull of one's own may stand out of the model's circle.
+  const bool is_models = robot.length_front_m <= 0.0 && robot.length_rear_m <= 0.0 && robot.width_m <= 0.0;
+  if (is_models) footprint.swing_radius_m = model.swing_radius_m;
+  return footprint;
 }
 
 ModelLimits model_limits(RobotModel model) {
-  if (model == RobotModel::kP3at) return {0.313, 0.313, 0.505, 0.7, 2.45};
-  return {0.210, 0.301, 0.425, 1.2, 5.24};
+  if (model == RobotModel::kP3at) return {0.313, 0.313, 0.505, 0.340, 0.7, 2.45};
+  return {0.210, 0.301, 0.425, 0.267, 1.2, 5.24};
 }
 
 const char* model_name(RobotModel model) { return model == RobotModel::kP3at ? "P3-AT" : "P3-DX"; }

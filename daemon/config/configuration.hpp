@@ -125,6 +125,7 @@ struct ModelLimits {
   double length_front_m;
   double length_rear_m;
   double width_m;
+  double swing_radius_m;  ///< of the circle that a turn on the spot needs
   double v_top_mps;
   double omega_top_radps;
 };

@@ -21,7 +21,7 @@ void sleep_until(types::Stamp deadline) {
 
 }  // namespace
 
-BaseWorker::BaseWorker(HandOvers& hand_overs, const BaseSetup& setup,
+BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
                        std::unique_ptr<pioneer::Session> session, Vitals& vitals)
     : hand_overs_(hand_overs), session_(std::move(session)), vitals_(vitals), setup_(setup) {}
 
@@ -75,14 +75,15 @@ void BaseWorker::take_state() {
   }
 }
 
-BaseInput BaseWorker::gather() {
-  BaseInput input;
+pipeline::ControlInput BaseWorker::gather() {
+  pipeline::ControlInput input;
   input.now = io::monotonic_now();
   input.estop = hand_overs_.estop.load(std::memory_order_acquire);
   const std::uint64_t clears = hand_overs_.estop_clears.load(std::memory_order_acquire);
   input.estop_cleared = clears != clears_seen_;
   clears_seen_ = clears;
-  input.drive = hand_overs_.drive.read();
+  input.teleop = hand_overs_.drive.read();
+  input.plan = hand_overs_.plan.read();
   input.front = hand_overs_.front.to_base.read();
   const bool ready = session_->health() == pioneer::Health::kReady;
   input.state = ready && has_state_ ? &state_ : nullptr;
@@ -94,9 +95,10 @@ BaseInput BaseWorker::gather() {
 }
 
 void BaseWorker::decide() {
-  decision_ = base_step(memory_, setup_, gather());
+  const pipeline::ControlOutput output = pipeline::control_step(control_, setup_, gather());
+  control_report_ = output.report;
   // A command that does not go out shows in the session's health, and without it the session stops the base.
-  if (session_->health() == pioneer::Health::kReady) (void)session_->command(decision_.command);
+  if (session_->health() == pioneer::Health::kReady) (void)session_->command(output.command);
 }
 
 void BaseWorker::report() {
@@ -104,13 +106,14 @@ void BaseWorker::report() {
   hand_overs_.base_device.publish();
   BaseReport& report = hand_overs_.base_report.writable();
   report.state = state_;
-  report.reason = decision_.reason;
+  report.reason = control_report_.reason;
   report.ready = session_->health() == pioneer::Health::kReady;
-  report.wanted = decision_.wanted;
-  report.estop_latched = memory_.gate.estop_latched;
-  report.commanded = decision_.command.twist;
-  report.free_distance_m = decision_.free_distance_m;
+  report.wanted = control_report_.mode != pipeline::ControlMode::kStanding;
+  report.estop_latched = control_report_.estop_latched;
+  report.commanded = control_report_.commanded;
+  report.free_distance_m = control_report_.free_distance_m;
   hand_overs_.base_report.publish();
+  hand_overs_.control_to_planning.store(control_report_);
 }
 
 }  // namespace topo::daemon

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "daemon/threads/base_step.hpp"
+#include "core/pipeline/control_step.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
 #include "drivers/pioneer/session.hpp"
@@ -18,8 +18,8 @@ class BaseWorker {
   static constexpr types::Duration kPeriod = std::chrono::milliseconds(50);
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(800);
 
-  BaseWorker(HandOvers& hand_overs, const BaseSetup& setup, std::unique_ptr<pioneer::Session> session,
-             Vitals& vitals);
+  BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
+             std::unique_ptr<pioneer::Session> session, Vitals& vitals);
 
   /// The thread's body: until hand_overs.stopping, then the controlled close.
   void run() noexcept;
@@ -28,7 +28,7 @@ class BaseWorker {
   void serve_until(types::Stamp deadline);
   void take_state();
   void decide();
-  [[nodiscard]] BaseInput gather();
+  [[nodiscard]] pipeline::ControlInput gather();
   void report();
 
   HandOvers& hand_overs_;
@@ -36,9 +36,9 @@ class BaseWorker {
   Vitals& vitals_;
   types::BaseState incoming_, state_;
   bool has_state_ = false;
-  BaseSetup setup_;
-  BaseMemory memory_;
-  BaseDecision decision_;
+  pipeline::ControlSetup setup_;
+  pipeline::ControlState control_;
+  pipeline::ControlReport control_report_;
   std::uint64_t clears_seen_ = 0;
 };
 

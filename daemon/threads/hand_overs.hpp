@@ -33,10 +33,7 @@ struct DeviceReport {
 };
 
 /// What the operator wants the base to do.
-struct DriveCommand {
-  types::Stamp stamp{};
-  types::Twist2 twist;
-};
+using DriveCommand = pipeline::Teleop;
 
 struct BaseReport {
   types::BaseState state;

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/path_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/footprint_sweep.hpp"
+
+namespace topo::motion {
+namespace {
+
+using types::Se2;
+using types::Twist2;
+using types::Vector2;
+
+constexpr std::array kCurvatures{0.0, 0.1,  -0.1, 0.22, -0.22, 0.36, -0.36, 0.55, -0.55, 0.8, -0.8,
+                                 1.1, -1.1, 1.5,  -1.5, 2.0,   -2.0, 2.7,   -2.7, 3.6,   -3.6};
+constexpr double kBehind_m = 0.3, kAhead_m = 1.5;  // where along the path the robot is looked for
+constexpr double kBlindSlack = 1.05;               // slower than the gate would, so that it need not brake
+
+Se2 along(double curvature, double way_m) {
+  const double half = 0.5 * curvature * way_m;
+  const double chord = std::abs(half) < 1e-6 ? way_m : way_m * std::sin(half) / half;
+  return {chord * std::cos(half), chord * std::sin(half), 2.0 * half};
+}
+
+/// Speed from which the robot stands within `free_m`: v blind + v^2 / 2a = free.
+double stoppable_mps(double free_m, double blind_s, double deceleration) {
+  if (!(free_m > 0.0)) return 0.0;
+  const double b = blind_s * deceleration;
+  return 2.0 * free_m * deceleration / (b + std::sqrt(b * b + 2.0 * deceleration * free_m));
+}
+
+/// Way in `time_s` when speeding up from `v0` to `v1`, or at once at the lower of the two.
+double way_m(double v0, double v1, double acceleration, double time_s) {
+  if (v0 >= v1) return v1 * time_s;
+  const double ramp_s = std::min(time_s, (v1 - v0) / acceleration);
+  return v0 * ramp_s + 0.5 * acceleration * ramp_s * ramp_s + v1 * (time_s - ramp_s);
+}
+
+double free_turn_rad(double sign, const FollowInput& in) {
+  const RobotLimits& l = *in.limits;
+  double free = kNever_s;
+  for (const Vector2& p : in.obstacles_base)
+    free = std::min(free, contact_time_with_margin_s(p, {0.0, sign}, l.footprint, l.turn_margin_m));
+  return free;
+}
+
+}  // namespace
+
+void PathFollower::reset() {
+  has_path_ = turning_ = false;
+  last_curvature_ = 0.0;
+}
+
+void PathFollower::take_path(const FollowInput& in) {
+  const bool fresh = !has_path_ || in.path_number != path_number_;
+  if (fresh) {
+    points_ = std::min(in.path_odom.size(), kMaxPoints);
+    std::copy_n(in.path_odom.begin(), points_, path_.begin());
+    for (std::size_t i = 1; i < points_; ++i) s_m_[i] = s_m_[i - 1] + (path_[i] - path_[i - 1]).norm();
+    path_number_ = in.path_number;
+    has_path_ = true;
+  }
+  const double from_m = fresh ? 0.0 : here_.s_m - kBehind_m;
+  here_ = station(in.T_odom_base.translation(), from_m, from_m + kAhead_m);
+}
+
+PathFollower::Station PathFollower::station(const Vector2& p, double from_m, double to_m) const {
+  Station best{0.0, HUGE_VAL, 0.0};
+  if (points_ == 1) best = {0.0, (p - path_[0]).norm(), 0.0};
+  for (std::size_t i = 0; i + 1 < points_; ++i) {
+    if (s_m_[i + 1] < from_m || (s_m_[i] > to_m && best.distance_m < HUGE_VAL)) continue;
+    const Vector2 way = path_[i + 1] - path_[i];
+    const double length2 = way.squaredNorm();
+    const double t = length2 > 0.0 ? std::clamp((p - path_[i]).dot(way) / length2, 0.0, 1.0) : 0.0;
+    const double distance_m = (path_[i] + t * way - p).norm();
+    if (distance_m < best.distance_m) best = {s_m_[i] + t * std::sqrt(length2), distance_m, 0.0};
+  }
+  const Vector2 on = point_at(best.s_m + 0.15) - point_at(best.s_m - 0.15);
+  best.heading_rad = std::atan2(on.y(), on.x());
+  return best;
+}
+
+Vector2 PathFollower::point_at(double s_m) const {
+  if (s_m <= 0.0 || points_ == 1) return path_[0];
+  const auto end = s_m_.begin() + static_cast<std::ptrdiff_t>(points_);
+  const auto after = std::upper_bound(s_m_.begin(), end, s_m);
+  if (after == end) return path_[points_ - 1];
+  const auto i = static_cast<std::size_t>(after - s_m_.begin());
+  const double length = s_m_[i] - s_m_[i - 1];
+  return path_[i - 1] + (s_m - s_m_[i - 1]) / length * (path_[i] - path_[i - 1]);
+}
+
+double PathFollower::speed_on(double curvature, double margin_m, const FollowInput& in) const {
+  const RobotLimits& l = *in.limits;
+  double v_mps = l.v_max_mps;
+  if (curvature != 0.0)
+    v_mps = std::min(v_mps, std::min(rules_.omega_max_radps, l.omega_max_radps) / std::abs(curvature));
+  const double blind_s = kBlindSlack * in.blind_s;
+  double free_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);  // more changes nothing
+  for (const Vector2& p : in.obstacles_base)
+    free_m = std::min(free_m, contact_time_with_margin_s(p, {1.0, curvature}, l.footprint, margin_m));
+  return std::min(v_mps, stoppable_mps(free_m, blind_s, l.deceleration_mps2));
+}
+
+PathFollower::Arc PathFollower::rated(double curvature, double margin_m, double v_cap_mps,
+                                      const FollowInput& in) const {
+  Arc arc{curvature, std::min(v_cap_mps, speed_on(curvature, margin_m, in)), -1e9};
+  if (arc.v_mps < rules_.crawl_mps) return arc;
+  const double v0 = std::max(0.0, in.twist.v_mps);
+  const double way = std::max(0.25, way_m(v0, arc.v_mps, in.limits->acceleration_mps2, rules_.horizon_s));
+  const auto there = [&](double part) { return in.T_odom_base * along(curvature, part * way); };
+  const double to_m = here_.s_m + way + 0.3;
+  const Se2 middle = there(0.5), end = there(1.0);
+  const Station at_middle = station(middle.translation(), here_.s_m - kBehind_m, to_m);
+  const Station at_end = station(end.translation(), here_.s_m - kBehind_m, to_m);
+  const double off_rad = std::abs(types::wrap_angle(end.theta_rad - at_end.heading_rad));
+  arc.score = (at_end.s_m - here_.s_m) + 0.5 * arc.v_mps - 1.2 * at_end.distance_m -
+              0.5 * at_middle.distance_m - 0.25 * off_rad - 0.02 * std::abs(curvature - last_curvature_);
+  return arc;
+}
+
+PathFollower::Arc PathFollower::best_arc(double pursuit, double margin_m, double v_cap_mps,
+                                         const FollowInput& in) const {
+  Arc best = rated(pursuit, margin_m, v_cap_mps, in);
+  for (const double curvature : kCurvatures) {
+    const Arc arc = rated(curvature, margin_m, v_cap_mps, in);
+    if (arc.score > best.score) best = arc;
+  }
+  return best;
+}
+
+FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
+  const RobotLimits& l = *in.limits;
+  double sign = turn_rad < 0.0 ? -1.0 : 1.0;
+  double way_rad = std::abs(turn_rad);
+  FollowOutput out;
+  out.turn_rad = turn_rad;
+  if (free_turn_rad(sign, in) < way_rad) {
+    constexpr double kTurn = 6.283185307179586;
+    if (free_turn_rad(-sign, in) < kTurn - way_rad) {
+      out.blocked = true;
+      return out;
+    }
+    sign = -sign;
+    way_rad = kTurn - way_rad;
+  }
+  const double rate = std::sqrt(1.2 * l.angular_acceleration_radps2 * way_rad);
+  out.twist.omega_radps = sign * std::min(rate, l.omega_max_radps);
+  return out;
+}
+
+FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInput& in) {
+  const RobotLimits& l = *in.limits;
+  const double v_cap_mps =
+      in.ends_at_goal ? std::max(0.06, std::sqrt(1.2 * l.deceleration_mps2 * rest_m)) : l.v_max_mps;
+  const Vector2 ahead = in.T_odom_base.inverse() * point_at(here_.s_m + rules_.lookahead_m);
+  const double pursuit = std::clamp(2.0 * ahead.y() / std::max(0.01, ahead.squaredNorm()), -4.0, 4.0);
+  Arc best = best_arc(pursuit, l.margin_m + rules_.extra_margin_m, v_cap_mps, in);
+  constexpr double kSlow_mps = 0.2;
+  if (best.v_mps < kSlow_mps && best.v_mps < v_cap_mps) best = best_arc(pursuit, l.margin_m, v_cap_mps, in);
+  FollowOutput out;
+  out.turn_rad = turn_rad;
+  // Crawling round a corner takes longer than to turn first.
+  if (best.v_mps < std::min(kSlow_mps, v_cap_mps) && std::abs(turn_rad) > rules_.turn_end_rad) {
+    const FollowOutput turned = turn(turn_rad, in);
+    turning_ = !turned.blocked;
+    if (turning_) return turned;
+  }
+  out.blocked = best.v_mps < rules_.crawl_mps;
+  if (out.blocked) return out;
+  last_curvature_ = best.curvature;
+  out.twist = {best.v_mps, best.v_mps * best.curvature};
+  return out;
+}
+
+FollowOutput PathFollower::step(const FollowInput& in) {
+  FollowOutput out;
+  if (in.path_odom.empty() || in.limits == nullptr) return out;
+  take_path(in);
+  const double rest_m = s_m_[points_ - 1] - here_.s_m;
+  const Vector2 end_base = in.T_odom_base.inverse() * path_[points_ - 1];
+  const bool at_end = rest_m < rules_.arrived_m && end_base.norm() < 3.0 * rules_.arrived_m;
+  const bool passed_end = rest_m < rules_.arrived_m && end_base.norm() < 0.25 && end_base.x() < 0.0;
+  if (at_end || passed_end || end_base.norm() < rules_.arrived_m) {
+    out.arrived = in.ends_at_goal;
+    turning_ = false;
+    return out;
+  }
+  const Vector2 ahead =
+      in.T_odom_base.inverse() * point_at(here_.s_m + std::max(rules_.lookahead_m, here_.distance_m));
+  const double turn_rad = std::atan2(ahead.y(), ahead.x());
+  turning_ = std::abs(turn_rad) > (turning_ ? rules_.turn_end_rad : rules_.turn_begin_rad);
+  return turning_ ? turn(turn_rad, in) : drive(turn_rad, rest_m, in);
+}
+
+}  // namespace topo::motion

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/recovery.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace topo::motion {
+namespace {
+
+using std::chrono::milliseconds;
+using types::Stamp;
+
+constexpr types::Duration kBlink = milliseconds(300);    // shorter is noise
+constexpr types::Duration kRefused = milliseconds(700);  // then this motion will not do
+constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
+constexpr double kAligned_rad = 0.25;
+constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
+
+Stamp since(bool is, Stamp before, Stamp now) {
+  if (!is) return Stamp{};
+  return before == Stamp{} ? now : before;
+}
+
+bool lasts(Stamp from, Stamp now, types::Duration time) { return from != Stamp{} && now - from >= time; }
+
+types::Twist2 turn_twist(double angle_rad, const RobotLimits& limits) {
+  const double fastest = std::min(0.8, limits.omega_max_radps);
+  const double rate = std::sqrt(limits.angular_acceleration_radps2 * std::abs(angle_rad));
+  return {0.0, std::copysign(std::min(fastest, rate), angle_rad)};
+}
+
+}  // namespace
+
+void Recovery::enter(RecoveryPhase phase, const RecoveryInput& in) {
+  phase_ = phase;
+  since_ = in.now;
+  blocked_ = refused_ = Stamp{};
+  progress_ = in.now;
+  progress_at_ = phase_at_ = in.T_odom_base.translation();
+}
+
+void Recovery::begin(const RecoveryInput& in) {
+  if (tries_ >= rules_.tries) {
+    enter(RecoveryPhase::kStuck, in);
+    return;
+  }
+  if (tries_ == 0) first_at_ = in.T_odom_base.translation();
+  ++tries_;
+  ++begun_;
+  enter(RecoveryPhase::kBacking, in);
+}
+
+void Recovery::pause(Stamp now) {
+  if (phase_ == RecoveryPhase::kWaiting) phase_ = RecoveryPhase::kNone;
+  progress_ = since_ = now;
+  blocked_ = refused_ = Stamp{};
+}
+
+void Recovery::note_progress(const RecoveryInput& in) {
+  const types::Vector2 at = in.T_odom_base.translation();
+  if (tries_ > 0 && !((at - first_at_).norm() < rules_.forgotten_m)) tries_ = 0;
+  if (progress_ != Stamp{} && (at - progress_at_).norm() < rules_.progress_m) return;
+  progress_ = in.now;
+  progress_at_ = at;
+}
+
+void Recovery::watch(const RecoveryInput& in) {
+  blocked_ = since(in.blocked || in.touching, blocked_, in.now);
+  note_progress(in);
+  const bool hopeless = in.touching && lasts(blocked_, in.now, kBlink);
+  if (hopeless || lasts(progress_, in.now, rules_.no_progress) || lasts(blocked_, in.now, rules_.wait))
+    begin(in);
+  else
+    phase_ = lasts(blocked_, in.now, kBlink) ? RecoveryPhase::kWaiting : RecoveryPhase::kNone;
+}
+
+types::Twist2 Recovery::back_twist(const RecoveryInput& in) const {
+  const double speed_mps = in.limits->v_reverse_max_mps;
+  const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
+  // If the host dies the robot rolls on until the watchdog bites: that has to be on the trail as well.
+  if (backed_m >= rules_.back_m || in.trail->length_m() <= speed_mps * in.blind_s) return {};
+  return in.trail->back_twist(speed_mps);
+}
+
+RecoveryOutput Recovery::back(const RecoveryInput& in) {
+  const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
+  refused_ = since(in.refused, refused_, in.now);
+  const bool clear = !in.blocked && !in.touching && backed_m >= kBackedEnough_m;
+  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
+  if (clear) {
+    enter(RecoveryPhase::kNone, in);
+    return {};
+  }
+  const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
+  if (twist != types::Twist2{}) return {phase_, twist, true};
+  const double aside_rad = in.trail->turn_to_back_rad();
+  // The robot has turned since: first bring the trail behind it.
+  if (!over && !in.touching && backed_m < 0.05 && std::abs(aside_rad) > kAligned_rad &&
+      in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s)
+    return {phase_, turn_twist(aside_rad, *in.limits), false};
+  enter(RecoveryPhase::kTurning, in);
+  return turn(in);
+}
+
+RecoveryOutput Recovery::turn(const RecoveryInput& in) {
+  refused_ = since(in.refused, refused_, in.now);
+  const bool over = lasts(since_, in.now, kPhaseMax / 2) || lasts(refused_, in.now, kRefused);
+  if (over || std::abs(in.turn_rad) < kAligned_rad) {
+    enter(RecoveryPhase::kNone, in);
+    return {};
+  }
+  return {phase_, turn_twist(in.turn_rad, *in.limits), false};
+}
+
+RecoveryOutput Recovery::step(const RecoveryInput& in) {
+  if (in.goal_id != goal_id_) {
+    goal_id_ = in.goal_id;
+    tries_ = 0;
+    enter(RecoveryPhase::kNone, in);
+  }
+  switch (phase_) {
+    case RecoveryPhase::kStuck:
+      return {phase_, {}, false};
+    case RecoveryPhase::kBacking:
+      return back(in);
+    case RecoveryPhase::kTurning:
+      return turn(in);
+    case RecoveryPhase::kNone:
+    case RecoveryPhase::kWaiting:
+      watch(in);
+      return {phase_, {}, false};
+  }
+  return {};
+}
+
+}  // namespace topo::motion

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/trail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace topo::motion {
+namespace {
+
+using types::Se2;
+using types::Vector2;
+
+constexpr double kJump_m = 0.25;
+
+}  // namespace
+
+void Trail::push(const Vector2& p) {
+  if (size_ == kCapacity) {
+    std::copy(points_.begin() + 1, points_.end(), points_.begin());
+    --size_;
+  }
+  points_[size_++] = p;
+}
+
+void Trail::update(const Se2& T_odom_base) {
+  const Vector2 p = T_odom_base.translation();
+  if (size_ > 0 && !((p - pose_.translation()).norm() <= kJump_m)) size_ = 0;
+  pose_ = T_odom_base;
+  if (size_ == 0) {
+    push(p);
+    return;
+  }
+  const Vector2 step = p - points_[size_ - 1];
+  const bool backwards = step.x() * std::cos(pose_.theta_rad) + step.y() * std::sin(pose_.theta_rad) < 0.0;
+  if (!backwards) {
+    if (step.norm() >= kSpacing_m) push(p);
+    return;
+  }
+  while (size_ > 1 &&
+         (p - points_[size_ - 2]).norm() <= (points_[size_ - 1] - points_[size_ - 2]).norm() + 1e-3)
+    --size_;
+}
+
+double Trail::length_m() const {
+  if (size_ == 0) return 0.0;
+  double length = (pose_.translation() - points_[size_ - 1]).norm();
+  for (std::size_t i = size_ - 1; i > 0; --i) length += (points_[i] - points_[i - 1]).norm();
+  return length;
+}
+
+Vector2 Trail::target_base() const {
+  constexpr double kAim_m = 0.2;
+  std::size_t i = size_ - 1;
+  while (i > 0 && (points_[i] - pose_.translation()).norm() < kAim_m) --i;
+  return pose_.inverse() * points_[i];
+}
+
+double Trail::turn_to_back_rad() const {
+  if (size_ == 0) return 0.0;
+  const Vector2 target = target_base();
+  if (target.norm() < kSpacing_m) return 0.0;
+  return types::wrap_angle(std::atan2(target.y(), target.x()) - std::numbers::pi);
+}
+
+types::Twist2 Trail::back_twist(double speed_mps) const {
+  constexpr double kOff_rad = 0.35, kOff_m = 0.1;
+  if (size_ < 2) return {};
+  const Vector2 target = target_base();
+  if (target.norm() < kSpacing_m || std::abs(turn_to_back_rad()) > kOff_rad) return {};
+  if ((points_[size_ - 1] - pose_.translation()).norm() > kOff_m) return {};
+  return {-speed_mps, -speed_mps * 2.0 * target.y() / target.squaredNorm()};
+}
+
+}  // namespace topo::motion
