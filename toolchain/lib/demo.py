@@ -221,6 +221,8 @@ def main():
         try:
             return Demo(options, pathlib.Path(name), processes).run()
         except KeyboardInterrupt:
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+            processes.end_all()
             print("\ndemo: interrupted; the robot is stopped", file=sys.stderr)
             return 130
         except demo_processes.Failure as failure:
