@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/places/box_counts.hpp"
+#include "core/places/place_map.hpp"
+#include "core/places/regions.hpp"
+
+namespace topo::places {
+
+/// Share of free space of its own in a region's box. Occupied cells and other places' free space count
+/// against it in full, unknown cells by params.unknown_weight.
+double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
+               double resolution_m, const PlaceParams& params);
+
+/// Condition 2 of paper section II-C: what wall there is between the two is little beside their open border.
+bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params);
+
+/// The border is as wide as at least one side: no doorway.
+bool no_narrows(const Region& a, const Region& b, const Contact& contact, double resolution_m,
+                const PlaceParams& params);
+
+/// Not a corridor piece and something much wider or narrower.
+bool similar_width(const Region& a, const Region& b, const PlaceParams& params);
+
+/// Merges neighbours to a fixed point, the densest union first, of equally dense ones the largest; then gives
+/// small regions to their neighbours, and again. Returns for every region the one that it has gone into.
+std::vector<std::uint32_t> reduce(std::vector<Region>& regions, const BoxCounts& counts, double resolution_m,
+                                  const PlaceParams& params);
+
+}  // namespace topo::places

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/places/regions.hpp"
+
+#include <algorithm>
+
+namespace topo::places {
+namespace {
+
+using grid::DenseMap;
+
+/// One observation that two regions have something between them; sorted and summed up later.
+struct Pair {
+  std::uint64_t key;  ///< the smaller region above the greater
+  std::uint32_t upright, level;
+  float wall_m;
+};
+
+std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
+}
+
+/// Sums per region, and pairs of labels across borders.
+class CellPass {
+ public:
+  CellPass(const DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
+           const CompassFrame& frame)
+      : map_(map), clearance_m_(clearance_m), labels_(first.labels), frame_(frame), regions(first.pieces) {}
+
+  void run() {
+    const auto width = static_cast<std::size_t>(map_.width());
+    for (std::size_t y = 0; y + 1 < static_cast<std::size_t>(std::max(map_.height(), 1)); ++y) {
+      for (std::size_t i = y * width, end = i + width - 1; i < end; ++i) {
+        if (labels_[i] == 0) continue;
+        add(i, static_cast<int>(i - y * width), static_cast<int>(y));
+        if (labels_[i + 1] != 0 && labels_[i + 1] != labels_[i]) note(labels_[i], labels_[i + 1], 1, 0);
+        if (labels_[i + width] != 0 && labels_[i + width] != labels_[i])
+          note(labels_[i], labels_[i + width], 0, 1);
+      }
+    }
+    pad_boxes();
+  }
+
+ private:
+  void add(std::size_t i, int x, int y) {
+    Region& region = regions[labels_[i] - 1];
+    const types::Vector2 p = map_.centre_of({map_.box.min.x + x, map_.box.min.y + y});
+    region.box.extend(frame_.from_map(p));
+    region.sum += p;
+    if (region.cells++ == 0) region.first = static_cast<std::uint32_t>(i);
+    region.clearance_m = std::max(region.clearance_m, clearance_m_[i]);
+  }
+  void note(std::uint32_t a, std::uint32_t b, std::uint32_t upright, std::uint32_t level) {
+    pairs.push_back({key_of(a - 1, b - 1), upright, level, 0.0F});
+  }
+  /// From the centres of cells to their sides.
+  void pad_boxes() {
+    const double half = 0.5 * map_.resolution_m * (std::abs(frame_.cos) + std::abs(frame_.sin));
+    for (Region& region : regions) {
+      region.box.min -= types::Vector2(half, half);
+      region.box.max += types::Vector2(half, half);
+    }
+  }
+
+  const DenseMap& map_;
+  std::span<const float> clearance_m_;
+  const std::vector<std::uint32_t>& labels_;
+  const CompassFrame& frame_;
+
+ public:
+  std::vector<Region> regions;
+  std::vector<Pair> pairs;
+};
+
+/// First label met from `p` on in the given direction: beyond the wall's thickness there is what it bounds.
+std::uint32_t label_beside(const DenseMap& map, const std::vector<std::uint32_t>& labels,
+                           const types::Vector2& p, const types::Vector2& direction) {
+  constexpr double kReachM = 0.40;
+  for (double d = 0.5 * map.resolution_m; d <= kReachM; d += map.resolution_m) {
+    const grid::CellIndex cell = map.cell_at(p + d * direction);
+    if (!map.contains(cell)) return 0;
+    if (const std::uint32_t label = labels[map.index(cell)]; label != 0) return label;
+  }
+  return 0;
+}
+
+void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels,
+                std::span<const types::Segment> walls, std::vector<Pair>& pairs) {
+  constexpr double kStepM = 0.10;
+  for (const types::Segment& wall : walls) {
+    const double length_m = wall.length_m();
+    if (!(length_m > 0.0) || !std::isfinite(length_m)) continue;
+    const types::Vector2 along = (wall.b - wall.a) / length_m, across(-along.y(), along.x());
+    for (double d = 0.5 * kStepM; d < length_m; d += kStepM) {
+      const types::Vector2 p = wall.a + d * along;
+      const std::uint32_t a = label_beside(map, labels, p, across), b = label_beside(map, labels, p, -across);
+      if (a != 0 && b != 0 && a != b)
+        pairs.push_back({key_of(a - 1, b - 1), 0, 0, static_cast<float>(kStepM)});
+    }
+  }
+}
+
+void add_contacts(std::vector<Pair>& pairs, std::vector<Region>& regions) {
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.key < b.key; });
+  for (std::size_t k = 0; k < pairs.size();) {
+    Contact contact;
+    const std::uint64_t key = pairs[k].key;
+    for (; k < pairs.size() && pairs[k].key == key; ++k) {
+      contact.upright += pairs[k].upright;
+      contact.level += pairs[k].level;
+      contact.wall_m += pairs[k].wall_m;
+    }
+    const auto a = static_cast<std::uint32_t>(key >> 32U), b = static_cast<std::uint32_t>(key);
+    contact.other = b;
+    regions[a].contacts.push_back(contact);
+    contact.other = a;
+    regions[b].contacts.push_back(contact);
+  }
+}
+
+void add_contact(Region& region, const Contact& contact) {
+  for (Contact& known : region.contacts) {
+    if (known.other != contact.other) continue;
+    known.upright += contact.upright;
+    known.level += contact.level;
+    known.wall_m += contact.wall_m;
+    return;
+  }
+  region.contacts.push_back(contact);
+}
+
+void drop_contact(Region& region, std::uint32_t other) {
+  std::erase_if(region.contacts, [&](const Contact& c) { return c.other == other; });
+}
+
+}  // namespace
+
+std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clearance_m,
+                               const FirstLabels& first, std::span<const types::Segment> walls,
+                               const CompassFrame& frame) {
+  CellPass pass(map, clearance_m, first, frame);
+  pass.run();
+  note_walls(map, first.labels, walls, pass.pairs);
+  add_contacts(pass.pairs, pass.regions);
+  return std::move(pass.regions);
+}
+
+void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from) {
+  Region &a = regions[into], &b = regions[from];
+  a.box.extend(b.box.min);
+  a.box.extend(b.box.max);
+  a.sum += b.sum;
+  a.cells += b.cells;
+  a.first = std::min(a.first, b.first);
+  a.clearance_m = std::max(a.clearance_m, b.clearance_m);
+  ++a.version;
+  b.cells = 0;
+  drop_contact(a, from);
+  for (Contact contact : b.contacts) {
+    if (contact.other == into) continue;
+    add_contact(a, contact);
+    Region& third = regions[contact.other];
+    drop_contact(third, from);
+    contact.other = into;
+    add_contact(third, contact);
+  }
+  b.contacts.clear();
+}
+
+}  // namespace topo::places

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+#include "core/places/box_counts.hpp"
+#include "core/places/first_labels.hpp"
+#include "core/types/geometry.hpp"
+
+namespace topo::places {
+
+/// What lies between one region and another.
+struct Contact {
+  std::uint32_t other = 0;
+  std::uint32_t upright = 0;  ///< pairs of cells side by side across the border
+  std::uint32_t level = 0;    ///< pairs of cells one above the other
+  float wall_m = 0.0F;        ///< length of wall with one of them on each side
+
+  /// Of the open border, in cells; a slanted one is a staircase of both kinds.
+  [[nodiscard]] double border() const {
+    return std::hypot(static_cast<double>(upright), static_cast<double>(level));
+  }
+};
+
+/// Free space with one label, and all that the reduction must know of it.
+struct Region {
+  types::Rectangle box;              ///< in the compass frame
+  types::Vector2 sum{0.0, 0.0};      ///< of its cells' centres in map
+  std::uint32_t cells = 0;           ///< 0: gone into another region
+  std::uint32_t first = UINT32_MAX;  ///< its lowest cell
+  float clearance_m = 0.0F;          ///< at its clearest
+  std::uint32_t version = 0;         ///< counts the merges
+  std::vector<Contact> contacts;
+};
+
+/// Regions of the first labels with their contacts; walls as in segment_places.
+std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
+                               const FirstLabels& first, std::span<const types::Segment> walls,
+                               const CompassFrame& frame);
+
+/// Moves everything of region `from` to region `into`.
+void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from);
+
+}  // namespace topo::places

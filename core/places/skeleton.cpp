@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/places/skeleton.hpp"
+
+#include <cassert>
+
+#include "core/places/skeleton_graph.hpp"
+#include "core/places/thinning.hpp"
+
+namespace topo::places {
+namespace {
+
+/// How far the disc around the edge's end sticks out beyond the one around its junction.
+float protrusion_m(const Skeleton& skeleton, const SkeletonEdge& edge, std::uint32_t end) {
+  const SkeletonNode& tip = skeleton.nodes[end];
+  const SkeletonNode& junction = skeleton.nodes[edge.a == end ? edge.b : edge.a];
+  return edge.length_m + tip.clearance_m - junction.clearance_m;
+}
+
+/// Unevenness of walls makes short side branches, which say nothing of the disposition of free space. True
+/// when one was taken away.
+bool drop_spurs(const Skeleton& skeleton, double spur_m, Thinning& thinning) {
+  bool dropped = false;
+  for (const SkeletonEdge& edge : skeleton.edges) {
+    const bool a_ends = skeleton.nodes[edge.a].degree == 1, b_ends = skeleton.nodes[edge.b].degree == 1;
+    if (a_ends == b_ends) continue;  // between junctions, or all there is of a component
+    const std::uint32_t end = a_ends ? edge.a : edge.b;
+    if (static_cast<double>(protrusion_m(skeleton, edge, end)) > spur_m) continue;
+    for (const std::uint32_t i : skeleton.cells_of(edge)) thinning.marks[i] = 0;
+    for (const std::uint32_t i : skeleton.cells_of(skeleton.nodes[end])) thinning.marks[i] = 0;
+    dropped = true;
+  }
+  if (dropped) std::erase_if(thinning.remain, [&](std::uint32_t i) { return thinning.marks[i] == 0; });
+  return dropped;
+}
+
+}  // namespace
+
+Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m,
+                     const SkeletonParams& params) {
+  assert(clearance_m.size() == map.cells.size());
+  Skeleton skeleton;
+  Thinning thinning = thin_to_ridge(map, clearance_m);
+  GraphTracer tracer(map, clearance_m);
+  // Without its spurs a junction may be none any more, and what it was an end of a spur itself.
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    thin_to_lines(map, thinning);
+    tracer.trace(thinning, skeleton);
+    if (round + 1 == kRounds || !drop_spurs(skeleton, params.spur_m, thinning)) break;
+  }
+  skeleton.on = std::move(thinning.marks);
+  for (auto& on : skeleton.on) on &= Thinning::kOn;
+  return skeleton;
+}
+
+}  // namespace topo::places
