@@ -20,6 +20,7 @@ struct GoalParams {
   double centroid_ratio = 0.35;   ///< of a place's half extent: nearer to the centroid is dropped
   double separation_m = 1.0;      ///< of two goals
   double visited_radius_m = 1.0;  ///< the pose-history filter (paper section II-E)
+  double pocket_m2 = 0.5;         ///< enclosed unknown space smaller than this is no room
 };
 
 /// What the filters look at. Spans are borrowed for the call.
@@ -32,7 +33,9 @@ struct GoalInput {
 };
 
 /// The handful of paper section II-E: candidates on the sides of every place's box, then the stack of
-/// filters, each a function of its own (filters.hpp).
+/// filters, each a function of its own (filters.hpp). The candidate of a side stands not at its midpoint but
+/// at the openings there (openings.hpp); a side without any has one at its midpoint, which is rejected.
+/// Goals in the order of places and sides. Does not depend on the order of `visited` but for its steps.
 GoalSet essential_goals(const GoalInput& input, const GoalParams& params = {});
 
 }  // namespace topo::goals

@@ -107,12 +107,23 @@ void spread(const DenseMap& map, std::span<const std::ptrdiff_t> offsets, std::v
   }
 }
 
+constexpr std::uint32_t kBarred = UINT32_MAX;
+
+/// Sets the array's outermost cells: what spreads need not ask where the array ends.
+void bar_border(const DenseMap& map, std::uint32_t label, std::vector<std::uint32_t>& labels) {
+  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
+  for (std::size_t x = 0; x < width; ++x) labels[x] = labels[(height - 1) * width + x] = label;
+  for (std::size_t y = 0; y < height; ++y) labels[y * width] = labels[y * width + width - 1] = label;
+}
+
 }  // namespace
 
 FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
                          double piece_m) {
   FirstLabels first{std::vector<std::uint32_t>(map.cells.size(), 0), 0};
+  if (map.cells.empty()) return first;
   first.pieces = AxisLabels(map, clearance_m, skeleton, piece_m, first.labels).give();
+  bar_border(map, kBarred, first.labels);
   // From the lowest cell on, whatever the numbers of nodes: the order decides between labels equally near.
   std::vector<std::uint32_t> queue = skeleton.axis;
   std::sort(queue.begin(), queue.end());
@@ -121,6 +132,7 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   // Not over corners at first: a wall that is one cell thick and slanted is open there.
   spread(map, sides, first.labels, queue);
   spread(map, around, first.labels, queue);
+  bar_border(map, 0, first.labels);
   return first;
 }
 

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/goals/filters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/places/box_counts.hpp"
+
+namespace topo::goals {
+namespace {
+
+using grid::CellState;
+using places::CompassFrame;
+
+/// Outward direction of a side, in the compass frame.
+types::Vector2 outward(Side side) {
+  switch (side) {
+    case Side::kEast:
+      return {1.0, 0.0};
+    case Side::kNorth:
+      return {0.0, 1.0};
+    case Side::kWest:
+      return {-1.0, 0.0};
+    case Side::kSouth:
+      return {0.0, -1.0};
+    case Side::kNone:
+      break;
+  }
+  return {0.0, 0.0};
+}
+
+/// A goal's distance from its place's centroid, in half extents.
+double reach_of(const places::PlaceMap& places, const Goal& goal) {
+  const places::Place& place = places.places[goal.place - 1U];
+  const types::Vector2 side = place.box.max - place.box.min;
+  const bool upright = goal.side == Side::kEast || goal.side == Side::kWest;
+  const double across = upright ? side.x() : side.y(), along = upright ? side.y() : side.x();
+  const double half = 0.5 * std::max(side.x(), side.y());
+  if (along > 2.0 * across) return 0.5 * across / half;
+  return (goal.p_map - place.centroid).norm() / half;
+}
+
+}  // namespace
+
+bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side) {
+  constexpr double kReachM = 0.5;
+  const types::Vector2 middle = side_midpoint(input.places, place, side);
+  const types::Vector2 out = CompassFrame(input.places.compass_rad).to_map(outward(side));
+  for (double d = -kReachM; d <= kReachM; d += input.map.resolution_m) {
+    const grid::CellIndex cell = input.map.cell_at(middle + d * out);
+    if (!input.map.contains(cell)) continue;
+    const std::uint16_t label = input.places.labels[input.map.index(cell)];
+    if (label != 0 && label != place) return true;
+  }
+  return false;
+}
+
+bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params) {
+  constexpr double kReachM = 1.2;
+  const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
+  const int side = 2 * reach + 1;
+  const grid::CellIndex centre = map.cell(opening.middle);
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
+  std::vector<grid::CellIndex> queue;
+  bool leaves = false;
+  const auto visit = [&](grid::CellIndex c) {
+    if (map.state(c) != CellState::kUnknown) return;
+    const int u = c.x - centre.x + reach, v = c.y - centre.y + reach;
+    if (u < 0 || v < 0 || u >= side || v >= side) {
+      leaves = true;
+      return;
+    }
+    std::uint8_t& mark = seen[static_cast<std::size_t>(v * side + u)];
+    if (mark == 0) queue.push_back(c);
+    mark = 1;
+  };
+  const auto visit_sides = [&](grid::CellIndex c) {
+    visit({c.x + 1, c.y});
+    visit({c.x, c.y + 1});
+    visit({c.x - 1, c.y});
+    visit({c.x, c.y - 1});
+  };
+  for (const std::uint32_t i : opening.cells) {
+    const grid::CellIndex c = map.cell(i);
+    if (std::abs(c.x - centre.x) < reach && std::abs(c.y - centre.y) < reach) visit_sides(c);
+  }
+  const double least = params.pocket_m2 / (map.resolution_m * map.resolution_m);
+  for (std::size_t next = 0; next < queue.size() && !leaves; ++next) visit_sides(queue[next]);
+  return leaves || static_cast<double>(queue.size()) >= least;
+}
+
+void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
+                        const GoalParams& params) {
+  double furthest = 0.0;
+  for (const Goal& goal : goals_of_place) furthest = std::max(furthest, reach_of(places, goal));
+  for (Goal& goal : goals_of_place) {
+    const double reach = reach_of(places, goal);
+    if (reach < params.centroid_ratio && reach < 0.7 * furthest) goal.verdict = Verdict::kNearCentroid;
+  }
+}
+
+void drop_duplicates(std::span<Goal> goals, const GoalParams& params) {
+  std::vector<Goal*> by_width;
+  for (Goal& goal : goals) {
+    if (goal.verdict == Verdict::kAccepted) by_width.push_back(&goal);
+  }
+  std::stable_sort(by_width.begin(), by_width.end(),
+                   [](const Goal* a, const Goal* b) { return a->opening_m > b->opening_m; });
+  for (std::size_t k = 1; k < by_width.size(); ++k) {
+    for (std::size_t better = 0; better < k; ++better) {
+      if (by_width[better]->verdict != Verdict::kAccepted ||
+          (by_width[better]->p_map - by_width[k]->p_map).norm() >= params.separation_m)
+        continue;
+      by_width[k]->verdict = Verdict::kDuplicate;
+      break;
+    }
+  }
+}
+
+bool is_visited(const Goal& goal, std::span<const types::Vector2> visited, const GoalParams& params) {
+  const bool wide = goal.opening_m >= 2.0 * params.opening_min_m;
+  double travelled_m = 0.0;
+  bool was_near = false;
+  for (std::size_t k = 0; k < visited.size(); ++k) {
+    const bool near = (visited[k] - goal.p_map).norm() < params.visited_radius_m;
+    if (near && !wide) return true;
+    if (near && was_near) travelled_m += (visited[k] - visited[k - 1]).norm();
+    was_near = near;
+  }
+  return travelled_m >= 1.2 * params.visited_radius_m;
+}
+
+}  // namespace topo::goals

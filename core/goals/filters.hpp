@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/goals/essential_goals.hpp"
+#include "core/goals/openings.hpp"
+
+namespace topo::goals {
+
+/// Internal boundaries: is there another place right behind the middle of this side?
+bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side);
+
+/// Opening check: unknown space that goes on for more than a metre, or is a pocket of at least pocket_m2.
+/// Shadows behind furniture are less.
+bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params);
+
+/// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening
+/// and is not in `taken` (to which it is added); else up the distance field until clear_m or the axis. Where
+/// that ends too narrow, the nearest cell through free space with robot_radius_m of clearance; nothing when
+/// there is none within reach.
+std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
+                                    std::vector<bool>& taken);
+
+/// Centroid filter over the goals of one place: what is nearer to the centroid than centroid_ratio of the
+/// half extent is dropped where another goal of the place is further out. Of a place more than twice as long
+/// as wide, what stands on a long side counts as at that side's midpoint, where the paper has it.
+void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
+                        const GoalParams& params);
+
+/// Of two accepted goals within separation_m the one with the wider opening stays.
+void drop_duplicates(std::span<Goal> goals, const GoalParams& params);
+
+/// Pose-history filter: has a robot been there? For an opening of less than twice the least width one pose
+/// within visited_radius_m is enough (paper: partial views through openings that a robot cannot enter). For
+/// a wider one the path must go 1.2 times that far within it: a start with unknown space in the scanner's
+/// blind sector behind the robot must not count as a visit.
+bool is_visited(const Goal& goal, std::span<const types::Vector2> visited, const GoalParams& params);
+
+}  // namespace topo::goals

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/goals/goal.hpp"
+
+namespace topo::goals {
+
+std::string_view to_text(Side side) {
+  switch (side) {
+    case Side::kEast:
+      return "east";
+    case Side::kNorth:
+      return "north";
+    case Side::kWest:
+      return "west";
+    case Side::kSouth:
+      return "south";
+    case Side::kNone:
+      break;
+  }
+  return "none";
+}
+
+std::string_view to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kAccepted:
+      return "accepted";
+    case Verdict::kInternal:
+      return "leads to another known place";
+    case Verdict::kNoOpening:
+      return "no unknown space behind it that a robot could enter";
+    case Verdict::kNearCentroid:
+      return "on a long side of its place, which has goals further out";
+    case Verdict::kDuplicate:
+      return "another goal nearby is as good";
+    case Verdict::kVisited:
+      return "a robot was there already";
+    case Verdict::kOutOfBounds:
+      return "in or behind a forbidden area";
+  }
+  return "unknown";
+}
+
+}  // namespace topo::goals

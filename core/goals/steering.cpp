@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/goals/filters.hpp"
+
+namespace topo::goals {
+namespace {
+
+using grid::CellIndex;
+using grid::CellState;
+using grid::DenseMap;
+
+constexpr std::array<CellIndex, 8> kAround = {
+    {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+/// Is everything free on the straight line between two cells' centres?
+bool sees(const DenseMap& map, CellIndex a, CellIndex b) {
+  const int steps = 2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+  const types::Vector2 from = map.centre_of(a), step = (map.centre_of(b) - from) / std::max(steps, 1);
+  for (int k = 1; k < steps; ++k) {
+    if (map.state(map.cell_at(from + k * step)) != CellState::kFree) return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> free_node(const GoalInput& input, CellIndex from, const GoalParams& params,
+                                     const std::vector<bool>& taken) {
+  const types::Vector2 p = input.map.centre_of(from);
+  std::optional<std::size_t> best;
+  double best_m = params.node_reach_m;
+  for (std::size_t n = 0; n < input.skeleton.nodes.size(); ++n) {
+    const places::SkeletonNode& node = input.skeleton.nodes[n];
+    if (taken[n] || static_cast<double>(node.clearance_m) < params.robot_radius_m) continue;
+    const double away_m = (input.map.centre_of(node.cell) - p).norm();
+    if (away_m >= best_m || !sees(input.map, from, node.cell)) continue;
+    best = n;
+    best_m = away_m;
+  }
+  return best;
+}
+
+/// Up the distance field until it is clear or the axis is hit.
+CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params) {
+  CellIndex here = from;
+  while (true) {
+    const std::size_t i = input.map.index(here);
+    const auto clear_m = static_cast<double>(input.clearance_m[i]);
+    if (clear_m >= params.clear_m || (input.skeleton.on[i] != 0 && clear_m >= params.robot_radius_m))
+      return here;
+    CellIndex best = here;
+    for (const CellIndex by : kAround) {
+      const CellIndex next{here.x + by.x, here.y + by.y};
+      if (input.map.state(next) == CellState::kFree &&
+          input.clearance_m[input.map.index(next)] > input.clearance_m[input.map.index(best)])
+        best = next;
+    }
+    if (best == here) return here;
+    here = best;
+  }
+}
+
+/// The cell with room for the robot that is nearest through free space.
+std::optional<CellIndex> nearest_room(const GoalInput& input, CellIndex from, const GoalParams& params) {
+  constexpr double kReachM = 2.0;
+  const int reach = static_cast<int>(std::lround(kReachM / input.map.resolution_m));
+  const int side = 2 * reach + 1;
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
+  std::vector<CellIndex> queue = {from};
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const CellIndex here = queue[next];
+    if (static_cast<double>(input.clearance_m[input.map.index(here)]) >= params.robot_radius_m) return here;
+    for (const CellIndex by : kAround) {
+      const CellIndex c{here.x + by.x, here.y + by.y};
+      const int u = c.x - from.x + reach, v = c.y - from.y + reach;
+      if (u < 0 || v < 0 || u >= side || v >= side || input.map.state(c) != CellState::kFree) continue;
+      std::uint8_t& mark = seen[static_cast<std::size_t>(v * side + u)];
+      if (mark == 0) queue.push_back(c);
+      mark = 1;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
+                                    std::vector<bool>& taken) {
+  const CellIndex from = input.map.cell(opening.middle);
+  if (const auto node = free_node(input, from, params, taken)) {
+    taken[*node] = true;
+    return input.map.centre_of(input.skeleton.nodes[*node].cell);
+  }
+  const CellIndex up = climb(input, from, params);
+  if (static_cast<double>(input.clearance_m[input.map.index(up)]) >= params.robot_radius_m)
+    return input.map.centre_of(up);
+  const auto room = nearest_room(input, from, params);
+  return room ? std::optional(input.map.centre_of(*room)) : std::nullopt;
+}
+
+}  // namespace topo::goals
