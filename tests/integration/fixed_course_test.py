@@ -60,33 +60,8 @@ def wait_for(condition, seconds, what):
     raise AssertionError("%s did not come within %g s" % (what, seconds))
 
 
-def compose(a, b):
-    c, s = math.cos(a[2]), math.sin(a[2])
-    return a[0] + c * b[0] - s * b[1], a[1] + s * b[0] + c * b[1], a[2] + b[2]
-
-
-def inverse(a):
-    c, s = math.cos(a[2]), math.sin(a[2])
-    return -c * a[0] - s * a[1], s * a[0] - c * a[1], -a[2]
-
-
 def wrap(angle):
     return math.atan2(math.sin(angle), math.cos(angle))
-
-
-def read_poses(path):
-    rows = [tuple(map(float, line.split())) for line in path.read_text().splitlines() if line[:1] not in ("", "#", "t")]
-    return [(row[0], row[1:4]) for row in rows]
-
-
-def pose_at(poses, stamp):
-    """Between the two samples around the stamp; none where there are none."""
-    after = next((i for i, (t, _) in enumerate(poses) if t >= stamp), None)
-    if after is None or after == 0:
-        return None
-    (t0, a), (t1, b) = poses[after - 1], poses[after]
-    k = (stamp - t0) / (t1 - t0)
-    return a[0] + k * (b[0] - a[0]), a[1] + k * (b[1] - a[1]), a[2] + k * wrap(b[2] - a[2])
 
 
 def steer(pose, target):
@@ -151,21 +126,12 @@ class FixedCourse(unittest.TestCase):
                 time.sleep(0.05)
         client.call("stop")
 
-    def error_of(self, trajectory, truth):
-        """Root mean square and worst distance of the keyframes from the truth, laid on it by the best rigid motion."""
-        pairs = [(pose, pose_at(truth, stamp)) for stamp, pose in trajectory]
-        pairs = [(a, b) for a, b in pairs if b is not None]
-        self.assertGreater(len(pairs), 10)
-        n = len(pairs)
-        ax, ay = sum(a[0] for a, _ in pairs) / n, sum(a[1] for a, _ in pairs) / n
-        bx, by = sum(b[0] for _, b in pairs) / n, sum(b[1] for _, b in pairs) / n
-        cross = sum((a[0] - ax) * (b[1] - by) - (a[1] - ay) * (b[0] - bx) for a, b in pairs)
-        dot = sum((a[0] - ax) * (b[0] - bx) + (a[1] - ay) * (b[1] - by) for a, b in pairs)
-        turn = math.atan2(cross, dot)
-        c, s = math.cos(turn), math.sin(turn)
-        errors = [math.hypot(c * (a[0] - ax) - s * (a[1] - ay) - (b[0] - bx), s * (a[0] - ax) + c * (a[1] - ay) - (b[1] - by))
-                  for a, b in pairs]
-        return math.sqrt(sum(e * e for e in errors) / n), max(errors)
+    def judge(self, saved):
+        done = subprocess.run([str(BIN / "topobench"), "judge", "--world", str(SOURCE / "config/worlds/course.toml"),
+                               "--map", str(saved / "map.yaml"), "--truth", str(self.folder / "truth.tsv"), "--json"],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
 
     def test_the_map_agrees_with_the_truth(self):
         simulator, addresses = self.start_simulator()
@@ -187,12 +153,13 @@ class FixedCourse(unittest.TestCase):
         self.assertEqual(simulator.wait(5.0), 0)
 
         self.assertEqual(status["map"]["scans_lost"], 0)
-        rms, worst = self.error_of(read_poses(saved / "trajectory.txt"), read_poses(self.folder / "truth.tsv"))
-        print("keyframes against the truth: rmse %.3f m, worst %.3f m; %s; %s" %
-              (rms, worst, json.dumps(status["map"]), json.dumps(latency)), file=sys.stderr)
+        found = self.judge(saved)
+        print("keyframes against the truth: %s; %s; %s" % (json.dumps(found), json.dumps(status["map"]), json.dumps(latency)),
+              file=sys.stderr)
         self.keep(saved)
-        self.assertLess(rms, 0.08)
-        self.assertLess(worst, 0.25)
+        self.assertGreater(found["poses"], 10)
+        self.assertLess(found["ate_fitted_rmse_m"], 0.08)
+        self.assertLess(found["ate_fitted_worst_m"], 0.25)
         for name in ("map.pgm", "map.yaml", "cloud.ply"):
             self.assertGreater((saved / name).stat().st_size, 100, name)
 

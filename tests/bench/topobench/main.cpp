@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tests/bench/topobench/explore/explore_command.hpp"
+#include "tests/bench/topobench/judge/judge_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
 
 namespace {
@@ -40,6 +41,18 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
   app.add_flag("--json", explore.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
+  app.add_option("--world", judge.world, "The building, as toposim --world has it")->required();
+  app.add_option("--map", judge.map, "map.yaml that topoctl map save wrote; trajectory.txt lies beside it")
+      ->required();
+  app.add_option("--truth", judge.truth, "What toposim --truth wrote")->required();
+  app.add_option("--start", judge.start,
+                 "X,Y,THETA of the map's origin in the building; else the first true pose")
+      ->delimiter(',');
+  app.add_option("--picture", judge.picture, "PNG of walls, covered area and path");
+  app.add_flag("--json", judge.json, "One JSON object on one line");
+}
+
 int finish(const topo::types::Status& done) {
   if (done) return 0;
   fmt::print(stderr, "topobench: {}\n", done.error().message);
@@ -65,11 +78,17 @@ int main(int argc, char** argv) {
   CLI::App* explore_app =
       app.add_subcommand("explore", "Explore a simulated building in lock-step, faster than real time");
   add_options(*explore_app, explore);
+  topo::bench::JudgeCommand judge;
+  CLI::App* judge_app =
+      app.add_subcommand("judge", "Hold a saved map against the building and the true path");
+  add_options(*judge_app, judge);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return finish(*slam_app ? topo::bench::run_slam(slam) : topo::bench::run_explore(explore));
+  if (*slam_app) return finish(topo::bench::run_slam(slam));
+  if (*explore_app) return finish(topo::bench::run_explore(explore));
+  return finish(topo::bench::run_judge(judge));
 }

@@ -10,17 +10,14 @@
 
 #include "daemon/mapfile/atomic_file.hpp"
 #include "tests/bench/topobench/explore/coverage_plot.hpp"
+#include "tests/bench/topobench/judge/path_error.hpp"
 #include "tests/bench/topobench/output.hpp"
-#include "tests/sim/picture.hpp"
+#include "tests/bench/topobench/overview.hpp"
 
 namespace topo::bench {
 namespace {
 
 using nlohmann::json;
-
-constexpr sim::Colour kUnseen{240, 170, 170};
-constexpr sim::Colour kSeen{170, 225, 170};
-constexpr sim::Colour kGoal{230, 120, 0};
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
@@ -34,14 +31,12 @@ json quantiles_ms(std::vector<double> values) {
   return {{"mean", mean}, {"p99", values[p99]}, {"max", values.back()}};
 }
 
-/// Root mean square distance between estimate and truth with the map laid on the true start.
+/// With the map laid on the building by the true start.
 double ate_rmse_m(const RunSetup& setup, const RunResult& result) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < result.truth.size(); ++i) {
-    const types::Se2 estimate = setup.plant.start * result.estimate[i];
-    sum += (estimate.translation() - result.truth[i].translation()).squaredNorm();
-  }
-  return result.truth.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(result.truth.size()));
+  std::vector<PosePair> pairs;
+  for (std::size_t i = 0; i < result.truth.size(); ++i)
+    pairs.push_back({result.estimate[i], result.truth[i]});
+  return path_error(pairs, setup.plant.start).rmse_m;
 }
 
 json coverage_list(const RunResult& result) {
@@ -70,26 +65,10 @@ std::string poses_text(const RunSetup& setup, const RunResult& result) {
   return text;
 }
 
-sim::Picture overview(const sim::World& world, const RunSetup& setup, const RunResult& result,
-                      const sim::Raster& visible) {
-  sim::Picture picture(world.extents(), 0.025);
-  sim::Raster unseen = visible;
-  for (std::size_t i = 0; i < unseen.cells.size(); ++i) {
-    if (result.covered.cells[i] != 0) unseen.cells[i] = 0;
-  }
-  picture.tint(unseen, kUnseen);
-  picture.tint(result.covered, kSeen);
-  picture.world(world);
-  picture.path(result.truth, sim::kTruthInk);
-  types::Vector2 before = setup.plant.start.translation();
-  for (const IssuedGoal& goal : result.goals) {
-    const types::Vector2 p = setup.plant.start * goal.p_map;
-    picture.line(before, p, kGoal);
-    picture.dot(p, kGoal, 5);
-    before = p;
-  }
-  picture.dot(setup.plant.start.translation(), sim::kScanInk, 8);
-  return picture;
+std::vector<types::Vector2> goals_in_building(const RunSetup& setup, const RunResult& result) {
+  std::vector<types::Vector2> goals;
+  for (const IssuedGoal& goal : result.goals) goals.push_back(setup.plant.start * goal.p_map);
+  return goals;
 }
 
 }  // namespace
@@ -138,8 +117,9 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
 types::Status write_run_files(const std::filesystem::path& folder, const sim::World& world,
                               const RunSetup& setup, const RunResult& result, const sim::Raster& visible) {
   if (auto made = make_folder(folder); !made) return made;
-  if (auto saved = overview(world, setup, result, visible).save_png(folder / "explore.png"); !saved)
-    return saved;
+  const auto goals = goals_in_building(setup, result);
+  const sim::Picture picture = overview(world, {visible, result.covered, result.truth, goals});
+  if (auto saved = picture.save_png(folder / "explore.png"); !saved) return saved;
   if (auto saved = coverage_plot(result).save_png(folder / "coverage.png"); !saved) return saved;
   if (auto saved = daemon::write_file((folder / "decisions.txt").string(), decisions_text(result)); !saved)
     return saved;
