@@ -19,14 +19,20 @@ struct PlanningState::Impl {
   void take_mission(const PlanningInput& in);
   void locate(const PlanningInput& in);
   void watch_battery(const PlanningInput& in);
+  [[nodiscard]] bool route_holds(const PlanningInput& in) const;
+  void trim_route();
+  void think(const PlanningInput& in);
   void decide(const PlanningInput& in);
   [[nodiscard]] std::unique_ptr<PlanningReport> make_report(const PlanningInput& in) const;
-  void make_plan(const PlanningInput& in, Plan& plan);
+  void find_route();
+  void make_plan(const PlanningInput& in, Plan& plan) const;
 
   // The map as it is for travelling (planning_map.cpp).
   void refresh_map(const PlanningInput& in);
   void refresh_analysis(const PlanningInput& in);
   void refresh_travel(const PlanningInput& in);
+  /// What stands within a few metres now, seen or bumped into.
+  [[nodiscard]] std::vector<types::Vector2> obstacles_now(const PlanningInput& in) const;
 
   // Where to (planning_goals.cpp).
   void explore(const PlanningInput& in);
@@ -84,7 +90,9 @@ struct PlanningState::Impl {
   std::uint64_t blamed_goal = 0;
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;
-  std::vector<types::Vector2> route;
+  std::vector<types::Vector2> route;  ///< to the target, in map
+  types::Stamp thought{};             ///< when it was found
+  types::Transform2<types::Map, types::Odom> thought_in;
   int clusters = 0;
   std::uint64_t goals_issued = 0, decisions_made = 0, clusters_sum = 0, goals_sum = 0;
 };

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/planning_step.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "core/grid/distance.hpp"
 #include "core/pipeline/path.hpp"
 #include "core/pipeline/planning_state.hpp"
 
@@ -14,6 +15,27 @@ namespace {
 constexpr types::Duration kTrackedAgeMax = std::chrono::seconds(1);
 constexpr types::Duration kControlAgeMax = std::chrono::milliseconds(500);
 constexpr types::Duration kBatteryLowFor = std::chrono::seconds(10);
+// A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
+constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
+constexpr double kOffRoute_m = 0.4;
+constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
+constexpr double kCorrection_rad = 0.03;
+constexpr double kLookAhead_m = 3.0;
+
+bool corrected(const types::Transform2<types::Map, types::Odom>& before,
+               const types::Transform2<types::Map, types::Odom>& now) {
+  const types::Se2 change = before.se2().inverse() * now.se2();
+  return change.translation().norm() > kCorrection_m || std::abs(change.theta_rad) > kCorrection_rad;
+}
+
+/// Index of the point of the path's beginning that is nearest to the robot.
+std::size_t nearest_point(const std::vector<types::Vector2>& path, const types::Vector2& here) {
+  const auto end = path.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(path.size(), 30));
+  const auto nearest = std::min_element(path.begin(), end, [&](const auto& a, const auto& b) {
+    return (a - here).squaredNorm() < (b - here).squaredNorm();
+  });
+  return static_cast<std::size_t>(nearest - path.begin());
+}
 
 /// Why nothing can be planned; null when it can.
 const char* missing(const PlanningInput& in) {
@@ -48,6 +70,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   blocked.clear();
   open_goals.clear();
   route.clear();
+  thought = {};
   if (mission.order == Order::kExplore) {
     decisions.clear();
     goals_issued = decisions_made = clusters_sum = goals_sum = 0;
@@ -91,17 +114,61 @@ void PlanningState::Impl::decide(const PlanningInput& in) {
   }
 }
 
-void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) {
+/// Is the last decision still good: nothing happened, and nothing stands in the way?
+bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
+  if (!has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds) return false;
+  if (battery_low && !returning) return false;
+  if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
+  if (corrected(thought_in, T_map_odom)) return false;
+  const types::Vector2 here = T_map_base.se2().translation();
+  if ((route.back() - here).norm() <= params.goal_reached_m) return false;
+  const std::size_t from = nearest_point(route, here);
+  if ((route[from] - here).norm() > kOffRoute_m) return false;
+  const auto ahead = static_cast<std::ptrdiff_t>(
+      std::min(route.size(), from + static_cast<std::size_t>(kLookAhead_m / 0.1)));
+  const double closed_m = params.travel.radius_m - map.resolution_m;
+  for (const types::Vector2& obstacle : obstacles_now(in)) {
+    if ((obstacle - here).norm() <= closed_m) continue;  // there already
+    const bool in_the_way = std::any_of(
+        route.begin() + static_cast<std::ptrdiff_t>(from), route.begin() + ahead,
+        [&](const types::Vector2& p) { return (p - obstacle).squaredNorm() < closed_m * closed_m; });
+    if (in_the_way) return false;
+  }
+  return true;
+}
+
+void PlanningState::Impl::trim_route() {
+  const auto passed = static_cast<std::ptrdiff_t>(nearest_point(route, T_map_base.se2().translation()));
+  route.erase(route.begin(), route.begin() + passed);
+}
+
+void PlanningState::Impl::find_route() {
+  route.clear();
+  if (ended || !has_target) return;
+  const auto cells = grid::route_to(map, field, target);
+  route = smooth_path(map, travel_clearance_m, cells, params.travel.preferred_m);
+}
+
+/// Everything anew: map, analysis, goal, route.
+void PlanningState::Impl::think(const PlanningInput& in) {
+  thought = in.now;
+  thought_in = T_map_odom;
+  refresh_map(in);
+  refresh_analysis(in);
+  if (ended || mission.paused) return;
+  refresh_travel(in);
+  decide(in);
+  find_route();
+}
+
+void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) const {
   plan.stamp = in.now;
   plan.sequence = sequence;
   plan.goal_id = goal_id;
   plan.activity = activity;
   plan.T_map_odom = T_map_odom;
-  route.clear();
-  if (ended || mission.paused || !has_target) return;
-  const auto cells = grid::route_to(map, field, target);
-  route = smooth_path(map, travel_clearance_m, cells, params.travel.preferred_m);
-  plan.moving = route.size() > 1;
+  if (ended || mission.paused || !has_target || route.size() < 2) return;
+  plan.moving = true;
   put_path(route, T_map_odom, plan);
 }
 
@@ -133,32 +200,28 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
 
 PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   ++sequence;
-  PlanningOutput out;
   take_mission(in);
   if (const char* what = missing(in); what != nullptr) {
     if (!ended) activity = Activity::kThinking;
     reason = what;
     has_target = false;
     last_progress = in.now;
-    out.plan.stamp = in.now;
-    out.plan.sequence = sequence;
-    out.plan.goal_id = goal_id;
-    out.plan.activity = activity;
   } else {
     locate(in);
     watch_battery(in);
-    refresh_map(in);
-    refresh_analysis(in);
-    if (!ended && !mission.paused) {
-      refresh_travel(in);
-      decide(in);
-    } else if (mission.paused && !ended) {
-      last_progress = in.now;
+    if (mission.paused && !ended) {
       activity = Activity::kPaused;
       reason = "paused by the operator";
+      last_progress = in.now;
+      thought = {};
     }
-    make_plan(in, out.plan);
+    if (!mission.paused && route_holds(in))
+      trim_route();
+    else
+      think(in);
   }
+  PlanningOutput out;
+  make_plan(in, out.plan);
   out.report = make_report(in);
   return out;
 }
