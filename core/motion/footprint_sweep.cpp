@@ -102,12 +102,21 @@ Vector2 nearest_in(const Footprint& f, const Vector2& p) {
   return end_reaches && (p - at_end).norm() < (p - at_side).norm() ? at_end : at_side;
 }
 
-/// Whether the gap to the footprint closes at more than a fifth of the point's relative speed.
-bool approaches(const Vector2& p, const Twist2& twist, const Footprint& f) {
-  constexpr double kClosing = 0.2;
+/// Whether the gap to the footprint closes at more than `part` of the point's relative speed.
+bool approaches(const Vector2& p, const Twist2& twist, const Footprint& f, double part) {
   const Vector2 gap = p - nearest_in(f, p);
   const Vector2 velocity{-twist.v_mps + twist.omega_radps * p.y(), -twist.omega_radps * p.x()};
-  return gap.dot(velocity) < -kClosing * gap.norm() * velocity.norm();
+  return gap.dot(velocity) < -part * gap.norm() * velocity.norm();
+}
+
+/// A point just within the outline: noise has it there, so it is next to the robot. Whatever does not come
+/// nearer to it may go on.
+double contact_time_at_rim_s(const Vector2& p, const Twist2& twist, const Footprint& f) {
+  constexpr double kNoise_m = 0.03;
+  constexpr double kNotAtAll = 1e-9;
+  const Footprint slim = grown(f, -kNoise_m);
+  if (contains(slim, p) || approaches(p, twist, slim, kNotAtAll)) return 0.0;
+  return contact_time_s(p, twist, slim);
 }
 
 }  // namespace
@@ -127,7 +136,9 @@ double contact_time_with_margin_s(const Vector2& p, const Twist2& twist, const F
                                   double margin_m) {
   const Footprint wide = grown(f, margin_m);
   if (!contains(wide, p)) return contact_time_s(p, twist, wide);
-  return approaches(p, twist, f) ? 0.0 : contact_time_s(p, twist, f);
+  if (contains(f, p)) return contact_time_at_rim_s(p, twist, f);
+  constexpr double kClosing = 0.2;
+  return approaches(p, twist, f, kClosing) ? 0.0 : contact_time_s(p, twist, f);
 }
 
 }  // namespace topo::motion

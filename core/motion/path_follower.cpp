@@ -105,6 +105,17 @@ double PathFollower::speed_on(double curvature, double margin_m, const FollowInp
   return std::min(v_mps, stoppable_mps(free_m, blind_s, l.deceleration_mps2));
 }
 
+/// What the gate leaves because a wheel may slip, on arcs as the last one.
+double PathFollower::slip_speed_mps(const FollowInput& in) const {
+  const RobotLimits& l = *in.limits;
+  double free_m = kNever_s;
+  for (const double slip : {l.slip_curvature_per_m, -l.slip_curvature_per_m})
+    for (const Vector2& p : in.obstacles_base)
+      free_m = std::min(free_m, contact_time_s(p, {1.0, last_curvature_ + slip}, l.footprint));
+  if (!std::isfinite(free_m)) return l.v_max_mps;
+  return std::max(l.v_beside_mps, stoppable_mps(free_m, kBlindSlack * in.alive_s, l.deceleration_mps2));
+}
+
 PathFollower::Arc PathFollower::rated(double curvature, double margin_m, double v_cap_mps,
                                       const FollowInput& in) const {
   Arc arc{curvature, std::min(v_cap_mps, speed_on(curvature, margin_m, in)), -1e9};
@@ -154,17 +165,18 @@ FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
 
 FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInput& in) {
   const RobotLimits& l = *in.limits;
-  const double v_cap_mps =
+  const double v_end_mps =
       in.ends_at_goal ? std::max(0.06, std::sqrt(1.2 * l.deceleration_mps2 * rest_m)) : l.v_max_mps;
+  const double v_cap_mps = std::min(v_end_mps, slip_speed_mps(in));
   const Vector2 ahead = in.T_odom_base.inverse() * point_at(here_.s_m + rules_.lookahead_m);
   const double pursuit = std::clamp(2.0 * ahead.y() / std::max(0.01, ahead.squaredNorm()), -4.0, 4.0);
   Arc best = best_arc(pursuit, l.margin_m + rules_.extra_margin_m, v_cap_mps, in);
-  constexpr double kSlow_mps = 0.2;
+  constexpr double kSlow_mps = 0.3;
   if (best.v_mps < kSlow_mps && best.v_mps < v_cap_mps) best = best_arc(pursuit, l.margin_m, v_cap_mps, in);
   FollowOutput out;
   out.turn_rad = turn_rad;
   // Crawling round a corner takes longer than to turn first.
-  if (best.v_mps < std::min(kSlow_mps, v_cap_mps) && std::abs(turn_rad) > rules_.turn_end_rad) {
+  if (best.v_mps < std::min(kSlow_mps, v_cap_mps) - 0.01 && std::abs(turn_rad) > rules_.turn_end_rad) {
     const FollowOutput turned = turn(turn_rad, in);
     turning_ = !turned.blocked;
     if (turning_) return turned;

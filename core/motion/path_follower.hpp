@@ -30,6 +30,7 @@ struct FollowInput {
   bool ends_at_goal = false;
   std::span<const types::Vector2> obstacles_base;
   double blind_s = 0.0;  ///< as the gate's blind_time_s()
+  double alive_s = 0.0;  ///< as the gate's alive_time_s()
   const RobotLimits* limits = nullptr;
 };
 
@@ -67,6 +68,7 @@ class PathFollower {
   [[nodiscard]] Station station(const types::Vector2& p, double from_m, double to_m) const;
   [[nodiscard]] types::Vector2 point_at(double s_m) const;
   [[nodiscard]] double speed_on(double curvature, double margin_m, const FollowInput& in) const;
+  [[nodiscard]] double slip_speed_mps(const FollowInput& in) const;
   [[nodiscard]] Arc rated(double curvature, double margin_m, double v_cap_mps, const FollowInput& in) const;
   [[nodiscard]] Arc best_arc(double pursuit, double margin_m, double v_cap_mps, const FollowInput& in) const;
   [[nodiscard]] FollowOutput drive(double turn_rad, double rest_m, const FollowInput& in);

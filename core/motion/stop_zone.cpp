@@ -11,6 +11,7 @@ namespace topo::motion {
 namespace {
 
 using types::Scan;
+using types::Twist2;
 using types::Vector2;
 
 constexpr std::size_t kBridgedBeams = 3;
@@ -177,8 +178,29 @@ double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const 
   if (!std::isfinite(twist.v_mps) || !std::isfinite(twist.omega_radps)) return 0.0;
   double free_s = kNever_s;
   const double keep_m = margin_m(twist, limits);
+  // Where the hull has just been nothing can be but newcomers: what is as near as the noise is no reason to
+  // stay.
+  constexpr double kNoise_m = 0.03;
+  const bool along_trail = around.backing_off && twist.v_mps < 0.0;
+  const Footprint slim = grown(limits.footprint, -kNoise_m);
   const auto shorten = [&](const Vector2& p) {
-    free_s = std::min(free_s, contact_time_with_margin_s(p, twist, limits.footprint, keep_m));
+    free_s = std::min(free_s, along_trail ? contact_time_s(p, twist, slim)
+                                          : contact_time_with_margin_s(p, twist, limits.footprint, keep_m));
+  };
+  for_each_echo(limits, around, shorten);
+  for_each_scan_point(limits, around, shorten);
+  return free_s;
+}
+
+double slip_free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around) {
+  if (!(twist.v_mps > 0.0)) return kNever_s;
+  double free_s = kNever_s;
+  const double turn_radps = limits.slip_curvature_per_m * twist.v_mps;
+  const Twist2 left{twist.v_mps, twist.omega_radps + turn_radps};
+  const Twist2 right{twist.v_mps, twist.omega_radps - turn_radps};
+  const auto shorten = [&](const Vector2& p) {
+    free_s = std::min(
+        {free_s, contact_time_s(p, left, limits.footprint), contact_time_s(p, right, limits.footprint)});
   };
   for_each_echo(limits, around, shorten);
   for_each_scan_point(limits, around, shorten);

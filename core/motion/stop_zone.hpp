@@ -42,6 +42,10 @@ double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_
 /// mixed pixel at an edge and does not count: at 0.7 m anything of 1 cm is hit by three beams.
 double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around);
 
+/// The same without margin for the two arcs on which a slipping wheel may take a robot that drives forwards
+/// (limits.slip_curvature_per_m); kNever_s otherwise.
+double slip_free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around);
+
 /// The obstacles as free_time_s() takes them, in base, within `reach_m` of the robot's centre and thinned to
 /// about `spacing_m`, for those who look for a way. Returns how many were written to `out`.
 std::size_t collect_obstacles(const RobotLimits& limits, const Surroundings& around, double reach_m,

@@ -19,6 +19,7 @@ using types::Twist2;
 constexpr Duration kFutureMax = milliseconds(20);
 constexpr Duration kScanAgeMax = milliseconds(150);
 constexpr Duration kWatchdogMax = milliseconds(2000);
+constexpr Duration kPeriod = milliseconds(50);  // of the base thread
 constexpr double kScanPeriods = 2.5;
 constexpr double kValidFractionMin = 0.5;
 constexpr double kElapsedMax_s = 0.1;  // a late period may not become a jump in speed
@@ -89,6 +90,15 @@ Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInpu
                  l.angular_acceleration_radps2, dt_s)};
 }
 
+/// As slow as it takes to brake when a wheel slips, by a daemon that is alive: with the watchdog's time as
+/// well nothing would move between walls.
+double slip_scale(const Twist2& next, const GateInput& in) {
+  if (!(next.v_mps > in.limits.v_beside_mps)) return 1.0;
+  const double free_s = slip_free_time_s(next, in.limits, surroundings(in));
+  const double scale = stopping_scale(next, free_s, alive_time_s(in), in.limits);
+  return std::max(scale, in.limits.v_beside_mps / next.v_mps);
+}
+
 void decide_motion(const GateState& state, const GateInput& in, GateOutput& out) {
   const Twist2 wanted = within_limits(in.request.twist, in.limits);
   const Twist2 next = ramped_twist(state, wanted, in);
@@ -96,6 +106,7 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   const double free_s = free_time_s(next, in.limits, surroundings(in));
   out.free_distance_m = free_distance_m(next, free_s);
   double scale = stopping_scale(next, free_s, blind_s, in.limits);
+  scale = std::min(scale, slip_scale(next, in));
   bool at_edge = false;
   if (has_area(in) && scale > 0.0) {
     const Twist2 clear{next.v_mps * scale, next.omega_radps * scale};
@@ -133,11 +144,15 @@ Duration scan_age_max(const types::Scan& scan) {
   return std::max(kScanAgeMax, types::from_seconds(kScanPeriods * period_s));
 }
 
-double blind_time_s(const GateInput& in) {
+double alive_time_s(const GateInput& in) {
   const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
   // A first beam that is missing or lies in the future says nothing of the age.
   const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
-  return types::to_seconds(in.firmware_watchdog + bounded + in.limits.reaction);
+  return types::to_seconds(bounded + in.limits.reaction + kPeriod);
+}
+
+double blind_time_s(const GateInput& in) {
+  return alive_time_s(in) + types::to_seconds(in.firmware_watchdog - kPeriod);
 }
 
 Surroundings surroundings(const GateInput& in) {

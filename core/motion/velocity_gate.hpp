@@ -89,6 +89,8 @@ types::Duration scan_age_max(const types::Scan& scan);
 /// How long the robot may go on at a twist after this period: until the firmware's watchdog bites, plus the
 /// age of what the scan shows and the time until the wheels react. Needs input.front_scan.
 double blind_time_s(const GateInput& input);
+/// The same with a daemon that lives: until the next period's command.
+double alive_time_s(const GateInput& input);
 bool is_watchdog_safe(types::Duration watchdog);
 bool is_finite(const types::BaseState& base);
 void update_latch(GateState& state, const GateInput& input);

@@ -175,6 +175,7 @@ motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom
   f.ends_at_goal = plan.path_ends_at_goal;
   f.obstacles_base = {obstacles.data(), count};
   f.blind_s = motion::blind_time_s(gate_in);
+  f.alive_s = motion::alive_time_s(gate_in);
   f.limits = &gate_in.limits;
   return follower.step(f);
 }

@@ -19,8 +19,9 @@ int whole(double value) { return static_cast<int>(value); }
 
 }  // namespace
 
-VirtualBase::VirtualBase(const motion::RobotLimits& limits, types::Duration watchdog)
-    : drive_(sim::arcos::p3dx_parameters()),
+VirtualBase::VirtualBase(const motion::RobotLimits& limits, types::Duration watchdog,
+                         const sim::arcos::Parameters& firmware)
+    : drive_(firmware),
       v_max_mps_(limits.v_max_mps),
       omega_max_radps_(limits.omega_max_radps),
       watchdog_(watchdog) {

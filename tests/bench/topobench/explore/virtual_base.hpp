@@ -16,7 +16,8 @@ namespace topo::bench {
 /// says. Not thread-safe.
 class VirtualBase final : public sim::WheelDrive {
  public:
-  VirtualBase(const motion::RobotLimits& limits, types::Duration watchdog);
+  VirtualBase(const motion::RobotLimits& limits, types::Duration watchdog,
+              const sim::arcos::Parameters& firmware = sim::arcos::p3dx_parameters());
 
   /// What the base thread sends once a period.
   void command(const types::BaseCommand& command, sim::SimTime now);
