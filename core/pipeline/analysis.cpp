@@ -14,7 +14,9 @@ Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<fl
   // must do.
   std::vector<types::Vector2> points = walls::wall_points(snapshot.walls);
   const std::vector<types::Vector2> occupied = walls::occupied_points(a.map);
-  a.compass = walls::entropy_compass(occupied, params.compass);
+  walls::CompassParams compass = params.compass;
+  compass.cell_m = a.map.resolution_m;
+  a.compass = walls::entropy_compass(occupied, compass);
   if (points.empty()) points = occupied;
   const double compass_rad = a.compass.angle_rad.value_or(0.0);
   a.walls = walls::extract_walls(points, compass_rad, params.walls);
