@@ -13,7 +13,9 @@ constexpr std::size_t kDecisionsKept = 64;
 constexpr types::Duration kStandstill = std::chrono::seconds(25);  // longer than a recovery takes
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
-constexpr double kBlockedAhead_m = 0.40;  // from the centre of the robot to what it got stuck on
+constexpr double kBlockedAhead_m = 0.45;  // from the centre of the robot to what it got stuck on
+constexpr types::Duration kBlockedFor =
+    std::chrono::minutes(5);  // what no laser sees is glass more often than a person
 
 std::string metres(double value) {
   std::array<char, 24> text{};
@@ -63,8 +65,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   const bool about_this = in.control->goal_id == goal_id;
   if (about_this && in.control->mode == ControlMode::kStuck && blamed_goal != goal_id) {
     blamed_goal = goal_id;
-    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0),
-                       in.now + types::from_seconds(params.give_up_s)});
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor});
     give_up(in, "stuck on the way");
     return;
   }
@@ -164,8 +165,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
   if ((p_map - here).norm() <= reached_m || (arrived && (p_map - here).norm() <= 2.0 * reached_m + 0.1))
     return end(Activity::kDone, "arrived");
   if (in.control->goal_id == goal_id && in.control->mode == ControlMode::kStuck) {
-    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0),
-                       in.now + types::from_seconds(params.give_up_s)});
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor});
     ++goal_id;  // another way, and control begins anew
   }
   if ((here - progress_at).norm() > kProgress_m) {

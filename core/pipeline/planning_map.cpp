@@ -12,7 +12,7 @@ namespace {
 constexpr types::Duration kAnalysisPeriod = std::chrono::milliseconds(900);
 constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
 constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again before it matters
-constexpr double kBlockedRadius_m = 0.15;
+constexpr double kBlockedRadius_m = 0.25;
 
 double free_area_m2(const grid::DenseMap& map) {
   const auto cells = std::count(map.cells.begin(), map.cells.end(), grid::CellState::kFree);

@@ -92,6 +92,21 @@ void free_disc(DenseMap& map, const Vector2& centre, double radius_m) {
   });
 }
 
+void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid) {
+  constexpr int kSide = grid::Tile::kSide;
+  grid.tiles().for_each([&](patricia::Key key, const grid::TileRef& tile) {
+    const auto corner = patricia::cell_of(key);
+    const auto& cells = tile.read().cells;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const grid::CellCounts& counts = cells[static_cast<std::size_t>(i)];
+      const unsigned hits = counts.hits, all = hits + counts.misses;
+      if (hits < 2 || 10 * hits < all) continue;
+      const CellIndex cell{corner.x * kSide + i % kSide, corner.y * kSide + i / kSide};
+      if (map.contains(cell)) map.cells[map.index(cell)] = CellState::kOccupied;
+    }
+  });
+}
+
 void apply_limits(DenseMap& map, const motion::AreaLimits& limits) {
   if (limits.keep_in) occupy(map, *limits.keep_in, true);
   for (const motion::Polygon& polygon : limits.keep_out) occupy(map, polygon, false);
@@ -101,6 +116,7 @@ DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limi
   constexpr int kReach = 3;  // 0.15 m to either side: the spacing of 0.25 degrees at 30 m
   constexpr int kMargin = 2 * kReach;
   DenseMap map = grid::dense_map(snapshot.grid, kMargin);
+  occupy_faint(map, snapshot.grid);
   close_gaps(map, kReach);
   for (const KeyframePose& keyframe : snapshot.keyframes)
     free_disc(map, keyframe.T_map_base.se2().translation(), robot_radius_m);

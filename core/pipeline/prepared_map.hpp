@@ -22,6 +22,11 @@ void close_gaps(grid::DenseMap& map, int reach);
 /// over 270 degrees, and what is under the robot it never sees.
 void free_disc(grid::DenseMap& map, const types::Vector2& centre, double radius_m);
 
+/// Free cells in which a tenth of the keyframes saw something become occupied: glass lets most beams through,
+/// and what is thin most beams miss. For driving a suspicion is enough, where the map itself wants more
+/// evidence (grid::state_of).
+void occupy_faint(grid::DenseMap& map, const grid::OccupancyGrid& grid);
+
 /// Cells outside of the limits become occupied: no way leads there and nothing behind them is missed.
 void apply_limits(grid::DenseMap& map, const motion::AreaLimits& limits);
 
