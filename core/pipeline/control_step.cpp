@@ -11,6 +11,7 @@
 #include "core/motion/recovery.hpp"
 #include "core/motion/stop_zone.hpp"
 #include "core/motion/trail.hpp"
+#include "core/motion/unseen_echoes.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -107,6 +108,16 @@ struct ControlState::Impl {
   [[nodiscard]] bool is_arrived(const Plan& plan);
   void latch(const ControlInput& in);
 };
+
+/// Puts what only sonar noticed into the report.
+void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
+  constexpr double kRange_m = 1.5;
+  const std::size_t count =
+      motion::unseen_echoes(motion::surroundings(gate_in), kRange_m, report.unseen_odom);
+  for (std::size_t i = 0; i < count; ++i)
+    report.unseen_odom[i] = report.odometry.T_odom_base.se2() * report.unseen_odom[i];
+  report.unseen = static_cast<std::uint8_t>(count);
+}
 
 ControlState::ControlState() : impl_(std::make_unique<Impl>()) {}
 ControlState::~ControlState() = default;
@@ -287,6 +298,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
     report.bumped = is_touching(base);
     report.battery_v = base.battery_v;
     report.state_of_charge = base.state_of_charge;
+    report_unseen(gate_in, report);
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -67,6 +68,9 @@ struct ControlReport {
   types::Twist2 commanded;
   double free_distance_m = 0.0;
   std::uint32_t recoveries = 0;  ///< begun since the start
+  /// Where sonar hears something that the laser does not see (motion::unseen_echoes), in odom.
+  std::array<types::Vector2, 8> unseen_odom{};
+  std::uint8_t unseen = 0;
 };
 
 struct ControlOutput {

@@ -65,7 +65,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   const bool about_this = in.control->goal_id == goal_id;
   if (about_this && in.control->mode == ControlMode::kStuck && blamed_goal != goal_id) {
     blamed_goal = goal_id;
-    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor});
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
     give_up(in, "stuck on the way");
     return;
   }
@@ -165,7 +165,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
   if ((p_map - here).norm() <= reached_m || (arrived && (p_map - here).norm() <= 2.0 * reached_m + 0.1))
     return end(Activity::kDone, "arrived");
   if (in.control->goal_id == goal_id && in.control->mode == ControlMode::kStuck) {
-    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor});
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
     ++goal_id;  // another way, and control begins anew
   }
   if ((here - progress_at).norm() > kProgress_m) {

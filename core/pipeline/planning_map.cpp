@@ -37,7 +37,30 @@ void add_disc(const types::Vector2& centre, std::vector<types::Vector2>& points)
   }
 }
 
+constexpr double kSameEcho_m = 0.15;
+constexpr int kEchoTimes = 2;  // one alone may be a reflection
+constexpr std::size_t kEchoesMax = 1000;
+constexpr types::Duration kEchoFor = std::chrono::minutes(10);
+
 }  // namespace
+
+void PlanningState::Impl::remember_echoes(const PlanningInput& in) {
+  const auto expired = [&](const Blocked& b) { return b.until <= in.now; };
+  std::erase_if(echoes, expired);
+  for (std::size_t i = 0; i < std::min<std::size_t>(in.control->unseen, in.control->unseen_odom.size());
+       ++i) {
+    const types::Vector2 p_map = T_map_odom.se2() * in.control->unseen_odom[i];
+    const auto same = std::find_if(echoes.begin(), echoes.end(), [&](const Blocked& b) {
+      return (b.p_map - p_map).squaredNorm() <= kSameEcho_m * kSameEcho_m;
+    });
+    if (same != echoes.end()) {
+      ++same->times;
+      same->until = in.now + kEchoFor;
+    } else if (echoes.size() < kEchoesMax) {
+      echoes.push_back({p_map, in.now + kEchoFor, 1});
+    }
+  }
+}
 
 void PlanningState::Impl::refresh_map(const PlanningInput& in) {
   if (in.map->revision == map_revision && !map.cells.empty()) return;
@@ -62,6 +85,9 @@ std::vector<types::Vector2> PlanningState::Impl::obstacles_now(const PlanningInp
   const bool live = in.front != nullptr && in.now - in.front->arrival <= kLiveAgeMax;
   if (live) obstacles = confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
   for (const Blocked& b : blocked) add_disc(b.p_map, obstacles);
+  for (const Blocked& b : echoes) {
+    if (b.times >= kEchoTimes) obstacles.push_back(b.p_map);
+  }
   return obstacles;
 }
 

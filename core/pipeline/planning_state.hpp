@@ -31,6 +31,7 @@ struct PlanningState::Impl {
   void refresh_map(const PlanningInput& in);
   void refresh_analysis(const PlanningInput& in);
   void refresh_travel(const PlanningInput& in);
+  void remember_echoes(const PlanningInput& in);
   /// What stands within a few metres now, seen or bumped into.
   [[nodiscard]] std::vector<types::Vector2> obstacles_now(const PlanningInput& in) const;
 
@@ -85,8 +86,10 @@ struct PlanningState::Impl {
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};
     types::Stamp until{};
+    int times = 1;  ///< how often something was noticed there
   };
-  std::vector<Blocked> blocked;  ///< places where the robot got stuck on something that no laser sees
+  std::vector<Blocked> blocked;  ///< where the robot got stuck on something that no laser sees
+  std::vector<Blocked> echoes;   ///< where sonar hears what no laser sees
   std::uint64_t blamed_goal = 0;
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;

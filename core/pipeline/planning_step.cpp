@@ -67,7 +67,6 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   goal.reset();
   has_target = false;
   given_up.clear();
-  blocked.clear();
   open_goals.clear();
   route.clear();
   thought = {};
@@ -209,6 +208,7 @@ PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   } else {
     locate(in);
     watch_battery(in);
+    remember_echoes(in);
     if (mission.paused && !ended) {
       activity = Activity::kPaused;
       reason = "paused by the operator";
