@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What toolchain/demo runs, in a flat of three rooms: explored, home again, judged; and what it leaves when it is
+interrupted or has too little time.
+
+usage: demo_run_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]"""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BIN = SOURCE = None
+FILES = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png", "judge.png", "report.json")
+KEYS = ("world", "strategy", "robots", "seed", "fidelity", "finish", "reachable_m2", "t50_s", "t90_s", "t95_s", "t99_s",
+        "t_home_s", "limit_s", "distance_m", "goals_issued", "clusters_sum", "goals_sum", "decision_ms", "collisions", "home",
+        "coverage", "cpu_percent", "peak_rss_mb", "ate_rmse_m", "passed", "why")
+
+
+class DemoRun(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+        self.out = self.folder / "results/of/today"
+
+    def start(self, limit_s):
+        command = [sys.executable, "-B", SOURCE / "toolchain/lib/demo.py", "--bin", BIN, "--world",
+                   SOURCE / "tests/integration/flat.toml", "--seed", "5", "--strategy", "topometric", "--finish", "complete",
+                   "--out", self.out, "--time-limit", limit_s]
+        process = subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                   env={**os.environ, "TMPDIR": str(self.folder), "PYTHONUNBUFFERED": "1"})
+        self.addCleanup(process.kill)
+        return process
+
+    def nothing_is_left(self):
+        """Its folder is gone, and no process has it in its command line."""
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.name.startswith("topometric-demo-")], [])
+        for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+            try:
+                self.assertNotIn(str(self.folder), path.read_bytes().decode(errors="replace"))
+            except OSError:
+                pass  # it has ended meanwhile
+
+    def test_a_flat_is_explored_and_the_robot_comes_home(self):
+        process = self.start(600)
+        said = process.communicate(timeout=900)[0]
+        print(said, file=sys.stderr)
+        self.nothing_is_left()
+        for name in FILES:
+            self.assertTrue((self.out / name).exists(), name)
+        report = json.loads((self.out / "report.json").read_text())
+        self.assertEqual([key for key in KEYS if key not in report], [])
+        self.assertEqual((process.returncode, report["passed"], report["why"]), (0, True, []))
+        self.assertEqual(report["coverage"][-1][1], round(report["covered"], 4))
+        self.assertIn("PASSED", said)
+
+    def test_too_little_time_is_a_failure_in_words(self):
+        process = self.start(3)
+        said = process.communicate(timeout=120)[0]
+        self.assertEqual(process.returncode, 1, said)
+        self.assertIn("the robot was not home after", said)
+        self.assertFalse(json.loads((self.out / "report.json").read_text())["passed"])
+        self.nothing_is_left()
+
+    def test_ctrl_c_leaves_nothing_behind(self):
+        process = self.start(600)
+        while not process.stdout.readline().startswith("daemon:"):
+            self.assertIsNone(process.poll())
+        time.sleep(1.0)  # in the middle of it, wherever that is
+        process.send_signal(signal.SIGINT)
+        said = process.communicate(timeout=60)[0]
+        self.assertEqual(process.returncode, 130, said)
+        self.nothing_is_left()
+
+
+if __name__ == "__main__":
+    BIN, SOURCE = pathlib.Path(sys.argv.pop(1)).resolve(), pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main(verbosity=2)
