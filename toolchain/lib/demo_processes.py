@@ -95,31 +95,38 @@ class ThreadTimes:
         self.first_s = self.last_s = 0.0
 
     def read(self):
-        ticks = {}
-        for task in sorted(self.folder.glob("task/*"), key=lambda path: int(path.name)):
+        """Seconds by thread. schedstat counts nanoseconds; the ticks of stat miss what wakes and sleeps within one."""
+        seconds = {}
+        for task in self.folder.glob("task/*"):
             try:
-                name, fields = re.fullmatch(r"\d+ \((.*)\) (.*)", (task / "stat").read_text().strip()).groups()
+                name = (task / "comm").read_text().strip()
+                used_s = self.thread_seconds(task)
             except OSError:
                 continue  # it has just ended
-            values = fields.split()
-            ticks[name] = ticks.get(name, 0) + int(values[11]) + int(values[12])
-        return ticks
+            seconds[name] = seconds.get(name, 0.0) + used_s
+        return seconds
+
+    @staticmethod
+    def thread_seconds(task):
+        if (task / "schedstat").exists():
+            return int((task / "schedstat").read_text().split()[0]) * 1e-9
+        fields = (task / "stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def begin(self):
         self.first, self.first_s = self.read(), os.times().elapsed
         self.last, self.last_s = self.first, self.first_s
 
     def update(self):
-        ticks = self.read()
-        if ticks:
-            self.last, self.last_s = ticks, os.times().elapsed
+        seconds = self.read()
+        if seconds:
+            self.last, self.last_s = seconds, os.times().elapsed
         self.peak_rss_mb()
 
     def percent(self):
         """Of one core, from begin() to the last update."""
         seconds = max(self.last_s - self.first_s, 1e-3)
-        per_second = os.sysconf("SC_CLK_TCK")
-        used = {name: 100.0 * (ticks - self.first.get(name, 0)) / per_second / seconds for name, ticks in self.last.items()}
+        used = {name: 100.0 * (used_s - self.first.get(name, 0.0)) / seconds for name, used_s in self.last.items()}
         return {name: round(value, 2) for name, value in used.items()}
 
     def peak_rss_mb(self):
