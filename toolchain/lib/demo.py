@@ -191,7 +191,7 @@ class Demo:
         self.save()
         self.stop()
         report = demo_report.make(self, self.judge())
-        (self.out / "report.json").write_text(json.dumps(report, indent=2) + "\n")
+        (self.out / "report.json").write_text(demo_report.text(report))
         demo_report.tell(report, self.out)
         return 0 if report["passed"] else 1
 

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the demonstration found, as report.json and in words."""
 
+import json
+import re
+
 COVERED_MIN = 0.95
 HOME_MAX_M = 0.5
 COVERAGE_POINTS = 200
@@ -54,6 +57,11 @@ def make(demo, judged):
     }
     report.update({key: value for key, value in judged.items() if key not in report})
     return {**report, "passed": not why, "why": why, "coverage": curve}
+
+
+def text(report):
+    """A pair of numbers on one line: people read it too."""
+    return re.sub(r"\[\s+([-+.e\d]+),\s+([-+.e\d]+)\s+\]", r"[\1, \2]", json.dumps(report, indent=2)) + "\n"
 
 
 def tell(report, out):
