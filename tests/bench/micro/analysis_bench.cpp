@@ -141,9 +141,9 @@ void measure(benchmark::State& state, F&& stage) {
   const Stages& on = stages(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(stage(on));
   // Seconds an iteration by these numbers, in processor time.
-  constexpr auto kPer = benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
-  state.counters["s_per_known"] = benchmark::Counter(on.known, kPer);
-  state.counters["passes"] = benchmark::Counter(memcpy_seconds(on.map.cells.size()), kPer);
+  const auto per = benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
+  state.counters["s_per_known"] = benchmark::Counter(on.known, per);
+  state.counters["passes"] = benchmark::Counter(memcpy_seconds(on.map.cells.size()), per);
 }
 
 void BM_DenseMap(benchmark::State& state) {
