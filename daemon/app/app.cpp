@@ -134,7 +134,7 @@ void App::end_readers() {
 }
 
 void App::tick() {
-  for (const std::string& refusal : workers_->take_refusals()) spdlog::warn("{}", refusal);
+  for (const std::string& refusal : workers_->take_refusals()) monitor_->note_refusal(refusal);
   for (Vitals* vitals : workers_->all()) events_->drain(vitals->name, vitals->events);
   monitor_->update(io::monotonic_now());
   operator_->tick(io::monotonic_now());
@@ -151,7 +151,7 @@ Status App::enter_real_time() {
   if (config.lock_memory) {
     if (auto locked = lock_memory(); !locked) {
       if (enforce) return locked;
-      spdlog::warn("{}; going on without", locked.error().message);
+      monitor_->note_refusal(locked.error().message + "; going on without");
     }
   }
   if (!enforce) return {};

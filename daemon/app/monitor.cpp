@@ -59,6 +59,47 @@ void Monitor::update(types::Stamp now) {
   }
   if (const auto* report = hand_overs_.mapping_report.take_new(); report != nullptr) mapping_ = *report;
   update_pulses(now);
+  update_tallies(now);
+}
+
+void Monitor::update_tallies(types::Stamp now) {
+  constexpr types::Duration kApart = std::chrono::seconds(1);
+  constexpr std::size_t kKept = 10;
+  if (!tallies_.empty() && now - tallies_.back().stamp < kApart) return;
+  tallies_.push_back({now, mapping_.matched, mapping_.lost});
+  if (tallies_.size() > kKept) tallies_.pop_front();
+}
+
+void Monitor::note_refusal(const std::string& refusal) {
+  spdlog::warn("{}", refusal);
+  refusals_.push_back(refusal);
+}
+
+DoctorFacts Monitor::facts() const {
+  DoctorFacts facts;
+  const Configuration& c = configuration_;
+  for (const Device& device : devices_) {
+    const std::string& address = device.name == "base"    ? c.base.address
+                                 : device.name == "front" ? c.front.address
+                                                          : c.coronal.address;
+    facts.devices.push_back({std::string(device.name), address, device.report.state.str(),
+                             device.report.message.str(), device.report.working});
+    if (device.name == "base" && device.report.watchdog_ms >= 0)
+      facts.watchdog_ms = device.report.watchdog_ms;
+  }
+  facts.base = base_;
+  facts.battery_home_v = c.exploration.battery_home_v;
+  facts.charge_home = c.exploration.charge_home;
+  facts.has_map = has_map();
+  if (!tallies_.empty()) {
+    facts.scans_matched_lately = mapping_.matched - tallies_.front().matched;
+    facts.scans_lost_lately = mapping_.lost - tallies_.front().lost;
+  }
+  facts.policy = c.realtime.policy;
+  facts.refusals = refusals_;
+  for (const auto name : stuck_) facts.stuck.emplace_back(name);
+  facts.folder = c.exploration.save_folder.empty() ? c.record.folder : c.exploration.save_folder;
+  return facts;
 }
 
 void Monitor::update_devices() {
@@ -120,6 +161,9 @@ Json Monitor::status() const {
            {{"v_mps", base_.state.odometry.twist.v_mps},
             {"omega_radps", base_.state.odometry.twist.omega_radps}}},
           {"commanded", {{"v_mps", base_.commanded.v_mps}, {"omega_radps", base_.commanded.omega_radps}}},
+          {"limits",
+           {{"v_max_mps", configuration_.base.v_max_mps},
+            {"omega_max_radps", configuration_.base.omega_max_radps}}},
           {"battery_v", base_.state.battery_v},
           {"motors_enabled", base_.state.motors_enabled},
           {"stall", base_.state.stall_left || base_.state.stall_right},

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
+#include "daemon/app/doctor.hpp"
 #include "daemon/app/workers.hpp"
 #include "daemon/control/json_rpc.hpp"
 
@@ -28,6 +30,11 @@ class Monitor {
   /// One line for the service manager.
   [[nodiscard]] std::string summary() const;
 
+  /// What the system refused to the daemon, for the doctor; logged.
+  void note_refusal(const std::string& refusal);
+  /// For the doctor, as far as it is known here.
+  [[nodiscard]] DoctorFacts facts() const;
+
   [[nodiscard]] Json status() const;
   [[nodiscard]] Json health() const;
   [[nodiscard]] Json latency() const;
@@ -38,6 +45,11 @@ class Monitor {
     sync::Latest<DeviceReport>* source;
     DeviceReport report;
   };
+  /// Counters of the mapper at some moment.
+  struct Tally {
+    types::Stamp stamp{};
+    std::uint64_t matched = 0, lost = 0;
+  };
   struct Pulse {
     const Vitals* vitals = nullptr;
     types::Duration patience{};
@@ -46,6 +58,7 @@ class Monitor {
   };
   void update_devices();
   void update_pulses(types::Stamp now);
+  void update_tallies(types::Stamp now);
   [[nodiscard]] types::Se2 pose() const;
   [[nodiscard]] Json devices() const;
   [[nodiscard]] Json map() const;
@@ -56,6 +69,8 @@ class Monitor {
   std::vector<Device> devices_;
   std::vector<Pulse> pulses_;
   std::vector<std::string_view> stuck_;
+  std::deque<Tally> tallies_;  ///< of the last seconds
+  std::vector<std::string> refusals_;
   BaseReport base_;
   MappingReport mapping_;
 };

@@ -38,6 +38,7 @@ class Operator final : public Operations {
   [[nodiscard]] Json goals() const override;
   [[nodiscard]] Json places() const override;
   [[nodiscard]] Json progress() const override;
+  void doctor(std::function<void(Json)> done) override;
   void estop() override;
   types::Status clear_estop() override;
   types::Status drive(const types::Twist2& twist) override;

@@ -1,10 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "daemon/app/doctor.hpp"
 #include "daemon/app/operator.hpp"
 #include "daemon/app/plan_json.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
+namespace {
+
+/// Room on the disk of a folder that we may write to; of the one above while it is missing.
+std::optional<std::uint64_t> free_bytes(std::string folder) {
+  if (folder.empty()) return {};
+  if (::access(folder.c_str(), F_OK) != 0) folder = folder.substr(0, folder.rfind('/') + 1);
+  struct statvfs disk {};
+  if (::access(folder.c_str(), W_OK) != 0 || ::statvfs(folder.c_str(), &disk) != 0) return {};
+  return static_cast<std::uint64_t>(disk.f_bavail) * disk.f_frsize;
+}
+
+}  // namespace
 
 Json Operator::status() const {
   Json json = monitor_.status();
@@ -43,6 +61,24 @@ Json Operator::goals() const {
 Json Operator::places() const {
   const auto* report = plan_.report();
   return report == nullptr ? Json::object() : places_json(*report);
+}
+
+void Operator::doctor(std::function<void(Json)> done) {
+  DoctorFacts facts = monitor_.facts();
+  facts.estop_by_operator = hand_overs_.estop.load(std::memory_order_acquire);
+  // The disk may be a slow one.
+  auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {
+    facts.free_bytes = free_bytes(facts.folder);
+    Json checks = Json::array();
+    bool ok = true;
+    for (const Check& check : examine(facts)) {
+      ok = ok && check.ok;
+      checks.push_back(
+          {{"check", check.name}, {"ok", check.ok}, {"found", check.found}, {"cure", check.cure}});
+    }
+    return [done, json = Json{{"ok", ok}, {"checks", std::move(checks)}}] { done(json); };
+  };
+  if (!searches_.add(std::move(job))) done(Json{{"ok", false}, {"checks", Json::array()}});
 }
 
 }  // namespace topo::daemon

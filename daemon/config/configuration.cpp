@@ -30,6 +30,7 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : hull_m;
   params.travel.preferred_m = 2.0 * params.travel.radius_m;
   params.analysis.goals.robot_radius_m = params.travel.radius_m;
+  params.area = configuration.area;
   params.T_base_laser = mapper_params(configuration).T_base_laser;
   params.frontier_min_m = e.frontier_min_m;
   params.goal_reached_m = e.goal_reached_m;

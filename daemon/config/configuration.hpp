@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/area_limits.hpp"
 #include "core/motion/robot_limits.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/params.hpp"
@@ -104,6 +105,7 @@ struct Configuration {
   ScannerConfig coronal;
   slam::MapperParams mapping;  ///< but for the scanners' places, which mapper_params() adds
   ExplorationConfig exploration;
+  topo::motion::AreaLimits area;
   MotionConfig motion;
   ControlConfig control;
   LogConfig log;

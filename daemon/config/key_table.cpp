@@ -8,6 +8,8 @@
 #include <array>
 #include <iterator>
 
+#include "daemon/config/polygon.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -193,6 +195,15 @@ void add_exploration(std::vector<KeySpec>& t) {
        "where the map is saved when a mission is done; \"\": only \"map save\" saves"});
 }
 
+void add_area(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::area;
+  using A = motion::AreaLimits;
+  t.push_back({"area.keep_in_m", "m", false, PolygonKey{&at<kS, &A::keep_in>},
+               "corners around where the robot may be, from its start; []: anywhere"});
+  t.push_back({"area.keep_out_m", "m", false, PolygonListKey{&at<kS, &A::keep_out>},
+               "areas that the robot must not enter, each by its corners: stairs, glass"});
+}
+
 void add_motion(std::vector<KeySpec>& t) {
   constexpr auto kS = &Configuration::motion;
   using C = MotionConfig;
@@ -246,6 +257,7 @@ std::vector<KeySpec> make_table() {
   add_scanner<&Configuration::coronal>(table, "scanner.coronal", true);
   add_mapping(table);
   add_exploration(table);
+  add_area(table);
   add_motion(table);
   add_control_and_log(table);
   add_realtime_and_record(table);
@@ -270,6 +282,12 @@ struct ExpectedText {
   std::string operator()(const IntegerListKey& k) const {
     return fmt::format("a list of whole numbers from {} to {}", k.min, k.max);
   }
+  std::string operator()(const PolygonKey&) const {
+    return "corners [[x, y], [x, y], [x, y], ...] of a polygon whose edges do not cross";
+  }
+  std::string operator()(const PolygonListKey&) const {
+    return "a list of polygons [[[x, y], [x, y], [x, y], ...], ...] whose edges do not cross";
+  }
 };
 
 /// TOML tells 1.0 from 1; the shortest text that reads back as the same double.
@@ -288,6 +306,13 @@ struct ValueText {
   std::string operator()(const AddressKey& k) const { return quoted(k.field(c)); }
   std::string operator()(const IntegerListKey& k) const {
     return fmt::format("[{}]", fmt::join(k.field(c), ", "));
+  }
+  std::string operator()(const PolygonKey& k) const { return k.field(c) ? polygon_text(*k.field(c)) : "[]"; }
+  std::string operator()(const PolygonListKey& k) const {
+    std::string text;
+    for (const motion::Polygon& polygon : k.field(c))
+      text += (text.empty() ? "" : ", ") + polygon_text(polygon);
+    return "[" + text + "]";
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,7 +48,14 @@ struct IntegerListKey {
   int min;
   int max;
 };
-using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey, AddressKey, IntegerListKey>;
+struct PolygonKey {  ///< no corner at all: none
+  std::optional<motion::Polygon>& (*field)(Configuration&);
+};
+struct PolygonListKey {
+  std::vector<motion::Polygon>& (*field)(Configuration&);
+};
+using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey, AddressKey, IntegerListKey,
+                             PolygonKey, PolygonListKey>;
 
 /// One key of the configuration file.
 struct KeySpec {

@@ -14,6 +14,7 @@
 
 #include "daemon/config/consistency.hpp"
 #include "daemon/config/key_table.hpp"
+#include "daemon/config/polygon.hpp"
 #include "daemon/config/suggest.hpp"
 #include "daemon/config/syntax.hpp"
 #include "drivers/io/make_connector.hpp"
@@ -51,6 +52,7 @@ std::string found_text(const toml::node& node) {
 struct Store {
   Configuration& c;
   const toml::node& node;
+  const toml::node*& blamed;  ///< what of the node is wrong, where it can be said more closely
   using Outcome = std::optional<std::string>;  ///< nothing: stored
 
   Outcome operator()(const RealKey& k) const {
@@ -98,6 +100,29 @@ struct Store {
     return {};
   }
 
+  Outcome operator()(const PolygonKey& k) const {
+    if (const auto* list = node.as_array(); list != nullptr && list->empty())
+      return k.field(c).reset(), Outcome{};
+    motion::Polygon polygon;
+    if (const auto fault = read_polygon(node, polygon)) return blame(*fault);
+    k.field(c) = std::move(polygon);
+    return {};
+  }
+  Outcome operator()(const PolygonListKey& k) const {
+    const auto* list = node.as_array();
+    if (list == nullptr) return "";
+    std::vector<motion::Polygon> polygons(list->size());
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      if (const auto fault = read_polygon(*list->get(i), polygons[i])) return blame(*fault);
+    }
+    k.field(c) = std::move(polygons);
+    return {};
+  }
+
+  Outcome blame(const PolygonFault& fault) const {
+    blamed = fault.where;
+    return fault.what;
+  }
   static Outcome store_integer(const toml::node& from, int min, int max, int& to) {
     const auto* integer = from.as_integer();
     if (integer == nullptr || integer->get() < min || integer->get() > max) return "";
@@ -158,15 +183,17 @@ class Reader {
 
   void read_value(const KeySpec& spec, const toml::key& key, const toml::node& node) {
     loaded_.places[spec.path] = to_place(key.source());
-    const auto outcome = std::visit(Store{loaded_.values, node}, spec.kind);
+    const toml::node* blamed = &node;
+    const auto outcome = std::visit(Store{loaded_.values, node, blamed}, spec.kind);
     if (!outcome) return;
     if (std::holds_alternative<AddressKey>(spec.kind) && !outcome->empty()) {
       fault(to_place(node.source()),
             spec.path + ": " + *outcome);  // names what was found and what is expected
       return;
     }
-    fault(to_place(node.source()), fmt::format("{}: found {}, expected {}{}{}", spec.path, found_text(node),
-                                               expected_text(spec), outcome->empty() ? "" : ": ", *outcome));
+    fault(to_place(blamed->source()),
+          fmt::format("{}: found {}, expected {}{}{}", spec.path, found_text(node), expected_text(spec),
+                      outcome->empty() ? "" : ": ", *outcome));
   }
 
   std::string unknown_text(const std::string& path, const std::string& prefix, const toml::node& node) const {

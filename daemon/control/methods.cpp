@@ -100,16 +100,24 @@ Answer call_goto(Operations& o, const Call& call, const Methods::Late& late, boo
   return Json();
 }
 
+Answer call_doctor(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  waits = true;
+  o.doctor([late, call](const Json& checks) { late(call, checks); });
+  return Json();
+}
+
 /// A method whose answer may come after the call; `waits` says that it does.
 struct LateMethod {
   std::string_view name;
+  bool commands;
   std::initializer_list<std::string_view> params;
   Answer (*call)(Operations&, const Call&, const Methods::Late&, bool& waits);
 };
 
-const std::array<LateMethod, 2>& late_methods() {
-  static const std::array<LateMethod, 2> table{
-      {{"map.save", {"dir"}, &call_save}, {"goto", {"x_m", "y_m"}, &call_goto}}};
+const std::array<LateMethod, 3>& late_methods() {
+  static const std::array<LateMethod, 3> table{{{"map.save", true, {"dir"}, &call_save},
+                                                {"goto", true, {"x_m", "y_m"}, &call_goto},
+                                                {"doctor", false, {}, &call_doctor}}};
   return table;
 }
 
@@ -129,7 +137,7 @@ std::optional<Answer> Methods::answer(const Call& call) {
     return method->call(operations_, request.params);
   }
   if (const auto* method = find(late_methods(), request.method); method != nullptr) {
-    if (!call.may_command) return forbidden(method->name);
+    if (method->commands && !call.may_command) return forbidden(method->name);
     if (const auto wrong = only_params(request.params, method->params)) return tl::unexpected(*wrong);
     bool waits = false;
     Answer answer = method->call(operations_, call, late_, waits);

@@ -24,6 +24,8 @@ class Operations {
   /// The goals and why, the places; empty before planning has seen a map.
   [[nodiscard]] virtual Json goals() const = 0;
   [[nodiscard]] virtual Json places() const = 0;
+  /// Everything that keeps the robot from moving, with its cure; calls `done` on the main thread, later.
+  virtual void doctor(std::function<void(Json)> done) = 0;
   /// Whether a mission would be taken now, and the newest mission: what scripts wait for.
   [[nodiscard]] virtual Json progress() const = 0;
   /// Missions. Refused with the reason.

@@ -74,6 +74,7 @@ void fill_report(DeviceReport& report, const pioneer::Session& session) {
   report.message = session.message();
   report.working = session.health() == pioneer::Health::kReady;
   if (session.info()) set_identity(report, session.info()->subclass, *session.info());
+  if (session.info()) report.watchdog_ms = session.info()->watchdog_ms;
   const pioneer::Counters& c = session.counters();
   report.counters = {c.status_packets, c.bad_packets, c.lost_packets, c.reconnects, c.commands, c.bytes};
 }

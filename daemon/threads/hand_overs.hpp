@@ -29,6 +29,7 @@ struct DeviceReport {
   FixedText<240> message;   ///< one sentence for a person
   FixedText<120> identity;  ///< model, serial number, firmware
   bool working = false;
+  int watchdog_ms = -1;                     ///< of the base's firmware; negative: not known yet
   std::array<std::uint64_t, 6> counters{};  ///< as the driver's Counters
 };
 

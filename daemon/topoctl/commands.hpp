@@ -53,6 +53,9 @@ int show(const Arguments& arguments, const char* method, std::string (*table)(co
 // Commands with a file of their own: each returns the exit status.
 
 int drive_for(const Arguments& arguments);
+int drive_by_keys(const Arguments& arguments);
+int watch(const Arguments& arguments);
+int doctor(const Arguments& arguments);
 int wait_done(const Arguments& arguments);
 int wait_ready(const Arguments& arguments);
 

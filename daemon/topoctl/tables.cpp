@@ -70,6 +70,30 @@ std::string mission_text(const Json& mission) {
                      number(mission, "/elapsed_s", 0), number(mission, "/distance_m", 1));
 }
 
+std::string watch_line(const Json& status) {
+  const double elapsed_s =
+      at(status, "/mission/elapsed_s").is_number() ? at(status, "/mission/elapsed_s").get<double>() : 0.0;
+  const int whole_s = static_cast<int>(elapsed_s);
+  std::string out =
+      fmt::format("{:2}:{:02} {:<9} {:>6} m2 {:>2} goals  ({:>6}, {:>6}) {:>5} m/s {:>6} m", whole_s / 60,
+                  whole_s % 60, text(status, "/activity"), number(status, "/known_m2", 1),
+                  text(status, "/open_goals"), number(status, "/pose/x_m", 2), number(status, "/pose/y_m", 2),
+                  number(status, "/twist/v_mps", 2), number(status, "/mission/distance_m", 1));
+  if (at(status, "/goal").is_object()) out += "  to " + point_text(at(status, "/goal"));
+  const std::string state = text(status, "/state");
+  return state == "driving" || state == "standing" ? out : out + "  " + state;
+}
+
+std::string doctor_table(const Json& doctor) {
+  std::string out = rows(doctor, "/checks", [](const Json& c) {
+    const bool ok = text(c, "/ok") == "yes";
+    std::string line =
+        fmt::format("{:<4} {:<18} {}\n", ok ? "ok" : "BAD", text(c, "/check"), text(c, "/found"));
+    return ok ? line : line + fmt::format("     {:<18} cure: {}\n", "", text(c, "/cure"));
+  });
+  return out;
+}
+
 std::string goals_table(const Json& goals) {
   std::string out;
   if (at(goals, "/goal").is_object()) out += row("on the way", goal_text(at(goals, "/goal")));

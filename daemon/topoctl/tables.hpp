@@ -16,8 +16,11 @@ std::string health_table(const Json& health);
 std::string goals_table(const Json& goals);
 std::string why_table(const Json& goals);
 std::string places_table(const Json& places);
-/// One line.
+std::string doctor_table(const Json& doctor);
+/// One line with its end.
 std::string mission_text(const Json& mission);
+/// The status on one line without an end, for watching.
+std::string watch_line(const Json& status);
 
 /// The member at a path such as "/map/keyframes" as text: "yes" and "no", three decimals; "-" without it.
 std::string text_at(const Json& json, const char* path);

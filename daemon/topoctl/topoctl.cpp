@@ -39,6 +39,13 @@ void add(CLI::App& parent, const char* name, const char* help, int& status, std:
 void add_queries(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "status", "where the robot is and what it does", status,
       [&a] { return show(a, "status", &status_table); });
+  add(cli, "watch", "the status on one line again and again, until the mission has ended", status,
+      [&a] { return watch(a); });
+  cli.get_subcommand("watch")
+      ->add_option("--every", a.interval_s, "seconds (1)")
+      ->check(CLI::Range(0.1, 3600.0));
+  add(cli, "doctor", "why the robot will not move, each with its cure; status 1 when anything is bad", status,
+      [&a] { return doctor(a); });
   add(cli, "health", "what is wrong, if anything", status, [&a] { return show(a, "health", &health_table); });
   add(cli, "latency", "wake-up latency and run time of the threads", status,
       [&a] { return show(a, "latency", &latency_table); });
@@ -60,12 +67,12 @@ void add_commands(CLI::App& cli, Arguments& a, int& status) {
       [&a] { return show(a, "estop", &nothing); });
   add(cli, "clear-estop", "let the robot move again", status,
       [&a] { return show(a, "clear_estop", &nothing); });
-  add(cli, "drive", "drive at V m/s and W rad/s (counter-clockwise), then stop", status,
-      [&a] { return drive_for(a); });
-  auto* driving = cli.get_subcommand("drive");
-  driving->add_option("V", a.v_mps, "forward speed in m/s")->required();
-  driving->add_option("W", a.omega_radps, "turning speed in rad/s")->required();
-  driving->add_option("--for", a.seconds, "seconds (1)")->check(CLI::Range(0.0, 3600.0));
+  auto* driving = cli.add_subcommand("drive", "drive by hand: with the keys, or at V m/s and W rad/s");
+  auto* v = driving->add_option("V", a.v_mps, "forward speed in m/s; without V and W the keys drive");
+  auto* w = driving->add_option("W", a.omega_radps, "turning speed in rad/s, counter-clockwise");
+  v->needs(w);
+  driving->add_option("--for", a.seconds, "seconds (1), then stop")->check(CLI::Range(0.0, 3600.0));
+  driving->callback([&status, &a, v] { status = v->count() > 0 ? drive_for(a) : drive_by_keys(a); });
   add(cli, "log-level", "the least important message still logged", status, [&a] {
     return show(a, "log_level", &nothing, Json{{"level", a.level}});
   });
@@ -74,9 +81,10 @@ void add_commands(CLI::App& cli, Arguments& a, int& status) {
       ->required();
   auto* map = cli.add_subcommand("map", "the map");
   map->require_subcommand(1);
-  add(*map, "save", "write map.pgm, map.yaml and cloud.ply into DIR", status, [&a] { return save_map(a); });
+  add(*map, "save", "write the map's files into DIR", status, [&a] { return save_map(a); });
   map->get_subcommand("save")
-      ->add_option("DIR", a.folder, "an existing folder that the daemon may write to")
+      ->add_option("DIR", a.folder,
+                   "a folder that the daemon may write to; it is made when only it is missing")
       ->required();
 }
 

@@ -7,9 +7,9 @@
 namespace topo::daemon {
 namespace {
 
-using ::testing::HasSubstr;
 using pipeline::Activity;
 using pipeline::Order;
+using ::testing::HasSubstr;
 
 const types::Stamp kNow = types::stamp_from_seconds(100.0);
 

@@ -27,6 +27,7 @@ class FakeOperations final : public Operations {
   [[nodiscard]] Json goals() const override { return Json{{"open", Json::array()}}; }
   [[nodiscard]] Json places() const override { return Json{{"places", Json::array()}}; }
   [[nodiscard]] Json progress() const override { return Json{{"ready", true}}; }
+  void doctor(std::function<void(Json)> done) override { done(Json{{"ok", true}}); }
   types::Status explore() override { return calls.push_back("explore"), outcome; }
   types::Status go_home() override { return calls.push_back("home"), outcome; }
   types::Status pause() override { return calls.push_back("pause"), outcome; }

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/doctor.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace topo::daemon {
+namespace {
+
+using motion::GateReason;
+
+Check good(std::string name, std::string found) { return {std::move(name), true, std::move(found), {}}; }
+Check bad(std::string name, std::string found, std::string cure) {
+  return {std::move(name), false, std::move(found), std::move(cure)};
+}
+
+bool mentions(const std::string& message, int error) {
+  return message.find(std::strerror(error)) != std::string::npos;
+}
+
+/// What to do about a device that does not work, by its state and the system's words in its message.
+std::string device_cure(const DoctorFacts::Device& d) {
+  const std::string key = d.name == "base" ? "base.address" : fmt::format("scanner.{}.address", d.name);
+  if (d.state == "wrong device") {
+    return fmt::format(
+        "another device answers at {} than the configured one: exchange the plugs, or mend {} "
+        "and the model or serial number beside it",
+        d.address, key);
+  }
+  if (d.state == "unsafe") return "see the check \"firmware watchdog\"";
+  if (d.state == "silent") {
+    return "the port is there and nothing sensible comes: switch the device on, look at its cable, and at "
+           "what else may hold the port";
+  }
+  if (d.state == "fault")
+    return "the sensor reports a fault of its own: switch it off and on; if it stays, "
+           "it has to be repaired";
+  if (mentions(d.message, EACCES)) {
+    return fmt::format(
+        "the daemon's user may not open {}: add it to the group that owns the device "
+        "(usermod -aG dialout topometric) and start the service again",
+        d.address);
+  }
+  if (mentions(d.message, ENOENT)) {
+    return fmt::format(
+        "there is no {}: plug the device in and switch it on (ls -l /dev/serial/by-id shows "
+        "what is there), or mend {}",
+        d.address, key);
+  }
+  if (mentions(d.message, EBUSY) || d.message.find("another program") != std::string::npos)
+    return fmt::format("another program holds {} (fuser shows which): end it", d.address);
+  return fmt::format(
+      "nothing answers at {}: switch the device on, look at cable and network (ping its "
+      "host), or mend {}",
+      d.address, key);
+}
+
+Check check_device(const DoctorFacts::Device& d) {
+  const std::string found =
+      fmt::format("{}{}{}", d.state.empty() ? "starting" : d.state, d.message.empty() ? "" : ": ", d.message);
+  return d.working ? good(d.name, found) : bad(d.name, found, device_cure(d));
+}
+
+Check check_estop(const DoctorFacts& f) {
+  const std::string name = "e-stop";
+  if (f.base.ready && f.base.state.stop_button) {
+    return bad(name, "the stop button on the robot is pressed",
+               "pull or turn the button until it springs out, then topoctl clear-estop");
+  }
+  if (f.estop_by_operator || f.base.estop_latched)
+    return bad(name, "latched", "when the way is clear: topoctl clear-estop");
+  return good(name, "clear");
+}
+
+Check check_motors(const DoctorFacts& f) {
+  const std::string name = "motors";
+  if (!f.base.ready) return bad(name, "unknown: the base is not ready", "first the check \"base\"");
+  if (f.base.state.stall_left || f.base.state.stall_right) {
+    return bad(name, fmt::format("the {} wheel stalls", f.base.state.stall_left ? "left" : "right"),
+               "free the wheel; topoctl drive backs off by hand");
+  }
+  if (f.base.state.motors_enabled) return good(name, "on");
+  if (!f.base.wanted) return good(name, "off; they are switched on with the first command to move");
+  return bad(name, "off, and somebody wants to move",
+             "press the white MOTORS button on the robot's panel; when they go off again, look at the stop "
+             "button and the battery");
+}
+
+Check check_bumpers(const DoctorFacts& f) {
+  const auto& state = f.base.state;
+  if (state.bumpers_front == 0 && state.bumpers_rear == 0) return good("bumpers", "free");
+  return bad("bumpers",
+             fmt::format("pressed: front {:#04x}, rear {:#04x}", state.bumpers_front, state.bumpers_rear),
+             "move the robot away from what it touches by hand");
+}
+
+Check check_watchdog(const DoctorFacts& f) {
+  const std::string name = "firmware watchdog";
+  constexpr int kMost_ms = 2000;
+  if (!f.watchdog_ms) return bad(name, "unknown: the robot has not told it yet", "first the check \"base\"");
+  if (*f.watchdog_ms > 0 && *f.watchdog_ms <= kMost_ms)
+    return good(name, fmt::format("{} ms", *f.watchdog_ms));
+  return bad(name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
+             "set the parameter Watchdog of the robot's FLASH to 1 to 2000 ms with ARCOScfg: without it the "
+             "robot would run on when the computer dies, so nothing drives");
+}
+
+Check check_battery(const DoctorFacts& f) {
+  if (!f.base.ready) return bad("battery", "unknown: the base is not ready", "first the check \"base\"");
+  const double v = static_cast<double>(f.base.state.battery_v);
+  const double charge = static_cast<double>(f.base.state.state_of_charge);
+  std::string found = fmt::format("{:.1f} V", v);
+  if (charge >= 0.0) found += fmt::format(", {:.0f} %", 100.0 * charge);
+  if (v >= f.battery_home_v && (charge < 0.0 || charge >= f.charge_home)) return good("battery", found);
+  return bad("battery", found,
+             fmt::format("charge it; below {:.1f} V the robot goes home (exploration.battery_home_v)",
+                         f.battery_home_v));
+}
+
+/// What holds the base back in this moment.
+Check check_gate(const DoctorFacts& f) {
+  const std::string name = "motion";
+  const std::string found(motion::to_text(f.base.reason));
+  switch (f.base.reason) {
+    case GateReason::kFree:
+    case GateReason::kLimited:
+    case GateReason::kSlowed:
+      return good(name, found);
+    case GateReason::kStaleScan:
+      return bad(name, found,
+                 "the front scanner's data come late or not at all: see the check \"front\", "
+                 "and topoctl latency for a computer that is too busy");
+    case GateReason::kBlindScan:
+      return bad(name, found, "clean the front scanner's window, and take away what covers it");
+    case GateReason::kBlocked:
+      return bad(name, found, "something stands too near: move it, or turn away with topoctl drive");
+    case GateReason::kStaleStatus:
+    case GateReason::kInvalidStatus:
+      return bad(name, found, "the robot's status packets do not come: see the check \"base\"");
+    case GateReason::kInvalidLimits:
+      return bad(name, found, "the limits in the configuration make no sense: topometricd --check-config");
+    case GateReason::kNoWatchdog:
+      return bad(name, found, "see the check \"firmware watchdog\"");
+    case GateReason::kStall:
+      return bad(name, found, "see the check \"motors\"");
+    case GateReason::kBumper:
+      return bad(name, found, "see the check \"bumpers\"");
+    case GateReason::kEmergencyStop:
+      return bad(name, found, "see the check \"e-stop\"");
+    default:
+      return good(name, found);
+  }
+}
+
+Check check_mapping(const DoctorFacts& f) {
+  const std::uint64_t all = f.scans_lost_lately + f.scans_matched_lately;
+  const std::string found = fmt::format("{} of the last {} scans matched nothing", f.scans_lost_lately, all);
+  if (2 * f.scans_lost_lately > all) {
+    return bad("mapping", found,
+               "the robot does not know where it is: it was carried, or stands in the open. Bring it back to "
+               "where it was, or start the daemon anew for a new map");
+  }
+  if (!f.has_map)
+    return bad("mapping", "no scan was matched since the start", "first the checks \"base\" and \"front\"");
+  return good("mapping", found);
+}
+
+Check check_threads(const DoctorFacts& f) {
+  if (f.stuck.empty()) return good("threads", "all advance");
+  return bad("threads", fmt::format("{} does not advance", fmt::join(f.stuck, ", ")),
+             "start the service again (systemctl restart topometric) and keep its log");
+}
+
+Check check_real_time(const DoctorFacts& f) {
+  if (f.policy == RealtimePolicy::kOff) return good("real time", "not asked for (realtime.policy = \"off\")");
+  if (f.refusals.empty()) return good("real time", "granted");
+  return bad("real time", fmt::format("{}", fmt::join(f.refusals, "; ")),
+             "start it as the service, whose unit grants them (LimitRTPRIO=50, LimitMEMLOCK=infinity), or "
+             "set realtime.policy = \"off\" on a machine that needs none");
+}
+
+Check check_disk(const DoctorFacts& f) {
+  constexpr std::uint64_t kEnough = 200ULL << 20U;
+  if (f.folder.empty()) return good("disk", "nothing is saved by itself");
+  if (!f.free_bytes) {
+    return bad("disk", fmt::format("{} cannot be used", f.folder),
+               "make the folder, and let the daemon's user write to it");
+  }
+  const std::string found = fmt::format("{} MiB free for {}", *f.free_bytes >> 20U, f.folder);
+  if (*f.free_bytes >= kEnough) return good("disk", found);
+  return bad("disk", found, "make room: delete old maps and recordings");
+}
+
+}  // namespace
+
+std::vector<Check> examine(const DoctorFacts& facts) {
+  std::vector<Check> checks;
+  for (const auto& device : facts.devices) checks.push_back(check_device(device));
+  checks.push_back(check_watchdog(facts));
+  checks.push_back(check_estop(facts));
+  checks.push_back(check_motors(facts));
+  checks.push_back(check_bumpers(facts));
+  checks.push_back(check_battery(facts));
+  checks.push_back(check_gate(facts));
+  checks.push_back(check_mapping(facts));
+  checks.push_back(check_threads(facts));
+  checks.push_back(check_real_time(facts));
+  checks.push_back(check_disk(facts));
+  return checks;
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/config/configuration.hpp"
+#include "daemon/threads/hand_overs.hpp"
+
+namespace topo::daemon {
+
+/// What the doctor looks at; a value, so that a test makes it up.
+struct DoctorFacts {
+  struct Device {
+    std::string name, address, state, message;
+    bool working = false;
+  };
+  std::vector<Device> devices;
+  BaseReport base;
+  bool estop_by_operator = false;
+  std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the robot was asked
+  double battery_home_v = 0.0;
+  double charge_home = 0.0;
+  bool has_map = false;
+  std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: matched nothing
+  std::uint64_t scans_matched_lately = 0;  ///< the same: matched
+  RealtimePolicy policy = RealtimePolicy::kOff;
+  std::vector<std::string> refusals;        ///< of the system: real-time scheduling, locked memory
+  std::vector<std::string> stuck;           ///< threads that do not advance
+  std::string folder;                       ///< where maps are saved by themselves; empty: nowhere
+  std::optional<std::uint64_t> free_bytes;  ///< there; nothing when it cannot be asked
+};
+
+/// One finding.
+struct Check {
+  std::string name;
+  bool ok = true;
+  std::string found;
+  std::string cure;  ///< in plain words; empty when ok
+};
+
+/// Why the robot will not move, and what else is not as it should be: every check, good ones too.
+std::vector<Check> examine(const DoctorFacts& facts);
+
+}  // namespace topo::daemon

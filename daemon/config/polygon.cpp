@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/config/polygon.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace topo::daemon {
+namespace {
+
+using types::Vector2;
+
+constexpr double kFarthest_m = 1e4;
+
+double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Which side of the line from a to b the point is on: 1 left, -1 right, 0 on it.
+int side(const Vector2& a, const Vector2& b, const Vector2& p) {
+  const double area = cross(b - a, p - a);
+  return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
+}
+
+bool in_box(const Vector2& a, const Vector2& b, const Vector2& p) {
+  return p.x() >= std::min(a.x(), b.x()) && p.x() <= std::max(a.x(), b.x()) &&
+         p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y());
+}
+
+/// Touching counts.
+bool meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
+  const int abc = side(a, b, c), abd = side(a, b, d), cda = side(c, d, a), cdb = side(c, d, b);
+  if (abc * abd < 0 && cda * cdb < 0) return true;
+  return (abc == 0 && in_box(a, b, c)) || (abd == 0 && in_box(a, b, d)) || (cda == 0 && in_box(c, d, a)) ||
+         (cdb == 0 && in_box(c, d, b));
+}
+
+/// Does the polygon turn back on itself at corner `i`?
+bool folds(const motion::Polygon& p, std::size_t i) {
+  const std::size_t n = p.size();
+  const Vector2 in = p[i] - p[(i + n - 1) % n], out = p[(i + 1) % n] - p[i];
+  return cross(in, out) == 0.0 && in.dot(out) <= 0.0;
+}
+
+/// The later of two edges that meet where they must not, as the number of its first corner.
+std::optional<std::size_t> crossing(const motion::Polygon& p) {
+  const std::size_t n = p.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (folds(p, i)) return i;
+    for (std::size_t j = 0; j + 1 < i; ++j) {
+      const bool neighbours = j == 0 && i == n - 1;
+      if (!neighbours && meet(p[i], p[(i + 1) % n], p[j], p[j + 1])) return i;
+    }
+  }
+  return {};
+}
+
+bool read_corner(const toml::node& node, Vector2& corner) {
+  const auto* pair = node.as_array();
+  if (pair == nullptr || pair->size() != 2) return false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto value = (*pair)[i].value<double>();
+    if (!(*pair)[i].is_number() || !value || !(std::abs(*value) <= kFarthest_m)) return false;
+    corner[static_cast<Eigen::Index>(i)] = *value;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<PolygonFault> read_polygon(const toml::node& node, motion::Polygon& polygon) {
+  const auto* corners = node.as_array();
+  if (corners == nullptr) return PolygonFault{"a polygon is a list of corners", &node};
+  motion::Polygon read;
+  for (const auto& element : *corners) {
+    Vector2 corner{0.0, 0.0};
+    if (!read_corner(element, corner))
+      return PolygonFault{
+          fmt::format("corner {} is no pair of numbers up to {}", read.size() + 1, kFarthest_m), &element};
+    read.push_back(corner);
+  }
+  if (read.size() < 3)
+    return PolygonFault{fmt::format("{} corners make no area, three are needed", read.size()), &node};
+  if (const auto at = crossing(read)) {
+    return PolygonFault{fmt::format("the edge from corner {} crosses or touches another one", *at + 1),
+                        corners->get(*at)};
+  }
+  polygon = std::move(read);
+  return {};
+}
+
+std::string polygon_text(const motion::Polygon& polygon) {
+  std::string text;
+  for (const Vector2& corner : polygon)
+    text += fmt::format("{}[{:#}, {:#}]", text.empty() ? "" : ", ", corner.x(), corner.y());
+  return "[" + text + "]";
+}
+
+}  // namespace topo::daemon
