@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/doctor.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace topo::daemon {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A robot that nothing is wrong with.
+DoctorFacts healthy() {
+  DoctorFacts facts;
+  facts.devices = {{"base", "/dev/ttyUSB0", "ready", "", true}, {"front", "tcp:h:1", "streaming", "", true}};
+  facts.base.ready = true;
+  facts.base.reason = motion::GateReason::kFree;
+  facts.base.state.battery_v = 12.6F;
+  facts.watchdog_ms = 2000;
+  facts.battery_home_v = 11.6;
+  facts.charge_home = 0.2;
+  facts.has_map = true;
+  facts.scans_matched_lately = 100;
+  facts.folder = "/maps";
+  facts.free_bytes = 1ULL << 30U;
+  return facts;
+}
+
+/// The only bad finding.
+Check the_bad_one(const DoctorFacts& facts) {
+  std::vector<Check> bad;
+  for (const Check& check : examine(facts)) {
+    EXPECT_EQ(check.ok, check.cure.empty()) << check.name;
+    if (!check.ok) bad.push_back(check);
+  }
+  EXPECT_EQ(bad.size(), 1U);
+  return bad.empty() ? Check{} : bad.front();
+}
+
+TEST(Doctor, FindsNothingWrongWithAHealthyRobot) {
+  for (const Check& check : examine(healthy())) {
+    EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
+    EXPECT_THAT(check.cure, IsEmpty()) << check.name;
+  }
+}
+
+TEST(Doctor, DevicesByTheirStateAndTheSystemsWords) {
+  DoctorFacts facts = healthy();
+  auto& device = facts.devices[1];
+  device.working = false;
+  const auto cure = [&](const std::string& state, const std::string& message) {
+    device.state = state;
+    device.message = message;
+    const Check check = the_bad_one(facts);
+    EXPECT_EQ(check.name, "front");
+    return check.cure;
+  };
+  EXPECT_THAT(cure("disconnected", std::strerror(EACCES)), HasSubstr("usermod -aG dialout"));
+  EXPECT_THAT(cure("disconnected", std::strerror(ENOENT)), HasSubstr("plug the device in"));
+  EXPECT_THAT(cure("disconnected", "another program holds the device"), HasSubstr("end it"));
+  EXPECT_THAT(cure("disconnected", std::strerror(ECONNREFUSED)), HasSubstr("scanner.front.address"));
+  EXPECT_THAT(cure("wrong device", "found a base"), HasSubstr("exchange the plugs"));
+  EXPECT_THAT(cure("silent", ""), HasSubstr("switch the device on"));
+  EXPECT_THAT(cure("fault", ""), HasSubstr("repaired"));
+}
+
+TEST(Doctor, FirmwareWatchdog) {
+  DoctorFacts facts = healthy();
+  facts.watchdog_ms = 0;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("ARCOScfg"));
+  facts.watchdog_ms = 2001;
+  EXPECT_EQ(the_bad_one(facts).found, "2001 ms");
+  facts.watchdog_ms.reset();
+  EXPECT_EQ(the_bad_one(facts).name, "firmware watchdog");
+}
+
+TEST(Doctor, StopButtonAndLatch) {
+  DoctorFacts facts = healthy();
+  facts.estop_by_operator = true;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("clear-estop"));
+  facts.estop_by_operator = false;
+  facts.base.state.stop_button = true;
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("stop button"));
+}
+
+TEST(Doctor, MotorsBumpersBattery) {
+  DoctorFacts facts = healthy();
+  facts.base.wanted = true;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("MOTORS"));
+  facts = healthy();
+  facts.base.state.stall_left = true;
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("left wheel"));
+  facts = healthy();
+  facts.base.state.bumpers_front = 4;
+  EXPECT_EQ(the_bad_one(facts).name, "bumpers");
+  facts = healthy();
+  facts.base.state.battery_v = 11.0F;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("charge it"));
+  facts.base.state.battery_v = 12.6F;
+  facts.base.state.state_of_charge = 0.1F;
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("10 %"));
+}
+
+TEST(Doctor, SensorsMapAndMachine) {
+  DoctorFacts facts = healthy();
+  facts.base.reason = motion::GateReason::kStaleScan;
+  EXPECT_EQ(the_bad_one(facts).name, "motion");
+  facts = healthy();
+  facts.scans_lost_lately = 101;
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("101 of the last 201"));
+  facts = healthy();
+  facts.stuck = {"mapping"};
+  EXPECT_EQ(the_bad_one(facts).name, "threads");
+  facts = healthy();
+  facts.policy = RealtimePolicy::kTry;
+  facts.refusals = {"no SCHED_FIFO 45"};
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("LimitRTPRIO"));
+  facts = healthy();
+  facts.free_bytes = 1 << 20;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("make room"));
+  facts.free_bytes.reset();
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("cannot be used"));
+}
+
+TEST(Doctor, EveryReasonToStandHasItsCure) {
+  for (int i = 0; i <= static_cast<int>(motion::GateReason::kReverse); ++i) {
+    DoctorFacts facts = healthy();
+    facts.base.reason = static_cast<motion::GateReason>(i);
+    for (const Check& check : examine(facts)) EXPECT_EQ(check.ok, check.cure.empty()) << i << check.name;
+  }
+}
+
+}  // namespace
+}  // namespace topo::daemon

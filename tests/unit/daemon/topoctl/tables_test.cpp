@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/topoctl/tables.hpp"
+
+#include <gmock/gmock.h>
+
+namespace topo::daemon {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Tables, GoalsAndWhy) {
+  const Json goals{{"goal", {{"x_m", 1.0}, {"y_m", 2.0}, {"place", 3}, {"opening_m", 1.9}}},
+                   {"open", Json::array()},
+                   {"given_up", {{{"x_m", 4.0}, {"y_m", 5.0}, {"back_in_s", 12.0}, {"why", "stuck"}}}},
+                   {"dropped", {{{"x_m", 6.0}, {"y_m", 7.0}, {"why", "visited"}}}},
+                   {"decisions", {{{"x_m", 1.0}, {"y_m", 2.0}, {"age_s", 9.0}, {"text", "taken: nearest"}}}}};
+  EXPECT_THAT(goals_table(goals), HasSubstr("(1.00, 2.00)  place 3, opening 1.90 m"));
+  EXPECT_THAT(goals_table(goals), HasSubstr("back in 12 s: stuck"));
+  EXPECT_THAT(goals_table(goals), Not(HasSubstr("visited")));
+  EXPECT_THAT(why_table(goals), HasSubstr("visited"));
+  EXPECT_THAT(why_table(goals), HasSubstr("9 s ago"));
+  EXPECT_EQ(goals_table(Json::object()), "no goals\n");
+}
+
+TEST(Tables, WatchLineIsOneLineWhateverIsMissing) {
+  EXPECT_THAT(watch_line(Json::object()), Not(HasSubstr("\n")));
+  const Json status{{"activity", "exploring"},
+                    {"known_m2", 12.34},
+                    {"state", "driving"},
+                    {"mission", {{"elapsed_s", 75.0}, {"distance_m", 3.0}}}};
+  EXPECT_THAT(watch_line(status), HasSubstr("1:15 exploring"));
+  EXPECT_THAT(watch_line(status), HasSubstr("12.3 m2"));
+  EXPECT_THAT(watch_line(status), Not(HasSubstr("driving")));
+}
+
+TEST(Tables, DoctorNamesTheCureOfWhatIsBad) {
+  const Json doctor{{"checks",
+                     {{{"check", "base"}, {"ok", true}, {"found", "ready"}, {"cure", ""}},
+                      {{"check", "e-stop"}, {"ok", false}, {"found", "latched"}, {"cure", "clear it"}}}}};
+  EXPECT_THAT(doctor_table(doctor), HasSubstr("BAD  e-stop"));
+  EXPECT_THAT(doctor_table(doctor), HasSubstr("cure: clear it"));
+}
+
+TEST(Tables, Mission) {
+  const Json mission{{"number", 2},      {"order", "explore"}, {"state", "failed"},
+                     {"reason", "lost"}, {"elapsed_s", 10.0},  {"distance_m", 1.0}};
+  EXPECT_EQ(mission_text(mission), "mission 2 (explore) failed: lost; 10 s, 1.0 m driven\n");
+}
+
+}  // namespace
+}  // namespace topo::daemon
