@@ -24,6 +24,7 @@ using types::Result;
 using types::Status;
 
 constexpr std::uint64_t kTickUsec = 100'000;
+constexpr std::uint64_t kTickAccuracyUsec = 10'000;  // 0 would be 250 ms
 
 Status from_sd(int result, const char* what) {
   if (result >= 0) return {};
@@ -106,8 +107,8 @@ Status App::add_events() {
   const auto fds = operator_->finished_fds();
   if (auto s = watch(fds[0], saved, this, saved_); !s) return s;
   if (auto s = watch(fds[1], searched, this, searched_); !s) return s;
-  const int added =
-      sd_event_add_time_relative(event, &source, CLOCK_MONOTONIC, kTickUsec, 0, &App::on_tick, this);
+  const int added = sd_event_add_time_relative(event, &source, CLOCK_MONOTONIC, kTickUsec, kTickAccuracyUsec,
+                                               &App::on_tick, this);
   if (auto s = from_sd(added, "timer"); !s) return s;
   tick_.reset(source);
   return {};

@@ -31,7 +31,8 @@ Json Operator::status() const {
   const auto* report = plan_.report();
   if (report == nullptr) return json;
   json["activity"] = to_text(report->activity);
-  json["reason"] = report->reason;
+  const bool paused = missions_.state() == MissionState::kPaused;  // planning does not know by whom
+  json["reason"] = paused ? missions_.reason() : report->reason;
   json["goal"] = goal_json(report->goal);
   json["open_goals"] = report->open_goals.size();
   json["second_phase"] = report->second_phase;

@@ -13,6 +13,7 @@ Json to_json(const goals::Goal& goal) {
   Json json = point(goal.p_map);
   json["opening_m"] = goal.opening_m;
   json["place"] = goal.place;
+  json["side"] = goals::to_text(goal.side);
   return json;
 }
 
@@ -21,7 +22,7 @@ Json to_json(const goals::Goal& goal) {
 Json goal_json(const std::optional<goals::Goal>& goal) { return goal ? to_json(*goal) : Json(); }
 
 Json goals_json(const pipeline::PlanningReport& report) {
-  Json open = Json::array(), given_up = Json::array(), decisions = Json::array();
+  Json open = Json::array(), given_up = Json::array(), dropped = Json::array(), decisions = Json::array();
   for (const goals::Goal& goal : report.open_goals) open.push_back(to_json(goal));
   for (const pipeline::GivenUp& goal : report.given_up) {
     Json json = point(goal.p_map);
@@ -29,21 +30,24 @@ Json goals_json(const pipeline::PlanningReport& report) {
     json["why"] = goal.why;
     given_up.push_back(std::move(json));
   }
+  if (report.analysis != nullptr) {
+    for (const goals::Goal& goal : report.analysis->goals.rejected) {
+      Json json = to_json(goal);
+      json["why"] = goals::to_text(goal.verdict);
+      dropped.push_back(std::move(json));
+    }
+  }
   for (const pipeline::Decision& decision : report.decisions) {
     Json json = point(decision.p_map);
     json["age_s"] = types::to_seconds(report.stamp - decision.stamp);
     json["text"] = decision.text;
     decisions.push_back(std::move(json));
   }
-  return {{"goal", goal_json(report.goal)},
-          {"open", std::move(open)},
-          {"given_up", std::move(given_up)},
-          {"decisions", std::move(decisions)},
-          {"frontier_clusters", report.frontier_clusters},
-          {"goals_issued", report.goals_issued},
-          {"decisions_made", report.decisions_made},
-          {"clusters_sum", report.clusters_sum},
-          {"goals_sum", report.goals_sum},
+  return {{"goal", goal_json(report.goal)},      {"open", std::move(open)},
+          {"given_up", std::move(given_up)},     {"dropped", std::move(dropped)},
+          {"decisions", std::move(decisions)},   {"frontier_clusters", report.frontier_clusters},
+          {"goals_issued", report.goals_issued}, {"decisions_made", report.decisions_made},
+          {"clusters_sum", report.clusters_sum}, {"goals_sum", report.goals_sum},
           {"second_phase", report.second_phase}};
 }
 

@@ -42,6 +42,7 @@ pipeline::ControlSetup control_setup(const Configuration& configuration) {
   setup.limits.footprint = footprint(configuration);
   setup.limits.margin_m = configuration.motion.margin_m;
   setup.T_base_laser = mapper_params(configuration).T_base_laser;
+  setup.area = configuration.area;
   return setup;
 }
 
