@@ -58,7 +58,7 @@ PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> cleara
   out.labels.assign(map.cells.size(), 0);
   const CompassFrame frame(compass_rad);
   const FirstLabels first = first_labels(map, clearance_m, skeleton, params.piece_m);
-  std::vector<Region> regions = regions_of(map, clearance_m, first, walls, frame);
+  std::vector<Region> regions = regions_of(map, clearance_m, first, skeleton.axis, walls, frame);
   const BoxCounts counts(map, frame);
   const std::vector<std::uint32_t> roots = reduce(regions, counts, map.resolution_m, params);
   const auto numbers = number_places(regions, map.resolution_m, params, out);

@@ -15,14 +15,14 @@ namespace topo::places {
 
 struct PlaceParams {
   double density_min = 0.80;  ///< free share of a place's bounding box, for a merge (paper II-C, condition 1)
-  double unknown_weight = 0.3;   ///< of an unknown cell in that box beside an occupied one: what is not seen
-                                 ///< yet speaks less against a place
-  double width_ratio_max = 1.8;  ///< of the clearances of two corridor pieces, for a merge
-  double narrow_ratio = 0.6;     ///< a passage narrower than this share of both sides' widths divides places
-  double wall_share_max = 0.5;   ///< of wall to open border between two places, for a merge (condition 2)
-  double piece_m = 1.0;          ///< of the axis, in the first labels
-  double small_m2 = 1.5;         ///< smaller places go to the neighbour with the longest common border
-  double speck_m2 = 0.3;         ///< free space of its own smaller than this is no place at all
+  double elsewhere_weight = 0.3;  ///< beside an occupied cell in that box, of one that is unknown or of
+                                  ///< another place: what is not there yet speaks less against a merge
+  double width_ratio_max = 1.8;   ///< of the clearances of two corridor pieces, for a merge
+  double narrow_ratio = 0.75;     ///< a passage narrower than this share of both sides' widths divides places
+  double wall_share_max = 0.5;    ///< of wall to open border between two places, for a merge (condition 2)
+  double piece_m = 1.0;           ///< of the axis, in the first labels
+  double small_m2 = 1.5;          ///< smaller places go to the neighbour with the longest common border
+  double speck_m2 = 0.3;          ///< free space of its own smaller than this is no place at all
 };
 
 struct Place {

@@ -17,11 +17,16 @@ types::Rectangle united(types::Rectangle a, const types::Rectangle& b) {
   return a;
 }
 
-/// Longer than twice its width, and as wide everywhere: its area is about that of its box.
+double narrow_side(const Region& region) {
+  const types::Vector2 side = region.core.max - region.core.min;
+  return std::min(side.x(), side.y());
+}
+
+/// Longer than twice its width, and that width is what its clearance says: not a slice of a hall.
 bool is_corridor(const Region& region) {
-  const types::Vector2 side = region.box.max - region.box.min;
-  return std::max(side.x(), side.y()) > 2.0 * std::min(side.x(), side.y()) &&
-         std::min(side.x(), side.y()) < 3.0 * static_cast<double>(region.clearance_m);
+  const types::Vector2 side = region.core.max - region.core.min;
+  const double width = narrow_side(region);
+  return std::max(side.x(), side.y()) > 2.0 * width && static_cast<double>(region.clearance_m) < 0.7 * width;
 }
 
 /// A merge that may be made, if both regions are still as they were.
@@ -63,9 +68,9 @@ class Reduction {
   [[nodiscard]] std::optional<double> merged_density(const Region& a, const Region& b,
                                                      const Contact& c) const {
     if (c.upright + c.level == 0 || !no_wall_between(c, resolution_m_, params_) ||
-        !no_narrows(a, b, c, resolution_m_, params_) || !similar_width(a, b, params_))
+        !no_narrows(a, b, c, resolution_m_, params_) || !similar_width(a, b, c, resolution_m_, params_))
       return std::nullopt;
-    const double dense = density(united(a.box, b.box), a.cells + b.cells, counts_, resolution_m_, params_);
+    const double dense = density(united(a.core, b.core), a.cells + b.cells, counts_, resolution_m_, params_);
     return dense >= params_.density_min ? std::optional(dense) : std::nullopt;
   }
 
@@ -88,14 +93,14 @@ class Reduction {
       const Region &a = regions_[best.a], &b = regions_[best.b];
       if (a.cells == 0 || b.cells == 0 || a.version != best.version_a || b.version != best.version_b)
         continue;
-      merge(best.a, best.b);
+      merge(best.a, best.b, true);
     }
   }
 
-  void merge(std::uint32_t a, std::uint32_t b) {
+  void merge(std::uint32_t a, std::uint32_t b, bool equals) {
     // The one with more contacts keeps its place in memory: the same result with less to move.
-    if (regions_[a].contacts.size() < regions_[b].contacts.size()) std::swap(a, b);
-    absorb(regions_, a, b);
+    if (equals && regions_[a].contacts.size() < regions_[b].contacts.size()) std::swap(a, b);
+    absorb(regions_, a, b, equals);
     parent_[b] = a;
     propose_all(a, false);
   }
@@ -120,7 +125,7 @@ class Reduction {
           best = &c;
       }
       if (best == nullptr) continue;
-      merge(best->other, r);
+      merge(best->other, r, false);
       any = true;
     }
     return any;
@@ -147,10 +152,10 @@ class Reduction {
 double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
                double resolution_m, const PlaceParams& params) {
   const types::Vector2 side = (box.max - box.min) / resolution_m;
-  const auto [free, occupied] = counts.in(box);
-  const double own = own_cells, others = std::max(0.0, free - own);
-  const double unknown = std::max(0.0, side.x() * side.y() - free - occupied);
-  return own / (own + others + occupied + params.unknown_weight * unknown);
+  const double occupied = counts.in(box).occupied;
+  const double own = own_cells;
+  const double elsewhere = std::max(0.0, side.x() * side.y() - own - occupied);
+  return own / (own + occupied + params.elsewhere_weight * elsewhere);
 }
 
 bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params) {
@@ -160,13 +165,20 @@ bool no_wall_between(const Contact& contact, double resolution_m, const PlacePar
 bool no_narrows(const Region& a, const Region& b, const Contact& contact, double resolution_m,
                 const PlaceParams& params) {
   const double narrower_m = 2.0 * static_cast<double>(std::min(a.clearance_m, b.clearance_m));
-  return contact.border() * resolution_m >= params.narrow_ratio * narrower_m;
+  // Of a border in several parts, around furniture, the sum counts.
+  const double passage_m =
+      std::max(2.0 * static_cast<double>(contact.clearance_m), contact.border() * resolution_m);
+  return passage_m >= params.narrow_ratio * narrower_m;
 }
 
-bool similar_width(const Region& a, const Region& b, const PlaceParams& params) {
-  if (!is_corridor(a) && !is_corridor(b)) return true;
-  const auto [low, high] = std::minmax(a.clearance_m, b.clearance_m);
-  return static_cast<double>(high) <= params.width_ratio_max * static_cast<double>(low);
+bool similar_width(const Region& a, const Region& b, const Contact& contact, double resolution_m,
+                   const PlaceParams& params) {
+  const bool a_narrower = a.clearance_m < b.clearance_m;
+  const Region &narrower = a_narrower ? a : b, &wider = a_narrower ? b : a;
+  // What lies alongside is not a corridor that leads in, but the edge of the same room.
+  if (!is_corridor(narrower) || contact.border() * resolution_m > 1.5 * narrow_side(narrower)) return true;
+  return static_cast<double>(wider.clearance_m) <=
+         params.width_ratio_max * static_cast<double>(narrower.clearance_m);
 }
 
 std::vector<std::uint32_t> reduce(std::vector<Region>& regions, const BoxCounts& counts, double resolution_m,

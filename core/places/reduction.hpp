@@ -12,20 +12,21 @@
 
 namespace topo::places {
 
-/// Share of free space of its own in a region's box. Occupied cells and other places' free space count
-/// against it in full, unknown cells by params.unknown_weight.
+/// Share of its own free space in a region's box. Occupied cells count against it in full, what is unknown or
+/// other regions' by params.elsewhere_weight.
 double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
                double resolution_m, const PlaceParams& params);
 
 /// Condition 2 of paper section II-C: what wall there is between the two is little beside their open border.
 bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params);
 
-/// The border is as wide as at least one side: no doorway.
+/// The passage between them is nearly as wide as at least one of them: no doorway.
 bool no_narrows(const Region& a, const Region& b, const Contact& contact, double resolution_m,
                 const PlaceParams& params);
 
-/// Not a corridor piece and something much wider or narrower.
-bool similar_width(const Region& a, const Region& b, const PlaceParams& params);
+/// Not a corridor that ends in something much wider.
+bool similar_width(const Region& a, const Region& b, const Contact& contact, double resolution_m,
+                   const PlaceParams& params);
 
 /// Merges neighbours to a fixed point, the densest union first, of equally dense ones the largest; then gives
 /// small regions to their neighbours, and again. Returns for every region the one that it has gone into.

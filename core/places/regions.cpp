@@ -14,6 +14,7 @@ struct Pair {
   std::uint64_t key;  ///< the smaller region above the greater
   std::uint32_t upright, level;
   float wall_m;
+  float clearance_m;
 };
 
 std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
@@ -33,12 +34,25 @@ class CellPass {
       for (std::size_t i = y * width, end = i + width - 1; i < end; ++i) {
         if (labels_[i] == 0) continue;
         add(i, static_cast<int>(i - y * width), static_cast<int>(y));
-        if (labels_[i + 1] != 0 && labels_[i + 1] != labels_[i]) note(labels_[i], labels_[i + 1], 1, 0);
-        if (labels_[i + width] != 0 && labels_[i + width] != labels_[i])
-          note(labels_[i], labels_[i + width], 0, 1);
+        note(i, i + 1, 1, 0);
+        note(i, i + width, 0, 1);
       }
     }
     pad_boxes();
+  }
+  void add_cores(std::span<const std::uint32_t> axis) {
+    for (const std::uint32_t i : axis) {
+      if (labels_[i] == 0) continue;
+      Region& region = regions[labels_[i] - 1];
+      const types::Vector2 p = frame_.from_map(map_.centre_of(map_.cell(i)));
+      const double r = static_cast<double>(clearance_m_[i]) - 0.5 * map_.resolution_m;
+      region.core.extend(p - types::Vector2(r, r));
+      region.core.extend(p + types::Vector2(r, r));
+    }
+    for (Region& region : regions) {
+      region.core.min = region.core.min.cwiseMax(region.box.min);
+      region.core.max = region.core.max.cwiseMin(region.box.max);
+    }
   }
 
  private:
@@ -50,8 +64,10 @@ class CellPass {
     if (region.cells++ == 0) region.first = static_cast<std::uint32_t>(i);
     region.clearance_m = std::max(region.clearance_m, clearance_m_[i]);
   }
-  void note(std::uint32_t a, std::uint32_t b, std::uint32_t upright, std::uint32_t level) {
-    pairs.push_back({key_of(a - 1, b - 1), upright, level, 0.0F});
+  void note(std::size_t i, std::size_t j, std::uint32_t upright, std::uint32_t level) {
+    const std::uint32_t a = labels_[i], b = labels_[j];
+    if (b == 0 || a == b) return;
+    pairs.push_back({key_of(a - 1, b - 1), upright, level, 0.0F, std::min(clearance_m_[i], clearance_m_[j])});
   }
   /// From the centres of cells to their sides.
   void pad_boxes() {
@@ -95,7 +111,7 @@ void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels,
       const types::Vector2 p = wall.a + d * along;
       const std::uint32_t a = label_beside(map, labels, p, across), b = label_beside(map, labels, p, -across);
       if (a != 0 && b != 0 && a != b)
-        pairs.push_back({key_of(a - 1, b - 1), 0, 0, static_cast<float>(kStepM)});
+        pairs.push_back({key_of(a - 1, b - 1), 0, 0, static_cast<float>(kStepM), 0.0F});
     }
   }
 }
@@ -109,6 +125,7 @@ void add_contacts(std::vector<Pair>& pairs, std::vector<Region>& regions) {
       contact.upright += pairs[k].upright;
       contact.level += pairs[k].level;
       contact.wall_m += pairs[k].wall_m;
+      contact.clearance_m = std::max(contact.clearance_m, pairs[k].clearance_m);
     }
     const auto a = static_cast<std::uint32_t>(key >> 32U), b = static_cast<std::uint32_t>(key);
     contact.other = b;
@@ -124,6 +141,7 @@ void add_contact(Region& region, const Contact& contact) {
     known.upright += contact.upright;
     known.level += contact.level;
     known.wall_m += contact.wall_m;
+    known.clearance_m = std::max(known.clearance_m, contact.clearance_m);
     return;
   }
   region.contacts.push_back(contact);
@@ -136,19 +154,24 @@ void drop_contact(Region& region, std::uint32_t other) {
 }  // namespace
 
 std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const types::Segment> walls,
-                               const CompassFrame& frame) {
+                               const FirstLabels& first, std::span<const std::uint32_t> axis,
+                               std::span<const types::Segment> walls, const CompassFrame& frame) {
   CellPass pass(map, clearance_m, first, frame);
   pass.run();
+  pass.add_cores(axis);
   note_walls(map, first.labels, walls, pass.pairs);
   add_contacts(pass.pairs, pass.regions);
   return std::move(pass.regions);
 }
 
-void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from) {
+void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core) {
   Region &a = regions[into], &b = regions[from];
   a.box.extend(b.box.min);
   a.box.extend(b.box.max);
+  if (grows_core) {
+    a.core.extend(b.core.min);
+    a.core.extend(b.core.max);
+  }
   a.sum += b.sum;
   a.cells += b.cells;
   a.first = std::min(a.first, b.first);

@@ -20,6 +20,7 @@ struct Contact {
   std::uint32_t upright = 0;  ///< pairs of cells side by side across the border
   std::uint32_t level = 0;    ///< pairs of cells one above the other
   float wall_m = 0.0F;        ///< length of wall with one of them on each side
+  float clearance_m = 0.0F;   ///< at the clearest point of the border
 
   /// Of the open border, in cells; a slanted one is a staircase of both kinds.
   [[nodiscard]] double border() const {
@@ -29,7 +30,8 @@ struct Contact {
 
 /// Free space with one label, and all that the reduction must know of it.
 struct Region {
-  types::Rectangle box;              ///< in the compass frame
+  types::Rectangle box;              ///< of its cells, in the compass frame
+  types::Rectangle core;             ///< the same of what the clear discs along its axis reach: without nooks
   types::Vector2 sum{0.0, 0.0};      ///< of its cells' centres in map
   std::uint32_t cells = 0;           ///< 0: gone into another region
   std::uint32_t first = UINT32_MAX;  ///< its lowest cell
@@ -40,10 +42,10 @@ struct Region {
 
 /// Regions of the first labels with their contacts; walls as in segment_places.
 std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const types::Segment> walls,
-                               const CompassFrame& frame);
+                               const FirstLabels& first, std::span<const std::uint32_t> axis,
+                               std::span<const types::Segment> walls, const CompassFrame& frame);
 
-/// Moves everything of region `from` to region `into`.
-void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from);
+/// Moves everything of region `from` to region `into`, whose core only grows by a part of equal rank.
+void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core);
 
 }  // namespace topo::places
