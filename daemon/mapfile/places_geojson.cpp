@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/mapfile/places_geojson.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "daemon/mapfile/outlines.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Millimetres are more than a map knows.
+double rounded(double v) { return std::round(v * 1000.0) / 1000.0; }
+
+Json point(const types::Vector2& p) { return Json::array({rounded(p.x()), rounded(p.y())}); }
+
+Json feature(const char* geometry, Json coordinates, Json properties) {
+  return {{"type", "Feature"},
+          {"geometry", {{"type", geometry}, {"coordinates", std::move(coordinates)}}},
+          {"properties", std::move(properties)}};
+}
+
+Json closed_ring(const Ring& ring, double resolution_m) {
+  Json out = Json::array();
+  for (const grid::CellIndex c : ring) out.push_back(point(types::Vector2(c.x, c.y) * resolution_m));
+  out.push_back(out.front());
+  return out;
+}
+
+void add_places(const pipeline::Analysis& analysis, Json& features) {
+  const places::PlaceMap& map = analysis.places;
+  std::vector<Json> neighbours(map.places.size(), Json::array());
+  for (const places::PlaceBorder& border : map.borders) {
+    neighbours[border.a].push_back(border.b + 1);
+    neighbours[border.b].push_back(border.a + 1);
+  }
+  const auto outlines = outlines_of(analysis.map, map.labels, map.places.size());
+  for (std::size_t p = 0; p < map.places.size(); ++p) {
+    const places::Place& place = map.places[p];
+    Json rings = Json::array();
+    for (const Ring& ring : outlines[p]) rings.push_back(closed_ring(ring, analysis.map.resolution_m));
+    features.push_back(feature("Polygon", std::move(rings),
+                               {{"kind", "place"},
+                                {"number", p + 1},
+                                {"area_m2", rounded(place.area_m2)},
+                                {"clearance_m", rounded(static_cast<double>(place.clearance_max_m))},
+                                {"centroid", point(place.centroid)},
+                                {"neighbours", std::move(neighbours[p])}}));
+  }
+}
+
+Json goal_feature(const goals::Goal& goal) {
+  const bool open = goal.verdict == goals::Verdict::kAccepted;
+  return feature("Point", point(goal.p_map),
+                 {{"kind", "goal"},
+                  {"verdict", open ? "accepted" : std::string(goals::to_text(goal.verdict))},
+                  {"place", goal.place},
+                  {"side", std::string(goals::to_text(goal.side))},
+                  {"opening_m", rounded(goal.opening_m)},
+                  {"opening", point(goal.opening)}});
+}
+
+}  // namespace
+
+std::string places_geojson(const pipeline::Analysis& analysis, std::span<const goals::Goal> open_goals) {
+  Json features = Json::array();
+  add_places(analysis, features);
+  for (const types::Segment& wall : analysis.walls)
+    features.push_back(feature("LineString", Json::array({point(wall.a), point(wall.b)}),
+                               {{"kind", "wall"}, {"length_m", rounded(wall.length_m())}}));
+  for (std::size_t k = 0; k < open_goals.size(); ++k) {
+    features.push_back(goal_feature(open_goals[k]));
+    features.back()["properties"]["number"] = k + 1;
+  }
+  for (const goals::Goal& goal : analysis.goals.rejected) features.push_back(goal_feature(goal));
+  const Json collection = {{"type", "FeatureCollection"},
+                           {"frame", "map"},
+                           {"units", "metres"},
+                           {"compass_rad", analysis.places.compass_rad},
+                           {"features", std::move(features)}};
+  return collection.dump() + "\n";
+}
+
+}  // namespace topo::daemon
