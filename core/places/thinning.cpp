@@ -57,25 +57,71 @@ void mark_row(const DenseMap& map, std::span<const float> clearance_m, std::size
   }
 }
 
-/// Indices of all marked cells in rising order of clearance, an eighth of a cell to a bucket.
-std::vector<std::uint32_t> by_clearance(const DenseMap& map, std::span<const float> clearance_m,
-                                        std::span<const std::uint8_t> marks) {
+/// All marked cells in rising order of clearance.
+struct Order {
+  std::vector<std::uint32_t> cells;
+  std::vector<std::uint32_t> ends;  ///< of each bucket, an eighth of a cell of clearance wide
+};
+
+Order by_clearance(const DenseMap& map, std::span<const float> clearance_m,
+                   std::span<const std::uint8_t> marks) {
   constexpr std::size_t kBuckets = 8192;  // from 1024 cells of clearance on in any order
   const auto scale = static_cast<float>(8.0 / map.resolution_m);
   const auto bucket = [&](std::size_t i) {
     return static_cast<std::size_t>(std::min(clearance_m[i] * scale, static_cast<float>(kBuckets - 1)));
   };
-  std::vector<std::uint32_t> begin(kBuckets + 1, 0);
+  Order order{{}, std::vector<std::uint32_t>(kBuckets + 1, 0)};
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i] != 0) ++begin[bucket(i) + 1];
+    if (marks[i] != 0) ++order.ends[bucket(i) + 1];
   }
-  for (std::size_t b = 0; b < kBuckets; ++b) begin[b + 1] += begin[b];
-  std::vector<std::uint32_t> order(begin[kBuckets]);
+  for (std::size_t b = 0; b < kBuckets; ++b) order.ends[b + 1] += order.ends[b];
+  order.cells.resize(order.ends[kBuckets]);
+  // What was a bucket's beginning is its end when it is full.
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i] != 0) order[begin[bucket(i)]++] = static_cast<std::uint32_t>(i);
+    if (marks[i] != 0) order.cells[order.ends[bucket(i)]++] = static_cast<std::uint32_t>(i);
   }
   return order;
 }
+
+/// First pass over the cells, one bucket after the other.
+class Erosion {
+ public:
+  Erosion(const DenseMap& map, std::vector<std::uint8_t>& marks)
+      : marks_(marks), offsets_(neighbour_offsets(map)) {}
+
+  /// Takes away what it can; what has to stay is appended to `kept`.
+  void take(std::span<const std::uint32_t> bucket, std::vector<std::uint32_t>& kept) {
+    last_.clear();
+    for (const std::uint32_t i : bucket) {
+      // A cell beside one that had to stay comes last: so the connection goes straight up the slope, and not
+      // askew in the order of the cells' numbers.
+      if (beside_kept(i)) {
+        last_.push_back(i);
+      } else {
+        take_one(i, kept);
+      }
+    }
+    for (const std::uint32_t i : last_) take_one(i, kept);
+  }
+
+ private:
+  [[nodiscard]] bool beside_kept(std::uint32_t i) const {
+    const std::uint8_t* m = &marks_[i];
+    return ((m[offsets_[0]] | m[offsets_[2]] | m[offsets_[4]] | m[offsets_[6]]) & Thinning::kKept) != 0;
+  }
+  void take_one(std::uint32_t i, std::vector<std::uint32_t>& kept) {
+    if ((marks_[i] & Thinning::kRidge) == 0 && kSimple[pattern_at(&marks_[i], offsets_)]) {
+      marks_[i] = 0;
+    } else {
+      marks_[i] |= Thinning::kKept;
+      kept.push_back(i);
+    }
+  }
+
+  std::vector<std::uint8_t>& marks_;
+  std::array<std::ptrdiff_t, 8> offsets_;
+  std::vector<std::uint32_t> last_;
+};
 
 }  // namespace
 
@@ -89,18 +135,13 @@ Thinning thin_to_ridge(const DenseMap& map, std::span<const float> clearance_m) 
   auto& marks = thinning.marks;
   for (std::size_t row = 1; row + 1 < static_cast<std::size_t>(std::max(map.height(), 1)); ++row)
     mark_row(map, clearance_m, row, marks);
-  auto& order = thinning.remain;
-  order = by_clearance(map, clearance_m, marks);
-  const auto offsets = neighbour_offsets(map);
-  std::size_t kept = 0;
-  for (const std::uint32_t i : order) {
-    if ((marks[i] & Thinning::kRidge) == 0 && kSimple[pattern_at(&marks[i], offsets)]) {
-      marks[i] = 0;
-    } else {
-      order[kept++] = i;
-    }
+  const Order order = by_clearance(map, clearance_m, marks);
+  Erosion erosion(map, marks);
+  std::size_t begin = 0;
+  for (const std::size_t end : order.ends) {
+    erosion.take(std::span(order.cells).subspan(begin, end - begin), thinning.remain);
+    begin = end;
   }
-  order.resize(kept);
   return thinning;
 }
 

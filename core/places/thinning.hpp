@@ -23,6 +23,7 @@ struct Thinning {
   static constexpr std::uint8_t kOn = 1;     ///< not yet taken away
   static constexpr std::uint8_t kRidge = 2;  ///< of the distance map: an end here is meant
   static constexpr std::uint8_t kQueued = 4;
+  static constexpr std::uint8_t kKept = 8;  ///< its turn came, and it stayed
 };
 
 /// Takes cells away in rising order of clearance as long as neither components nor holes change (distance-

@@ -144,6 +144,13 @@ TEST(Skeleton, OfARingHasANodeAndALoop) {
   EXPECT_EQ(s.edges[0].a, s.edges[0].b);
 }
 
+TEST(Skeleton, UnevenWallsMakeNoBranches) {
+  DrawnMap drawn = DrawnMap(400, 60).room(10, 10, 390, 49);
+  for (int x = 20; x < 380; x += 9) drawn.occupied(x, 10, x + 4, 12).free(x + 4, 49, x + 6, 52);
+  const Skeleton s = skeleton_of(drawn.map());
+  for (const SkeletonNode& node : s.nodes) EXPECT_TRUE(node.cell.x < 40 || node.cell.x > 360) << node.cell.x;
+}
+
 TEST(Skeleton, AnAlcoveIsABranchAndASpurWhenShallow) {
   const auto nodes_at = [](int depth) {
     const Skeleton s =
