@@ -20,15 +20,16 @@ namespace {
 using Steps = std::int16_t;
 constexpr Steps kNone = 32766;
 
-/// Distance to the next boundary below: one row from the row below it.
-void steps_up(std::span<const CellState> cells, const Steps* below, Steps* out, Boundary boundary) {
-  // kOccupied > kFree > kUnknown: one comparison and one mask a cell.
-  const Steps unknown_too = boundary == Boundary::kOccupiedOrUnknown ? 1 : 0;
-  for (std::size_t x = 0; x < cells.size(); ++x) {
-    const auto state = static_cast<Steps>(cells[x]);
-    const bool solid = state == 2 || (state == 0 && unknown_too != 0);
+/// Distance to the next boundary below: one row from the row below it. A mask in place of a branch, so that
+/// the compiler makes vector instructions of it.
+template <Boundary kBoundary>
+void steps_up(const CellState* cells, const Steps* below, Steps* out, std::size_t width) {
+  for (std::size_t x = 0; x < width; ++x) {
+    const bool open =
+        kBoundary == Boundary::kOccupied ? cells[x] != CellState::kOccupied : cells[x] == CellState::kFree;
+    const auto mask = static_cast<Steps>(-static_cast<Steps>(open));
     const auto next = static_cast<Steps>(below[x] + 1);
-    out[x] = solid ? Steps{0} : std::min(next, kNone);
+    out[x] = static_cast<Steps>(std::min(next, kNone) & mask);
   }
 }
 
@@ -67,8 +68,10 @@ class RunEnvelope {
       const Site& top = sites_[size_ - 1];
       const std::int32_t farther = square_at(site, top.from) - square_at(top, top.from);
       if (farther >= 0) {
-        // With every cell to the right the difference falls by twice the distance of the sites.
-        const std::int32_t cells = farther / (2 * (site.x - top.x)) + 1;
+        // With every cell to the right the difference falls by twice the distance of the sites; mostly they
+        // are neighbours, and a division costs more than the rest of the loop.
+        const int apart = site.x - top.x;
+        const std::int32_t cells = (apart == 1 ? farther >> 1 : farther / (2 * apart)) + 1;
         if (cells >= end - top.from) return;
         site.from = top.from + cells;
         break;
@@ -121,10 +124,11 @@ class RowPass {
  private:
   void metres(int first, int end, float* out) const {
     constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
+    const float resolution_m = resolution_m_;  // a copy, which writing to out cannot change
+    const std::int32_t* const squares = squares_.data();
     for (int x = first; x < end; ++x) {
-      const std::int32_t square = squares_[static_cast<std::size_t>(x)];
-      const float distance_m = resolution_m_ * std::sqrt(static_cast<float>(square));
-      out[x] = square == kFar ? std::numeric_limits<float>::infinity() : distance_m;
+      const float distance_m = resolution_m * std::sqrt(static_cast<float>(squares[x]));
+      out[x] = squares[x] == kFar ? std::numeric_limits<float>::infinity() : distance_m;
     }
   }
 
@@ -144,10 +148,11 @@ std::vector<float> clearance_m(const DenseMap& map, Boundary boundary) {
 
   const bool open_outside = boundary == Boundary::kOccupied;
   const std::vector<Steps> outside(width, open_outside ? kNone : Steps{0});
+  const auto up = open_outside ? steps_up<Boundary::kOccupied> : steps_up<Boundary::kOccupiedOrUnknown>;
   std::vector<Steps> steps(map.cells.size());
   for (std::size_t y = 0; y < height; ++y) {
     const Steps* below = y == 0 ? outside.data() : &steps[(y - 1) * width];
-    steps_up(std::span(map.cells).subspan(y * width, width), below, &steps[y * width], boundary);
+    up(&map.cells[y * width], below, &steps[y * width], width);
   }
   RowPass pass(width, map.resolution_m, open_outside);
   for (std::size_t y = height; y-- > 0;) {

@@ -74,7 +74,7 @@ class Projections {
   /// Projects a block in vector instructions, then counts it.
   void count(const Cloud& cloud, float c, float s) {
     constexpr std::size_t kBlock = 256;
-    std::array<std::int32_t, kBlock> u, v;
+    std::array<std::int32_t, kBlock> u{}, v{};
     for (std::size_t first = 0; first < cloud.x.size(); first += kBlock) {
       const std::size_t size = std::min(kBlock, cloud.x.size() - first);
       const float* x = &cloud.x[first];
