@@ -17,11 +17,14 @@ constexpr double kJump_m = 0.25;
 }  // namespace
 
 void Trail::push(const Vector2& p) {
-  if (size_ == kCapacity) {
-    std::copy(points_.begin() + 1, points_.end(), points_.begin());
-    --size_;
-  }
+  if (size_ == kCapacity) drop_oldest();
   points_[size_++] = p;
+  while (size_ > 2 && length_m() - (points_[1] - points_[0]).norm() >= kLength_m) drop_oldest();
+}
+
+void Trail::drop_oldest() {
+  std::copy(points_.begin() + 1, points_.begin() + static_cast<std::ptrdiff_t>(size_), points_.begin());
+  --size_;
 }
 
 void Trail::update(const Se2& T_odom_base) {

@@ -36,6 +36,7 @@ class Trail {
   static constexpr std::size_t kCapacity = static_cast<std::size_t>(kLength_m / kSpacing_m) + 2;
   [[nodiscard]] types::Vector2 target_base() const;
   void push(const types::Vector2& p);
+  void drop_oldest();
 
   std::array<types::Vector2, kCapacity> points_{};  ///< oldest first
   std::size_t size_ = 0;

@@ -99,7 +99,25 @@ double slip_scale(const Twist2& next, const GateInput& in) {
   return std::max(scale, in.limits.v_beside_mps / next.v_mps);
 }
 
+/// Something came into the way nearer than the usual braking: the firmware's emergency stop brakes several
+/// times as hard.
+bool must_brake_hard(const GateInput& in) {
+  constexpr double kLate = 0.8;  // of the speed from which the usual braking would do
+  constexpr double kSlow_mps = 0.1;
+  const Twist2& measured = in.base->odometry.twist;
+  if (!(measured.v_mps > kSlow_mps)) return false;
+  RobotLimits bare = in.limits;
+  bare.margin_m = 0.0;
+  const double free_s = free_time_s(measured, bare, surroundings(in));
+  return stopping_scale(measured, free_s, alive_time_s(in), in.limits) < kLate;
+}
+
 void decide_motion(const GateState& state, const GateInput& in, GateOutput& out) {
+  if (must_brake_hard(in)) {
+    out.command.estop = true;
+    out.reason = GateReason::kBlocked;
+    return;
+  }
   const Twist2 wanted = within_limits(in.request.twist, in.limits);
   const Twist2 next = ramped_twist(state, wanted, in);
   const double blind_s = blind_time_s(in);

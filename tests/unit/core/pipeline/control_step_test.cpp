@@ -7,6 +7,8 @@
 
 #include <memory>
 
+#include "tests/unit/drivers/hokuyo/allocation_counter.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -112,6 +114,86 @@ TEST_F(ControlStepTest, WhateverIsStaleOrMissingStops) {
   stops([](ControlInput& i) { i.firmware_watchdog = {}; });
   stops([](ControlInput& i) { i.now += milliseconds(151); });
   stops([](ControlInput& i) { i.estop = true; });
+}
+
+Plan plan_ahead(types::Stamp stamp) {
+  Plan plan;
+  plan.stamp = stamp;
+  plan.sequence = plan.goal_id = 1;
+  plan.moving = plan.path_ends_at_goal = true;
+  plan.points = 50;
+  for (std::size_t i = 0; i < plan.points; ++i) plan.path_odom[i] = {0.1 * static_cast<double>(i), 0.0};
+  return plan;
+}
+
+TEST_F(ControlStepTest, FollowsAFreshPlanAndStandsWhenItGetsOld) {
+  input.teleop = nullptr;
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  for (int i = 0; i < 20; ++i) plan.stamp = now, run(1);
+  EXPECT_GT(run(1).command.twist.v_mps, 0.1);
+  EXPECT_EQ(run(1).report.mode, ControlMode::kFollowing);
+  EXPECT_EQ(run(60).command.twist, types::Twist2{}) << "a second and the ramp later";
+  EXPECT_EQ(run(1).report.mode, ControlMode::kStanding);
+}
+
+TEST_F(ControlStepTest, ARestartNeverMovesByItself) {
+  EXPECT_TRUE(rc::check("any old plan and any old wish", [this] {
+    ControlState fresh;
+    ControlInput after = input;
+    Plan plan = plan_ahead(after.now - milliseconds(*rc::gen::inRange(1001, 100000)));
+    Teleop old{after.now - milliseconds(*rc::gen::inRange(301, 100000)), {0.5, 0.3}};
+    after.plan = *rc::gen::arbitrary<bool>() ? &plan : nullptr;
+    after.teleop = *rc::gen::arbitrary<bool>() ? &old : nullptr;
+    for (int i = 0; i < 20; ++i) {
+      after.now += milliseconds(50);
+      state.arrival = scan->arrival = scan->first_beam = after.now;
+      const auto out = control_step(fresh, setup, after);
+      RC_ASSERT(out.command.twist == types::Twist2{});
+      RC_ASSERT(!out.command.enable_motors);
+    }
+  }));
+}
+
+TEST_F(ControlStepTest, AfterAnEstopThePlanHasToBeginAnew) {
+  input.teleop = nullptr;
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  const auto fresh = [&] { return plan.stamp = now, run(1); };
+  for (int i = 0; i < 10; ++i) fresh();
+  input.estop = true;
+  fresh();
+  input.estop = false;
+  input.estop_cleared = true;
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(fresh().command.twist, types::Twist2{});
+  plan.moving = false;
+  fresh();
+  plan.moving = true;
+  for (int i = 0; i < 5; ++i) fresh();
+  EXPECT_GT(fresh().command.twist.v_mps, 0.0);
+}
+
+TEST_F(ControlStepTest, AreaLimitsWithoutAPlaceRefuseTheHand) {
+  setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {5.0, -5.0}, {5.0, 5.0}, {-5.0, 5.0}};
+  const auto decision = run(5);
+  EXPECT_EQ(decision.report.reason, GateReason::kNoPlace);
+  EXPECT_EQ(decision.command.twist, types::Twist2{});
+}
+
+TEST_F(ControlStepTest, AllocatesNothing) {
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
+  run(2);
+  const std::uint64_t before = hokuyo::testing_scip::allocations();
+  for (int i = 0; i < 200; ++i) {
+    plan.stamp = now;
+    if (i == 20) input.teleop = nullptr;
+    if (i == 80) scan->range_m.fill(0.35F);  // blocked: waits, backs off, turns
+    if (i % 10 == 0) ++plan.sequence;
+    run(1);
+  }
+  EXPECT_EQ(hokuyo::testing_scip::allocations(), before);
 }
 
 TEST_F(ControlStepTest, NeverFasterThanTheLimitsWhateverIsAsked) {

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/recovery.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace topo::motion {
+namespace {
+
+using std::chrono::milliseconds;
+
+struct Scene {
+  RobotLimits limits;
+  Trail trail;
+  Recovery recovery;
+  RecoveryInput in;
+
+  Scene() {
+    for (double x = -1.0; x <= 0.0; x += 0.01) trail.update({x, 0.0, 0.0});
+    in.now = types::stamp_from_seconds(50.0);
+    in.goal_id = 1;
+    in.blind_s = 2.15;
+    in.trail = &trail;
+    in.limits = &limits;
+    (void)recovery.step(in);
+  }
+  /// A period in which the robot does what it is told.
+  RecoveryOutput step() {
+    const RecoveryOutput out = recovery.step(in);
+    in.now += milliseconds(50);
+    in.T_odom_base = in.T_odom_base * types::Se2{out.twist.v_mps * 0.05, 0.0, out.twist.omega_radps * 0.05};
+    trail.update(in.T_odom_base);
+    return out;
+  }
+};
+
+TEST(Recovery, WaitsForAPersonWhoGoes) {
+  Scene s;
+  s.in.blocked = true;
+  for (int i = 0; i < 40; ++i) EXPECT_EQ(s.step().twist, types::Twist2{});
+  EXPECT_EQ(s.step().phase, RecoveryPhase::kWaiting);
+  s.in.blocked = false;
+  EXPECT_EQ(s.step().phase, RecoveryPhase::kNone);
+  EXPECT_EQ(s.recovery.begun(), 0U);
+}
+
+TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
+  Scene s;
+  s.in.blocked = true;
+  s.in.turn_rad = 1.0;
+  bool turned = false;
+  for (int i = 0; i < 300 && !turned; ++i) {
+    const RecoveryOutput out = s.step();
+    EXPECT_GE(out.twist.v_mps, -0.1);
+    EXPECT_TRUE(out.backing_off || out.twist.v_mps >= 0.0);
+    turned = out.phase == RecoveryPhase::kTurning;
+  }
+  EXPECT_TRUE(turned);
+  EXPECT_LT(s.in.T_odom_base.x_m, -0.4);
+  EXPECT_GT(s.in.T_odom_base.x_m, -0.52);
+}
+
+TEST(Recovery, WhateverHappensToABlockedRobotItIsStuckWithinAMinuteAndStaysSo) {
+  EXPECT_TRUE(rc::check([] {
+    Scene s;
+    s.in.blocked = true;
+    double seconds = 0.0;
+    while (s.step().phase != RecoveryPhase::kStuck && seconds < 100.0) {
+      seconds += 0.05;
+      s.in.touching = *rc::gen::inRange(0, 3) == 0;
+      s.in.refused = *rc::gen::arbitrary<bool>();
+      s.in.turn_rad = *rc::gen::inRange(-314, 315) * 0.01;
+    }
+    RC_ASSERT(seconds < 60.0);
+    s.in.blocked = s.in.touching = false;
+    for (int i = 0; i < 100; ++i) RC_ASSERT(s.step().phase == RecoveryPhase::kStuck);
+    ++s.in.goal_id;
+    RC_ASSERT(s.step().phase == RecoveryPhase::kNone);
+  }));
+}
+
+}  // namespace
+}  // namespace topo::motion
