@@ -41,7 +41,7 @@ KEYS = {"world": str, "strategy": str, "robots": int, "seed": int, "fidelity": s
         "t99_s": (float, int, None), "t_home_s": (float, int, None), "limit_s": (float, int), "distance_m": list,
         "goals_issued": int, "clusters_sum": int, "goals_sum": int, "decision_ms": dict, "collisions": int, "home": list,
         "speedup_over_real_time": float, "coverage": list}
-TIMES = ("decision_ms", "wall_s", "speedup_over_real_time")
+TIMES = ("decision_ms", "wall_s", "cpu_s", "speedup_over_real_time", "speedup_by_cpu_time")
 
 
 def is_of(value, kinds):

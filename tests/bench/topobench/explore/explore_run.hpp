@@ -51,10 +51,12 @@ struct RunResult {
 
   double end_s = 0.0;
   double wall_s = 0.0;
+  double cpu_s = 0.0;  ///< says more than wall_s on a busy machine
   Spent spent;
-  std::array<std::optional<double>, kShares.size()> reached_s;  ///< when kShares of the area were known
-  std::optional<double> home_s;                                 ///< the mission done and the robot home
-  bool home = false;                                            ///< at the end, within 0.5 m of its start
+  /// When kShares of the area were known as free, and when known at all: the rim of the walls is never free.
+  std::array<std::optional<double>, kShares.size()> reached_s, known_s;
+  std::optional<double> home_s;  ///< the mission done and the robot home
+  bool home = false;             ///< at the end, within 0.5 m of its start
   double home_distance_m = 0.0;
   double distance_m = 0.0;
   std::uint64_t collisions = 0;

@@ -12,6 +12,8 @@
 namespace topo::bench {
 namespace {
 
+/// The map changes no faster: each change costs a whole analysis, most of what such a run costs.
+constexpr types::Duration kPublishPeriod = std::chrono::seconds(1);
 constexpr double kFill_m = 0.05;         // one cell
 constexpr double kSurfaceStep_m = 0.15;  // ranges of neighbouring beams that differ more are an edge
 constexpr double kSurfaceSlope = 3.0;    // ... beyond what a surface seen at a flat angle does
@@ -100,6 +102,7 @@ class PosedSource final : public MapSource {
       tracked_.T_map_odom = types::Transform2<types::Map, types::Odom>(T_map_base_ * T_odom_base->inverse());
       heights_.add(readings.coronal[i], T_map_base_);
       if (due()) add_keyframe(readings.front[i], *T_odom_base);
+      publish_when_due(readings.poses[i].stamp);
       tracked_.stamp = readings.poses[i].stamp;
       tracked_.revision = snapshot_->revision;
       tracked_.matched = true;
@@ -126,8 +129,13 @@ class PosedSource final : public MapSource {
     keyframe->columns = heights_.take(T_map_base_);
     keyframes_.push_back(std::move(keyframe));
     poses_.push_back(T_map_base_);
+  }
+
+  void publish_when_due(types::Stamp now) {
+    if (snapshot_->keyframes.size() == keyframes_.size()) return;
+    if (keyframes_.size() > 1 && now - snapshot_->stamp < kPublishPeriod) return;
     builder_.update(keyframes_, poses_);
-    publish(scan.first_beam);
+    publish(now);
   }
 
   void publish(types::Stamp stamp) {

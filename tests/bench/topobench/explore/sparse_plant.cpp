@@ -51,7 +51,8 @@ class SparsePlant final : public Plant {
         base_(setup.limits, setup.firmware_watchdog),
         feed_(feed_setup(setup)),
         noise_(sim::derive_seed(setup.seed, 3)),
-        sonar_random_(sim::derive_seed(setup.seed, 2)) {}
+        sonar_random_(sim::derive_seed(setup.seed, 2)),
+        glass_random_(sim::derive_seed(setup.seed, 4)) {}
 
   void tick(Readings& out) override {
     const sim::WheelSpeeds speeds = base_.wheel_speeds(now_, kTick, body_);
@@ -108,7 +109,6 @@ class SparsePlant final : public Plant {
     sim::RayOptions options;
     options.range_max_m = kRangeMax_m;
     options.exclude = body_.movable();
-    options.glass_draw = 0.5;
     for (std::uint16_t i = 0; i < kBeams; ++i) {
       const double angle = static_cast<double>(out.angle_rad(i)), yaw = at.theta_rad;
       sim::Ray ray{at.x_m, at.y_m, z_m, std::cos(yaw + angle), std::sin(yaw + angle), 0.0};
@@ -116,6 +116,8 @@ class SparsePlant final : public Plant {
         const double left = std::sin(angle);
         ray = {at.x_m, at.y_m, z_m, -std::sin(yaw) * left, std::cos(yaw) * left, std::cos(angle)};
       }
+      // One beam stands for four of the full scan's: it sees glass when one of the four would.
+      options.glass_draw = std::sqrt(std::sqrt(glass_random_.uniform()));
       const double range = world_.cast(ray, options).range_m;
       out.range_m[i] = range < kRangeMin_m ? types::kTooNear : static_cast<float>(range);
     }
@@ -127,7 +129,7 @@ class SparsePlant final : public Plant {
   VirtualBase base_;
   sim::ValueFeed feed_;
   PoseNoise noise_;
-  sim::Random sonar_random_;
+  sim::Random sonar_random_, glass_random_;
   int sonar_turn_ = 0;
   sim::SimTime now_{0};
 };
