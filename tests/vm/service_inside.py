@@ -120,9 +120,19 @@ def confinement():
     check("the limits of the unit", show("LimitRTPRIO", "LimitMEMLOCK") == ["50", "infinity"])
 
 
+def doctor_finds():
+    """Names of the checks that are bad."""
+    done = topoctl("--json", "doctor")
+    return {c["check"] for c in json.loads(done.stdout)["checks"] if not c["ok"]} if done.stdout else {done.stderr}
+
+
 def operator():
     done = topoctl("status")
     check("topoctl status", done.returncode == 0 and done.stdout, done.stderr.strip())
+    # A container grants no real-time rights where its host has none; everything else must be well.
+    bad = wait(lambda: doctor_finds() <= {"real time"} and ["nothing else"]) or sorted(doctor_finds())
+    check("topoctl doctor", bad == ["nothing else"], ", ".join(bad))
+    check("and says what it looked at", "firmware watchdog" in topoctl("doctor").stdout)
 
 
 def stands_for(seconds):
