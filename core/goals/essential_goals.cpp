@@ -81,7 +81,7 @@ GoalSet essential_goals(const GoalInput& input, const GoalParams& params) {
     drop_near_centroid(input.places, accepted_of(all, begin, end), params);
     begin = end;
   }
-  drop_duplicates(all, params);
+  drop_duplicates(input.map, all, params);
   GoalSet out;
   for (const Goal& goal : all)
     (goal.verdict == Verdict::kAccepted ? out.goals : out.rejected).push_back(goal);

@@ -19,6 +19,7 @@ struct GoalParams {
   double node_reach_m = 1.0;      ///< a free skeleton node this near takes the goal
   double centroid_ratio = 0.35;   ///< of a place's half extent: nearer to the centroid is dropped
   double separation_m = 1.0;      ///< of two goals
+  double in_sight_m = 3.0;        ///< of two goals of one place that see each other
   double visited_radius_m = 1.0;  ///< the pose-history filter (paper section II-E)
   double pocket_m2 = 0.5;         ///< enclosed unknown space smaller than this is no room
 };

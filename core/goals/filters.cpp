@@ -101,7 +101,12 @@ void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of
   }
 }
 
-void drop_duplicates(std::span<Goal> goals, const GoalParams& params) {
+void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const GoalParams& params) {
+  const auto is_as_good = [&](const Goal& a, const Goal& b) {
+    const double away_m = (a.p_map - b.p_map).norm();
+    return away_m < params.separation_m || (a.place == b.place && away_m < params.in_sight_m &&
+                                            sees(map, map.cell_at(a.p_map), map.cell_at(b.p_map)));
+  };
   std::vector<Goal*> by_width;
   for (Goal& goal : goals) {
     if (goal.verdict == Verdict::kAccepted) by_width.push_back(&goal);
@@ -110,8 +115,7 @@ void drop_duplicates(std::span<Goal> goals, const GoalParams& params) {
                    [](const Goal* a, const Goal* b) { return a->opening_m > b->opening_m; });
   for (std::size_t k = 1; k < by_width.size(); ++k) {
     for (std::size_t better = 0; better < k; ++better) {
-      if (by_width[better]->verdict != Verdict::kAccepted ||
-          (by_width[better]->p_map - by_width[k]->p_map).norm() >= params.separation_m)
+      if (by_width[better]->verdict != Verdict::kAccepted || !is_as_good(*by_width[better], *by_width[k]))
         continue;
       by_width[k]->verdict = Verdict::kDuplicate;
       break;

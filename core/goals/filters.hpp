@@ -32,8 +32,12 @@ std::optional<types::Vector2> steer(const GoalInput& input, const Opening& openi
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
                         const GoalParams& params);
 
-/// Of two accepted goals within separation_m the one with the wider opening stays.
-void drop_duplicates(std::span<Goal> goals, const GoalParams& params);
+/// Of two accepted goals within separation_m the one with the wider opening stays; so it does within
+/// in_sight_m when they are of one place and see each other: who is at the one sees what the other is for.
+void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const GoalParams& params);
+
+/// Is everything free on the straight line between two cells' centres?
+bool sees(const grid::DenseMap& map, grid::CellIndex a, grid::CellIndex b);
 
 /// Pose-history filter: has a robot been there? For an opening of less than twice the least width one pose
 /// within visited_radius_m is enough (paper: partial views through openings that a robot cannot enter). For

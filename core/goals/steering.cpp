@@ -11,20 +11,9 @@ namespace {
 
 using grid::CellIndex;
 using grid::CellState;
-using grid::DenseMap;
 
 constexpr std::array<CellIndex, 8> kAround = {
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-
-/// Is everything free on the straight line between two cells' centres?
-bool sees(const DenseMap& map, CellIndex a, CellIndex b) {
-  const int steps = 2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
-  const types::Vector2 from = map.centre_of(a), step = (map.centre_of(b) - from) / std::max(steps, 1);
-  for (int k = 1; k < steps; ++k) {
-    if (map.state(map.cell_at(from + k * step)) != CellState::kFree) return false;
-  }
-  return true;
-}
 
 std::optional<std::size_t> free_node(const GoalInput& input, CellIndex from, const GoalParams& params,
                                      const std::vector<bool>& taken) {
@@ -85,6 +74,15 @@ std::optional<CellIndex> nearest_room(const GoalInput& input, CellIndex from, co
 }
 
 }  // namespace
+
+bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
+  const int steps = 2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
+  const types::Vector2 from = map.centre_of(a), step = (map.centre_of(b) - from) / std::max(steps, 1);
+  for (int k = 1; k < steps; ++k) {
+    if (map.state(map.cell_at(from + k * step)) != CellState::kFree) return false;
+  }
+  return true;
+}
 
 std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
                                     std::vector<bool>& taken) {

@@ -131,7 +131,8 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   const std::ptrdiff_t sides[] = {around[0], around[2], around[4], around[6]};
   // Not over corners at first: a wall that is one cell thick and slanted is open there.
   spread(map, sides, first.labels, queue);
-  spread(map, around, first.labels, queue);
+  const auto free = std::count(map.cells.begin(), map.cells.end(), CellState::kFree);
+  if (static_cast<std::ptrdiff_t>(queue.size()) < free) spread(map, around, first.labels, queue);
   bar_border(map, 0, first.labels);
   return first;
 }

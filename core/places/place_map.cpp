@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 
 #include "core/places/box_counts.hpp"
 #include "core/places/first_labels.hpp"
@@ -54,9 +56,10 @@ PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> cleara
                         const PlaceParams& params) {
   assert(clearance_m.size() == map.cells.size());
   PlaceMap out;
-  out.compass_rad = compass_rad;
+  // A quarter more or less is the same compass; the one nearest to the map's axes keeps north up.
+  out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
   out.labels.assign(map.cells.size(), 0);
-  const CompassFrame frame(compass_rad);
+  const CompassFrame frame(out.compass_rad);
   const FirstLabels first = first_labels(map, clearance_m, skeleton, params.piece_m);
   std::vector<Region> regions = regions_of(map, clearance_m, first, skeleton.axis, walls, frame);
   const BoxCounts counts(map, frame);

@@ -41,7 +41,7 @@ struct PlaceBorder {
 
 /// The free space divided into places (paper section II-C).
 struct PlaceMap {
-  double compass_rad = 0.0;
+  double compass_rad = 0.0;  ///< of the boxes, within an eighth of a turn of the map's axes
   /// Index of the place + 1, as map.cells; 0 outside free space and in specks of it that nothing leads to.
   std::vector<std::uint16_t> labels;
   std::vector<Place> places;  ///< in the order of their first cells in the map

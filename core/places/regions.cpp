@@ -31,11 +31,13 @@ class CellPass {
   void run() {
     const auto width = static_cast<std::size_t>(map_.width());
     for (std::size_t y = 0; y + 1 < static_cast<std::size_t>(std::max(map_.height(), 1)); ++y) {
-      for (std::size_t i = y * width, end = i + width - 1; i < end; ++i) {
-        if (labels_[i] == 0) continue;
-        add(i, static_cast<int>(i - y * width), static_cast<int>(y));
-        note(i, i + 1, 1, 0);
-        note(i, i + width, 0, 1);
+      const std::uint32_t* row = labels_.data() + y * width;
+      // The last column has no label, so that every run ends in its row.
+      for (std::size_t x = 0; x + 1 < width;) {
+        const std::size_t begin = x;
+        for (++x; x < width && row[x] == row[begin]; ++x) {
+        }
+        if (row[begin] != 0) add_run(y * width + begin, x - begin);
       }
     }
     pad_boxes();
@@ -56,13 +58,24 @@ class CellPass {
   }
 
  private:
-  void add(std::size_t i, int x, int y) {
-    Region& region = regions[labels_[i] - 1];
-    const types::Vector2 p = map_.centre_of({map_.box.min.x + x, map_.box.min.y + y});
-    region.box.extend(frame_.from_map(p));
-    region.sum += p;
-    if (region.cells++ == 0) region.first = static_cast<std::uint32_t>(i);
-    region.clearance_m = std::max(region.clearance_m, clearance_m_[i]);
+  /// Cells with one label side by side.
+  void add_run(std::size_t first, std::size_t count) {
+    Region& region = regions[labels_[first] - 1];
+    const types::Vector2 a = map_.centre_of(map_.cell(first));
+    const types::Vector2 b = a + types::Vector2(static_cast<double>(count - 1) * map_.resolution_m, 0.0);
+    region.box.extend(frame_.from_map(a));
+    region.box.extend(frame_.from_map(b));
+    region.sum += 0.5 * static_cast<double>(count) * (a + b);
+    region.cells += static_cast<std::uint32_t>(count);
+    region.first = std::min(region.first, static_cast<std::uint32_t>(first));
+    const auto width = static_cast<std::size_t>(map_.width());
+    float clearest = region.clearance_m;
+    for (std::size_t i = first; i < first + count; ++i) {
+      clearest = std::max(clearest, clearance_m_[i]);
+      note(i, i + width, 0, 1);
+    }
+    region.clearance_m = clearest;
+    note(first + count - 1, first + count, 1, 0);
   }
   void note(std::size_t i, std::size_t j, std::uint32_t upright, std::uint32_t level) {
     const std::uint32_t a = labels_[i], b = labels_[j];

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/goals/essential_goals.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/goals/filters.hpp"
+#include "tests/unit/core/places/drawn_map.hpp"
+
+namespace topo::goals {
+namespace {
+
+using grid::CellState;
+using places::DrawnMap;
+
+/// A map with all that goals are made from.
+struct Scene {
+  explicit Scene(const DrawnMap& drawn)
+      : map(drawn.map()),
+        clearance_m(drawn.clearance()),
+        skeleton(places::skeletonise(map, clearance_m)),
+        places(places::segment_places(map, clearance_m, skeleton, {}, 0.0)) {}
+
+  [[nodiscard]] GoalInput input(std::span<const types::Vector2> visited = {}) const {
+    return {map, clearance_m, skeleton, places, visited};
+  }
+  [[nodiscard]] GoalSet goals(std::span<const types::Vector2> visited = {}) const {
+    return essential_goals(input(visited));
+  }
+
+  grid::DenseMap map;
+  std::vector<float> clearance_m;
+  places::Skeleton skeleton;
+  places::PlaceMap places;
+};
+
+/// A corridor of 2 m from x = 1 m on, closed there and open at x = 15 m.
+DrawnMap corridor() {
+  return DrawnMap(320, 160).room(20, 20, 300, 60).fill(300, 18, 302, 62, CellState::kUnknown);
+}
+
+/// The same with a door of 0.9 m at x = 8 m, through which a fan of a room was seen.
+DrawnMap corridor_with_glimpse() {
+  DrawnMap drawn = corridor();
+  for (int y = 60; y < 110; ++y) drawn.free(151 - (y - 60) * 3 / 5, y, 169 + (y - 60) * 3 / 5, y + 1);
+  return drawn;
+}
+
+int count(const GoalSet& set, Verdict verdict) {
+  return static_cast<int>(std::count_if(set.rejected.begin(), set.rejected.end(),
+                                        [&](const Goal& g) { return g.verdict == verdict; }));
+}
+
+TEST(EssentialGoals, OfACorridorSeenToItsMiddleIsOneAtItsEnd) {
+  const GoalSet set = Scene(corridor()).goals();
+  ASSERT_EQ(set.goals.size(), 1U);
+  EXPECT_EQ(set.goals[0].side, Side::kEast);
+  EXPECT_NEAR(set.goals[0].opening_m, 2.0, 0.1);
+  EXPECT_NEAR(set.goals[0].opening.x(), 15.0, 0.1);
+  EXPECT_NEAR(set.goals[0].opening.y(), 2.0, 0.1);
+  EXPECT_NEAR(set.goals[0].p_map.x(), 14.5, 0.6);
+  EXPECT_EQ(set.rejected.size(), 3U) << "the other sides";
+  EXPECT_EQ(count(set, Verdict::kNoOpening), 3);
+}
+
+TEST(EssentialGoals, OfARoomSeenThroughItsDoorAreNotLost) {
+  const Scene scene(corridor_with_glimpse());
+  const GoalSet set = scene.goals();
+  const auto in_room =
+      std::find_if(set.goals.begin(), set.goals.end(), [](const Goal& g) { return g.opening.y() > 3.1; });
+  ASSERT_NE(in_room, set.goals.end());
+  EXPECT_GE(in_room->opening_m, 1.0);
+  EXPECT_GE(set.goals.size(), 2U) << "and the corridor's end";
+  EXPECT_LE(set.goals.size(), 4U) << "a handful";
+}
+
+TEST(EssentialGoals, OfARoomWhoseCorridorWasDrivenAreNotVisited) {
+  std::vector<types::Vector2> path;
+  for (double x = 2.0; x < 14.5; x += 0.3) path.emplace_back(x, 2.0);
+  const GoalSet set = Scene(corridor_with_glimpse()).goals(path);
+  EXPECT_TRUE(
+      std::any_of(set.goals.begin(), set.goals.end(), [](const Goal& g) { return g.opening.y() > 3.1; }));
+}
+
+TEST(EssentialGoals, OfAClosedRoomAreNone) {
+  const GoalSet set = Scene(DrawnMap(140, 120).room(20, 20, 120, 100)).goals();
+  EXPECT_TRUE(set.goals.empty());
+  EXPECT_EQ(set.rejected.size(), 4U);
+}
+
+TEST(EssentialGoals, ASideBesideAnotherPlaceIsInternal) {
+  const DrawnMap drawn =
+      DrawnMap(260, 140).room(20, 20, 120, 120).room(122, 20, 222, 120).free(120, 60, 122, 78);
+  const Scene scene(drawn);
+  ASSERT_EQ(scene.places.places.size(), 2U);
+  EXPECT_TRUE(faces_another_place(scene.input(), 1, Side::kEast));
+  EXPECT_FALSE(faces_another_place(scene.input(), 1, Side::kWest));
+  EXPECT_EQ(count(scene.goals(), Verdict::kInternal), 2);
+}
+
+TEST(EssentialGoals, ASlitIsNoOpening) {
+  DrawnMap drawn = DrawnMap(200, 120).room(20, 20, 180, 100).fill(100, 100, 108, 102, CellState::kFree);
+  EXPECT_TRUE(Scene(drawn).goals().goals.empty()) << "0.4 m";
+  drawn.free(92, 100, 112, 102);
+  EXPECT_EQ(Scene(drawn).goals().goals.size(), 1U) << "1.0 m";
+}
+
+TEST(EssentialGoals, OfNothingAreNone) {
+  EXPECT_TRUE(Scene(DrawnMap(30, 30)).goals().goals.empty());
+  EXPECT_TRUE(Scene(DrawnMap(30, 30).occupied(0, 0, 30, 30)).goals().rejected.empty());
+  EXPECT_TRUE(Scene(DrawnMap(30, 30).free(9, 9, 10, 10)).goals().goals.empty());
+}
+
+/// Whatever the map: a goal is a place where the robot can be.
+TEST(EssentialGoals, AreFreeAndClear) {
+  EXPECT_TRUE(rc::check([] {
+    DrawnMap drawn(120, 100);
+    drawn.free(4, 4, 116, 96);
+    const int rectangles = *rc::gen::inRange(0, 20);
+    for (int k = 0; k < rectangles; ++k) {
+      const int x = *rc::gen::inRange(0, 118), y = *rc::gen::inRange(0, 98);
+      drawn.fill(x, y, std::min(x + *rc::gen::inRange(1, 40), 120),
+                 std::min(y + *rc::gen::inRange(1, 12), 100),
+                 *rc::gen::element(CellState::kOccupied, CellState::kUnknown));
+    }
+    const Scene scene(drawn);
+    const GoalSet set = scene.goals();
+    for (const Goal& goal : set.goals) {
+      const grid::CellIndex c = scene.map.cell_at(goal.p_map);
+      RC_ASSERT(scene.map.state(c) == CellState::kFree);
+      RC_ASSERT(scene.clearance_m[scene.map.index(c)] >= 0.3F - 1e-6F);
+      RC_ASSERT(goal.opening_m >= 0.6 - 1e-6);
+      RC_ASSERT(goal.verdict == Verdict::kAccepted);
+      RC_ASSERT(goal.place >= 1 && goal.place <= scene.places.places.size());
+    }
+    for (const Goal& goal : set.rejected) RC_ASSERT(goal.verdict != Verdict::kAccepted);
+  }));
+}
+
+TEST(Filters, APocketIsNotSpaceToEnter) {
+  // Unknown space behind a cupboard: 0.6 x 0.6 m, then 0.9 x 0.9 m.
+  const auto leads = [](int side) {
+    DrawnMap drawn = DrawnMap(160, 120).room(20, 20, 140, 100);
+    drawn.fill(140 - side, 40, 140, 40 + side, CellState::kUnknown);
+    const Scene scene(drawn);
+    const auto openings = find_openings(scene.input(), {});
+    return std::any_of(openings.begin(), openings.end(),
+                       [&](const Opening& o) { return leads_to_unknown(scene.map, o, {}); });
+  };
+  EXPECT_FALSE(leads(12));
+  EXPECT_TRUE(leads(18));
+}
+
+TEST(Filters, OneNodeIsOneGoals) {
+  const Scene scene(corridor());
+  const auto openings = find_openings(scene.input(), {});
+  ASSERT_EQ(openings.size(), 1U);
+  std::vector<bool> taken(scene.skeleton.nodes.size(), false);
+  const auto first = steer(scene.input(), openings[0], {}, taken);
+  const auto second = steer(scene.input(), openings[0], {}, taken);
+  ASSERT_TRUE(first && second);
+  EXPECT_GE(std::count(taken.begin(), taken.end(), true), 1);
+  EXPECT_NE(*first, *second);
+}
+
+TEST(Filters, TheLongSidesOfACorridorGiveWayToItsEnds) {
+  places::PlaceMap places;
+  places.places = {{{{0.0, 0.0}, {20.0, 2.0}}, {10.0, 1.0}, 40.0, 1.0F}};
+  const auto goal = [](double x, double y, Side side) {
+    Goal g;
+    g.p_map = {x, y};
+    g.place = 1;
+    g.side = side;
+    return g;
+  };
+  std::vector<Goal> goals = {goal(19.5, 1.0, Side::kEast), goal(3.0, 1.2, Side::kNorth),
+                             goal(10.0, 0.8, Side::kSouth)};
+  drop_near_centroid(places, goals, {});
+  EXPECT_EQ(goals[0].verdict, Verdict::kAccepted);
+  EXPECT_EQ(goals[1].verdict, Verdict::kNearCentroid);
+  EXPECT_EQ(goals[2].verdict, Verdict::kNearCentroid);
+  std::vector<Goal> sides_only = {goal(3.0, 1.2, Side::kNorth)};
+  drop_near_centroid(places, sides_only, {});
+  EXPECT_EQ(sides_only[0].verdict, Verdict::kAccepted) << "there is no other";
+}
+
+TEST(Filters, OfTwoGoalsTheWiderOpeningStays) {
+  const Scene scene(DrawnMap(260, 120).room(20, 20, 240, 100).occupied(100, 20, 102, 90));
+  const auto goal = [](double x, double opening_m) {
+    Goal g;
+    g.p_map = {x, 2.0};
+    g.place = 1;
+    g.opening_m = opening_m;
+    return g;
+  };
+  std::vector<Goal> goals = {goal(2.0, 1.0), goal(2.5, 2.0), goal(4.5, 0.8), goal(6.0, 0.7)};
+  drop_duplicates(scene.map, goals, {});
+  EXPECT_EQ(goals[0].verdict, Verdict::kDuplicate);
+  EXPECT_EQ(goals[1].verdict, Verdict::kAccepted);
+  EXPECT_EQ(goals[2].verdict, Verdict::kDuplicate) << "in sight";
+  EXPECT_EQ(goals[3].verdict, Verdict::kAccepted) << "behind the wall";
+}
+
+TEST(Filters, APlaceIsVisitedByWhoWasThere) {
+  Goal goal;
+  goal.p_map = {5.0, 5.0};
+  goal.opening_m = 0.8;
+  const std::vector<types::Vector2> start = {{5.0, 5.0}, {5.5, 5.0}, {6.5, 5.0}, {7.5, 5.0}};
+  const std::vector<types::Vector2> past = {{3.5, 5.1}, {4.2, 5.1}, {5.0, 5.1}, {5.7, 5.1}, {6.5, 5.1}};
+  EXPECT_TRUE(is_visited(goal, start, {}));
+  goal.opening_m = 2.0;
+  EXPECT_FALSE(is_visited(goal, start, {})) << "behind the robot's back when it started";
+  EXPECT_TRUE(is_visited(goal, past, {}));
+  EXPECT_FALSE(is_visited(goal, {}, {}));
+}
+
+TEST(Goals, HaveWordsForTheirVerdicts) {
+  for (const Verdict verdict :
+       {Verdict::kAccepted, Verdict::kInternal, Verdict::kNoOpening, Verdict::kNearCentroid,
+        Verdict::kDuplicate, Verdict::kVisited, Verdict::kOutOfBounds})
+    EXPECT_NE(to_text(verdict), "unknown");
+  EXPECT_EQ(to_text(Side::kNorth), "north");
+}
+
+}  // namespace
+}  // namespace topo::goals
