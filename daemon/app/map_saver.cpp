@@ -8,11 +8,14 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <vector>
 
 #include "daemon/app/plan_json.hpp"
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/cloud.hpp"
 #include "daemon/mapfile/map_image.hpp"
+#include "daemon/mapfile/overview.hpp"
+#include "daemon/mapfile/places_geojson.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -54,17 +57,27 @@ types::Result<SavedMap> MapSaver::save(const std::string& folder) {
   if (const auto saved = write_file(folder + "/trajectory.txt", trajectory_text(*snapshot)); !saved)
     return tl::unexpected(saved.error());
   SavedMap saved{folder, snapshot->revision, image->width, image->height, cloud.size(), 0, 0};
-  if (const auto analysed = save_analysis(folder, saved); !analysed) return tl::unexpected(analysed.error());
+  if (const auto analysed = save_analysis(folder, *snapshot, saved); !analysed)
+    return tl::unexpected(analysed.error());
   return saved;
 }
 
 /// What planning made of the map; nothing when it has not looked at one yet.
-types::Status MapSaver::save_analysis(const std::string& folder, SavedMap& saved) {
+types::Status MapSaver::save_analysis(const std::string& folder, const pipeline::MapSnapshot& map,
+                                      SavedMap& saved) {
   const auto report = reports_.pin();
   if (!report || report->analysis == nullptr) return {};
   saved.places = report->analysis->places.places.size();
   saved.goals = report->open_goals.size();
-  return write_file(folder + "/goals.json", goals_json(*report).dump(1) + "\n");
+  std::vector<types::Se2> way;
+  way.reserve(map.keyframes.size());
+  for (const pipeline::KeyframePose& keyframe : map.keyframes) way.push_back(keyframe.T_map_base.se2());
+  if (auto s = write_file(folder + "/goals.json", goals_json(*report).dump(1) + "\n"); !s) return s;
+  if (auto s = write_file(folder + "/places.geojson", places_geojson(*report->analysis, report->open_goals));
+      !s) {
+    return s;
+  }
+  return save_png(folder + "/overview.png", overview_of(*report->analysis, way, report->open_goals));
 }
 
 }  // namespace topo::daemon

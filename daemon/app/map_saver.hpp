@@ -27,12 +27,13 @@ class MapSaver {
       : snapshots_(hand_overs.map->reader(kFilesReader)),
         reports_(hand_overs.planning->reader(kFilesReader)) {}
 
-  /// map.pgm, map.yaml, cloud.ply, trajectory.txt and, when the map was analysed, goals.json into `folder`,
-  /// which is made when only it is missing; each there whole or not at all. kNotFound before the first scan.
+  /// map.pgm, map.yaml, cloud.ply, trajectory.txt and, when the map was analysed, goals.json, places.geojson
+  /// and overview.png into `folder`, which is made when only it is missing; each there whole or not at all.
+  /// kNotFound before the first scan.
   types::Result<SavedMap> save(const std::string& folder);
 
  private:
-  types::Status save_analysis(const std::string& folder, SavedMap& saved);
+  types::Status save_analysis(const std::string& folder, const pipeline::MapSnapshot& map, SavedMap& saved);
 
   MapSnapshots::Reader snapshots_;
   PlanningReports::Reader reports_;

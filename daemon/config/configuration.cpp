@@ -20,15 +20,16 @@ slam::MapperParams mapper_params(const Configuration& configuration) {
 pipeline::PlannerParams planner_params(const Configuration& configuration) {
   const ExplorationConfig& e = configuration.exploration;
   const MotionConfig& m = configuration.motion;
-  // Rounding to cells costs up to half a diagonal of one.
-  constexpr double kRounding = 0.75;
-  const double hull_m = footprint(configuration).half_width_m + m.margin_m +
+  // On a route the robot must be able to turn on the spot. Rounding to cells costs about a quarter of one.
+  constexpr double kRounding = 0.25;
+  const double disc_m = motion::reach_m(footprint(configuration)) + m.margin_m +
                         kRounding * configuration.mapping.grid.resolution_m;
+  const grid::TravelRules usual;
   pipeline::PlannerParams params;
   params.strategy = e.strategy;
   params.finish = e.finish;
-  params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : hull_m;
-  params.travel.preferred_m = 2.0 * params.travel.radius_m;
+  params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : disc_m;
+  params.travel.preferred_m = params.travel.radius_m + usual.preferred_m - usual.radius_m;
   params.analysis.goals.robot_radius_m = params.travel.radius_m;
   params.area = configuration.area;
   params.T_base_laser = mapper_params(configuration).T_base_laser;

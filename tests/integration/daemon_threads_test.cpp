@@ -4,6 +4,8 @@
 // what a test wants to see of the inside.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <thread>
 
@@ -154,6 +156,56 @@ TEST_F(DaemonThreads, EstopStopsAndLatches) {
   ASSERT_TRUE(until([](const Json& s) { return s["state"] == "standing"; }));
   ASSERT_TRUE(until([](const Json& s) { return s["twist"]["v_mps"] > 0.1; },
                     [&] { client->call("drive", drive, 10s).has_value(); }));
+}
+
+TEST_F(DaemonThreads, EstopIsNotKeptWaitingByMapsAndSearches) {
+  ASSERT_TRUE(until_ready());
+  ASSERT_TRUE(until([this](const Json&) { return ask("progress")["ready"] == true; }));
+  ask("start");
+  std::atomic<bool> enough{false};
+  std::thread busy([&] {
+    auto other = Client::connect(socket);
+    ASSERT_TRUE(other);
+    while (!enough) {
+      (void)other->call("map.save", {{"dir", folder.file("")}}, 30s).has_value();
+      (void)other->call("goto", {{"x_m", 400.0}, {"y_m", 0.0}}, 30s).has_value();
+    }
+  });
+  // The base looks every 50 ms; the other half of the 100 ms is main's. The best of some, because a test's
+  // machine may be busy with other things.
+  types::Duration best = 1h;
+  for (int i = 0; i < 10; ++i) {
+    const types::Stamp begin = io::monotonic_now();
+    ask("estop");
+    best = std::min(best, io::monotonic_now() - begin);
+    std::this_thread::sleep_for(20ms);
+  }
+  enough = true;
+  busy.join();
+  EXPECT_LT(best, 50ms);
+  ASSERT_TRUE(until([](const Json& s) {
+    return s["commanded"]["v_mps"] == 0.0 && s["estop"] == true && s["mission"]["state"] == "paused";
+  }));
+}
+
+TEST_F(DaemonThreads, ReadyAndDoneArePushed) {
+  const auto first = client->call("events.subscribe", Json::object(), 30s);
+  ASSERT_TRUE(first) << first.error().message;
+  const auto wait_for = [this](const char* name) {
+    const types::Stamp limit = io::monotonic_now() + 60s;
+    while (io::monotonic_now() < limit) {
+      auto event = client->next_event(limit - io::monotonic_now());
+      if (event && (*event)["event"] == name) return *event;
+      if (!event) break;
+    }
+    ADD_FAILURE() << name << " did not come";
+    return Json();
+  };
+  if ((*first)["ready"] != true) wait_for("ready");
+  ask("home");
+  EXPECT_EQ(wait_for("mission")["mission"]["order"], "home");
+  EXPECT_EQ(wait_for("done")["mission"]["state"], "done");
+  EXPECT_FALSE(client->call("goto", {{"x_m", 400.0}, {"y_m", 0.0}}, 30s)) << "unknown space";
 }
 
 TEST_F(DaemonThreads, LostScannerStopsTheRobotAndComesBack) {
