@@ -190,8 +190,13 @@ def test_missions(folder):
         time.sleep(1.5)  # longer than a plan lives: nothing may set it going but an order
         assert position(sim.truth()) == position(still), "it moves without an order: %s, %s, %s" % (still, sim.truth(), daemon.logged())
         assert daemon.ctl("resume").returncode == 0
-        watched = daemon.ctl("--json", "watch", "--every", "0.1") if daemon.ctl("stop").returncode == 0 else None
-        assert watched is not None and watched.returncode == 0 and json.loads(watched.stdout.splitlines()[0]), watched
+        watch = subprocess.Popen([CTL, "--socket", folder + "/ctl.sock", "--json", "watch", "--every", "0.1"],
+                                 stdout=subprocess.PIPE, text=True)
+        STARTED.append(watch)
+        assert json.loads(watch.stdout.readline())["mission"]["state"] == "under way"
+        assert daemon.ctl("stop").returncode == 0
+        last = watch.communicate(timeout=60)[0].splitlines()[-1]
+        assert watch.returncode == 0 and json.loads(last)["mission"]["state"] == "stopped", last
         assert daemon.ctl("wait", "done").returncode == 5, "a mission that was stopped is no success"
 
         assert daemon.ctl("home").returncode == 0
