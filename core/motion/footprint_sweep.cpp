@@ -85,11 +85,10 @@ class Arc {
 
 /// Nearest point of the outline: of the rectangle, of the circle, or where the two cross.
 Vector2 nearest_in(const Footprint& f, const Vector2& p) {
-  const Vector2 in_box{std::clamp(p.x(), -f.rear_m, f.front_m),
-                       std::clamp(p.y(), -f.half_width_m, f.half_width_m)};
+  Vector2 in_box{std::clamp(p.x(), -f.rear_m, f.front_m), std::clamp(p.y(), -f.half_width_m, f.half_width_m)};
   const double swing_m = f.swing_radius_m;
   if (in_box.norm() <= swing_m) return in_box;
-  const Vector2 on_circle = p.normalized() * swing_m;
+  Vector2 on_circle = p.normalized() * swing_m;
   if (on_circle.x() <= f.front_m && on_circle.x() >= -f.rear_m && std::abs(on_circle.y()) <= f.half_width_m)
     return on_circle;
   const auto other_m = [swing_m](double side_m) {
