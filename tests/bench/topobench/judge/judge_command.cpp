@@ -89,6 +89,7 @@ void add_path_errors(json& report, const std::vector<PosePair>& pairs, const typ
 types::Status save_picture(const JudgeCommand& command, const sim::World& world, const sim::Raster& visible,
                            const Covered& covered, const std::vector<TimedPose>& truth) {
   std::vector<sim::Se2> path;
+  path.reserve(truth.size());
   for (const TimedPose& pose : truth) path.push_back(pose.pose);
   return overview(world, {visible, covered.free, path, {}}).save_png(command.picture);
 }
