@@ -18,13 +18,10 @@ Goal goal_of(const GoalInput& input, const Opening& opening, const GoalParams& p
   goal.opening_m = opening.width_m;
   goal.place = opening.place;
   goal.side = opening.side;
-  if (!leads_to_unknown(input.map, opening, params)) {
-    goal.verdict = Verdict::kNoOpening;
-  } else if (const auto p = steer(input, opening, params, taken)) {
-    goal.p_map = *p;
-  } else {
-    goal.verdict = Verdict::kNoOpening;
-  }
+  const bool leads = leads_to_unknown(input.map, opening, params);
+  const auto p = leads ? steer(input, opening, params, taken) : std::nullopt;
+  if (p) goal.p_map = *p;
+  if (!p) goal.verdict = Verdict::kNoOpening;
   return goal;
 }
 
