@@ -226,6 +226,12 @@ void for_ring(CellIndex c, int distance, F&& f) {
   }
 }
 
+/// How far a cell is from the box, along x or y; a double holds what 32 bits may not.
+double cells_outside(const CellBox& box, CellIndex c) {
+  const auto outside = [](double v, double low, double high) { return std::max({0.0, low - v, v - high}); };
+  return std::max(outside(c.x, box.min.x, box.max.x), outside(c.y, box.min.y, box.max.y));
+}
+
 }  // namespace
 
 TravelField travel_field(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
@@ -248,6 +254,7 @@ std::vector<CellIndex> route_to(const DenseMap& map, const TravelField& field, C
 std::optional<CellIndex> nearest_reachable(const DenseMap& map, const TravelField& field, CellIndex goal,
                                            double within_m) {
   std::optional<CellIndex> best;
+  if (map.box.empty() || cells_outside(map.box, goal) * map.resolution_m > within_m) return best;
   double best_m = within_m;
   float best_cost_m = kUnreached;
   const int side = std::max({std::abs(goal.x - map.box.min.x), std::abs(goal.x - map.box.max.x),

@@ -146,6 +146,8 @@ TEST(Wavefront, ReachesNothingFromOutsideTheMapOrInEmptyOnes) {
   EXPECT_TRUE(route_to(map, field, {10, 10}).empty());
   EXPECT_TRUE(travel_field(DenseMap{}, {}, {0, 0}, {}).cost_m.empty());
   EXPECT_FALSE(nearest_reachable(DenseMap{}, TravelField{}, {0, 0}, 5.0));
+  EXPECT_FALSE(
+      nearest_reachable(map, travel_field(map, clearance, {10, 10}, {}), {INT32_MAX, INT32_MIN}, 5.0));
 }
 
 TEST(Wavefront, FromTheBorderReachesTheStartOnly) {
