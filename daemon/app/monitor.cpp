@@ -55,6 +55,10 @@ void Monitor::update(types::Stamp now) {
   update_devices();
   if (const auto* report = hand_overs_.base_report.take_new(); report != nullptr) {
     if (state_text(*report) != state_text(base_)) spdlog::info("base: {}", state_text(*report));
+    if (report->recoveries > base_.recoveries)
+      spdlog::info("base: something is in the way: recovery {} begins", report->recoveries);
+    if (report->mode == pipeline::ControlMode::kStuck && base_.mode != report->mode)
+      spdlog::warn("base: stuck, recovery did not help; the goal is given up");
     base_ = *report;
   }
   if (const auto* report = hand_overs_.mapping_report.take_new(); report != nullptr) mapping_ = *report;
@@ -155,6 +159,7 @@ Json Monitor::status() const {
           {"state", state_text(base_)},
           {"estop", base_.estop_latched || hand_overs_.estop.load(std::memory_order_acquire)},
           {"free_distance_m", base_.free_distance_m},
+          {"control", {{"mode", to_text(base_.mode)}, {"recoveries", base_.recoveries}}},
           {"pose", pose_json(pose())},
           {"odometry", pose_json(base_.state.odometry.T_odom_base.se2())},
           {"twist",

@@ -112,6 +112,8 @@ void BaseWorker::report() {
   report.estop_latched = control_report_.estop_latched;
   report.commanded = control_report_.commanded;
   report.free_distance_m = control_report_.free_distance_m;
+  report.mode = control_report_.mode;
+  report.recoveries = control_report_.recoveries;
   hand_overs_.base_report.publish();
   hand_overs_.control_to_planning.store(control_report_);
 }

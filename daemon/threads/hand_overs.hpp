@@ -44,6 +44,8 @@ struct BaseReport {
   bool estop_latched = false;  ///< by the operator or the stop button
   types::Twist2 commanded;
   double free_distance_m = 0.0;
+  pipeline::ControlMode mode = pipeline::ControlMode::kStanding;
+  std::uint32_t recoveries = 0;  ///< begun since the start
 };
 
 struct MappingReport {
