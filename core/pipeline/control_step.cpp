@@ -111,7 +111,10 @@ struct ControlState::Impl {
 
 /// Puts what only sonar noticed into the report.
 void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
-  constexpr double kRange_m = 1.5;
+  constexpr double kRange_m = 1.2;
+  constexpr double kSteady_radps =
+      0.3;  // an echo is up to 150 ms old: turning faster, it is of another direction
+  if (std::abs(gate_in.base->odometry.twist.omega_radps) > kSteady_radps) return;
   const std::size_t count =
       motion::unseen_echoes(motion::surroundings(gate_in), kRange_m, report.unseen_odom);
   for (std::size_t i = 0; i < count; ++i)

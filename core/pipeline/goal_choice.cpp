@@ -14,11 +14,25 @@ constexpr double kGoalReach_m = 0.6;      // a goal whose own cell is closed by 
 constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
 constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
 
+constexpr double kTurnCost_m_per_rad = 1.0;  // stopping, turning on the spot and speeding up again
+constexpr std::size_t kBeginning = 20;       // cells that say in which direction a route begins: 1 m
+
+/// What turning into the route costs, metres.
+double turn_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
+                   const types::Se2& T_map_base) {
+  const std::vector<grid::CellIndex> route = grid::route_to(map, field, cell);
+  if (route.size() < 2) return 0.0;
+  const types::Vector2 way =
+      map.centre_of(route[std::min(kBeginning, route.size() - 1)]) - map.centre_of(route.front());
+  const double turn_rad = types::wrap_angle(std::atan2(way.y(), way.x()) - T_map_base.theta_rad);
+  return kTurnCost_m_per_rad * std::abs(turn_rad);
+}
+
 }  // namespace
 
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     types::Stamp now, int& unreachable) {
+                                     const types::Se2& T_map_base, types::Stamp now, int& unreachable) {
   std::vector<Candidate> candidates;
   for (const goals::Goal& goal : goals) {
     if (given_up.hold(goal.p_map, now)) continue;
@@ -27,7 +41,8 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
       ++unreachable;
       continue;
     }
-    candidates.push_back({goal, *cell, static_cast<double>(field.cost_m[map.index(*cell)])});
+    const double way_m = static_cast<double>(field.cost_m[map.index(*cell)]);
+    candidates.push_back({goal, *cell, way_m + turn_cost_m(map, field, *cell, T_map_base)});
   }
   return candidates;
 }

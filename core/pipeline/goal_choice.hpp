@@ -12,7 +12,7 @@
 
 namespace topo::pipeline {
 
-/// A goal, the cell from which it is seen to, and what going there costs.
+/// A goal, the cell from which it is seen to, and what going there costs: the way, and turning into it.
 struct Candidate {
   goals::Goal goal;
   grid::CellIndex cell;
@@ -23,7 +23,7 @@ struct Candidate {
 /// because no way leads there now.
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     types::Stamp now, int& unreachable);
+                                     const types::Se2& T_map_base, types::Stamp now, int& unreachable);
 
 /// Frontiers that a robot can get to as goals; the second phase's, and the baseline's. `clusters` counts all
 /// that are `width_min_m` wide, reachable or not.

@@ -85,18 +85,19 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
-std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in) {
-  int unreachable = 0;
+std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in, int& unreachable) {
   const bool essential = params.strategy == Strategy::kTopometric;
   std::vector<goals::Goal> frontiers = frontier_goals(map, field, params.frontier_min_m, clusters);
   // The places may be those of an older map.
   for (goals::Goal& frontier : frontiers) frontier.place = place_at(*analysis, frontier.p_map);
   std::vector<Candidate> candidates;
   second_phase = false;
-  if (essential) candidates = candidates_of(analysis->goals.goals, map, field, given_up, in.now, unreachable);
+  if (essential)
+    candidates =
+        candidates_of(analysis->goals.goals, map, field, given_up, T_map_base.se2(), in.now, unreachable);
   if (candidates.empty() && (!essential || params.finish == Finish::kComplete)) {
     second_phase = essential;
-    candidates = candidates_of(frontiers, map, field, given_up, in.now, unreachable);
+    candidates = candidates_of(frontiers, map, field, given_up, T_map_base.se2(), in.now, unreachable);
   }
   return candidates;
 }
@@ -113,7 +114,8 @@ void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& ca
 
 void PlanningState::Impl::explore(const PlanningInput& in) {
   settle_goal(in);
-  const std::vector<Candidate> candidates = find_candidates(in);
+  int unreachable = 0;
+  const std::vector<Candidate> candidates = find_candidates(in, unreachable);
   open_goals.clear();
   for (const Candidate& c : candidates) open_goals.push_back(c.goal);
   const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;
@@ -125,6 +127,12 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   const Candidate* best =
       choose(candidates, present, params.switch_gain, second_phase ? here : std::uint16_t{0});
   if (best == nullptr) {
+    if (unreachable > 0 && forget_unseen(in)) {
+      activity = Activity::kThinking;
+      reason = "no way to the goals left: what only sonar heard is forgotten";
+      has_target = false;
+      return;
+    }
     if (given_up.call_back(in.now)) {
       activity = Activity::kThinking;
       reason = "only goals given up before are left: they are tried again";
@@ -178,6 +186,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
   if (cell) target = *cell;
   activity = underway;
   if (!cell) reason = "no way there just now";
+  if (!cell) (void)forget_unseen(in);
 }
 
 void PlanningState::Impl::go_home(const PlanningInput& in, std::string why) {

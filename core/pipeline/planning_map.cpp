@@ -38,8 +38,9 @@ void add_disc(const types::Vector2& centre, std::vector<types::Vector2>& points)
 }
 
 constexpr double kSameEcho_m = 0.15;
-constexpr int kEchoTimes = 2;  // one alone may be a reflection
+constexpr int kEchoTimes = 3;  // fewer may be reflections
 constexpr std::size_t kEchoesMax = 1000;
+constexpr types::Duration kForgetAgain = std::chrono::seconds(60);
 constexpr types::Duration kEchoFor = std::chrono::minutes(10);
 
 }  // namespace
@@ -60,6 +61,14 @@ void PlanningState::Impl::remember_echoes(const PlanningInput& in) {
       echoes.push_back({p_map, in.now + kEchoFor, 1});
     }
   }
+}
+
+bool PlanningState::Impl::forget_unseen(const PlanningInput& in) {
+  if ((echoes.empty() && blocked.empty()) || in.now - forgotten < kForgetAgain) return false;
+  echoes.clear();
+  blocked.clear();
+  forgotten = in.now;
+  return true;
 }
 
 void PlanningState::Impl::refresh_map(const PlanningInput& in) {

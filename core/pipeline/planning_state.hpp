@@ -32,13 +32,16 @@ struct PlanningState::Impl {
   void refresh_analysis(const PlanningInput& in);
   void refresh_travel(const PlanningInput& in);
   void remember_echoes(const PlanningInput& in);
+  /// When no way is left: what only sonar heard, or what the robot got stuck on, may have been wrong. False
+  /// when there is nothing to forget, or it was done lately.
+  bool forget_unseen(const PlanningInput& in);
   /// What stands within a few metres now, seen or bumped into.
   [[nodiscard]] std::vector<types::Vector2> obstacles_now(const PlanningInput& in) const;
 
   // Where to (planning_goals.cpp).
   void explore(const PlanningInput& in);
   void settle_goal(const PlanningInput& in);
-  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in);
+  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in, int& unreachable);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void go_home(const PlanningInput& in, std::string why);
   void go_to(const PlanningInput& in);
@@ -90,6 +93,7 @@ struct PlanningState::Impl {
   };
   std::vector<Blocked> blocked;  ///< where the robot got stuck on something that no laser sees
   std::vector<Blocked> echoes;   ///< where sonar hears what no laser sees
+  types::Stamp forgotten{};
   std::uint64_t blamed_goal = 0;
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;

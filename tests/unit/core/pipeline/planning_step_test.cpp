@@ -77,12 +77,6 @@ TEST_P(BothStrategies, exploreAllAndComeHome) {
   EXPECT_GE(building.coverage(), 0.97);
   EXPECT_LE((building.robot() - start).norm(), 0.3);
   EXPECT_FALSE(run.last.plan.moving);
-  std::printf("%s: %d periods, %.1f m, %d goals, coverage %.3f\n", std::string(to_text(GetParam())).c_str(),
-              run.periods, building.path_m(), static_cast<int>(run.last.report->goals_issued),
-              building.coverage());
-  for (const Decision& d : run.last.report->decisions)
-    std::printf("  %.1f (%.1f, %.1f) %s\n", types::to_seconds(d.stamp) - 100.0, d.p_map.x(), d.p_map.y(),
-                d.text.c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, BothStrategies,
