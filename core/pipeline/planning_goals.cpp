@@ -13,6 +13,9 @@ constexpr std::size_t kDecisionsKept = 64;
 constexpr types::Duration kStandstill = std::chrono::seconds(25);  // longer than a recovery takes
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
+constexpr types::Duration kPatience = std::chrono::seconds(6);
+constexpr int kResumesMax = 8;            // an exploration ends
+constexpr double kResumeFor_m = 1.2;      // a narrower gap does not turn a robot round on its way home
 constexpr double kBlockedAhead_m = 0.45;  // from the centre of the robot to what it got stuck on
 constexpr types::Duration kBlockedFor =
     std::chrono::minutes(5);  // what no laser sees is glass more often than a person
@@ -92,9 +95,10 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
   for (goals::Goal& frontier : frontiers) frontier.place = place_at(*analysis, frontier.p_map);
   std::vector<Candidate> candidates;
   second_phase = false;
-  if (essential)
+  if (essential) {
     candidates =
         candidates_of(analysis->goals.goals, map, field, given_up, T_map_base.se2(), in.now, unreachable);
+  }
   if (candidates.empty() && (!essential || params.finish == Finish::kComplete)) {
     second_phase = essential;
     candidates = candidates_of(frontiers, map, field, given_up, T_map_base.se2(), in.now, unreachable);
@@ -112,12 +116,39 @@ void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& ca
   note(in, goal->p_map, "taken: " + description(*goal) + ", " + metres(candidate.cost_m) + " to go");
 }
 
+/// What to do when no goal is in reach: not at once the end, since a person may stand in a doorway.
+void PlanningState::Impl::run_dry(const PlanningInput& in, int unreachable) {
+  has_target = false;
+  activity = Activity::kThinking;
+  if (nothing_since == types::Stamp{}) nothing_since = in.now;
+  if (unreachable > 0 && forget_unseen(in)) {
+    reason = "no way to the goals left: what only sonar heard is forgotten";
+  } else if (unreachable > 0 && in.now - nothing_since < kPatience) {
+    reason = "no way to the goals left just now";
+  } else if (given_up.call_back(in.now)) {
+    reason = "only goals given up before are left: they are tried again";
+  } else {
+    returning = true;
+    return_reason = "explored: no goal is left in reach";
+    note(in, T_map_start.se2().translation(), return_reason);
+    go_home(in, return_reason);
+  }
+}
+
 void PlanningState::Impl::explore(const PlanningInput& in) {
-  settle_goal(in);
+  if (!returning) settle_goal(in);
   int unreachable = 0;
   const std::vector<Candidate> candidates = find_candidates(in, unreachable);
   open_goals.clear();
   for (const Candidate& c : candidates) open_goals.push_back(c.goal);
+  if (returning) {
+    const bool worth_it = std::any_of(candidates.begin(), candidates.end(),
+                                      [](const Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
+    if (!worth_it || resumed == kResumesMax) return go_home(in, return_reason);
+    ++resumed;  // a way has opened
+    returning = false;
+    goal.reset();
+  }
   const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;
   if (goal && present == nullptr) {
     note(in, goal->p_map, "dropped: seen, or no longer a goal");
@@ -126,24 +157,8 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   const std::uint16_t here = goal ? goal->place : std::uint16_t{0};
   const Candidate* best =
       choose(candidates, present, params.switch_gain, second_phase ? here : std::uint16_t{0});
-  if (best == nullptr) {
-    if (unreachable > 0 && forget_unseen(in)) {
-      activity = Activity::kThinking;
-      reason = "no way to the goals left: what only sonar heard is forgotten";
-      has_target = false;
-      return;
-    }
-    if (given_up.call_back(in.now)) {
-      activity = Activity::kThinking;
-      reason = "only goals given up before are left: they are tried again";
-      has_target = false;
-      return;
-    }
-    returning = true;
-    return_reason = "explored: no goal is left in reach";
-    note(in, T_map_start.se2().translation(), return_reason);
-    return go_home(in, return_reason);
-  }
+  if (best == nullptr) return run_dry(in, unreachable);
+  nothing_since = {};
   ++decisions_made;
   clusters_sum += static_cast<std::uint64_t>(clusters);
   goals_sum += candidates.size();

@@ -89,21 +89,26 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
       std::make_shared<const Analysis>(analyse(*in.map, map, clearance_m, visited(*in.map), params.analysis));
 }
 
-std::vector<types::Vector2> PlanningState::Impl::obstacles_now(const PlanningInput& in) const {
-  std::vector<types::Vector2> obstacles;
-  const bool live = in.front != nullptr && in.now - in.front->arrival <= kLiveAgeMax;
-  if (live) obstacles = confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
-  for (const Blocked& b : blocked) add_disc(b.p_map, obstacles);
+std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {
+  if (in.front == nullptr || in.now - in.front->arrival > kLiveAgeMax) return {};
+  return confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
+}
+
+std::vector<types::Vector2> PlanningState::Impl::unseen() const {
+  std::vector<types::Vector2> points;
+  for (const Blocked& b : blocked) add_disc(b.p_map, points);
   for (const Blocked& b : echoes) {
-    if (b.times >= kEchoTimes) obstacles.push_back(b.p_map);
+    if (b.times >= kEchoTimes) points.push_back(b.p_map);
   }
-  return obstacles;
+  return points;
 }
 
 void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   std::erase_if(blocked, [&](const Blocked& b) { return b.until <= in.now; });
   travel_clearance_m = clearance_m;
-  lower_clearance(map, obstacles_now(in), params.travel.preferred_m, travel_clearance_m);
+  lower_clearance(map, unseen(), params.travel.preferred_m, travel_clearance_m);
+  keep_trail_open(map, in.map->keyframes, params.travel.radius_m, travel_clearance_m);
+  lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
   const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
   field = grid::travel_field(map, travel_clearance_m, start, params.travel);
 }

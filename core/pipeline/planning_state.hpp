@@ -35,11 +35,14 @@ struct PlanningState::Impl {
   /// When no way is left: what only sonar heard, or what the robot got stuck on, may have been wrong. False
   /// when there is nothing to forget, or it was done lately.
   bool forget_unseen(const PlanningInput& in);
-  /// What stands within a few metres now, seen or bumped into.
-  [[nodiscard]] std::vector<types::Vector2> obstacles_now(const PlanningInput& in) const;
+  /// What the laser sees within a few metres now.
+  [[nodiscard]] std::vector<types::Vector2> seen_now(const PlanningInput& in) const;
+  /// What sonar heard, and what the robot got stuck on.
+  [[nodiscard]] std::vector<types::Vector2> unseen() const;
 
   // Where to (planning_goals.cpp).
   void explore(const PlanningInput& in);
+  void run_dry(const PlanningInput& in, int unreachable);
   void settle_goal(const PlanningInput& in);
   [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in, int& unreachable);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
@@ -59,7 +62,9 @@ struct PlanningState::Impl {
   std::string reason = "no mission yet";
   bool ended = true;
   bool second_phase = false;
-  bool returning = false;  ///< an exploration on its way home
+  bool returning = false;        ///< an exploration on its way home
+  int resumed = 0;               ///< how often it found a goal on its way home
+  types::Stamp nothing_since{};  ///< when the last goal in reach was gone; zero: there is one
   std::string return_reason;
   types::Stamp battery_low_since{};
   bool battery_low = false;

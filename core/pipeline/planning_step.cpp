@@ -64,6 +64,9 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   activity = Activity::kIdle;
   reason = ended ? "standing, as told" : "";
   second_phase = returning = false;
+  resumed = 0;
+  nothing_since = {};
+  battery_low = false;
   goal.reset();
   has_target = false;
   given_up.clear();
@@ -90,7 +93,8 @@ void PlanningState::Impl::watch_battery(const PlanningInput& in) {
                    (c.state_of_charge >= 0.0F && static_cast<double>(c.state_of_charge) < params.charge_home);
   if (!low) battery_low_since = {};
   if (low && battery_low_since == types::Stamp{}) battery_low_since = in.now;
-  battery_low = low && in.now - battery_low_since >= kBatteryLowFor;
+  // It stays low for the mission: a battery that is spared recovers a little, and is as empty as before.
+  battery_low = battery_low || (low && in.now - battery_low_since >= kBatteryLowFor);
 }
 
 void PlanningState::Impl::decide(const PlanningInput& in) {
@@ -100,7 +104,7 @@ void PlanningState::Impl::decide(const PlanningInput& in) {
     goal.reset();
     note(in, T_map_start.se2().translation(), "home: the battery is low");
   }
-  if (returning) return go_home(in, return_reason);
+  if (returning && (battery_low || mission.order != Order::kExplore)) return go_home(in, return_reason);
   switch (mission.order) {
     case Order::kExplore:
       return explore(in);
@@ -126,7 +130,7 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
   const auto ahead = static_cast<std::ptrdiff_t>(
       std::min(route.size(), from + static_cast<std::size_t>(kLookAhead_m / 0.1)));
   const double closed_m = params.travel.radius_m - map.resolution_m;
-  for (const types::Vector2& obstacle : obstacles_now(in)) {
+  for (const types::Vector2& obstacle : seen_now(in)) {
     if ((obstacle - here).norm() <= closed_m) continue;  // there already
     const bool in_the_way = std::any_of(
         route.begin() + static_cast<std::ptrdiff_t>(from), route.begin() + ahead,

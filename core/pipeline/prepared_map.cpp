@@ -92,6 +92,13 @@ void free_disc(DenseMap& map, const Vector2& centre, double radius_m) {
   });
 }
 
+void free_trail(DenseMap& map, const grid::OccupancyGrid& grid, const Vector2& centre, double radius_m) {
+  for_each_around(map, centre, radius_m, [&](std::size_t index, double) {
+    if (map.cells[index] == CellState::kOccupied && grid.state(map.cell(index)) != CellState::kOccupied)
+      map.cells[index] = CellState::kFree;
+  });
+}
+
 void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid) {
   constexpr int kSide = grid::Tile::kSide;
   grid.tiles().for_each([&](patricia::Key key, const grid::TileRef& tile) {
@@ -118,8 +125,13 @@ DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limi
   DenseMap map = grid::dense_map(snapshot.grid, kMargin);
   occupy_faint(map, snapshot.grid);
   close_gaps(map, kReach);
-  for (const KeyframePose& keyframe : snapshot.keyframes)
-    free_disc(map, keyframe.T_map_base.se2().translation(), robot_radius_m);
+  constexpr double kInner =
+      0.7;  // of the swing disc: the part that the robot's outline fills whichever way it faces
+  for (const KeyframePose& keyframe : snapshot.keyframes) {
+    const Vector2 centre = keyframe.T_map_base.se2().translation();
+    free_disc(map, centre, robot_radius_m);
+    free_trail(map, snapshot.grid, centre, kInner * robot_radius_m);
+  }
   apply_limits(map, limits);
   return map;
 }
@@ -151,6 +163,26 @@ void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, do
     for_each_around(map, obstacle, reach_m, [&](std::size_t index, double distance_m) {
       clearance_m[index] = std::min(clearance_m[index], static_cast<float>(distance_m));
     });
+  }
+}
+
+void keep_trail_open(const DenseMap& map, std::span<const KeyframePose> way, double radius_m,
+                     std::vector<float>& clearance_m) {
+  constexpr double kGap_m = 0.8;  // two keyframes: farther apart the robot was carried, or lost
+  const auto open_m = static_cast<float>(radius_m);
+  const double reach_m = 1.5 * map.resolution_m;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
+    const double length_m = (b - a).norm();
+    if (length_m > kGap_m) continue;
+    const int steps = static_cast<int>(std::ceil(length_m / map.resolution_m)) + 1;
+    for (int k = 0; k <= steps; ++k) {
+      for_each_around(map, a + (b - a) * (static_cast<double>(k) / steps), reach_m,
+                      [&](std::size_t index, double) {
+                        if (map.cells[index] == CellState::kFree)
+                          clearance_m[index] = std::max(clearance_m[index], open_m);
+                      });
+    }
   }
 }
 

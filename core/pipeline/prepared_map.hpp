@@ -27,6 +27,10 @@ void free_disc(grid::DenseMap& map, const types::Vector2& centre, double radius_
 /// evidence (grid::state_of).
 void occupy_faint(grid::DenseMap& map, const grid::OccupancyGrid& grid);
 
+/// What is only suspected where the robot itself stood is not there.
+void free_trail(grid::DenseMap& map, const grid::OccupancyGrid& grid, const types::Vector2& centre,
+                double radius_m);
+
 /// Cells outside of the limits become occupied: no way leads there and nothing behind them is missed.
 void apply_limits(grid::DenseMap& map, const motion::AreaLimits& limits);
 
@@ -41,6 +45,11 @@ std::vector<types::Vector2> confirmed_points(const types::Scan& scan, const type
 
 /// Takes points into a clearance map as obstacles, up to `reach_m` around each: clearance never grows.
 void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> obstacles, double reach_m,
+                     std::vector<float>& clearance_m);
+
+/// Where the robot went it can go back, whatever else is thought to stand there: clearance of at least
+/// `radius_m` on the lines between consecutive stations of its way that are near to one another.
+void keep_trail_open(const grid::DenseMap& map, std::span<const KeyframePose> way, double radius_m,
                      std::vector<float>& clearance_m);
 
 }  // namespace topo::pipeline
