@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 
 #include "core/pipeline/planning_state.hpp"
 
@@ -38,6 +39,17 @@ std::string description(const goals::Goal& goal) {
   if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
   text += goal.place != 0 ? "place " + std::to_string(goal.place) : "frontier";
   return text + ", opening " + metres(goal.opening_m);
+}
+
+/// Before a long way to the next essential goal the gaps at hand come first: a robot that has to come back
+/// for one of them goes the long way twice more.
+void add_gaps_at_hand(const std::vector<Candidate>& gaps, std::vector<Candidate>& candidates) {
+  constexpr double kAtHand_m = 9.0, kLongWay_m = 16.0;
+  const bool near = std::any_of(candidates.begin(), candidates.end(),
+                                [](const Candidate& c) { return c.cost_m < kLongWay_m; });
+  if (near) return;
+  std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(candidates),
+               [](const Candidate& gap) { return gap.cost_m <= kAtHand_m; });
 }
 
 }  // namespace
@@ -99,9 +111,14 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
     candidates =
         candidates_of(analysis->goals.goals, map, field, given_up, T_map_base.se2(), in.now, unreachable);
   }
-  if (candidates.empty() && (!essential || params.finish == Finish::kComplete)) {
-    second_phase = essential;
-    candidates = candidates_of(frontiers, map, field, given_up, T_map_base.se2(), in.now, unreachable);
+  if (!essential || params.finish == Finish::kComplete) {
+    std::vector<Candidate> gaps =
+        candidates_of(frontiers, map, field, given_up, T_map_base.se2(), in.now, unreachable);
+    if (candidates.empty()) {
+      second_phase = essential;
+      return gaps;
+    }
+    add_gaps_at_hand(gaps, candidates);
   }
   return candidates;
 }
