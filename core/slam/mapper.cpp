@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/slam/information.hpp"
-#include "core/slam/loop_candidates.hpp"
 #include "core/slam/search.hpp"
 
 namespace topo::slam {
@@ -17,8 +15,6 @@ namespace {
 constexpr double kLocalHalfWidth_m = 32.0;  ///< beyond the scanner's reach
 constexpr double kRecentre_m = 6.0;         ///< how far the robot may get from the window's centre
 constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by this to be preferred
-constexpr int kClosuresBeforeSolve = 10;    ///< closures that agree with the graph wait for company
-constexpr double kTensionChi2 = 1.0;        ///< a closure further off than this is solved for at once
 
 double travel(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
@@ -108,62 +104,6 @@ void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const P
   poses_.push_back(T_map_base_);
   extend_local_map();
   ask(keyframes_.size() - 1);
-}
-
-void Mapper::ask(std::size_t node) {
-  const std::vector<LoopRun> runs = find_loop_runs(poses_, edges_, node, params_.loop);
-  if (runs.empty()) return;
-  LoopQuery query;
-  query.node = node;
-  query.keyframe = keyframes_[node];
-  query.pose = poses_[node];
-  query.params = params_;
-  for (const LoopRun& run : runs) {
-    LoopGroup group;
-    group.reference = run.nearest;
-    group.reference_pose = poses_[run.nearest];
-    group.window = run.window;
-    for (std::size_t i = run.first; i <= run.last; ++i) {
-      group.keyframes.push_back(keyframes_[i]);
-      group.poses.push_back(poses_[i]);
-    }
-    query.groups.push_back(std::move(group));
-  }
-  query_ = std::move(query);
-}
-
-std::optional<LoopQuery> Mapper::take_query() { return std::exchange(query_, std::nullopt); }
-
-LoopVerdict Mapper::apply(const LoopAnswer& answer) {
-  LoopVerdict verdict;
-  bool tension = false;
-  for (const LoopCandidate& candidate : answer.candidates) {
-    if (candidate.rejection != LoopRejection::kNone) {
-      ++verdict.rejected;
-      continue;
-    }
-    ++verdict.accepted;
-    const Eigen::Vector3d e =
-        edge_error(candidate.edge, poses_[candidate.edge.from], poses_[candidate.edge.to]);
-    tension = tension || e.dot(candidate.edge.information * e) > kTensionChi2;
-    edges_.push_back(candidate.edge);
-  }
-  closures_since_solve_ += verdict.accepted;
-  if (!tension && closures_since_solve_ < kClosuresBeforeSolve) return verdict;
-  const types::Se2 before = poses_.back();
-  verdict.solved = optimise().solved;
-  verdict.moved_m = travel(before, poses_.back());
-  return verdict;
-}
-
-SolveReport Mapper::optimise() {
-  closures_since_solve_ = 0;
-  if (poses_.empty()) return {};
-  const types::Se2 T_last_base = poses_.back().inverse() * T_map_base_;
-  const SolveReport report = solve(poses_, edges_, params_.graph);
-  T_map_base_ = poses_.back() * T_last_base;
-  rebuild_local_map();
-  return report;
 }
 
 void Mapper::extend_local_map() {
