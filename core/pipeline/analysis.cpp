@@ -5,7 +5,11 @@
 namespace topo::pipeline {
 
 Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
-                 std::span<const types::Vector2> visited, const AnalysisParams& params) {
+                 std::span<const types::Vector2> visited, const AnalysisParams& params,
+                 const StageWatch& done) {
+  const auto tell = [&](Stage stage) {
+    if (done) done(stage);
+  };
   Analysis a;
   a.revision = snapshot.revision;
   a.map = std::move(map);
@@ -17,12 +21,21 @@ Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<fl
   walls::CompassParams compass = params.compass;
   compass.cell_m = a.map.resolution_m;
   a.compass = walls::entropy_compass(occupied, compass);
+  tell(Stage::kCompass);
   if (points.empty()) points = occupied;
   const double compass_rad = a.compass.angle_rad.value_or(0.0);
   a.walls = walls::extract_walls(points, compass_rad, params.walls);
+  tell(Stage::kWalls);
   a.skeleton = places::skeletonise(a.map, a.clearance_m);
-  a.places = places::segment_places(a.map, a.clearance_m, a.skeleton, a.walls, compass_rad, params.places);
+  tell(Stage::kSkeleton);
+  const places::FirstLabels first =
+      places::first_labels(a.map, a.clearance_m, a.skeleton, params.places.piece_m);
+  tell(Stage::kLabels);
+  a.places =
+      places::reduce_labels(a.map, a.clearance_m, a.skeleton, first, a.walls, compass_rad, params.places);
+  tell(Stage::kReduction);
   a.goals = goals::essential_goals({a.map, a.clearance_m, a.skeleton, a.places, visited}, params.goals);
+  tell(Stage::kGoals);
   return a;
 }
 

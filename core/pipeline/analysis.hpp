@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,9 +35,15 @@ struct Analysis {
   goals::GoalSet goals;
 };
 
+enum class Stage : std::uint8_t { kCompass, kWalls, kSkeleton, kLabels, kReduction, kGoals };
+
+/// Told after each stage, in the order of the enumeration: who measures brings the clock.
+using StageWatch = std::function<void(Stage)>;
+
 /// All stages on one snapshot. `map` is made of it (prepared_map.hpp), `clearance_m` is its distance map with
 /// kOccupiedOrUnknown; `visited` are the corrected paths of all robots, in map.
 Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
-                 std::span<const types::Vector2> visited, const AnalysisParams& params);
+                 std::span<const types::Vector2> visited, const AnalysisParams& params,
+                 const StageWatch& done = {});
 
 }  // namespace topo::pipeline

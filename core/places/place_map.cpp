@@ -51,16 +51,15 @@ void add_borders(const std::vector<Region>& regions, std::span<const std::uint16
 
 }  // namespace
 
-PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
-                        const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
-                        const PlaceParams& params) {
+PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
+                       const Skeleton& skeleton, const FirstLabels& first,
+                       std::span<const types::Segment> walls, double compass_rad, const PlaceParams& params) {
   assert(clearance_m.size() == map.cells.size());
   PlaceMap out;
   // A quarter more or less is the same compass; the one nearest to the map's axes keeps north up.
   out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
   out.labels.assign(map.cells.size(), 0);
   const CompassFrame frame(out.compass_rad);
-  const FirstLabels first = first_labels(map, clearance_m, skeleton, params.piece_m);
   std::vector<Region> regions = regions_of(map, clearance_m, first, skeleton.axis, walls, frame);
   const BoxCounts counts(map, frame);
   const std::vector<std::uint32_t> roots = reduce(regions, counts, map.resolution_m, params);
@@ -70,6 +69,13 @@ PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> cleara
   for (std::uint32_t p = 0; p < first.pieces; ++p) of_label[p + 1] = numbers[roots[p]];
   for (std::size_t i = 0; i < out.labels.size(); ++i) out.labels[i] = of_label[first.labels[i]];
   return out;
+}
+
+PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
+                        const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
+                        const PlaceParams& params) {
+  const FirstLabels first = first_labels(map, clearance_m, skeleton, params.piece_m);
+  return reduce_labels(map, clearance_m, skeleton, first, walls, compass_rad, params);
 }
 
 }  // namespace topo::places

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
+#include "core/places/first_labels.hpp"
 #include "core/places/skeleton.hpp"
 #include "core/types/geometry.hpp"
 
@@ -48,9 +49,15 @@ struct PlaceMap {
   std::vector<PlaceBorder> borders;
 };
 
-/// Labels by skeleton node, then merging of neighbours to a fixed point under the two conditions of paper
-/// section II-C: the union's box in the compass frame is mostly free, and no wall is crossed. Independent of
-/// the order of nodes. Without a compass the map's own axes.
+/// The second half of the segmentation: merging of neighbours to a fixed point under the two conditions of
+/// paper section II-C: the union's box in the compass frame is mostly free, and no wall is crossed.
+/// Independent of the order of nodes. Without a compass the map's own axes.
+PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
+                       const Skeleton& skeleton, const FirstLabels& first,
+                       std::span<const types::Segment> walls, double compass_rad,
+                       const PlaceParams& params = {});
+
+/// Both: the first labels, then the reduction.
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
                         const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
                         const PlaceParams& params = {});

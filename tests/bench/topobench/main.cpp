@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tests/bench/topobench/analyse/analyse_command.hpp"
+#include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
@@ -53,6 +55,28 @@ void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
   app.add_flag("--json", judge.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
+  app.add_option("--map", analyse.map, "map_server YAML file, or a picture alone (PNG, PGM)")->required();
+  app.add_option("--resolution", analyse.resolution_m, "Metres a pixel, of a picture alone")
+      ->capture_default_str();
+  app.add_option("--repeat", analyse.repeat, "How often, for the times")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--out", analyse.out, "Folder for labels.png, overlay.png, places.geojson, compass.png");
+  app.add_flag("--json", analyse.json, "One JSON object on one line");
+}
+
+void add_options(CLI::App& app, topo::bench::SegmentCommand& segment) {
+  app.add_option("labels,--labels", segment.labels, "Folder of label pictures")->required();
+  app.add_option("truth,--truth", segment.truth, "Folder of true rooms (lines or colours)")->required();
+  app.add_option("--maps", segment.maps, "Folder of maps to analyse first, into the folder of labels");
+  app.add_option("--resolution", segment.resolution_m, "Metres a pixel, of these maps")
+      ->capture_default_str();
+  app.add_option("--turn", segment.turn_deg, "Degrees by which the truth is turned against the maps")
+      ->capture_default_str();
+  app.add_flag("--json", segment.json, "One JSON object on one line");
+}
+
 int finish(const topo::types::Status& done) {
   if (done) return 0;
   fmt::print(stderr, "topobench: {}\n", done.error().message);
@@ -74,6 +98,12 @@ int main(int argc, char** argv) {
   slam_app->add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt");
   slam_app->add_flag("--json", slam.json, "One JSON object on one line");
 
+  topo::bench::AnalyseCommand analyse;
+  CLI::App* analyse_app = app.add_subcommand("analyse", "The topometric analysis of one map");
+  add_options(*analyse_app, analyse);
+  topo::bench::SegmentCommand segment;
+  CLI::App* segment_app = app.add_subcommand("segment", "Score place maps against true rooms");
+  add_options(*segment_app, segment);
   topo::bench::ExploreCommand explore;
   CLI::App* explore_app =
       app.add_subcommand("explore", "Explore a simulated building in lock-step, faster than real time");
@@ -89,6 +119,8 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   if (*slam_app) return finish(topo::bench::run_slam(slam));
+  if (*analyse_app) return finish(topo::bench::run_analyse(analyse));
+  if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
   return finish(topo::bench::run_judge(judge));
 }
