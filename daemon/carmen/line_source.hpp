@@ -25,8 +25,6 @@ class LineSource {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] int line() const { return line_; }  ///< number of the line given last, from 1
-  /// False when the file's last line, given last, has no line end: a writer that was cut off leaves that.
-  [[nodiscard]] bool terminated() const { return terminated_; }
 
   /// kInvalidInput with "FILE:LINE: found WHAT, expected WHAT" for the line given last.
   [[nodiscard]] tl::unexpected<types::Error> bad(std::string_view found, std::string_view expected) const;
@@ -41,7 +39,7 @@ class LineSource {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   int line_ = 0;
-  bool terminated_ = true;
+  bool terminated_ = true;  ///< false: the last line has no end, as a writer that was cut off leaves it
 };
 
 }  // namespace topo::daemon

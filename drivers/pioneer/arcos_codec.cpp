@@ -11,7 +11,6 @@ constexpr std::byte kHead1{0xFA};
 constexpr std::byte kHead2{0xFB};
 constexpr std::byte kTypePositive{0x3B};
 constexpr std::byte kTypeNegative{0x1B};
-constexpr std::byte kTypeText{0x2B};
 
 constexpr unsigned value(std::byte b) { return std::to_integer<unsigned>(b); }
 constexpr std::byte low_byte(unsigned v) { return static_cast<std::byte>(v & 0xFFU); }
@@ -61,23 +60,6 @@ CommandPacket encode(Command command, int argument) {
   CommandWriter writer(command);
   writer.put(clamped < 0 ? kTypeNegative : kTypePositive);
   writer.put_word(static_cast<unsigned>(clamped < 0 ? -clamped : clamped));
-  return writer.finish();
-}
-
-CommandPacket encode_pair(Command command, std::int8_t low, std::int8_t high) {
-  CommandWriter writer(command);
-  writer.put(kTypePositive);
-  writer.put(static_cast<std::byte>(low));
-  writer.put(static_cast<std::byte>(high));
-  return writer.finish();
-}
-
-CommandPacket encode_text(Command command, std::span<const std::byte> text) {
-  const auto cut = text.first(std::min(text.size(), kMaxText));
-  CommandWriter writer(command);
-  writer.put(kTypeText);
-  writer.put(low_byte(static_cast<unsigned>(cut.size())));
-  for (const std::byte b : cut) writer.put(b);
   return writer.finish();
 }
 

@@ -16,7 +16,6 @@ namespace topo::pioneer {
 inline constexpr std::size_t kMinCount = 3;    ///< smallest N: a type byte and the checksum
 inline constexpr std::size_t kMaxCount = 204;  ///< ARCOS drops what is longer
 inline constexpr std::size_t kMaxPacket = kMaxCount + 3;
-inline constexpr std::size_t kMaxText = kMaxCount - 2 - 3;  ///< payload less command, type and length byte
 
 /// Host to robot (PROTOCOLS section 3). 0, 1 and 2 are SYNC0, SYNC1 and SYNC2 before the connection.
 enum class Command : std::uint8_t {
@@ -35,11 +34,9 @@ enum class Command : std::uint8_t {
   kSetRa = 23,
   kSonar = 28,
   kStop = 29,
-  kVel2 = 32,
   kBumpStall = 44,
   kHostBaud = 50,
   kEStop = 55,
-  kLcdWrite = 59,
 };
 
 /// Robot to host (PROTOCOLS sections 4 and 5).
@@ -72,10 +69,6 @@ class CommandPacket {
 CommandPacket encode(Command command);
 /// The sign goes into the argument's type byte; clamped to +-32767.
 CommandPacket encode(Command command, int argument);
-/// Two signed bytes in one integer (VEL2, DIGOUT); `low` is sent first.
-CommandPacket encode_pair(Command command, std::int8_t low, std::int8_t high);
-/// Cut at kMaxText bytes.
-CommandPacket encode_text(Command command, std::span<const std::byte> text);
 
 /// A packet whose frame and checksum hold. Valid until the parser's next call.
 struct PacketView {

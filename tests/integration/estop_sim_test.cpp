@@ -11,8 +11,7 @@
 #include "drivers/io/make_connector.hpp"
 #include "drivers/io/posix.hpp"
 #include "drivers/pioneer/arcos_codec.hpp"
-#include "tests/sim/devices/sim_harness.hpp"
-#include "tests/unit/sim/rooms.hpp"
+#include "tests/integration/room_harness.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -32,11 +31,8 @@ class EstopOnWire : public testing::TestWithParam<bool> {
     std::string name = testing::TempDir() + "estop_sim_XXXXXX";
     ASSERT_NE(::mkdtemp(name.data()), nullptr);
     folder_ = name;
-    sim::RigConfig config;
-    config.robots.push_back(GetParam() ? sim::tcp_robot() : sim::pty_robot(folder_));
-    auto harness = sim::SimHarness::start(sim::scene(sim::room_text()), config);
-    ASSERT_TRUE(harness) << harness.error().message;
-    harness_ = std::move(*harness);
+    harness_ = sim::start_in_room(GetParam() ? sim::tcp_robot() : sim::pty_robot(folder_), sim::Difficulty{});
+    ASSERT_NE(harness_, nullptr);
   }
   void TearDown() override {
     harness_.reset();
@@ -44,9 +40,7 @@ class EstopOnWire : public testing::TestWithParam<bool> {
   }
 
   [[nodiscard]] std::unique_ptr<io::Connector> connector() const {
-    const auto& a = harness_->address(0, kBase);
-    auto made = io::make_connector(a.tcp ? "tcp:" + a.host + ":" + std::to_string(a.port)
-                                         : "serial:" + a.path.string());
+    auto made = io::make_connector(text_of(harness_->address(0, kBase)));
     return made ? std::move(*made) : nullptr;
   }
 

@@ -13,7 +13,7 @@
 #include "drivers/hokuyo/session.hpp"
 #include "drivers/io/make_connector.hpp"
 #include "drivers/io/posix.hpp"
-#include "tests/sim/devices/sim_harness.hpp"
+#include "tests/integration/room_harness.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -23,33 +23,11 @@ using sim::DeviceId;
 using sim::ScipModel;
 using testing::HasSubstr;
 
-/// 8 x 6 m; the robot stands in the middle and looks along x.
-constexpr const char* kRoom = R"(
-[[start]]
-x_m = 4.0
-y_m = 3.0
-[[wall]]
-points_m = [[-0.1, -0.1], [8.1, -0.1], [8.1, 6.1], [-0.1, 6.1]]
-closed = true
-thickness_m = 0.2
-)";
-
-std::string text_of(const sim::DeviceAddress& address) {
-  if (!address.tcp) return "serial:" + address.path.string();
-  return "tcp:" + address.host + ":" + std::to_string(address.port);
-}
-
 class HokuyoSim : public testing::Test {
  protected:
   void start(sim::RobotConfig robot) {
-    auto world = sim::World::from_scene_text(kRoom, "room.toml");
-    ASSERT_TRUE(world) << world.error().message;
-    sim::RigConfig config;
-    config.robots.push_back(std::move(robot));
-    config.difficulty = sim::Difficulty::none();
-    auto started = sim::SimHarness::start(std::move(*world), config);
-    ASSERT_TRUE(started) << started.error().message;
-    simulator = std::move(*started);
+    simulator = sim::start_in_room(std::move(robot), sim::Difficulty::none());
+    ASSERT_NE(simulator, nullptr);
   }
 
   void open(DeviceId device, SessionConfig config = {}) {

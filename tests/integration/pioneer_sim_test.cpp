@@ -11,8 +11,7 @@
 
 #include "drivers/io/make_connector.hpp"
 #include "drivers/pioneer/session.hpp"
-#include "tests/sim/devices/sim_harness.hpp"
-#include "tests/unit/sim/rooms.hpp"
+#include "tests/integration/room_harness.hpp"
 
 namespace topo::pioneer {
 namespace {
@@ -74,13 +73,10 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
   }
 
   void start(int watchdog_ms = 2000) {
-    sim::RigConfig config;
-    config.robots.push_back(GetParam() == Wire::kTcp ? sim::tcp_robot() : sim::pty_robot(make_folder()));
-    config.robots[0].watchdog_ms = watchdog_ms;
-    config.difficulty = sim::Difficulty::none();
-    auto harness = sim::SimHarness::start(sim::scene(sim::room_text()), config);
-    ASSERT_TRUE(harness) << harness.error().message;
-    harness_ = std::move(*harness);
+    sim::RobotConfig robot = GetParam() == Wire::kTcp ? sim::tcp_robot() : sim::pty_robot(make_folder());
+    robot.watchdog_ms = watchdog_ms;
+    harness_ = sim::start_in_room(std::move(robot), sim::Difficulty::none());
+    ASSERT_NE(harness_, nullptr);
     open_session();
   }
   std::filesystem::path make_folder() {
@@ -90,10 +86,7 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
     return folder_;
   }
   void open_session() {
-    const auto& address = harness_->address(0, kBase);
-    const std::string text = address.tcp ? "tcp:" + address.host + ":" + std::to_string(address.port)
-                                         : "serial:" + address.path.string();
-    auto connector = io::make_connector(text);
+    auto connector = io::make_connector(text_of(harness_->address(0, kBase)));
     ASSERT_TRUE(connector) << connector.error().message;
     dead_ = false;
     session_ = std::make_unique<Session>(SessionConfig{},

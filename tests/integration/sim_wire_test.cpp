@@ -111,6 +111,7 @@ class Client {
   std::string all_;
 };
 
+/// Looks again and again: what a client does to a simulation has no event that a test could wait for.
 bool eventually(const std::function<bool()>& condition) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (!condition()) {

@@ -43,7 +43,6 @@ class ScriptedLine {
   /// Forgets what was queued and not yet read.
   void clear_queue();
   [[nodiscard]] bool connected() const { return connected_; }
-  [[nodiscard]] bool idle() const { return head_ == queue_.size(); }
 
  private:
   friend class ScriptedStream;

@@ -18,7 +18,6 @@ struct Colour {
   std::uint8_t red, green, blue;
 };
 
-inline constexpr Colour kPaper{255, 255, 255};
 inline constexpr Colour kWallInk{30, 30, 30};
 inline constexpr Colour kTruthInk{20, 110, 220};
 inline constexpr Colour kEstimateInk{220, 40, 40};

@@ -39,7 +39,6 @@ class Drive {
 
   [[nodiscard]] bool moving() const { return velocity_mm_s_ != 0.0 || rotation_deg_s_ != 0.0; }
   [[nodiscard]] double velocity_setpoint_mm_s() const { return velocity_setpoint_; }
-  [[nodiscard]] double rotation_setpoint_deg_s() const { return rotation_setpoint_; }
 
  private:
   const Parameters flash_;

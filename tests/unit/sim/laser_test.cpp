@@ -15,6 +15,17 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// Long and straight, 40 m apart.
+constexpr const char* kTwoWalls = R"(
+[[start]]
+x_m = 2.0
+y_m = 2.0
+[[wall]]
+points_m = [[0.0, 0.0], [100.0, 0.0]]
+[[wall]]
+points_m = [[0.0, 40.0], [100.0, 40.0]]
+)";
+
 LaserSimulator::PoseAt standing(const Se2& pose) {
   return [pose](SimTime) { return pose; };
 }
@@ -48,15 +59,7 @@ TEST(Laser, MeasuresARoomFromItsMount) {
 }
 
 TEST(Laser, SaysWithCodesThatNothingCameBackOrTooNear) {
-  const World world = scene(R"(
-[[start]]
-x_m = 2.0
-y_m = 2.0
-[[wall]]
-points_m = [[0.0, 0.0], [100.0, 0.0]]
-[[wall]]
-points_m = [[0.0, 40.0], [100.0, 40.0]]
-)");
+  const World world = scene(kTwoWalls);
   for (const LaserModel& model :
        {LaserModel::utm_30lx(), LaserModel::utm_30lx_ew(), LaserModel::ust_10lx(), LaserModel::urg_04lx()}) {
     LaserSimulator laser(world, model, {}, Difficulty::none(), 1);
@@ -119,15 +122,7 @@ struct Statistics {
 
 // Errors of beams whose true range lies between two bounds; the room is one long straight wall.
 Statistics noise(double low_m, double high_m, int& dropouts, int& beams) {
-  const World world = scene(R"(
-[[start]]
-x_m = 2.0
-y_m = 2.0
-[[wall]]
-points_m = [[0.0, 0.0], [100.0, 0.0]]
-[[wall]]
-points_m = [[0.0, 40.0], [100.0, 40.0]]
-)");
+  const World world = scene(kTwoWalls);
   LaserSimulator clean(world, LaserModel::utm_30lx(), {}, Difficulty::none(), 1);
   LaserSimulator noisy(world, LaserModel::utm_30lx(), {}, Difficulty{}, 1);
   const auto pose = standing({50.0, 6.0, -0.5 * kPi});

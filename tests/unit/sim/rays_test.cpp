@@ -49,8 +49,9 @@ z_max_m = 1.0
   EXPECT_NEAR(world.level_range_m(2.0, 3.0, 0.3, 0.0), 3.5, 0.003);
 }
 
-TEST(Rays, PassAboveLowThingsAndBelowHangingOnes) {
-  const World world = scene(room_text() + R"([[box]]
+/// A low box on the right, one that hangs on the left.
+World room_with_boxes() {
+  return scene(room_text() + R"([[box]]
 center_m = [6.0, 3.0]
 length_m = 1.0
 width_m = 1.0
@@ -62,6 +63,10 @@ width_m = 1.0
 z_min_m = 0.8
 z_max_m = 1.2
 )");
+}
+
+TEST(Rays, PassAboveLowThingsAndBelowHangingOnes) {
+  const World world = room_with_boxes();
   EXPECT_NEAR(world.level_range_m(4.0, 3.0, 0.3, 0.0), 1.5, 1e-9);
   EXPECT_NEAR(world.level_range_m(4.0, 3.0, 0.5, 0.0), 4.0, 1e-9);
   EXPECT_NEAR(world.level_range_m(4.0, 3.0, 1.0, std::numbers::pi), 1.5, 1e-9);
@@ -69,18 +74,7 @@ z_max_m = 1.2
 }
 
 TEST(Rays, MeetFloorCeilingTopsAndBottoms) {
-  const World world = scene(room_text() + R"([[box]]
-center_m = [6.0, 3.0]
-length_m = 1.0
-width_m = 1.0
-z_max_m = 0.4
-[[box]]
-center_m = [2.0, 3.0]
-length_m = 1.0
-width_m = 1.0
-z_min_m = 0.8
-z_max_m = 1.2
-)");
+  const World world = room_with_boxes();
   const double r = std::sqrt(0.5);
   EXPECT_EQ(world.cast({4.0, 3.0, 1.0, 0.0, 0.0, -1.0}).surface, Surface::kFloor);
   EXPECT_NEAR(world.cast({4.0, 3.0, 1.0, 0.0, 0.0, -1.0}).range_m, 1.0, 1e-12);

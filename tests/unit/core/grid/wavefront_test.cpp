@@ -62,12 +62,22 @@ std::vector<CellIndex> open_cells(const DenseMap& map, const std::vector<float>&
   return cells;
 }
 
+struct Place {
+  DenseMap map;
+  std::vector<float> clearance;
+  std::vector<CellIndex> open;  ///< to the small robot; some are
+};
+Place random_place(int most_cells) {
+  Place place{random_map(most_cells), {}, {}};
+  place.clearance = clearance_m(place.map, Boundary::kOccupiedOrUnknown);
+  place.open = open_cells(place.map, place.clearance, kSmallRobot);
+  RC_PRE(!place.open.empty());
+  return place;
+}
+
 TEST(Wavefront, CostsWhatPlainDijkstraFinds) {
   EXPECT_TRUE(rc::check("optimal", [] {
-    const DenseMap map = random_map(40);
-    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
-    const auto starts = open_cells(map, clearance, kSmallRobot);
-    RC_PRE(!starts.empty());
+    const auto [map, clearance, starts] = random_place(40);
     const CellIndex start = *rc::gen::elementOf(starts);
     const TravelField field = travel_field(map, clearance, start, kSmallRobot);
     const auto expected = plain_dijkstra(map, clearance, start, kSmallRobot);
@@ -83,10 +93,7 @@ TEST(Wavefront, CostsWhatPlainDijkstraFinds) {
 
 TEST(Wavefront, CostsAreSymmetricAndKeepTheTriangleInequality) {
   EXPECT_TRUE(rc::check("a metric", [] {
-    const DenseMap map = random_map(30);
-    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
-    const auto cells = open_cells(map, clearance, kSmallRobot);
-    RC_PRE(!cells.empty());
+    const auto [map, clearance, cells] = random_place(30);
     const CellIndex a = *rc::gen::elementOf(cells), b = *rc::gen::elementOf(cells);
     const auto from_a = travel_field(map, clearance, a, kSmallRobot);
     const auto from_b = travel_field(map, clearance, b, kSmallRobot);
@@ -103,10 +110,7 @@ TEST(Wavefront, CostsAreSymmetricAndKeepTheTriangleInequality) {
 
 TEST(Wavefront, RoutesKeepTheClearanceAndAddUpToTheCost) {
   EXPECT_TRUE(rc::check("routes", [] {
-    const DenseMap map = random_map(40);
-    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
-    const auto cells = open_cells(map, clearance, kSmallRobot);
-    RC_PRE(!cells.empty());
+    const auto [map, clearance, cells] = random_place(40);
     const CellIndex start = *rc::gen::elementOf(cells), goal = *rc::gen::elementOf(cells);
     const TravelField field = travel_field(map, clearance, start, kSmallRobot);
     const auto route = route_to(map, field, goal);
@@ -209,10 +213,7 @@ TEST(Wavefront, DoesNotSlipBetweenOccupiedCellsThatMeetAtACorner) {
 
 TEST(Wavefront, NearestReachableIsTheNearestWithinTheLimit) {
   EXPECT_TRUE(rc::check("nearest", [] {
-    const DenseMap map = random_map(40);
-    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
-    const auto cells = open_cells(map, clearance, kSmallRobot);
-    RC_PRE(!cells.empty());
+    const auto [map, clearance, cells] = random_place(40);
     const TravelField field = travel_field(map, clearance, *rc::gen::elementOf(cells), kSmallRobot);
     const CellIndex goal{*rc::gen::inRange(-10, 50), *rc::gen::inRange(-10, 50)};
     const double within_m = 0.05 * *rc::gen::inRange(0, 30);

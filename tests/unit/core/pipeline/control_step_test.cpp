@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "tests/unit/drivers/hokuyo/allocation_counter.hpp"
+#include "tests/unit/support/allocation_counter.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -185,7 +185,7 @@ TEST_F(ControlStepTest, AllocatesNothing) {
   input.plan = &plan;
   setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
   run(2);
-  const std::uint64_t before = hokuyo::testing_scip::allocations();
+  const std::uint64_t before = test::allocations();
   for (int i = 0; i < 200; ++i) {
     plan.stamp = now;
     if (i == 20) input.teleop = nullptr;
@@ -193,7 +193,7 @@ TEST_F(ControlStepTest, AllocatesNothing) {
     if (i % 10 == 0) ++plan.sequence;
     run(1);
   }
-  EXPECT_EQ(hokuyo::testing_scip::allocations(), before);
+  EXPECT_EQ(test::allocations(), before);
 }
 
 TEST_F(ControlStepTest, NeverFasterThanTheLimitsWhateverIsAsked) {

@@ -3,6 +3,7 @@
 #include "daemon/app/background.hpp"
 
 #include <gtest/gtest.h>
+#include <poll.h>
 
 #include <atomic>
 #include <thread>
@@ -18,10 +19,8 @@ using namespace std::chrono_literals;
 template <class Done>
 bool collect_until(Background& background, Done done) {
   const types::Stamp limit = io::monotonic_now() + 20s;
-  while (!done() && io::monotonic_now() < limit) {
-    std::this_thread::sleep_for(1ms);
+  while (!done() && io::wait_for(background.fd(), POLLIN, limit - io::monotonic_now()) > 0)
     background.collect();
-  }
   return done();
 }
 
@@ -49,13 +48,14 @@ TEST(Background, RefusesWhenTooMuchWaitsAndAfterTheEnd) {
   std::atomic<bool> go{false};
   int finished = 0;
   const auto job = [&]() -> Background::Finish {
-    while (!go.load()) std::this_thread::sleep_for(1ms);
+    go.wait(false);
     return [&finished] { ++finished; };
   };
   int taken = 0;
   while (taken < 100 && background.add(job)) ++taken;
   EXPECT_LT(taken, 100);
   go.store(true);
+  go.notify_all();
   EXPECT_TRUE(collect_until(background, [&] { return finished == taken; }));
   background.stop();
   EXPECT_FALSE(background.add(job));

@@ -9,32 +9,11 @@
 #include "daemon/carmen/carmen_log.hpp"
 #include "daemon/carmen/relations.hpp"
 #include "tests/unit/daemon/carmen/sample_log.hpp"
+#include "tests/unit/daemon/support/mutate.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::daemon {
 namespace {
-
-std::string mutate(std::string text, std::mt19937& random) {
-  const auto any = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n)(random); };
-  for (std::size_t i = any(4); !text.empty() && i > 0; --i) {
-    const std::size_t at = any(text.size() - 1);
-    switch (any(3)) {
-      case 0:
-        text[at] = static_cast<char>(any(255));
-        break;
-      case 1:
-        text.erase(at, 1 + any(20));
-        break;
-      case 2:
-        text.insert(at, text.substr(any(text.size() - 1), any(30)));
-        break;
-      default:
-        text.resize(at);
-        break;
-    }
-  }
-  return text;
-}
 
 template <class Read>
 void survive(const std::string& good, Read read) {
@@ -42,7 +21,7 @@ void survive(const std::string& good, Read read) {
   std::mt19937 random(7);  // NOLINT: the same damage every time
   int refused = 0;
   for (int i = 0; i < 200; ++i) {
-    const auto got = read(dir.write("mutant", mutate(good, random)));
+    const auto got = read(dir.write("mutant", testing::mutate(good, 30, random)));
     if (got.has_value()) continue;
     ++refused;
     EXPECT_NE(got.error().message.find("mutant"), std::string::npos) << got.error().message;

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/control/server.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
 
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
 
 #include <array>
-
-#include "tests/unit/daemon/control/temp_folder.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -65,7 +64,7 @@ class ServerTest : public ::testing::Test {
     }
   }
 
-  TempFolder folder;
+  testing::TempDir folder;
   std::string path = folder.file("control.sock");
   sd_event* event = nullptr;
   std::optional<ControlServer> server;

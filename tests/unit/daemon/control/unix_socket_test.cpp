@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/control/unix_socket.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/socket.h>
@@ -8,8 +9,6 @@
 
 #include <cstring>
 #include <fstream>
-
-#include "tests/unit/daemon/control/temp_folder.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -19,7 +18,7 @@ using types::Errc;
 
 class UnixSocketTest : public ::testing::Test {
  protected:
-  TempFolder folder;
+  testing::TempDir folder;
   std::string path = folder.file("s");
 };
 

@@ -8,39 +8,18 @@
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/map_image.hpp"
 #include "daemon/mapfile/picture.hpp"
+#include "tests/unit/daemon/support/mutate.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::daemon {
 namespace {
-
-std::string mutate(std::string text, std::mt19937& random) {
-  const auto any = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n)(random); };
-  for (std::size_t i = any(3); !text.empty() && i > 0; --i) {
-    const std::size_t at = any(text.size() - 1);
-    switch (any(3)) {
-      case 0:
-        text[at] = static_cast<char>(any(255));
-        break;
-      case 1:
-        text.erase(at, 1 + any(10));
-        break;
-      case 2:
-        text.insert(at, text.substr(any(text.size() - 1), any(10)));
-        break;
-      default:
-        text.resize(at);
-        break;
-    }
-  }
-  return text;
-}
 
 template <class Decode>
 void survive(const std::string& good, Decode decode) {
   std::mt19937 random(3);  // NOLINT: the same damage every time
   int refused = 0;
   for (int i = 0; i < 500; ++i) {
-    const auto got = decode("mutant", mutate(good, random));
+    const auto got = decode("mutant", testing::mutate(good, 10, random));
     if (got.has_value()) {
       ASSERT_EQ(got->pixels.size(),
                 static_cast<std::size_t>(got->width) * static_cast<std::size_t>(got->height));
@@ -74,7 +53,7 @@ TEST(MapMutation, YamlReaderSurvives) {
   std::mt19937 random(5);  // NOLINT
   int refused = 0;
   for (int i = 0; i < 500; ++i) {
-    const auto map = load_map(dir.write("m.yaml", mutate(good, random)));
+    const auto map = load_map(dir.write("m.yaml", testing::mutate(good, 10, random)));
     refused += map.has_value() ? 0 : 1;
     if (map.has_value()) {
       EXPECT_EQ(map->cells.size(), 1U);

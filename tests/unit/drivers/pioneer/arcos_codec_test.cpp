@@ -65,7 +65,6 @@ TEST(ArcosCodec, EncodesEveryVector) {
   EXPECT_EQ(wire(encode(Command::kRvel, -20)), from_hex("fa fb 06 15 1b 14 00 29 1b"));
   EXPECT_EQ(wire(encode(Command::kSetV, 500)), from_hex("fa fb 06 06 3b f4 01 fa 3c"));
   EXPECT_EQ(wire(encode(Command::kSetA, -300)), from_hex("fa fb 06 05 1b 2c 01 31 1c"));
-  EXPECT_EQ(wire(encode_pair(Command::kVel2, -5, 10)), from_hex("fa fb 06 20 3b fb 0a 1b 45"));
   EXPECT_EQ(wire(encode(Command::kStop)), from_hex("fa fb 03 1d 00 1d"));
   EXPECT_EQ(wire(encode(Command::kEStop)), from_hex("fa fb 03 37 00 37"));
   EXPECT_EQ(wire(encode(Command::kSetO)), from_hex("fa fb 03 07 00 07"));
@@ -81,12 +80,9 @@ TEST(ArcosCodec, EncodesTheSyncSequence) {
   EXPECT_EQ(wire(encode(static_cast<Command>(2))), from_hex("fa fb 03 02 00 02"));
 }
 
-TEST(ArcosCodec, ClampsArgumentsAndCutsText) {
+TEST(ArcosCodec, ClampsArguments) {
   EXPECT_EQ(wire(encode(Command::kVel, 100000)), wire(encode(Command::kVel, 32767)));
   EXPECT_EQ(wire(encode(Command::kVel, -100000)), wire(encode(Command::kVel, -32767)));
-  const Bytes text(300, std::byte{'x'});
-  EXPECT_EQ(encode_text(Command::kLcdWrite, text).bytes().size(), kMaxPacket);
-  EXPECT_EQ(parse_once(wire(encode_text(Command::kLcdWrite, text))).size(), 1U);
 }
 
 TEST(ArcosParser, AcceptsTheRobotsVectors) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/unit/drivers/hokuyo/allocation_counter.hpp"
+#include "tests/unit/support/allocation_counter.hpp"
 
 #include <atomic>
 #include <cstdlib>
@@ -23,8 +23,8 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace topo::hokuyo::testing_scip {
+namespace topo::test {
 
 std::uint64_t allocations() { return count.load(); }
 
-}  // namespace topo::hokuyo::testing_scip
+}  // namespace topo::test

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 
-namespace topo::hokuyo::testing_scip {
+namespace topo::test {
 
 /// Calls of operator new in this program so far. Counted in a file of its own: a compiler that sees both
 /// sides of a replaced operator takes malloc and delete for a mismatch.
 [[nodiscard]] std::uint64_t allocations();
 
-}  // namespace topo::hokuyo::testing_scip
+}  // namespace topo::test
