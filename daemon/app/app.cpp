@@ -23,6 +23,9 @@ using types::fail;
 using types::Result;
 using types::Status;
 
+// SIGHUP too: when the terminal or the ssh session of a daemon started by hand is gone, the robot must not
+// drive on until its own watchdog bites.
+constexpr std::array<int, 3> kStopSignals{SIGTERM, SIGINT, SIGHUP};
 constexpr std::uint64_t kTickUsec = 100'000;
 constexpr std::uint64_t kTickAccuracyUsec = 10'000;  // 0 would be 250 ms
 
@@ -37,8 +40,7 @@ void block_signals() {
   ::signal(SIGPIPE, SIG_IGN);
   sigset_t set;
   ::sigemptyset(&set);
-  ::sigaddset(&set, SIGTERM);
-  ::sigaddset(&set, SIGINT);
+  for (const int number : kStopSignals) ::sigaddset(&set, number);
   ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
 }
 
@@ -88,10 +90,11 @@ Status App::add_events() {
     spdlog::info("{} received: stopping", ::strsignal(static_cast<int>(info->ssi_signo)));
     return sd_event_exit(sd_event_source_get_event(s), 0);
   };
-  if (auto s = from_sd(sd_event_add_signal(event, &source, SIGTERM, stop, nullptr), "SIGTERM"); !s) return s;
-  sigterm_.reset(source);
-  if (auto s = from_sd(sd_event_add_signal(event, &source, SIGINT, stop, nullptr), "SIGINT"); !s) return s;
-  sigint_.reset(source);
+  for (std::size_t i = 0; i < signals_.size(); ++i) {
+    const int added = sd_event_add_signal(event, &source, kStopSignals[i], stop, nullptr);
+    if (auto s = from_sd(added, "signals"); !s) return s;
+    signals_[i].reset(source);
+  }
   const auto requested = [](sd_event_source* s, int, std::uint32_t, void*) {
     return sd_event_exit(sd_event_source_get_event(s), 0);
   };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -32,8 +33,8 @@ class App {
   App& operator=(const App&) = delete;
   ~App();
 
-  /// Starts the threads and serves until SIGTERM, SIGINT or request_stop(); then stops in order: the robot
-  /// stands and the lasers are off when this returns. Precondition: SIGTERM and SIGINT are blocked in every
+  /// Starts the threads and serves until SIGTERM, SIGINT, SIGHUP or request_stop(); then stops in order: the
+  /// robot stands and the lasers are off when this returns. Precondition: these signals are blocked in every
   /// thread, see block_signals().
   types::Status run();
 
@@ -65,11 +66,12 @@ class App {
   std::unique_ptr<Operator> operator_;
   std::unique_ptr<Methods> methods_;
   std::unique_ptr<ControlServer> control_;
-  EventSource tick_, saved_, searched_, stop_source_, sigterm_, sigint_;
+  EventSource tick_, saved_, searched_, stop_source_;
+  std::array<EventSource, 3> signals_;
 };
 
-/// Blocks SIGTERM and SIGINT, which the main loop then reads, and ignores SIGPIPE. Before any thread is
-/// started.
+/// Blocks SIGTERM, SIGINT and SIGHUP, which the main loop then reads, and ignores SIGPIPE. Before any thread
+/// is started.
 void block_signals();
 
 }  // namespace topo::daemon

@@ -70,7 +70,7 @@ Check check_estop(const DoctorFacts& f) {
     return bad(name, "the stop button on the robot is pressed",
                "pull or turn the button until it springs out, then topoctl clear-estop");
   }
-  if (f.estop_by_operator || f.base.estop_latched)
+  if (f.estop_by_operator || f.base.control.estop_latched)
     return bad(name, "latched", "when the way is clear: topoctl clear-estop");
   return good(name, "clear");
 }
@@ -83,7 +83,8 @@ Check check_motors(const DoctorFacts& f) {
                "free the wheel; topoctl drive backs off by hand");
   }
   if (f.base.state.motors_enabled) return good(name, "on");
-  if (!f.base.wanted) return good(name, "off; they are switched on with the first command to move");
+  if (f.base.control.mode == pipeline::ControlMode::kStanding)
+    return good(name, "off; they are switched on with the first command to move");
   return bad(name, "off, and somebody wants to move",
              "press the white MOTORS button on the robot's panel; when they go off again, look at the stop "
              "button and the battery");
@@ -123,8 +124,8 @@ Check check_battery(const DoctorFacts& f) {
 /// What holds the base back in this moment.
 Check check_gate(const DoctorFacts& f) {
   const std::string name = "motion";
-  const std::string found(motion::to_text(f.base.reason));
-  switch (f.base.reason) {
+  const std::string found(motion::to_text(f.base.control.reason));
+  switch (f.base.control.reason) {
     case GateReason::kFree:
     case GateReason::kLimited:
     case GateReason::kSlowed:

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <spdlog/async.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -48,12 +49,11 @@ class PriorityPrefix final : public spdlog::custom_flag_formatter {
 }  // namespace
 
 types::Status start_logging(const LogConfig& config) {
-  std::shared_ptr<spdlog::logger> logger;
+  spdlog::sink_ptr sink;
   auto formatter = std::make_unique<spdlog::pattern_formatter>();
   formatter->add_flag<PriorityPrefix>('*');
   if (config.file.empty()) {
-    logger =
-        std::make_shared<spdlog::logger>("topometricd", std::make_shared<spdlog::sinks::stderr_sink_st>());
+    sink = std::make_shared<spdlog::sinks::stderr_sink_st>();
     // The journal stamps and names what it takes; a person at a terminal wants both.
     formatter->set_pattern(std::getenv("JOURNAL_STREAM") != nullptr ? "%*%v" : "%Y-%m-%d %H:%M:%S.%e %l: %v");
   } else {
@@ -66,16 +66,21 @@ types::Status start_logging(const LogConfig& config) {
                          errno);
     }
     ::close(fd);
-    logger = std::make_shared<spdlog::logger>(
-        "topometricd", std::make_shared<spdlog::sinks::basic_file_sink_st>(config.file));
+    sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(config.file);
     formatter->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
   }
+  constexpr std::size_t kLines = 1024;
+  spdlog::init_thread_pool(kLines, 1);
+  auto logger = std::make_shared<spdlog::async_logger>("topometricd", std::move(sink), spdlog::thread_pool(),
+                                                       spdlog::async_overflow_policy::overrun_oldest);
   logger->set_formatter(std::move(formatter));
   logger->flush_on(spdlog::level::info);
   spdlog::set_default_logger(std::move(logger));
   set_log_level(config.level);
   return {};
 }
+
+void end_logging() { spdlog::shutdown(); }
 
 void set_log_level(LogLevel level) {
   for (const auto& entry : kLevels) {

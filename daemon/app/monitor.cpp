@@ -15,12 +15,13 @@ constexpr types::Duration kPlanningStuckAfter = std::chrono::seconds(10);
 
 /// What the base does, for people.
 std::string_view state_text(const BaseReport& base) {
-  if (base.estop_latched) return motion::to_text(motion::GateReason::kEmergencyStop);
+  const pipeline::ControlReport& control = base.control;
+  if (control.estop_latched) return motion::to_text(motion::GateReason::kEmergencyStop);
   if (!base.ready) return "base not connected";
-  if (!base.wanted) return "standing";
+  if (control.mode == pipeline::ControlMode::kStanding) return "standing";
   const bool as_asked =
-      base.reason == motion::GateReason::kFree || base.reason == motion::GateReason::kLimited;
-  return as_asked ? "driving" : motion::to_text(base.reason);
+      control.reason == motion::GateReason::kFree || control.reason == motion::GateReason::kLimited;
+  return as_asked ? "driving" : motion::to_text(control.reason);
 }
 
 Json pose_json(const types::Se2& pose) {
@@ -55,9 +56,10 @@ void Monitor::update(types::Stamp now) {
   update_devices();
   if (const auto* report = hand_overs_.base_report.take_new(); report != nullptr) {
     if (state_text(*report) != state_text(base_)) spdlog::info("base: {}", state_text(*report));
-    if (report->recoveries > base_.recoveries)
-      spdlog::info("base: something is in the way: recovery {} begins", report->recoveries);
-    if (report->mode == pipeline::ControlMode::kStuck && base_.mode != report->mode)
+    const pipeline::ControlReport& heard = report->control;
+    if (heard.recoveries > base_.control.recoveries)
+      spdlog::info("base: something is in the way: recovery {} begins", heard.recoveries);
+    if (heard.mode == pipeline::ControlMode::kStuck && base_.control.mode != heard.mode)
       spdlog::warn("base: stuck, recovery did not help; the goal is given up");
     base_ = *report;
   }
@@ -154,18 +156,18 @@ std::string Monitor::summary() const {
 }
 
 Json Monitor::status() const {
+  const pipeline::ControlReport& control = base_.control;
   return {{"robot", configuration_.robot.name},
           {"model", model_name(configuration_.robot.model)},
           {"state", state_text(base_)},
-          {"estop", base_.estop_latched || hand_overs_.estop.load(std::memory_order_acquire)},
-          {"free_distance_m", base_.free_distance_m},
-          {"control", {{"mode", to_text(base_.mode)}, {"recoveries", base_.recoveries}}},
+          {"free_distance_m", control.free_distance_m},
+          {"control", {{"mode", to_text(control.mode)}, {"recoveries", control.recoveries}}},
           {"pose", pose_json(pose())},
           {"odometry", pose_json(base_.state.odometry.T_odom_base.se2())},
           {"twist",
            {{"v_mps", base_.state.odometry.twist.v_mps},
             {"omega_radps", base_.state.odometry.twist.omega_radps}}},
-          {"commanded", {{"v_mps", base_.commanded.v_mps}, {"omega_radps", base_.commanded.omega_radps}}},
+          {"commanded", {{"v_mps", control.commanded.v_mps}, {"omega_radps", control.commanded.omega_radps}}},
           {"limits",
            {{"v_max_mps", configuration_.base.v_max_mps},
             {"omega_max_radps", configuration_.base.omega_max_radps}}},

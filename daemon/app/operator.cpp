@@ -38,7 +38,7 @@ Status Operator::start() {
 void Operator::tick(types::Stamp now) {
   plan_.update();
   add_distance();
-  if (monitor_.base().estop_latched) interrupt("the emergency stop");
+  if (estop_latched()) interrupt("the emergency stop");
   const auto* report = plan_.report();
   if (report != nullptr && missions_.note(*report, now)) {
     announce_mission("done");
@@ -90,7 +90,10 @@ void Operator::watch_readiness() {
 }
 
 bool Operator::estop_latched() const {
-  return monitor_.base().estop_latched || hand_overs_.estop.load(std::memory_order_acquire);
+  const pipeline::ControlReport& base = monitor_.base().control;
+  // What the base reported before it saw the clear is not so any more.
+  return hand_overs_.estop.load(std::memory_order_acquire) ||
+         (base.estop_latched && base.stamp > estop_cleared_);
 }
 
 std::string Operator::obstacle() const {
@@ -103,6 +106,7 @@ std::string Operator::obstacle() const {
 }
 
 Status Operator::begin(Order order, const types::Vector2& target) {
+  ++commands_;
   if (auto s = missions_.begin(order, target, obstacle(), io::monotonic_now()); !s) return s;
   distance_m_ = 0.0;
   end_driving();
@@ -112,6 +116,7 @@ Status Operator::begin(Order order, const types::Vector2& target) {
 }
 
 Status Operator::pause() {
+  ++commands_;
   if (auto s = missions_.pause("paused by the operator"); !s) return s;
   send_mission();
   announce_mission("mission");
@@ -119,6 +124,7 @@ Status Operator::pause() {
 }
 
 Status Operator::resume() {
+  ++commands_;
   if (auto s = missions_.resume(obstacle()); !s) return s;
   end_driving();
   send_mission();
@@ -147,6 +153,7 @@ void Operator::announce_mission(std::string_view event) {
 }
 
 void Operator::estop() {
+  ++commands_;
   hand_overs_.estop.store(true, std::memory_order_release);
   spdlog::warn("e-stop");
   interrupt("the emergency stop");
@@ -156,6 +163,7 @@ Status Operator::clear_estop() {
   end_driving();  // what was wanted before the e-stop is not wanted any more
   hand_overs_.estop.store(false, std::memory_order_release);
   hand_overs_.estop_clears.fetch_add(1, std::memory_order_acq_rel);
+  estop_cleared_ = io::monotonic_now();  // after the clear: a base that decides later has seen it
   spdlog::info("e-stop cleared");
   return {};
 }
@@ -174,12 +182,14 @@ Status Operator::drive(const types::Twist2& twist) {
   if (hand_overs_.estop.load(std::memory_order_acquire)) {
     return fail(Errc::kBusy, "the e-stop is latched; clear it first (topoctl clear-estop)");
   }
+  ++commands_;
   interrupt("an operator who drives");  // or the robot would go off by itself when the keys are let go
   hand_overs_.drive.store({io::monotonic_now(), twist});
   return {};
 }
 
 void Operator::stop() {
+  ++commands_;
   end_driving();
   if (!missions_.stop(io::monotonic_now())) return;
   send_mission();
@@ -193,9 +203,14 @@ void Operator::go_to(const types::Vector2& target, std::function<void(Status)> d
     return done(fail(Errc::kBusy, "the map was not analysed yet; try again in a moment"));
   // The search takes as long as the map is large; an e-stop must not wait for it.
   auto job = [this, analysis = report->analysis, params = planner_params(configuration_), target, done,
-              from = report->T_map_base.se2().translation()]() -> Background::Finish {
+              from = report->T_map_base.se2().translation(), number = ++commands_]() -> Background::Finish {
     const Status possible = pipeline::check_target(*analysis, params, from, target);
-    return [this, possible, target, done] { done(possible ? begin(Order::kGoTo, target) : possible); };
+    return [this, possible, target, done, number] {
+      if (!possible) return done(possible);
+      // Who said stop meanwhile would see the robot drive off.
+      if (commands_ != number) return done(fail(Errc::kBusy, "another command came meanwhile; say it again"));
+      done(begin(Order::kGoTo, target));
+    };
   };
   if (const auto added = searches_.add(std::move(job)); !added) done(added);
 }

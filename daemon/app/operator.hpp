@@ -55,6 +55,7 @@ class Operator final : public Operations {
   types::Status begin(pipeline::Order order, const types::Vector2& target);
   /// Why the robot cannot be sent off now; empty when it can.
   [[nodiscard]] std::string obstacle() const;
+  /// As the operator wants it, or as the base reported after the operator's last word on it.
   [[nodiscard]] bool estop_latched() const;
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
@@ -72,6 +73,8 @@ class Operator final : public Operations {
   Announce announce_;
   PlanWatch plan_;
   MissionControl missions_;
+  std::uint64_t commands_ = 0;  ///< that said what the robot is to do; a slow one must not undo a later one
+  types::Stamp estop_cleared_{};
   MapSaver saver_;
   Background files_, searches_;
   types::Stamp low_since_{};  ///< the battery; zero: it is not

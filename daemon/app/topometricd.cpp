@@ -5,15 +5,16 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <ctime>
+#include <span>
 
 #include "daemon/app/app.hpp"
+#include "daemon/app/command_line.hpp"
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/app/logging.hpp"
-#include "daemon/app/version.hpp"
 #include "daemon/config/load.hpp"
+#include "daemon/recording/format.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -60,27 +61,28 @@ std::string recording_path(const LoadedConfiguration& loaded, const Arguments& a
                      fmt::gmtime(std::time(nullptr)));
 }
 
-types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file) {
+types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file,
+                                                        const std::string& configuration) {
   if (file.empty()) return std::unique_ptr<Recorder>();
   RecorderOptions options;
   options.path = file;
   options.channels = {"base", "front", "coronal"};
+  options.config_hash = checksum(std::as_bytes(std::span(configuration)));
+  options.on_warning = [](const std::string& warning) { spdlog::warn("recording: {}", warning); };
   return Recorder::start(std::move(options));
 }
 
-int serve(const LoadedConfiguration& loaded, const Arguments& arguments) {
-  if (auto logging = start_logging(loaded.values.log); !logging) return complain(logging.error());
+int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   std::shared_ptr<Replay> replay;
   if (!arguments.replay.empty()) {
     auto opened = Replay::open(arguments.replay);
     if (!opened) return complain(opened.error());
     replay = std::move(*opened);
   }
-  block_signals();
   // Before a recording is begun: another daemon of this robot may be writing it.
   auto socket = ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
-  auto recorder = start_recorder(recording_path(loaded, arguments));
+  auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));
   if (!recorder) return complain(recorder.error());
   AppOptions options{loaded.values, effective_text(loaded), std::move(*socket),
                      replay != nullptr ? replay_connectors(replay) : device_connectors(recorder->get()),
@@ -95,12 +97,19 @@ int serve(const LoadedConfiguration& loaded, const Arguments& arguments) {
   return ran ? kOk : complain(ran.error());
 }
 
+int serve(const LoadedConfiguration& loaded, const Arguments& arguments) {
+  block_signals();
+  if (auto logging = start_logging(loaded.values.log); !logging) return complain(logging.error());
+  const int status = run(loaded, arguments);
+  end_logging();
+  return status;
+}
+
 int start(int argc, char** argv) {
   CLI::App cli(
       "Topometric's daemon: drives a Pioneer with Hokuyo scanners and maps what it sees.\n"
       "Exit status: 0 stopped in order, 1 failed, 2 wrong configuration or command line.");
   Arguments arguments;
-  bool version = false;
   cli.add_option("--config", arguments.config, "configuration file (see /usr/share/doc/topometric)");
   cli.add_option("--check-config", arguments.check,
                  "check a configuration file, print all its faults and exit");
@@ -108,16 +117,7 @@ int start(int argc, char** argv) {
   auto* record =
       cli.add_option("--record", arguments.record, "record every byte from and to the devices into FILE");
   cli.add_option("--replay", arguments.replay, "play a recording in place of the devices")->excludes(record);
-  cli.add_flag("--version", version, "print the version and exit");
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? kOk : kUsersFault;
-  }
-  if (version) {
-    fmt::print("topometricd {}\n", kVersion);
-    return kOk;
-  }
+  if (const auto ended = parse_command_line(cli, "topometricd", argc, argv)) return *ended;
   LoadedConfiguration loaded;
   if (!arguments.check.empty()) {
     const int status = load(arguments.check, loaded);

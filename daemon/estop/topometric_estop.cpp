@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
-#include "daemon/app/version.hpp"
+#include "daemon/app/command_line.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/control/unix_socket.hpp"
 #include "daemon/estop/stop_robot.hpp"
@@ -63,25 +61,14 @@ int stop_configured(const std::string& file) {
 int start(int argc, char** argv) {
   CLI::App cli(
       "Stops a robot whose daemon is gone: writes E_STOP, VEL 0, RVEL 0 and CLOSE to its port, in less than "
-      "a "
-      "second.\n"
+      "a second.\n"
       "Exit status: 0 written, 1 failed or the robot still moves, 2 wrong configuration or command line, 3 a "
       "daemon is running.");
   std::string config, address;
-  bool version = false;
   auto* from_file = cli.add_option("--config", config, "the daemon's configuration file");
   cli.add_option("--address", address, "the base's address: serial:/dev/NAME or tcp:HOST:PORT")
       ->excludes(from_file);
-  cli.add_flag("--version", version, "print the version and exit");
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? kOk : kUsersFault;
-  }
-  if (version) {
-    fmt::print("topometric-estop {}\n", kVersion);
-    return kOk;
-  }
+  if (const auto ended = parse_command_line(cli, "topometric-estop", argc, argv)) return *ended;
   if (config.empty() && address.empty())
     return complain("--config FILE or --address ADDRESS is missing (--help tells more)", kUsersFault);
   ::alarm(kHardLimit_s);

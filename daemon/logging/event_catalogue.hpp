@@ -14,29 +14,9 @@ namespace topo::daemon {
 /// What the real-time threads report. What an event's three arguments and its text mean is said by its
 /// template in event_catalogue.cpp.
 enum class EventId : std::uint16_t {
-  kDeviceConnected,
-  kDeviceLost,
-  kDeviceHealth,
-  kDeviceWrong,
-  kDeviceResync,
   kScanRingFull,
-  kStateRingFull,
   kDeadlineMissed,
   kPlanningSlow,
-  kScanStale,
-  kStateStale,
-  kPlanStale,
-  kForwardSectorBlind,
-  kObstacleStop,
-  kEstop,
-  kEstopCleared,
-  kStall,
-  kBumper,
-  kStopButton,
-  kBatteryLow,
-  kDrivingRefused,
-  kThreadStarted,
-  kThreadEnded,
   kCount  ///< how many there are; no event
 };
 

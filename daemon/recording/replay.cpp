@@ -20,17 +20,6 @@ using types::Result;
 using types::Stamp;
 using types::Status;
 
-namespace {
-
-void sleep_until(Stamp when) {
-  const auto ns = when.time_since_epoch().count();
-  const timespec at{static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR) {
-  }
-}
-
-}  // namespace
-
 /// One channel's records with their place in the host's time. One thread uses it.
 class ReplayChannel {
  public:
@@ -47,10 +36,7 @@ class ReplayChannel {
   const Record* front() {
     while (!front_.has_value() && !ended_) {
       auto record = cursor_.next();
-      if (!record.has_value()) {
-        replay_->damaged_frames_.fetch_add(1);
-        continue;
-      }
+      if (!record.has_value()) continue;  // a damaged frame: its bytes are missing in the play
       front_ = *record;
       if (!front_.has_value() || front_->kind == RecordKind::kEnd) end();
     }
@@ -135,7 +121,7 @@ class ReplayStream final : public io::ByteStream {
 
   /// Sleeps until `when`, at most until `deadline`; true when `when` has come.
   bool wait(Stamp when, Stamp deadline) const {
-    if (now() < when) sleep_until(std::min(when, deadline));
+    if (now() < when) io::sleep_until(std::min(when, deadline));
     return now() >= when;
   }
 
@@ -177,7 +163,7 @@ class ReplayConnector final : public io::Connector {
     }
     if (record == nullptr) return fail(Errc::kClosed, fmt::format("{}: the recording is at its end", name()));
     const Stamp due = channel_->due(*record);
-    if (io::monotonic_now() < due) sleep_until(std::min(due, deadline));
+    if (io::monotonic_now() < due) io::sleep_until(std::min(due, deadline));
     if (io::monotonic_now() < due)
       return fail(Errc::kTimeout, fmt::format("{}: not opened yet in the recording", name()));
     channel_->pop();

@@ -46,8 +46,6 @@ class Replay {
   /// Any thread. Connections whose device bytes went on without the session having written as many as
   /// recorded.
   [[nodiscard]] int gates_released() const { return gates_released_.load(); }
-  /// Any thread. Frames that could not be read; their bytes are missing in the play.
-  [[nodiscard]] int damaged_frames() const { return damaged_frames_.load(); }
 
  private:
   friend class ReplayChannel;
@@ -62,7 +60,6 @@ class Replay {
   std::atomic<int> connectors_{0};
   std::atomic<int> ended_{0};
   std::atomic<int> gates_released_{0};
-  std::atomic<int> damaged_frames_{0};
   static constexpr std::int64_t kNoOffset = INT64_MIN;
 };
 

@@ -2,25 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/threads/base_worker.hpp"
 
-#include <cerrno>
-#include <ctime>
-
 #include "daemon/logging/event_catalogue.hpp"
 #include "daemon/threads/device_report.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
-namespace {
-
-void sleep_until(types::Stamp deadline) {
-  const auto ns = deadline.time_since_epoch().count();
-  const timespec when{static_cast<time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
-  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr) == EINTR) {
-  }
-}
-
-}  // namespace
-
 BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
                        std::unique_ptr<pioneer::Session> session, Vitals& vitals)
     : hand_overs_(hand_overs), session_(std::move(session)), vitals_(vitals), setup_(setup) {}
@@ -59,7 +45,7 @@ void BaseWorker::serve_until(types::Stamp deadline) {
         break;
       // Between attempts to connect a session has nothing to wait for.
       case pioneer::StepOutcome::kNothing:
-        sleep_until(deadline);
+        io::sleep_until(deadline);
         return;
     }
   }
@@ -106,14 +92,8 @@ void BaseWorker::report() {
   hand_overs_.base_device.publish();
   BaseReport& report = hand_overs_.base_report.writable();
   report.state = state_;
-  report.reason = control_report_.reason;
   report.ready = session_->health() == pioneer::Health::kReady;
-  report.wanted = control_report_.mode != pipeline::ControlMode::kStanding;
-  report.estop_latched = control_report_.estop_latched;
-  report.commanded = control_report_.commanded;
-  report.free_distance_m = control_report_.free_distance_m;
-  report.mode = control_report_.mode;
-  report.recoveries = control_report_.recoveries;
+  report.control = control_report_;
   hand_overs_.base_report.publish();
   hand_overs_.control_to_planning.store(control_report_);
 }

@@ -33,19 +33,11 @@ struct DeviceReport {
   std::array<std::uint64_t, 6> counters{};  ///< as the driver's Counters
 };
 
-/// What the operator wants the base to do.
-using DriveCommand = pipeline::Teleop;
-
+/// What the base thread tells main; planning gets `control` alone.
 struct BaseReport {
   types::BaseState state;
-  motion::GateReason reason = motion::GateReason::kStaleStatus;
-  bool ready = false;          ///< the session takes commands
-  bool wanted = false;         ///< somebody wants the base to move
-  bool estop_latched = false;  ///< by the operator or the stop button
-  types::Twist2 commanded;
-  double free_distance_m = 0.0;
-  pipeline::ControlMode mode = pipeline::ControlMode::kStanding;
-  std::uint32_t recoveries = 0;  ///< begun since the start
+  bool ready = false;  ///< the session takes commands
+  pipeline::ControlReport control;
 };
 
 struct MappingReport {
@@ -89,7 +81,7 @@ struct HandOvers {
   // Main to base. The e-stop is one word, so that nothing can be in its way.
   std::atomic<bool> estop{false};
   std::atomic<std::uint64_t> estop_clears{0};  ///< how often the operator cleared it
-  sync::Latest<DriveCommand> drive;
+  sync::Latest<pipeline::Teleop> drive;
 
   // Main to planning.
   Wakeup planning_wakeup;

@@ -19,22 +19,25 @@ void MappingWorker::run() noexcept {
     publish(state);
     while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
       hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
-      if (hand_overs_.stopping.load(std::memory_order_acquire)) continue;
-      serve(state);
-      hand_overs_.mapping_report.store(report_);
-      vitals_.beat();
+      // A machine that is too slow never sees its rings empty: it skips, reports and beats all the same.
+      bool more = true;
+      while (more && !hand_overs_.stopping.load(std::memory_order_acquire)) {
+        more = serve(state);
+        hand_overs_.mapping_report.store(report_);
+        vitals_.beat();
+      }
     }
     hand_overs_.map.reset();  // snapshots hold nodes of the state's arenas
   }
 }
 
-void MappingWorker::serve(pipeline::MappingState& state) {
+/// Everything that waits but of the scans the oldest; false when nothing was there.
+bool MappingWorker::serve(pipeline::MappingState& state) {
   take_answers(state);
   skip_backlog(hand_overs_.front.to_mapping);
   skip_backlog(hand_overs_.coronal.to_mapping);
-  do {
-    take_odometry();
-  } while (step(state) && !hand_overs_.stopping.load(std::memory_order_acquire));
+  take_odometry();
+  return step(state);
 }
 
 void MappingWorker::take_answers(pipeline::MappingState& state) {

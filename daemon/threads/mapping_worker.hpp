@@ -25,7 +25,7 @@ class MappingWorker {
   void run() noexcept;
 
  private:
-  void serve(pipeline::MappingState& state);
+  bool serve(pipeline::MappingState& state);
   void take_answers(pipeline::MappingState& state);
   void take_odometry();
   bool step(pipeline::MappingState& state);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/threads/scan_worker.hpp"
 
-#include <thread>
-
 #include "daemon/logging/event_catalogue.hpp"
 #include "daemon/threads/device_report.hpp"
 #include "drivers/io/posix.hpp"
@@ -21,10 +19,9 @@ void ScanWorker::run() noexcept {
     const types::Stamp end = io::monotonic_now();
     vitals_.beat();
     if (outcome == hokuyo::StepOutcome::kChanged || end >= next_report_) report();
-    // Between attempts to connect a session has nothing to wait for; a real-time thread must not spin.
-    if (outcome == hokuyo::StepOutcome::kNothing && end - begin < kTimeout / 10) {
-      std::this_thread::sleep_for(kTimeout / 10);
-    }
+    // Between attempts to connect a session has nothing to wait for and returns at once. There is no event to
+    // wait for either, and a real-time thread must not spin: it looks again in a tenth of its time-out.
+    if (outcome == hokuyo::StepOutcome::kNothing) io::sleep_until(begin + kTimeout / 10);
   }
   session_->close(kCloseTime);
   report();

@@ -5,12 +5,19 @@
 #include <fmt/format.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <atomic>
+
+#include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
 namespace {
 
 std::atomic<bool> was_interrupted{false};
+
+// What waits for minutes looks this often whether it is interrupted: a signal between a look and a wait would
+// be lost, and a person at the keyboard does not notice the delay.
+constexpr types::Duration kSlice = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -19,10 +26,23 @@ bool interrupted() { return was_interrupted.load(std::memory_order_relaxed); }
 void catch_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { was_interrupted.store(true, std::memory_order_relaxed); };
-  // Without SA_RESTART: who waits for the daemon is woken.
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
   ::sigaction(SIGHUP, &action, nullptr);
+}
+
+void pause_until(types::Stamp when) {
+  for (types::Stamp now = io::monotonic_now(); now < when && !interrupted(); now = io::monotonic_now())
+    io::sleep_until(std::min(when, now + kSlice));
+}
+
+types::Result<Json> next_event_until(Client& client, types::Stamp deadline) {
+  while (true) {
+    const types::Stamp now = io::monotonic_now();
+    auto event = client.next_event(std::min(deadline - now, kSlice));
+    const bool in_vain = !event && event.error().code == types::Errc::kTimeout;
+    if (!in_vain || interrupted() || io::monotonic_now() >= deadline) return event;
+  }
 }
 
 int complain(const types::Error& error) {

@@ -12,7 +12,7 @@ namespace topo::daemon {
 // Exit statuses, as in topoctl(1).
 inline constexpr int kOk = 0;
 inline constexpr int kFailed = 1;
-inline constexpr int kUsage = 2;
+// 2: wrong command line, see parse_command_line()
 inline constexpr int kNoDaemon = 3;
 inline constexpr int kTimedOut = 4;
 inline constexpr int kMissionFailed = 5;
@@ -31,9 +31,14 @@ struct Arguments {
   double interval_s = 1.0;  ///< of watch
 };
 
-/// Set by SIGINT and SIGTERM after catch_signals().
+/// Set by SIGINT, SIGTERM and SIGHUP after catch_signals().
 [[nodiscard]] bool interrupted();
 void catch_signals();
+
+/// Between two things that are told or shown at a pace; ends early when interrupted().
+void pause_until(types::Stamp when);
+/// Client::next_event() that ends early, with kTimeout, when interrupted().
+types::Result<Json> next_event_until(Client& client, types::Stamp deadline);
 
 /// Prints what went wrong; the exit status for it.
 int complain(const types::Error& error);

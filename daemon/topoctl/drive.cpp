@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <thread>
 
 #include "daemon/topoctl/commands.hpp"
 #include "daemon/topoctl/tables.hpp"
@@ -85,7 +84,7 @@ int drive_for(const Arguments& arguments) {
   while (!interrupted() && io::monotonic_now() < end) {
     if (const auto told = tell(*client, {arguments.v_mps, arguments.omega_radps}); !told)
       return complain(told.error());
-    std::this_thread::sleep_for(std::min(kPeriod, end - io::monotonic_now()));
+    pause_until(std::min(io::monotonic_now() + kPeriod, end));
   }
   const auto stopped = tell(*client, {});
   return stopped ? kOk : complain(stopped.error());
@@ -96,12 +95,12 @@ int drive_by_keys(const Arguments& arguments) {
   if (!client) return complain(client.error());
   const auto status = client->call("status", Json::object(), kPatience);
   if (!status) return complain(status.error());
+  catch_signals();  // before the terminal is changed, which no signal may leave so
   const RawTerminal terminal;
   if (!terminal.raw()) {
     fmt::print(stderr, "topoctl: driving by keys needs a terminal; in scripts: topoctl drive V W --for S\n");
     return kFailed;
   }
-  catch_signals();
   fmt::print("arrow keys or w a s d drive while held, space stands, q ends; the stop zone holds\n");
   const auto driven = serve_keys(*client, limit_of(*status, "/limits/v_max_mps"),
                                  limit_of(*status, "/limits/omega_max_radps"));

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "daemon/app/version.hpp"
+#include "daemon/app/command_line.hpp"
 #include "daemon/topoctl/commands.hpp"
 #include "daemon/topoctl/tables.hpp"
 
@@ -127,11 +126,7 @@ int start(int argc, char** argv) {
   add_queries(cli, arguments, status);
   add_missions(cli, arguments, status);
   add_commands(cli, arguments, status);
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? kOk : kUsage;
-  }
+  if (const auto ended = parse_command_line(cli, "topoctl", argc, argv)) return *ended;
   return status;
 }
 

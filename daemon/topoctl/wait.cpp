@@ -12,9 +12,6 @@
 namespace topo::daemon {
 namespace {
 
-// What is waited for may come hours later; a signal or the time-out ends it.
-constexpr types::Duration kSlice = std::chrono::milliseconds(500);
-
 /// Exit status when `state` answers the question, else nothing. `state` is what "progress" gives.
 using Verdict = std::function<std::optional<int>(const Json& state)>;
 
@@ -24,16 +21,13 @@ int wait_until(const Arguments& arguments, const Verdict& verdict) {
   if (!client) return complain(client.error());
   catch_signals();
   const bool forever = arguments.timeout_s <= 0.0;
-  const types::Stamp deadline = io::monotonic_now() + types::from_seconds(arguments.timeout_s);
+  const types::Stamp deadline =
+      forever ? types::Stamp::max() : io::monotonic_now() + types::from_seconds(arguments.timeout_s);
   auto state = client->call("events.subscribe", Json::object(), kPatience);
   while (true) {
     if (!state) return complain(state.error());
     if (const auto status = verdict(*state)) return *status;
-    auto event = client->next_event(kSlice);
-    while (!event && event.error().code == types::Errc::kTimeout && !interrupted() &&
-           (forever || io::monotonic_now() < deadline)) {
-      event = client->next_event(kSlice);
-    }
+    const auto event = next_event_until(*client, deadline);
     if (!event && event.error().code != types::Errc::kTimeout) return complain(event.error());
     if (interrupted()) return kFailed;
     if (!event) {

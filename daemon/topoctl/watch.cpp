@@ -27,7 +27,7 @@ void print_status(const Arguments& arguments, const Json& status, bool terminal)
 types::Result<bool> ended_within(Client& client, types::Duration wait) {
   const types::Stamp deadline = io::monotonic_now() + wait;
   while (!interrupted()) {
-    const auto event = client.next_event(deadline - io::monotonic_now());
+    const auto event = next_event_until(client, deadline);
     if (!event && event.error().code == types::Errc::kTimeout) return false;
     if (!event) return tl::unexpected(event.error());
     if (text_at(*event, "/event") == "done") return true;

@@ -74,6 +74,12 @@ Stamp monotonic_now() {
   return Stamp{std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec)};
 }
 
+void sleep_until(Stamp when) {
+  const timespec at = to_timespec(std::max(when.time_since_epoch(), Duration::zero()));
+  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR) {
+  }
+}
+
 types::Error error_of_errno(std::string_view device, std::string_view doing, int error) {
   std::string message;
   message.append(device).append(": ").append(doing).append(": ");

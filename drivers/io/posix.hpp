@@ -22,6 +22,9 @@ auto retry_interrupted(Call&& call) {
 /// CLOCK_MONOTONIC: the host's steady clock, that stamps every read.
 [[nodiscard]] types::Stamp monotonic_now();
 
+/// Sleeps until CLOCK_MONOTONIC shows `when`; not at all when that has passed. Goes on after a signal.
+void sleep_until(types::Stamp when);
+
 /// "DEVICE: DOING: what the operating system says", under the code that fits the errno.
 [[nodiscard]] types::Error error_of_errno(std::string_view device, std::string_view doing, int error);
 [[nodiscard]] tl::unexpected<types::Error> fail_errno(std::string_view device, std::string_view doing,

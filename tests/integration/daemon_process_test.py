@@ -5,6 +5,7 @@
 
 usage: daemon_process_test.py TOPOMETRICD TOPOCTL TOPOSIM
 """
+import fcntl
 import json
 import os
 import pty
@@ -45,10 +46,10 @@ policy = "off"
 
 
 class Daemon:
-    def __init__(self, folder, config, *options):
+    def __init__(self, folder, config, *options, stderr=None):
         self.folder = folder
         self.log = open(os.path.join(folder, "log"), "ab")
-        self.process = subprocess.Popen([DAEMON, "--config", config, *options], stderr=self.log)
+        self.process = subprocess.Popen([DAEMON, "--config", config, *options], stderr=self.log if stderr is None else stderr)
         STARTED.append(self.process)
         self.until(lambda: self.ctl("version").returncode == 0, "the daemon does not answer")
 
@@ -71,9 +72,9 @@ class Daemon:
         with open(os.path.join(self.folder, "log")) as file:
             return file.read()[-3000:]
 
-    def stop(self):
+    def stop(self, number=signal.SIGTERM):
         begin = time.monotonic()
-        self.process.send_signal(signal.SIGTERM)
+        self.process.send_signal(number)
         status = self.process.wait(10)
         seconds = time.monotonic() - begin
         self.log.close()
@@ -263,17 +264,51 @@ def check_slow_client(daemon):
 
 
 def check_replay(folder, config):
+    with open(folder + "/run.rec", "rb") as file:
+        assert any(file.read(24)[16:]), "the recording does not say which configuration it was made with"
     daemon = Daemon(folder, config, "--replay", folder + "/run.rec")
     daemon.until(lambda: daemon.status()["map"]["keyframes"] >= 2, "the recording gives no map")
     assert daemon.stop() < 3
     assert run(DAEMON, "--config", config, "--replay", folder + "/nothing.rec").returncode == 2
 
 
+def nowhere():
+    """Devices that are not there."""
+    return {name: {"host": "127.0.0.1", "port": 9 + at} for at, name in enumerate(("base", "front", "coronal"))}
+
+
+def test_a_log_that_nobody_reads(folder):
+    """A terminal that is held, a pager that is not scrolled: an e-stop is answered all the same."""
+    reader, writer = os.pipe()
+    fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 4096)
+    daemon = Daemon(folder, configuration(folder, nowhere()), stderr=writer)
+    os.close(writer)
+    client = socket.socket(socket.AF_UNIX)
+    client.connect(folder + "/ctl.sock")
+    client.settimeout(20)
+    answers = client.makefile()
+    for number in range(3000):  # a line of the log each, more than the pipe and the queue take
+        client.sendall(b'{"jsonrpc": "2.0", "method": "estop", "id": %d}\n' % number)
+        assert json.loads(answers.readline())["id"] == number
+    assert daemon.status()["estop"]
+    client.close()
+    os.close(reader)
+    assert daemon.stop() < 3
+
+
+def test_ctrl_c_ends_a_slow_watch(folder):
+    daemon = Daemon(folder, configuration(folder, nowhere()))
+    watch = subprocess.Popen([CTL, "--socket", folder + "/ctl.sock", "--json", "watch", "--every", "3600"],
+                             stdout=subprocess.PIPE, text=True)
+    STARTED.append(watch)
+    assert "state" in json.loads(watch.stdout.readline())
+    watch.send_signal(signal.SIGINT)
+    assert watch.wait(20) == 0
+    assert daemon.stop(signal.SIGHUP) < 3, "as when the terminal is gone"
+
+
 def test_devices_that_are_not_there(folder):
-    robot = {name: {"host": "127.0.0.1", "port": 9} for name in ("base", "front", "coronal")}
-    for at, name in enumerate(robot):
-        robot[name]["port"] = 9 + at
-    daemon = Daemon(folder, configuration(folder, robot))
+    daemon = Daemon(folder, configuration(folder, nowhere()))
     daemon.until(lambda: "127.0.0.1:10" in daemon.status()["devices"]["front"]["message"], "the device is not named")
     assert daemon.ctl("map", "save", folder).returncode == 1
     for words in (["start"], ["home"], ["goto", "1", "0"]):

@@ -19,7 +19,7 @@ DoctorFacts healthy() {
   DoctorFacts facts;
   facts.devices = {{"base", "/dev/ttyUSB0", "ready", "", true}, {"front", "tcp:h:1", "streaming", "", true}};
   facts.base.ready = true;
-  facts.base.reason = motion::GateReason::kFree;
+  facts.base.control.reason = motion::GateReason::kFree;
   facts.base.state.battery_v = 12.6F;
   facts.watchdog_ms = 2000;
   facts.battery_home_v = 11.6;
@@ -90,7 +90,7 @@ TEST(Doctor, StopButtonAndLatch) {
 
 TEST(Doctor, MotorsBumpersBattery) {
   DoctorFacts facts = healthy();
-  facts.base.wanted = true;
+  facts.base.control.mode = pipeline::ControlMode::kFollowing;
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("MOTORS"));
   facts = healthy();
   facts.base.state.stall_left = true;
@@ -108,7 +108,7 @@ TEST(Doctor, MotorsBumpersBattery) {
 
 TEST(Doctor, SensorsMapAndMachine) {
   DoctorFacts facts = healthy();
-  facts.base.reason = motion::GateReason::kStaleScan;
+  facts.base.control.reason = motion::GateReason::kStaleScan;
   EXPECT_EQ(the_bad_one(facts).name, "motion");
   facts = healthy();
   facts.scans_lost_lately = 101;
@@ -130,7 +130,7 @@ TEST(Doctor, SensorsMapAndMachine) {
 TEST(Doctor, EveryReasonToStandHasItsCure) {
   for (int i = 0; i <= static_cast<int>(motion::GateReason::kReverse); ++i) {
     DoctorFacts facts = healthy();
-    facts.base.reason = static_cast<motion::GateReason>(i);
+    facts.base.control.reason = static_cast<motion::GateReason>(i);
     for (const Check& check : examine(facts)) EXPECT_EQ(check.ok, check.cure.empty()) << i << check.name;
   }
 }

@@ -35,16 +35,17 @@ class EventLogTest : public ::testing::Test {
 };
 
 TEST_F(EventLogTest, FormatsWithSeverityThreadAndStamp) {
-  post(ring_, 2'500'000'000, EventId::kScanStale, Severity::kWarning, {180'000'000, 150'000'000, 0});
-  post(ring_, 3'000'000'000, EventId::kEstop, Severity::kError, {}, "the operator");
+  post(ring_, 2'500'000'000, EventId::kPlanningSlow, Severity::kWarning, {480'000'000, 400'000'000, 0});
+  post(ring_, 3'000'000'000, EventId::kScanRingFull, Severity::kError, {7, 0, 0}, "front");
   EXPECT_EQ(log_->drain("base", ring_), 2U);
-  EXPECT_EQ(out_.str(),
-            "warning base: stopped: the newest front scan is 180 ms old, 150 ms are allowed [at 2.500000 s]\n"
-            "error base: emergency stop by the operator [at 3.000000 s]\n");
+  EXPECT_EQ(
+      out_.str(),
+      "warning base: planning took 480 ms, the period is 400 ms [at 2.500000 s]\n"
+      "error base: front: the mapping thread is behind: 7 scans lost since the start [at 3.000000 s]\n");
 }
 
 TEST_F(EventLogTest, TellsLossesOnce) {
-  for (int i = 0; i < 7; ++i) post(ring_, i, EventId::kThreadStarted, Severity::kInfo);
+  for (int i = 0; i < 7; ++i) post(ring_, i, EventId::kDeadlineMissed, Severity::kInfo);
   EXPECT_EQ(log_->drain("scan front", ring_), 4U);
   EXPECT_THAT(
       out_.str(),
@@ -57,7 +58,7 @@ TEST_F(EventLogTest, TellsLossesOnce) {
 
 TEST_F(EventLogTest, WhatTheLevelLeavesOutIsTakenFromTheRingAllTheSame) {
   logger_->set_level(spdlog::level::warn);
-  post(ring_, 0, EventId::kThreadEnded, Severity::kInfo);
+  post(ring_, 0, EventId::kPlanningSlow, Severity::kInfo);
   EXPECT_EQ(log_->drain("base", ring_), 1U);
   EXPECT_EQ(out_.str(), "");
 }
@@ -99,7 +100,7 @@ TEST_F(EventLogTest, TakesWhatAnotherThreadPostsAndCountsTheRest) {
   constexpr std::uint64_t kPosts = 5000;
   std::thread poster([this] {
     for (std::uint64_t i = 0; i < kPosts; ++i)
-      post(ring_, static_cast<std::int64_t>(i), EventId::kThreadStarted, Severity::kDebug);
+      post(ring_, static_cast<std::int64_t>(i), EventId::kDeadlineMissed, Severity::kDebug);
   });
   std::uint64_t taken = 0;
   for (int i = 0; i < 100; ++i) taken += log_->drain("base", ring_);

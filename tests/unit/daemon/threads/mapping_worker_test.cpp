@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/mapping_worker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <thread>
+
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(MappingWorker, BeatsAndSkipsWhileItNeverCatchesUp) {
+  const auto hand_overs = std::make_unique<HandOvers>();
+  Vitals vitals("mapping");
+  MappingWorker worker(*hand_overs, slam::MapperParams{}, vitals);
+  std::thread thread([&worker] { worker.run(); });
+  types::Odometry odometry;
+  const types::Stamp limit = io::monotonic_now() + 60s;
+  // As from a base and a scanner that are faster than this machine maps: the rings are never seen empty.
+  while (vitals.beats.load() < 20 && io::monotonic_now() < limit) {
+    while (hand_overs->odometry.try_push(odometry)) odometry.stamp += 1ms;
+    while (types::Scan* scan = hand_overs->front.to_mapping.try_acquire()) {
+      scan->beams = 0;
+      scan->first_beam = odometry.stamp;
+      hand_overs->front.to_mapping.commit();
+    }
+    hand_overs->mapping_wakeup.post();
+  }
+  EXPECT_GE(vitals.beats.load(), 20U) << "the service manager would take it for dead";
+  const MappingReport* report = hand_overs->mapping_report.take_new();
+  ASSERT_NE(report, nullptr);
+  EXPECT_GT(report->skipped, 0U);
+  hand_overs->stopping = true;
+  hand_overs->readers_gone = true;
+  hand_overs->mapping_wakeup.post();
+  thread.join();
+}
+
+}  // namespace
+}  // namespace topo::daemon
