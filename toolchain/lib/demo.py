@@ -4,7 +4,9 @@
 explains the options. What drives the robot is the daemon alone; the simulator's truth is only read to judge."""
 
 import argparse
+import fcntl
 import json
+import os
 import pathlib
 import shutil
 import signal
@@ -197,9 +199,17 @@ class Demo:
 
 
 def prepare_folder(out):
+    """Made, emptied of an earlier run's results, and locked until the returned descriptor is closed."""
     out.mkdir(parents=True, exist_ok=True)
+    lock = os.open(out, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(lock)
+        raise OSError("%s: another demonstration writes there, name another folder" % out) from None
     for name in RESULTS + ALSO:  # what is there afterwards is of this run
         (out / name).unlink(missing_ok=True)
+    return lock
 
 
 def main():
@@ -212,7 +222,7 @@ def main():
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.default_int_handler)
     try:
-        prepare_folder(pathlib.Path(options.out))
+        lock = prepare_folder(pathlib.Path(options.out))
     except OSError as error:
         print("demo: --out: %s" % error, file=sys.stderr)
         return 2
@@ -230,6 +240,7 @@ def main():
             return 1
         finally:
             processes.end_all()
+            os.close(lock)
 
 
 if __name__ == "__main__":

@@ -61,7 +61,20 @@ summary() {
 build() {
   local preset=$1 log=build/$1.log
   shift
-  mkdir -p build
+  mkdir -p build || return 1
+  # One at a time in a folder: two ninjas in it undo each other's work.
+  local lock
+  exec {lock}>"build/$preset.lock" || return 1
+  flock -n "$lock" || { echo "   waiting for another build in build/$preset"; flock "$lock"; }
+  build_alone "$preset" "$log" "$@"
+  local status=$?
+  exec {lock}>&-
+  return $status
+}
+
+build_alone() { # PRESET LOG [TARGET...]
+  local preset=$1 log=$2
+  shift 2
   if ! { cmake --preset "$preset" && cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}; } \
     >"$log" 2>&1; then
     grep -nE 'error|warning|FAILED|Error' "$log" | head -n 60

@@ -15,6 +15,7 @@ import unittest
 TOP = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(TOP / "toolchain/lib"))
 
+import demo  # noqa: E402
 import demo_processes  # noqa: E402
 import demo_report  # noqa: E402
 
@@ -33,7 +34,8 @@ class CommandLine(unittest.TestCase):
         for words, expected in (
             (["--sead", "3"], "'--sead'"), (["--seed", "x"], "'x'"), (["--seed"], "takes a value"),
             (["--strategy", "fast"], "nearest_frontier"), (["--finish", "soon"], "essential"),
-            (["--time-limit", "0"], "seconds"), (["--world", "/nowhere.toml"], "/nowhere.toml"), (["--out", ""], "folder"),
+            (["--time-limit", "0"], "seconds"), (["--world", "/nowhere.toml"], "/nowhere.toml"), (["--world", "/"], "a file"),
+            (["--out", ""], "folder"), (["--out", "/dev/null"], "'/dev/null'"), (["--out", "/dev/null/x"], "'/dev/null/x'"),
         ):
             done = self.demo(*words)
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
@@ -98,6 +100,20 @@ class Processes(unittest.TestCase):
         self.assertGreater(sum(used.values()), 5.0, used)
         self.assertLess(sum(used.values()), 150.0, used)
         self.assertGreater(times.peak_rss_mb(), 1.0)
+
+
+class Folder(unittest.TestCase):
+    def test_two_demonstrations_do_not_mix_their_results(self):
+        with tempfile.TemporaryDirectory() as name:
+            out = pathlib.Path(name) / "a/b"
+            lock = demo.prepare_folder(out)
+            (out / "report.json").write_text("of the first")
+            with self.assertRaisesRegex(OSError, "another demonstration"):
+                demo.prepare_folder(out)
+            self.assertEqual((out / "report.json").read_text(), "of the first")
+            os.close(lock)
+            os.close(demo.prepare_folder(out))
+            self.assertEqual(list(out.iterdir()), [])
 
 
 class Report(unittest.TestCase):
