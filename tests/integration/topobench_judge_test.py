@@ -27,9 +27,13 @@ thickness_m = 0.2
 """
 
 
-def to_map(x, y):
-    """From the building into the map, which is turned a quarter."""
-    return y - START[1], -(x - START[0])
+LEFT, LOW, WIDTH, HEIGHT = -3.5, -7.0, 140, 180  # of the map's picture, metres and cells
+
+
+def to_map(x, y, turn=0.0):
+    """From the building into the map, which is turned a quarter, and by `turn` more as its own error."""
+    x, y = y - START[1], -(x - START[0])
+    return x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
 
 
 class Judge(unittest.TestCase):
@@ -41,18 +45,18 @@ class Judge(unittest.TestCase):
         self.write_map(known_to_m=4.0)
         self.write_truth([(100.0 + 0.1 * i, 2.0 + 0.02 * i, 3.0, 0.0) for i in range(101)])
 
-    def write_map(self, known_to_m):
+    def write_map(self, known_to_m, turn=0.0):
         """Free where the building's x is below known_to_m, in cells of 0.05 m: 0 is free and 205 unknown."""
-        width, height, left, low = 140, 180, -3.5, -7.0
         rows = []
-        for row in range(height):  # the uppermost first
-            y = low + (height - row - 0.5) * 0.05
+        for row in range(HEIGHT):  # the uppermost first
+            y = LOW + (HEIGHT - row - 0.5) * 0.05
             x_building = START[0] - y
-            rows.append(bytes([254 if 0.1 < x_building < known_to_m else 205]) * width)
-        (self.folder / "map.pgm").write_bytes(b"P5\n%d %d\n255\n" % (width, height) + b"".join(rows))
+            rows.append(bytes([254 if 0.1 < x_building < known_to_m else 205]) * WIDTH)
+        (self.folder / "map.pgm").write_bytes(b"P5\n%d %d\n255\n" % (WIDTH, HEIGHT) + b"".join(rows))
+        left, low = to_map(START[0] - LOW, START[1] + LEFT, turn)
         (self.folder / "map.yaml").write_text(
-            "image: map.pgm\nresolution: 0.05\norigin: [%g, %g, 0.0]\nnegate: 0\n"
-            "occupied_thresh: 0.65\nfree_thresh: 0.196\n" % (left, low))
+            "image: map.pgm\nresolution: 0.05\norigin: [%r, %r, %r]\nnegate: 0\n"
+            "occupied_thresh: 0.65\nfree_thresh: 0.196\n" % (left, low, turn))
 
     def write_truth(self, poses):
         lines = ["# difficulty", "# t_s x_m y_m theta_rad"] + ["%.6f\t%.5f\t%.5f\t%.6f" % p for p in poses]
@@ -112,6 +116,35 @@ class Judge(unittest.TestCase):
     def test_stamps_between_the_truths_are_interpolated(self):
         self.write_trajectory([(100.05 + 0.1 * i, *to_map(2.01 + 0.02 * i, 3.0), -math.pi / 2) for i in range(90)])
         self.assertLess(self.judge()["ate_worst_m"], 1e-3)
+
+    def turned_run(self, steps):
+        """A map and a path that are right in themselves and turned by half a radian; the way there and back along the room."""
+        turn = 0.5
+        self.write_map(known_to_m=9.0, turn=turn)
+        way = [(100.0 + 0.1 * i, 2.0 + 0.1 * (i % 80 if i % 80 <= 40 else 80 - i % 80), 3.0) for i in range(steps)]
+        self.write_truth([(t, x, y, 0.0) for t, x, y in way])
+        self.write_trajectory([(t, *to_map(x, y, turn), -math.pi / 2 + turn) for t, x, y in way[::2]])
+        inside = cells = 0
+        for i in range(156):
+            for k in range(116):
+                x, y = to_map(0.125 + 0.05 * i, 0.125 + 0.05 * k, -turn)  # in the picture, with the map laid on the start
+                cells += 1
+                inside += LEFT <= x < LEFT + 0.05 * WIDTH and LOW <= y < START[0] - 0.1
+        return self.judge(), inside / cells
+
+    def test_a_turned_map_is_laid_on_the_building_as_its_path_fits_best(self):
+        found, at_start = self.turned_run(steps=131)
+        self.assertAlmostEqual(found["distance_m"][0], 13.0, delta=1e-3)
+        self.assertGreater(found["covered"], 0.995)
+        self.assertLess(found["ate_fitted_rmse_m"], 1e-3)
+        self.assertLess(at_start, 0.95)
+        self.assertAlmostEqual(found["covered_at_start"], at_start, delta=0.02)
+        self.assertGreater(found["ate_rmse_m"], 0.5)
+
+    def test_a_path_too_short_to_tell_leaves_the_map_at_the_start(self):
+        found, at_start = self.turned_run(steps=31)
+        self.assertEqual(found["covered"], found["covered_at_start"])
+        self.assertAlmostEqual(found["covered"], at_start, delta=0.02)
 
     def refused(self, *words):
         done = self.run_judge()

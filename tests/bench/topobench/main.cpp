@@ -110,7 +110,9 @@ int main(int argc, char** argv) {
   add_options(*explore_app, explore);
   topo::bench::JudgeCommand judge;
   CLI::App* judge_app =
-      app.add_subcommand("judge", "Hold a saved map against the building and the true path");
+      app.add_subcommand("judge",
+                         "Hold a saved map against the building and the true path. `covered` is with the map "
+                         "laid where its path fits best, `covered_at_start` with it laid on the true start");
   add_options(*judge_app, judge);
 
   try {
