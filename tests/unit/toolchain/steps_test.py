@@ -4,6 +4,7 @@
 
 import pathlib
 import subprocess
+import tempfile
 import unittest
 
 TOP = pathlib.Path(__file__).resolve().parents[3]
@@ -46,6 +47,16 @@ class Steps(unittest.TestCase):
     def test_a_step_tells_its_status(self):
         done = bash("step three sh -c 'exit 3'; echo status $?")
         self.assertIn("status 3", done.stdout)
+
+
+class Build(unittest.TestCase):
+    def test_two_builds_in_one_folder_go_one_after_the_other(self):
+        with tempfile.TemporaryDirectory() as name:
+            cmake = pathlib.Path(name) / "cmake"
+            cmake.write_text("#!/bin/sh\nmkdir '%s/inside' && sleep 0.05 && rmdir '%s/inside'\n" % (name, name))
+            cmake.chmod(0o755)
+            done = bash(f"cd '{name}'; PATH='{name}':$PATH; jobs=1; build x & build x; mine=$?; wait $! && exit $mine")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
 class CommandLines(unittest.TestCase):
