@@ -142,9 +142,10 @@ motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, cons
   return g;
 }
 
-/// Where the robot is in map, if somebody knows: by the newest plan, which has to be fresh.
+/// Where the robot is in map, if somebody knows: by the newest plan, which has to be fresh, and made by a
+/// planner that knew the place. A plan to stand is fresh as well when nobody does.
 std::optional<Se2> ControlState::Impl::place(const ControlSetup& setup, const ControlInput& in) const {
-  if (in.plan == nullptr || in.state == nullptr) return std::nullopt;
+  if (in.plan == nullptr || !in.plan->located || in.state == nullptr) return std::nullopt;
   if (!is_fresh(in.plan->stamp, in.now, setup.plan_age_max)) return std::nullopt;
   return in.plan->T_map_odom.se2() * extrapolated(in.state->odometry, in.now);
 }

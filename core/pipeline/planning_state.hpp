@@ -18,6 +18,7 @@ struct PlanningState::Impl {
   PlanningOutput step(const PlanningInput& in);
   void take_mission(const PlanningInput& in);
   void locate(const PlanningInput& in);
+  void stand(const PlanningInput& in, const char* why);
   void watch_battery(const PlanningInput& in);
   [[nodiscard]] bool route_holds(const PlanningInput& in) const;
   void trim_route();
@@ -70,6 +71,7 @@ struct PlanningState::Impl {
   bool battery_low = false;
 
   // Where the robot is.
+  bool located = false;  ///< what follows is of this period
   types::Transform2<types::Map, types::Odom> T_map_odom;
   types::Transform2<types::Map, types::Base> T_map_base, T_map_start;
 

@@ -37,15 +37,14 @@ std::size_t nearest_point(const std::vector<types::Vector2>& path, const types::
   return static_cast<std::size_t>(nearest - path.begin());
 }
 
-/// Why nothing can be planned; null when it can.
-const char* missing(const PlanningInput& in) {
+/// Why nobody knows where the robot is; null when its place is known in this very period.
+const char* place_missing(const PlanningInput& in) {
   if (in.map == nullptr || in.map->keyframes.empty()) return "no map yet";
   if (in.control == nullptr || in.now - in.control->stamp > kControlAgeMax)
     return "no word from the base thread";
   if (!in.control->base_ready) return "the base is not ready";
   if (in.tracked == nullptr || in.now - in.tracked->stamp > kTrackedAgeMax)
-    return "no scan was matched lately: the robot does not know where it is";
-  if (in.control->estop_latched) return "emergency stop, to be cleared by the operator";
+    return "no scan was placed lately: the robot does not know where it is";
   return nullptr;
 }
 
@@ -170,6 +169,7 @@ void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) const {
   plan.goal_id = goal_id;
   plan.activity = activity;
   plan.T_map_odom = T_map_odom;
+  plan.located = located;
   if (ended || mission.paused || !has_target || route.size() < 2) return;
   plan.moving = true;
   put_path(route, T_map_odom, plan);
@@ -201,16 +201,25 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
   return report;
 }
 
+/// Nothing can be planned; the mission is kept.
+void PlanningState::Impl::stand(const PlanningInput& in, const char* why) {
+  if (!ended) activity = Activity::kThinking;
+  reason = why;
+  has_target = false;
+  last_progress = in.now;
+}
+
 PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   ++sequence;
   take_mission(in);
-  if (const char* what = missing(in); what != nullptr) {
-    if (!ended) activity = Activity::kThinking;
-    reason = what;
-    has_target = false;
-    last_progress = in.now;
+  const char* unknown = place_missing(in);
+  located = unknown == nullptr;
+  if (located) locate(in);
+  if (!located) {
+    stand(in, unknown);
+  } else if (in.control->estop_latched) {
+    stand(in, "emergency stop, to be cleared by the operator");
   } else {
-    locate(in);
     watch_battery(in);
     remember_echoes(in);
     if (mission.paused && !ended) {

@@ -108,9 +108,10 @@ void DriveRig::plan() {
   if (planner_silent) return;
   plan_.stamp = types::Stamp{simulation_->now()};
   ++plan_.sequence;
-  plan_.moving = !route_.empty();
+  plan_.moving = !route_.empty() && !lost;
+  plan_.located = !lost;
   plan_.T_map_odom = types::Transform2<types::Map, types::Odom>(T_building_odom_);
-  if (route_.empty()) return;
+  if (!plan_.moving) return;
   const Vector2 here = body().truth().translation();
   const std::size_t search_end = std::min(route_.size(), route_at_ + 20);
   for (std::size_t i = route_at_; i < search_end; ++i)

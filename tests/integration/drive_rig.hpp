@@ -54,6 +54,7 @@ class DriveRig {
 
   // Faults and the operator, to be set between calls of run().
   bool front_silent = false, base_silent = false, planner_silent = false;
+  bool lost = false;       ///< the planner speaks, and does not know where the robot is
   bool host_dead = false;  ///< the daemon's process is gone: nothing is decided and nothing sent
   std::function<void(types::Scan&)> spoil_scan;
   std::function<void(types::BaseState&)> spoil_state;

@@ -266,8 +266,14 @@ TEST_P(Safety, NeitherTheHandNorAPlanTakesItOutOfTheArea) {
   rig.planner_silent = true;
   EXPECT_FALSE(rig.run(3.0, [&] { return rig.v_mps() > 0.01; })) << "nobody knows where it is";
   EXPECT_EQ(rig.report().reason, GateReason::kNoPlace);
-  rig.by_hand.reset();
   rig.planner_silent = false;
+  rig.lost = true;
+  rig.go(points_along({{2.0, 4.0}, {28.0, 4.6}}));
+  EXPECT_FALSE(rig.run(3.0, [&] { return rig.v_mps() > 0.01; })) << "a fresh plan of a planner that is lost";
+  EXPECT_EQ(rig.report().reason, GateReason::kNoPlace);
+  rig.by_hand.reset();
+  EXPECT_FALSE(rig.run(3.0, [&] { return rig.v_mps() > 0.01; })) << "nor by the plan";
+  rig.lost = false;
   rig.go(points_along({{2.0, 4.0}, {28.0, 4.6}}));
   bool out = false;
   rig.run(40.0, [&] {

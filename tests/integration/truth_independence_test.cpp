@@ -41,6 +41,7 @@ std::string bytes_of(const pipeline::PlanningOutput& output) {
   const pipeline::Plan& plan = output.plan;
   bytes.add(plan.stamp), bytes.add(plan.sequence), bytes.add(plan.goal_id), bytes.add(plan.activity);
   bytes.add(plan.moving), bytes.add(plan.path_ends_at_goal), bytes.add(plan.T_map_odom.se2());
+  bytes.add(plan.located);
   for (std::size_t i = 0; i < plan.points; ++i)
     bytes.add(plan.path_odom[i].x()), bytes.add(plan.path_odom[i].y());
   const pipeline::PlanningReport& report = *output.report;

@@ -120,7 +120,7 @@ Plan plan_ahead(types::Stamp stamp) {
   Plan plan;
   plan.stamp = stamp;
   plan.sequence = plan.goal_id = 1;
-  plan.moving = plan.path_ends_at_goal = true;
+  plan.moving = plan.path_ends_at_goal = plan.located = true;
   plan.points = 50;
   for (std::size_t i = 0; i < plan.points; ++i) plan.path_odom[i] = {0.1 * static_cast<double>(i), 0.0};
   return plan;
@@ -178,6 +178,25 @@ TEST_F(ControlStepTest, AreaLimitsWithoutAPlaceRefuseTheHand) {
   const auto decision = run(5);
   EXPECT_EQ(decision.report.reason, GateReason::kNoPlace);
   EXPECT_EQ(decision.command.twist, types::Twist2{});
+}
+
+TEST_F(ControlStepTest, AFreshPlanWithoutAPlaceIsNoPlace) {
+  setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  const auto fresh = [&] { return plan.stamp = now, run(1); };
+  for (int i = 0; i < 5; ++i) fresh();
+  EXPECT_GT(fresh().command.twist.v_mps, 0.0) << "by hand, located";
+  plan.located = false;
+  EXPECT_EQ(fresh().report.reason, GateReason::kNoPlace);
+  EXPECT_EQ(fresh().command.twist, types::Twist2{});
+  input.teleop = nullptr;
+  plan.moving = true;  // which such a planner never says
+  EXPECT_EQ(fresh().report.reason, GateReason::kNoPlace);
+  EXPECT_EQ(fresh().command.twist, types::Twist2{});
+  plan.located = true;
+  for (int i = 0; i < 5; ++i) fresh();
+  EXPECT_GT(fresh().command.twist.v_mps, 0.0) << "by the plan, located";
 }
 
 TEST_F(ControlStepTest, AllocatesNothing) {

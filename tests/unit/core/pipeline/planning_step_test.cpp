@@ -153,6 +153,38 @@ TEST(PlanningStep, standsWhenAnythingIsMissing) {
   EXPECT_FALSE(planning_step(state, nothing).plan.moving);
 }
 
+TEST(PlanningStep, aPlanSaysWhetherThePlaceIsKnownInThisVeryPeriod) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  PlanningInput nothing;
+  nothing.now = building.now();
+  EXPECT_FALSE(planning_step(state, nothing).plan.located) << "before the first map";
+  EXPECT_TRUE(building.run_period(state, {}).plan.located) << "standing, as told";
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(building.run_period(state, mission).plan.located);
+  building.control().estop_latched = true;
+  EXPECT_TRUE(building.run_period(state, mission).plan.located) << "it stands, and knows where";
+  building.control().estop_latched = false;
+  building.control().base_ready = false;
+  EXPECT_FALSE(building.run_period(state, mission).plan.located);
+  building.control().base_ready = true;
+  EXPECT_TRUE(building.run_period(state, mission).plan.located);
+  // The mapper says nothing any more.
+  const TrackedPose old = building.tracked();
+  PlanningInput input;
+  input.map = &building.snapshot();
+  input.tracked = &old;
+  input.control = &building.control();
+  input.mission = mission;
+  for (const bool later : {false, true}) {
+    input.now = old.stamp + std::chrono::milliseconds(later ? 1001 : 1000);
+    building.control().stamp = input.now;
+    EXPECT_EQ(planning_step(state, input).plan.located, !later);
+  }
+  input.tracked = nullptr;
+  EXPECT_FALSE(planning_step(state, input).plan.located);
+}
+
 TEST(PlanningStep, goesWhereTheOperatorSays) {
   ToyBuilding building(kFloor);
   PlanningState state({});
