@@ -71,7 +71,8 @@ struct PlanningState::Impl {
   bool battery_low = false;
 
   // Where the robot is.
-  bool located = false;  ///< what follows is of this period
+  bool located = false;    ///< what follows is of this period
+  types::Stamp matched{};  ///< the last scan that matched the map; zero: none
   types::Transform2<types::Map, types::Odom> T_map_odom;
   types::Transform2<types::Map, types::Base> T_map_base, T_map_start;
 

@@ -63,7 +63,7 @@ struct TrackedPose {
   types::Stamp stamp{};        ///< of the last scan placed
   std::uint64_t revision = 0;  ///< of the map that the pose is in
   types::Transform2<types::Map, types::Odom> T_map_odom;
-  bool matched = false;
+  bool matched = false;  ///< false: by the odometry from the last scan that did
 };
 
 /// What one planning period looks at. Pointers: null when never heard of.

@@ -185,6 +185,33 @@ TEST(PlanningStep, aPlanSaysWhetherThePlaceIsKnownInThisVeryPeriod) {
   EXPECT_FALSE(planning_step(state, input).plan.located);
 }
 
+TEST(PlanningStep, standsWhileItIsLostAndGoesOnWhenAScanMatches) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 4; ++i) (void)building.run_period(state, mission);
+  building.tracked().matched = false;
+  for (int i = 0; i < 4; ++i) {  // two seconds
+    const PlanningOutput out = building.run_period(state, mission);
+    EXPECT_TRUE(out.plan.moving && out.plan.located) << "a short loss stops nothing";
+  }
+  for (int i = 0; i < 200; ++i) {
+    const PlanningOutput out = building.run_period(state, mission);
+    EXPECT_FALSE(out.plan.moving || out.plan.located);
+    EXPECT_THAT(out.report->reason, HasSubstr("lost:"));
+    EXPECT_FALSE(out.report->mission_ended) << "it is nobody's fault that there is no progress";
+  }
+  building.tracked().matched = true;
+  const PlanningOutput out = building.run_period(state, mission);
+  EXPECT_TRUE(out.plan.moving && out.plan.located);
+  EXPECT_EQ(out.report->activity, Activity::kExploring);
+  // Matched now and then is good enough.
+  for (int i = 0; i < 30; ++i) {
+    building.tracked().matched = i % 4 == 3;
+    EXPECT_TRUE(building.run_period(state, mission).plan.located) << i;
+  }
+}
+
 TEST(PlanningStep, goesWhereTheOperatorSays) {
   ToyBuilding building(kFloor);
   PlanningState state({});

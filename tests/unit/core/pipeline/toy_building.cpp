@@ -26,6 +26,7 @@ ToyBuilding::ToyBuilding(std::vector<std::string> rows, double range_m)
   robot_ = start_;
   control_.base_ready = true;
   control_.battery_v = 12.6F;
+  tracked_.matched = true;
   add_keyframe();
 }
 
@@ -96,7 +97,6 @@ PlanningOutput ToyBuilding::run_period(PlanningState& state, const Mission& miss
   control_.odometry.T_odom_base = {robot_.x(), robot_.y(), heading_rad_};
   tracked_.stamp = now_;
   tracked_.revision = snapshot_.revision;
-  tracked_.matched = true;
   PlanningInput input;
   input.now = now_;
   input.map = &snapshot_;
