@@ -224,7 +224,11 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
 void PlanningState::Impl::go_home(const PlanningInput& in, std::string why) {
   reason = std::move(why);
   aim(in, T_map_start.se2().translation(), params.home_reached_m, Activity::kReturning);
-  if (activity == Activity::kDone && returning) reason = return_reason;
+  if (activity != Activity::kDone || !returning) return;
+  if (cut_short)
+    end(Activity::kFailed, return_reason + ": came home");
+  else
+    reason = return_reason;
 }
 
 void PlanningState::Impl::go_to(const PlanningInput& in) {

@@ -66,6 +66,7 @@ struct PlanningState::Impl {
   bool returning = false;        ///< an exploration on its way home
   int resumed = 0;               ///< how often it found a goal on its way home
   types::Stamp nothing_since{};  ///< when the last goal in reach was gone; zero: there is one
+  bool cut_short = false;        ///< by the battery: what was ordered is not fulfilled by being home
   std::string return_reason;
   types::Stamp battery_low_since{};
   bool battery_low = false;

@@ -67,7 +67,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   ended = mission.order == Order::kStand;
   activity = Activity::kIdle;
   reason = ended ? "standing, as told" : "";
-  second_phase = returning = false;
+  second_phase = returning = cut_short = false;
   resumed = 0;
   nothing_since = {};
   battery_low = false;
@@ -103,7 +103,7 @@ void PlanningState::Impl::watch_battery(const PlanningInput& in) {
 
 void PlanningState::Impl::decide(const PlanningInput& in) {
   if (battery_low && mission.order != Order::kHome && !returning) {
-    returning = true;
+    returning = cut_short = true;
     return_reason = "the battery is low";
     goal.reset();
     note(in, T_map_start.se2().translation(), "home: the battery is low");

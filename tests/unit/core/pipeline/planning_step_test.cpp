@@ -122,18 +122,37 @@ TEST(PlanningStep, aStuckGoalIsGivenUpWithItsReason) {
   EXPECT_GT(out.report->given_up.front().until, building.now());
 }
 
-TEST(PlanningStep, lowBatteryMeansHome) {
+/// A mission during which the battery gets low, some metres from the start.
+Outcome run_with_low_battery(const Mission& mission) {
   ToyBuilding building(kFloor);
   const types::Vector2 start = building.robot();
   PlanningState state({});
-  const Mission mission{1, Order::kExplore, false, kNowhere};
-  for (int i = 0; i < 30; ++i) (void)building.run_period(state, mission);
-  ASSERT_GT((building.robot() - start).norm(), 2.0);
+  const Mission exploration{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 30; ++i) (void)building.run_period(state, exploration);
+  EXPECT_GT((building.robot() - start).norm(), 2.0);
+  for (int i = 0; i < 2; ++i) (void)building.run_period(state, mission);
   building.control().battery_v = 11.2F;
-  const Outcome run = run_until_ended(building, state, mission, 200);
+  Outcome run = run_until_ended(building, state, mission, 200);
   EXPECT_TRUE(run.last.report->mission_ended);
   EXPECT_LE((building.robot() - start).norm(), 0.3);
-  EXPECT_THAT(run.last.report->reason, HasSubstr("battery"));
+  return run;
+}
+
+TEST(PlanningStep, aLowBatteryMeansHomeWithTheExplorationUnfulfilled) {
+  const Outcome run = run_with_low_battery({1, Order::kExplore, false, kNowhere});
+  EXPECT_EQ(run.last.report->activity, Activity::kFailed);
+  EXPECT_EQ(run.last.report->reason, "the battery is low: came home");
+}
+
+TEST(PlanningStep, aLowBatteryMeansHomeInsteadOfTheOperatorsGoal) {
+  const Outcome run = run_with_low_battery({2, Order::kGoTo, false, {14.0, 3.0}});
+  EXPECT_EQ(run.last.report->activity, Activity::kFailed);
+  EXPECT_EQ(run.last.report->reason, "the battery is low: came home");
+}
+
+TEST(PlanningStep, homeAsOrderedIsDoneWhateverTheBattery) {
+  const Outcome run = run_with_low_battery({2, Order::kHome, false, kNowhere});
+  EXPECT_EQ(run.last.report->activity, Activity::kDone);
 }
 
 TEST(PlanningStep, standsWhenAnythingIsMissing) {
