@@ -12,7 +12,6 @@ using grid::CellIndex;
 using grid::DenseMap;
 using types::Vector2;
 
-constexpr double kSpacing_m = 0.1;
 constexpr std::size_t kShortcutCells = 40;  // 2 m at 0.05 m: looks past a doorway, costs little
 constexpr int kRoundings = 4;
 
@@ -49,7 +48,7 @@ std::vector<Vector2> resampled(const std::vector<Vector2>& corners) {
   std::vector<Vector2> points{corners.front()};
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const Vector2 step = corners[i] - corners[i - 1];
-    const int pieces = std::max(1, static_cast<int>(std::lround(step.norm() / kSpacing_m)));
+    const int pieces = std::max(1, static_cast<int>(std::lround(step.norm() / kPathSpacing_m)));
     for (int k = 1; k <= pieces; ++k)
       points.push_back(corners[i - 1] + step * (static_cast<double>(k) / pieces));
   }

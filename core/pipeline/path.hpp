@@ -10,9 +10,11 @@
 
 namespace topo::pipeline {
 
-/// The route's cells as a path that a robot can follow, points about 0.1 m apart: corners of the grid are cut
-/// where the straight line keeps the clearance that the route had (as far as `preferred_m`), then rounded. In
-/// map; the first and last cell's centres stay.
+inline constexpr double kPathSpacing_m = 0.1;  ///< of a path's points, about
+
+/// The route's cells as a path that a robot can follow, points kPathSpacing_m apart: corners of the grid are
+/// cut where the straight line keeps the clearance that the route had (as far as `preferred_m`), then
+/// rounded. In map; the first and last cell's centres stay.
 std::vector<types::Vector2> smooth_path(const grid::DenseMap& map, std::span<const float> clearance_m,
                                         std::span<const grid::CellIndex> route, double preferred_m);
 

@@ -42,7 +42,7 @@ struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is fi
   /// and nobody may take the place of the robot in map from it.
   bool located = false;
   std::uint16_t points = 0;
-  std::array<types::Vector2, kMaxPoints> path_odom;  ///< about 0.1 m apart, from the robot on
+  std::array<types::Vector2, kMaxPoints> path_odom;  ///< as path.hpp makes it, from the robot on
 };
 
 }  // namespace topo::pipeline

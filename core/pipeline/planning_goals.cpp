@@ -78,8 +78,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (!goal) return;
   const types::Vector2 here = T_map_base.se2().translation();
   const bool about_this = in.control->goal_id == goal_id;
-  if (about_this && in.control->mode == ControlMode::kStuck && blamed_goal != goal_id) {
-    blamed_goal = goal_id;
+  if (about_this && in.control->mode == ControlMode::kStuck) {
     blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
     give_up(in, "stuck on the way");
     return;

@@ -103,7 +103,6 @@ struct PlanningState::Impl {
   std::vector<Blocked> blocked;  ///< where the robot got stuck on something that no laser sees
   std::vector<Blocked> echoes;   ///< where sonar hears what no laser sees
   types::Stamp forgotten{};
-  std::uint64_t blamed_goal = 0;
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;
   std::vector<types::Vector2> route;  ///< to the target, in map

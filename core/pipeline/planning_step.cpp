@@ -25,6 +25,8 @@ constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
 constexpr double kCorrection_rad = 0.03;
 constexpr double kLookAhead_m = 3.0;
+/// Farther than that along its path no robot gets between two looks at it.
+constexpr auto kNearPoints = static_cast<std::size_t>(kLookAhead_m / kPathSpacing_m);
 
 bool corrected(const types::Transform2<types::Map, types::Odom>& before,
                const types::Transform2<types::Map, types::Odom>& now) {
@@ -34,7 +36,7 @@ bool corrected(const types::Transform2<types::Map, types::Odom>& before,
 
 /// Index of the point of the path's beginning that is nearest to the robot.
 std::size_t nearest_point(const std::vector<types::Vector2>& path, const types::Vector2& here) {
-  const auto end = path.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(path.size(), 30));
+  const auto end = path.begin() + static_cast<std::ptrdiff_t>(std::min(path.size(), kNearPoints));
   const auto nearest = std::min_element(path.begin(), end, [&](const auto& a, const auto& b) {
     return (a - here).squaredNorm() < (b - here).squaredNorm();
   });
@@ -131,8 +133,7 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
   if ((route.back() - here).norm() <= params.goal_reached_m) return false;
   const std::size_t from = nearest_point(route, here);
   if ((route[from] - here).norm() > kOffRoute_m) return false;
-  const auto ahead = static_cast<std::ptrdiff_t>(
-      std::min(route.size(), from + static_cast<std::size_t>(kLookAhead_m / 0.1)));
+  const auto ahead = static_cast<std::ptrdiff_t>(std::min(route.size(), from + kNearPoints));
   const double closed_m = params.travel.radius_m - map.resolution_m;
   for (const types::Vector2& obstacle : seen_now(in)) {
     if ((obstacle - here).norm() <= closed_m) continue;  // there already

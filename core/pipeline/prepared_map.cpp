@@ -119,18 +119,18 @@ void apply_limits(DenseMap& map, const motion::AreaLimits& limits) {
   for (const motion::Polygon& polygon : limits.keep_out) occupy(map, polygon, false);
 }
 
-DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limits, double robot_radius_m) {
+DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limits, double route_radius_m) {
   constexpr int kReach = 3;  // 0.15 m to either side: the spacing of 0.25 degrees at 30 m
   constexpr int kMargin = 2 * kReach;
   DenseMap map = grid::dense_map(snapshot.grid, kMargin);
   occupy_faint(map, snapshot.grid);
   close_gaps(map, kReach);
   constexpr double kInner =
-      0.7;  // of the swing disc: the part that the robot's outline fills whichever way it faces
+      0.7;  // of the route's disc: the part that the robot's outline fills whichever way it faces
   for (const KeyframePose& keyframe : snapshot.keyframes) {
     const Vector2 centre = keyframe.T_map_base.se2().translation();
-    free_disc(map, centre, robot_radius_m);
-    free_trail(map, snapshot.grid, centre, kInner * robot_radius_m);
+    free_disc(map, centre, route_radius_m);
+    free_trail(map, snapshot.grid, centre, kInner * route_radius_m);
   }
   apply_limits(map, limits);
   return map;

@@ -34,9 +34,10 @@ void free_trail(grid::DenseMap& map, const grid::OccupancyGrid& grid, const type
 /// Cells outside of the limits become occupied: no way leads there and nothing behind them is missed.
 void apply_limits(grid::DenseMap& map, const motion::AreaLimits& limits);
 
-/// All of it for a snapshot. `robot_radius_m` is the swing radius.
+/// All of it for a snapshot. `route_radius_m` is what a route keeps free around the robot's centre
+/// (grid::TravelRules::radius_m: the swing radius and some more).
 grid::DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limits,
-                           double robot_radius_m);
+                           double route_radius_m);
 
 /// End points of a scan within `range_max_m`, in map, that a neighbouring beam confirms: a lone point is a
 /// mixed pixel as often as not.
