@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/goals/frontiers.hpp"
+#include <iterator>
 
 namespace topo::pipeline {
 namespace {
@@ -14,6 +13,7 @@ constexpr double kGoalReach_m = 0.6;      // a goal whose own cell is closed by 
 constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
 constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
 
+constexpr double kAtHand_m = 9.0, kLongWay_m = 16.0;
 constexpr double kTurnCost_m_per_rad = 1.0;  // stopping, turning on the spot and speeding up again
 constexpr std::size_t kBeginning = 20;       // cells that say in which direction a route begins: 1 m
 
@@ -32,13 +32,13 @@ double turn_cost_m(const grid::DenseMap& map, const grid::TravelField& field, gr
 
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     const types::Se2& T_map_base, types::Stamp now, int& unreachable) {
+                                     const types::Se2& T_map_base, types::Stamp now, bool& cut_off) {
   std::vector<Candidate> candidates;
   for (const goals::Goal& goal : goals) {
     if (given_up.hold(goal.p_map, now)) continue;
     const auto cell = grid::nearest_reachable(map, field, map.cell_at(goal.p_map), kGoalReach_m);
     if (!cell) {
-      ++unreachable;
+      cut_off = true;
       continue;
     }
     const double way_m = static_cast<double>(field.cost_m[map.index(*cell)]);
@@ -48,10 +48,8 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
 }
 
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        double width_min_m, int& clusters) {
+                                        std::span<const goals::Frontier> frontiers) {
   std::vector<goals::Goal> found;
-  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, width_min_m);
-  clusters = static_cast<int>(frontiers.size());
   for (const goals::Frontier& frontier : frontiers) {
     const auto cell = goals::approach_cell(map, frontier, field, kFrontierReach_m);
     if (!cell) continue;
@@ -62,6 +60,16 @@ std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::T
     found.push_back(goal);
   }
   return found;
+}
+
+bool is_far_from_all(std::span<const Candidate> candidates) {
+  return std::none_of(candidates.begin(), candidates.end(),
+                      [](const Candidate& c) { return c.cost_m < kLongWay_m; });
+}
+
+void add_gaps_at_hand(std::span<const Candidate> gaps, std::vector<Candidate>& candidates) {
+  std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(candidates),
+               [](const Candidate& gap) { return gap.cost_m <= kAtHand_m; });
 }
 
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/goals/frontiers.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/wavefront.hpp"
 #include "core/pipeline/given_up_goals.hpp"
@@ -19,16 +20,22 @@ struct Candidate {
   double cost_m = 0.0;
 };
 
-/// Goals that can be reached and are not put off, in the order given. `unreachable` counts those left out
-/// because no way leads there now.
+/// Goals that can be reached and are not put off, in the order given. `cut_off` becomes true when one is left
+/// out because no way leads there now.
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     const types::Se2& T_map_base, types::Stamp now, int& unreachable);
+                                     const types::Se2& T_map_base, types::Stamp now, bool& cut_off);
 
-/// Frontiers that a robot can get to as goals; the second phase's, and the baseline's. `clusters` counts all
-/// that are `width_min_m` wide, reachable or not.
+/// Those frontiers that a robot can get to, as goals; the second phase's, and the baseline's.
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        double width_min_m, int& clusters);
+                                        std::span<const goals::Frontier> frontiers);
+
+/// Is there nothing to do but after a long way? Then gaps are worth looking at.
+bool is_far_from_all(std::span<const Candidate> candidates);
+
+/// Before a long way to the next essential goal the gaps at hand come first: a robot that has to come back
+/// for one of them goes the long way twice more. Takes those into candidates that are far from all.
+void add_gaps_at_hand(std::span<const Candidate> gaps, std::vector<Candidate>& candidates);
 
 /// The candidate that a present goal has become: goals recede as the map grows (paper section III).
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iterator>
 
 #include "core/pipeline/planning_state.hpp"
 
@@ -39,17 +38,6 @@ std::string description(const goals::Goal& goal) {
   if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
   text += goal.place != 0 ? "place " + std::to_string(goal.place) : "frontier";
   return text + ", opening " + metres(goal.opening_m);
-}
-
-/// Before a long way to the next essential goal the gaps at hand come first: a robot that has to come back
-/// for one of them goes the long way twice more.
-void add_gaps_at_hand(const std::vector<Candidate>& gaps, std::vector<Candidate>& candidates) {
-  constexpr double kAtHand_m = 9.0, kLongWay_m = 16.0;
-  const bool near = std::any_of(candidates.begin(), candidates.end(),
-                                [](const Candidate& c) { return c.cost_m < kLongWay_m; });
-  if (near) return;
-  std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(candidates),
-               [](const Candidate& gap) { return gap.cost_m <= kAtHand_m; });
 }
 
 }  // namespace
@@ -99,26 +87,25 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
-std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in, int& unreachable) {
+std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in, bool& cut_off) {
   const bool essential = params.strategy == Strategy::kTopometric;
-  std::vector<goals::Goal> frontiers = frontier_goals(map, field, params.frontier_min_m, clusters);
-  // The places may be those of an older map.
-  for (goals::Goal& frontier : frontiers) frontier.place = place_at(*analysis, frontier.p_map);
-  std::vector<Candidate> candidates;
+  const auto among = [&](const std::vector<goals::Goal>& goals) {
+    return candidates_of(goals, map, field, given_up, T_map_base.se2(), in.now, cut_off);
+  };
+  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
+  clusters = static_cast<int>(frontiers.size());
   second_phase = false;
-  if (essential) {
-    candidates =
-        candidates_of(analysis->goals.goals, map, field, given_up, T_map_base.se2(), in.now, unreachable);
-  }
-  if (!essential || params.finish == Finish::kComplete) {
-    std::vector<Candidate> gaps =
-        candidates_of(frontiers, map, field, given_up, T_map_base.se2(), in.now, unreachable);
-    if (candidates.empty()) {
-      second_phase = essential;
-      return gaps;
-    }
-    add_gaps_at_hand(gaps, candidates);
-  }
+  std::vector<Candidate> candidates;
+  if (essential) candidates = among(analysis->goals.goals);
+  const bool fills_gaps = !essential || params.finish == Finish::kComplete;
+  if (!fills_gaps || !is_far_from_all(candidates)) return candidates;
+  std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers);
+  // The places may be those of an older map.
+  for (goals::Goal& opening : openings) opening.place = place_at(*analysis, opening.p_map);
+  std::vector<Candidate> gaps = among(openings);
+  second_phase = essential && candidates.empty();
+  if (candidates.empty()) return gaps;
+  add_gaps_at_hand(gaps, candidates);
   return candidates;
 }
 
@@ -133,13 +120,13 @@ void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& ca
 }
 
 /// What to do when no goal is in reach: not at once the end, since a person may stand in a doorway.
-void PlanningState::Impl::run_dry(const PlanningInput& in, int unreachable) {
+void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
   has_target = false;
   activity = Activity::kThinking;
   if (nothing_since == types::Stamp{}) nothing_since = in.now;
-  if (unreachable > 0 && forget_unseen(in)) {
+  if (cut_off && forget_unseen(in)) {
     reason = "no way to the goals left: what only sonar heard is forgotten";
-  } else if (unreachable > 0 && in.now - nothing_since < kPatience) {
+  } else if (cut_off && in.now - nothing_since < kPatience) {
     reason = "no way to the goals left just now";
   } else if (given_up.call_back(in.now)) {
     reason = "only goals given up before are left: they are tried again";
@@ -153,8 +140,8 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, int unreachable) {
 
 void PlanningState::Impl::explore(const PlanningInput& in) {
   if (!returning) settle_goal(in);
-  int unreachable = 0;
-  const std::vector<Candidate> candidates = find_candidates(in, unreachable);
+  bool cut_off = false;
+  const std::vector<Candidate> candidates = find_candidates(in, cut_off);
   open_goals.clear();
   for (const Candidate& c : candidates) open_goals.push_back(c.goal);
   if (returning) {
@@ -173,7 +160,7 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   const std::uint16_t here = goal ? goal->place : std::uint16_t{0};
   const Candidate* best =
       choose(candidates, present, params.switch_gain, second_phase ? here : std::uint16_t{0});
-  if (best == nullptr) return run_dry(in, unreachable);
+  if (best == nullptr) return run_dry(in, cut_off);
   nothing_since = {};
   ++decisions_made;
   clusters_sum += static_cast<std::uint64_t>(clusters);

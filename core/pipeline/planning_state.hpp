@@ -43,9 +43,9 @@ struct PlanningState::Impl {
 
   // Where to (planning_goals.cpp).
   void explore(const PlanningInput& in);
-  void run_dry(const PlanningInput& in, int unreachable);
+  void run_dry(const PlanningInput& in, bool cut_off);
   void settle_goal(const PlanningInput& in);
-  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in, int& unreachable);
+  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in, bool& cut_off);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void go_home(const PlanningInput& in, std::string why);
   void go_to(const PlanningInput& in);

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/grid/distance.hpp"
+#include "tests/unit/core/pipeline/drawn_map.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -34,6 +37,46 @@ TEST(Choose, thePresentGoalStaysUntilAnotherIsMuchCheaper) {
 TEST(Choose, gapsOfOnePlaceAreFilledBeforeTheNext) {
   const std::vector<Candidate> candidates{candidate(0.0, 5.0, 7), candidate(10.0, 3.0, 8)};
   EXPECT_EQ(choose(candidates, nullptr, 0.8, 7), &candidates[0]);
+}
+
+TEST(AddGapsAtHand, onlyBeforeALongWayAndOnlyThoseAtHand) {
+  EXPECT_TRUE(is_far_from_all({}));
+  EXPECT_FALSE(is_far_from_all(std::vector{candidate(0.0, 30.0), candidate(0.0, 15.9)}));
+  std::vector<Candidate> candidates{candidate(0.0, 30.0), candidate(1.0, 16.0)};
+  ASSERT_TRUE(is_far_from_all(candidates));
+  add_gaps_at_hand(std::vector{candidate(2.0, 9.1), candidate(3.0, 9.0), candidate(4.0, 20.0)}, candidates);
+  ASSERT_EQ(candidates.size(), 3U);
+  EXPECT_EQ(candidates[2].goal.p_map.x(), 3.0);
+  EXPECT_EQ(choose(candidates, nullptr, 0.8, 0), &candidates[2]) << "the gap comes first";
+}
+
+/// A room of 3 by 2 m, free but for a wall between its halves.
+grid::DenseMap two_rooms() {
+  std::vector<std::string> rows(20, std::string(30, '.'));
+  for (std::string& row : rows) row[15] = '#';
+  return drawn_map(rows, 0.1);
+}
+
+TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
+  const grid::DenseMap map = two_rooms();
+  const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const grid::TravelField field =
+      grid::travel_field(map, clearance, map.cell_at({0.7, 1.0}), grid::TravelRules{});
+  goals::Goal here, beyond;
+  here.p_map = {0.7, 1.5};
+  beyond.p_map = {2.5, 1.0};
+  GivenUpGoals given_up;
+  const types::Se2 robot{0.7, 1.0, 0.0};
+  bool cut_off = false;
+  const std::vector<goals::Goal> one{here}, both{here, beyond};
+  EXPECT_EQ(candidates_of(one, map, field, given_up, robot, kNow, cut_off).size(), 1U);
+  EXPECT_FALSE(cut_off);
+  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
+  EXPECT_TRUE(cut_off);
+  cut_off = false;
+  given_up.add(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
+  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
+  EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
 
 TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
