@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/motion/path_follower.hpp"
 #include "core/motion/recovery.hpp"
@@ -62,6 +63,12 @@ bool is_touching(const types::BaseState& b) {
   return b.bumpers_front != 0 || b.bumpers_rear != 0 || b.stall_left || b.stall_right;
 }
 
+/// The middle of the outline's end that touches.
+types::Vector2 touched_end(const types::BaseState& b, const motion::Footprint& outline) {
+  const bool behind = b.bumpers_rear != 0 && b.bumpers_front == 0;
+  return {behind ? -outline.rear_m : outline.front_m, 0.0};
+}
+
 ControlMode mode_of(RecoveryPhase phase) {
   switch (phase) {
     case RecoveryPhase::kNone:
@@ -93,11 +100,15 @@ struct ControlState::Impl {
   std::uint64_t arrived_goal = 0;
   types::Vector2 arrived_at{0.0, 0.0};
   bool arrived = false;
+  bool touching = false;  ///< in the last period
+  std::uint32_t touches = 0;
+  types::Vector2 touched_odom{0.0, 0.0};
   std::array<types::Vector2, kObstaclesMax> obstacles{};
 
   [[nodiscard]] motion::GateInput gate_input(const ControlSetup& setup, const ControlInput& in) const;
   [[nodiscard]] std::optional<Se2> place(const ControlSetup& setup, const ControlInput& in) const;
   void drive_on(const ControlInput& in);
+  void count_touches(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] bool may_follow(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] Wish wish(const ControlSetup& setup, const ControlInput& in,
                           const motion::GateInput& gate_in);
@@ -155,6 +166,14 @@ void ControlState::Impl::drive_on(const ControlInput& in) {
   if (in.state == nullptr || in.state->odometry.stamp == trail_stamp || !motion::is_finite(*in.state)) return;
   trail_stamp = in.state->odometry.stamp;
   trail.update(in.state->odometry.T_odom_base.se2());
+}
+
+void ControlState::Impl::count_touches(const ControlSetup& setup, const ControlInput& in) {
+  if (in.state == nullptr || !motion::is_finite(*in.state)) return;
+  const bool before = std::exchange(touching, is_touching(*in.state));
+  if (before || !touching) return;
+  ++touches;
+  touched_odom = in.state->odometry.T_odom_base.se2() * touched_end(*in.state, setup.limits.footprint);
 }
 
 /// After an e-stop the plan has to have stood, or to be about another goal, before it may move the robot.
@@ -272,6 +291,7 @@ void ControlState::Impl::latch(const ControlInput& in) {
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input) {
   ControlState::Impl& memory = *state.impl_;
   memory.drive_on(input);
+  memory.count_touches(setup, input);
   motion::GateInput gate_in = memory.gate_input(setup, input);
   const Wish wish = memory.wish(setup, input, gate_in);
   if (wish.moving) memory.wanted_at = input.now;
@@ -294,12 +314,13 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   report.commanded = out.command.twist;
   report.free_distance_m = out.free_distance_m;
   report.recoveries = memory.recovery.begun();
+  report.touches = memory.touches;
+  report.touched_odom = memory.touched_odom;
   if (input.state != nullptr) {
     const types::BaseState& base = *input.state;
     report.odometry = base.odometry;
     report.base_ready =
         is_fresh(base.arrival, input.now, setup.limits.status_age_max) && motion::is_finite(base);
-    report.bumped = is_touching(base);
     report.battery_v = base.battery_v;
     report.state_of_charge = base.state_of_charge;
     report_unseen(gate_in, report);

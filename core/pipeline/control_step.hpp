@@ -62,7 +62,11 @@ struct ControlReport {
   types::Odometry odometry;  ///< newest
   bool base_ready = false;   ///< status packets are fresh and sane
   bool estop_latched = false;
-  bool bumped = false;  ///< in this period a bumper was pressed or a wheel stalled
+  /// Times since the start that a bumper was pressed or a wheel stalled. Planning looks less often than
+  /// control: a count loses no press between two looks.
+  std::uint32_t touches = 0;
+  types::Vector2 touched_odom{0.0,
+                              0.0};  ///< where the outline touched last; without meaning before the first
   float battery_v = 0.0F;
   float state_of_charge = -1.0F;  ///< 0..1; negative: not reported
   types::Twist2 commanded;

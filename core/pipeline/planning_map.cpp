@@ -45,21 +45,34 @@ constexpr types::Duration kEchoFor = std::chrono::minutes(10);
 
 }  // namespace
 
+/// Something that no laser sees, noticed so many times.
+void PlanningState::Impl::remember_unseen(const types::Vector2& p_map, int times, types::Stamp until) {
+  const auto same = std::find_if(echoes.begin(), echoes.end(), [&](const Blocked& b) {
+    return (b.p_map - p_map).squaredNorm() <= kSameEcho_m * kSameEcho_m;
+  });
+  if (same != echoes.end()) {
+    same->times += times;
+    same->until = until;
+  } else if (echoes.size() < kEchoesMax) {
+    echoes.push_back({p_map, until, times});
+  }
+}
+
+void PlanningState::Impl::remember_touches(const PlanningInput& in) {
+  if (in.control->touches == touches) return;
+  touches = in.control->touches;
+  const types::Vector2 p_map = T_map_odom.se2() * in.control->touched_odom;
+  remember_unseen(p_map, kEchoTimes, in.now + kEchoFor);  // a touch is no reflection
+  note(in, p_map, "touched something here");
+  thought = {};
+}
+
 void PlanningState::Impl::remember_echoes(const PlanningInput& in) {
   const auto expired = [&](const Blocked& b) { return b.until <= in.now; };
   std::erase_if(echoes, expired);
   for (std::size_t i = 0; i < std::min<std::size_t>(in.control->unseen, in.control->unseen_odom.size());
        ++i) {
-    const types::Vector2 p_map = T_map_odom.se2() * in.control->unseen_odom[i];
-    const auto same = std::find_if(echoes.begin(), echoes.end(), [&](const Blocked& b) {
-      return (b.p_map - p_map).squaredNorm() <= kSameEcho_m * kSameEcho_m;
-    });
-    if (same != echoes.end()) {
-      ++same->times;
-      same->until = in.now + kEchoFor;
-    } else if (echoes.size() < kEchoesMax) {
-      echoes.push_back({p_map, in.now + kEchoFor, 1});
-    }
+    remember_unseen(T_map_odom.se2() * in.control->unseen_odom[i], 1, in.now + kEchoFor);
   }
 }
 

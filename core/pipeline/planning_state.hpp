@@ -32,7 +32,9 @@ struct PlanningState::Impl {
   void refresh_map(const PlanningInput& in);
   void refresh_analysis(const PlanningInput& in);
   void refresh_travel(const PlanningInput& in);
+  void remember_unseen(const types::Vector2& p_map, int times, types::Stamp until);
   void remember_echoes(const PlanningInput& in);
+  void remember_touches(const PlanningInput& in);
   /// When no way is left: what only sonar heard, or what the robot got stuck on, may have been wrong. False
   /// when there is nothing to forget, or it was done lately.
   bool forget_unseen(const PlanningInput& in);
@@ -101,7 +103,8 @@ struct PlanningState::Impl {
     int times = 1;  ///< how often something was noticed there
   };
   std::vector<Blocked> blocked;  ///< where the robot got stuck on something that no laser sees
-  std::vector<Blocked> echoes;   ///< where sonar hears what no laser sees
+  std::vector<Blocked> echoes;   ///< where sonar hears, or the robot touched, what no laser sees
+  std::uint32_t touches = 0;     ///< of control's count, those remembered
   types::Stamp forgotten{};
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;

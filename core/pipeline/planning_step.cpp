@@ -229,6 +229,7 @@ PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   } else {
     watch_battery(in);
     remember_echoes(in);
+    remember_touches(in);
     if (mission.paused && !ended) {
       activity = Activity::kPaused;
       reason = "paused by the operator";

@@ -199,6 +199,26 @@ TEST_F(ControlStepTest, AFreshPlanWithoutAPlaceIsNoPlace) {
   EXPECT_GT(fresh().command.twist.v_mps, 0.0) << "by the plan, located";
 }
 
+TEST_F(ControlStepTest, EveryTouchIsCountedOnceWithItsPlace) {
+  state.odometry.T_odom_base = {1.0, 2.0, 0.0};
+  EXPECT_EQ(run(3).report.touches, 0U);
+  state.bumpers_front = 4;
+  EXPECT_EQ(run(1).report.touches, 1U);
+  EXPECT_EQ(run(5).report.touches, 1U) << "one press, however long";
+  state.bumpers_front = 0;
+  const ControlReport later = run(20).report;
+  EXPECT_EQ(later.touches, 1U) << "and not forgotten when it is over";
+  EXPECT_NEAR(later.touched_odom.x(), 1.0 + setup.limits.footprint.front_m, 1e-9);
+  state.bumpers_rear = 1;
+  const ControlReport behind = run(1).report;
+  EXPECT_EQ(behind.touches, 2U);
+  EXPECT_NEAR(behind.touched_odom.x(), 1.0 - setup.limits.footprint.rear_m, 1e-9);
+  state.bumpers_rear = 0;
+  run(1);
+  state.stall_left = true;
+  EXPECT_EQ(run(1).report.touches, 3U);
+}
+
 TEST_F(ControlStepTest, AllocatesNothing) {
   Plan plan = plan_ahead(now);
   input.plan = &plan;

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/unit/core/pipeline/toy_building.hpp"
 
 namespace topo::pipeline {
@@ -229,6 +231,31 @@ TEST(PlanningStep, standsWhileItIsLostAndGoesOnWhenAScanMatches) {
     building.tracked().matched = i % 4 == 3;
     EXPECT_TRUE(building.run_period(state, mission).plan.located) << i;
   }
+}
+
+/// Least distance of the plan's way to a point.
+double distance_to_plan_m(const Plan& plan, const types::Vector2& p) {
+  double least_m = HUGE_VAL;
+  for (std::size_t i = 0; i < plan.points; ++i) least_m = std::min(least_m, (plan.path_odom[i] - p).norm());
+  return least_m;
+}
+
+TEST(PlanningStep, whatWasTouchedBetweenTwoLooksIsGoneRound) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const types::Vector2 start = building.robot(), post = start + types::Vector2(2.0, 0.0);
+  const Mission mission{1, Order::kGoTo, false, start + types::Vector2(5.0, 0.0)};
+  PlanningOutput out = building.run_period(state, mission);
+  ASSERT_LT(distance_to_plan_m(out.plan, post), 0.1);
+  building.control().touches = 1;  // pressed and released: nothing else tells of it
+  building.control().touched_odom = post;
+  out = building.run_period(state, mission);
+  EXPECT_TRUE(out.plan.moving);
+  EXPECT_GT(distance_to_plan_m(out.plan, post), 0.3);
+  EXPECT_THAT(out.report->decisions.back().text, HasSubstr("touched"));
+  for (int i = 0; i < 3; ++i) out = building.run_period(state, mission);
+  EXPECT_GT(distance_to_plan_m(out.plan, post), 0.3) << "once is remembered";
+  EXPECT_EQ(out.report->decisions.size(), 1U);
 }
 
 TEST(PlanningStep, goesWhereTheOperatorSays) {
