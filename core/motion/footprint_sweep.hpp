@@ -20,6 +20,40 @@ double contact_time_s(const types::Vector2& p_base, const types::Twist2& twist, 
 double contact_time_with_margin_s(const types::Vector2& p_base, const types::Twist2& twist,
                                   const Footprint& footprint, double margin_m);
 
+/// The first contact of one motion with any of many points. Most need no look: the robot's centre goes |v| a
+/// second, so what is farther off than that until the first contact known, plus the footprint's reach, cannot
+/// come sooner.
+class FirstContact {
+ public:
+  /// `reach_m` of the footprint with its margin; nothing after `until_s` is looked for.
+  FirstContact(const types::Twist2& twist, double reach_m, double until_s = kNever_s)
+      : speed_mps_(std::abs(twist.v_mps)), reach_m_(reach_m), first_s_(until_s) {
+    look_as_far_as_needed();
+  }
+  /// `contact_s()` is when the motion touches p_base; only called when it may matter.
+  template <class Contact>
+  void offer(const types::Vector2& p_base, Contact contact_s) {
+    if (p_base.squaredNorm() > square_m2_) return;
+    const double at_s = contact_s();
+    if (!(at_s < first_s_)) return;
+    first_s_ = at_s;
+    look_as_far_as_needed();
+  }
+  /// The first contact, or until_s.
+  [[nodiscard]] double seconds() const { return first_s_; }
+
+ private:
+  void look_as_far_as_needed() {
+    constexpr double kRounding_m = 1e-6;
+    const double way_m = speed_mps_ > 0.0 ? speed_mps_ * first_s_ : 0.0;
+    const double far_m = reach_m_ + way_m + kRounding_m;
+    square_m2_ = far_m * far_m;
+  }
+
+  double speed_mps_, reach_m_, first_s_;
+  double square_m2_ = kNever_s;
+};
+
 bool contains(const Footprint& footprint, const types::Vector2& p_base);
 
 }  // namespace topo::motion

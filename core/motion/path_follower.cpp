@@ -41,10 +41,11 @@ double way_m(double v0, double v1, double acceleration, double time_s) {
 
 double free_turn_rad(double sign, const FollowInput& in) {
   const RobotLimits& l = *in.limits;
-  double free = kNever_s;
+  const Twist2 spin{0.0, sign};
+  FirstContact first(spin, reach_m(grown(l.footprint, l.turn_margin_m)));
   for (const Vector2& p : in.obstacles_base)
-    free = std::min(free, contact_time_with_margin_s(p, {0.0, sign}, l.footprint, l.turn_margin_m));
-  return free;
+    first.offer(p, [&] { return contact_time_with_margin_s(p, spin, l.footprint, l.turn_margin_m); });
+  return first.seconds();
 }
 
 }  // namespace
@@ -99,19 +100,25 @@ double PathFollower::speed_on(double curvature, double margin_m, const FollowInp
   if (curvature != 0.0)
     v_mps = std::min(v_mps, std::min(rules_.omega_max_radps, l.omega_max_radps) / std::abs(curvature));
   const double blind_s = kBlindSlack * in.blind_s;
-  double free_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);  // more changes nothing
+  const double enough_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);
+  const Twist2 arc{1.0, curvature};  // seconds are metres
+  FirstContact first(arc, reach_m(grown(l.footprint, margin_m)), enough_m);
   for (const Vector2& p : in.obstacles_base)
-    free_m = std::min(free_m, contact_time_with_margin_s(p, {1.0, curvature}, l.footprint, margin_m));
-  return std::min(v_mps, stoppable_mps(free_m, blind_s, l.deceleration_mps2));
+    first.offer(p, [&] { return contact_time_with_margin_s(p, arc, l.footprint, margin_m); });
+  return std::min(v_mps, stoppable_mps(first.seconds(), blind_s, l.deceleration_mps2));
 }
 
 /// What the gate leaves because a wheel may slip, on arcs as the last one.
 double PathFollower::slip_speed_mps(const FollowInput& in) const {
   const RobotLimits& l = *in.limits;
   double free_m = kNever_s;
-  for (const double slip : {l.slip_curvature_per_m, -l.slip_curvature_per_m})
+  for (const double slip : {l.slip_curvature_per_m, -l.slip_curvature_per_m}) {
+    const Twist2 arc{1.0, last_curvature_ + slip};
+    FirstContact first(arc, reach_m(l.footprint), free_m);
     for (const Vector2& p : in.obstacles_base)
-      free_m = std::min(free_m, contact_time_s(p, {1.0, last_curvature_ + slip}, l.footprint));
+      first.offer(p, [&] { return contact_time_s(p, arc, l.footprint); });
+    free_m = first.seconds();
+  }
   if (!std::isfinite(free_m)) return l.v_max_mps;
   return std::max(l.v_beside_mps, stoppable_mps(free_m, kBlindSlack * in.alive_s, l.deceleration_mps2));
 }

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/motion/footprint_sweep.hpp"
+#include "core/types/beam_directions.hpp"
 
 namespace topo::motion {
 namespace {
@@ -19,7 +21,8 @@ constexpr types::Duration kSonarAgeMax = std::chrono::milliseconds(500);  // a s
 constexpr float kLeastRange_m = 0.02F;
 
 double bearing_rad(const Scan& scan, const types::Se2& T_base_laser, std::size_t beam) {
-  return types::wrap_angle(static_cast<double>(scan.angle_rad(beam)) + T_base_laser.theta_rad);
+  const double sum_rad = static_cast<double>(scan.angle_rad(beam)) + T_base_laser.theta_rad;
+  return std::abs(sum_rad) < std::numbers::pi ? sum_rad : types::wrap_angle(sum_rad);
 }
 
 bool is_forward(const Scan& scan, const types::Se2& T_base_laser, std::size_t beam) {
@@ -74,29 +77,11 @@ bool is_mixed_pixel(const Scan& scan, std::size_t beam) {
   return apart(false) && apart(true);
 }
 
-/// Sine and cosine of equally spaced angles by turning a vector on: a beam costs no call of sin.
-class BeamDirections {
- public:
-  BeamDirections(const Scan& scan, double yaw_rad) {
-    const double first = static_cast<double>(scan.geometry.angle_min_rad) + yaw_rad;
-    const double step = static_cast<double>(scan.geometry.angle_increment_rad);
-    now_ = {std::cos(first), std::sin(first)};
-    step_ = {std::cos(step), std::sin(step)};
-  }
-  [[nodiscard]] const Vector2& now() const { return now_; }
-  void advance() {
-    now_ = {now_.x() * step_.x() - now_.y() * step_.y(), now_.x() * step_.y() + now_.y() * step_.x()};
-  }
-
- private:
-  Vector2 now_, step_;
-};
-
 /// Calls visit(point in base, in forward sector) for whatever the scan takes for an obstacle.
 template <class Visit>
 void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, Visit visit) {
   const float least_m = std::max(scan.geometry.range_min_m, kLeastRange_m);
-  BeamDirections direction(scan, T_base_laser.theta_rad);
+  types::BeamDirections direction(scan.geometry, T_base_laser.theta_rad);
   const auto point = [&](float range_m) -> Vector2 {
     return T_base_laser.translation() + static_cast<double>(range_m) * direction.now();
   };
@@ -133,11 +118,13 @@ bool is_left_behind(const Vector2& p, const RobotLimits& limits, const Surroundi
 template <class Visit>
 void for_each_scan_point(const RobotLimits& limits, const Surroundings& around, Visit visit) {
   if (around.front_scan == nullptr) return;
-  for_each_obstacle(*around.front_scan, around.T_base_laser, [&](const Vector2& p, bool forward) {
+  const auto look = [&](const Vector2& p, bool forward) {
     // Beside and behind, a hit within the outline is the robot itself.
     if (!forward && contains(limits.footprint, p)) return;
     if (!is_left_behind(p, limits, around)) visit(p);
-  });
+  };
+  if (around.points.empty()) return for_each_obstacle(*around.front_scan, around.T_base_laser, look);
+  for (const ScanPoint& point : around.points) look(point.p_base, point.forward);
 }
 
 bool is_fresh_echo(const types::SonarReading& reading, const Surroundings& around) {
@@ -174,37 +161,48 @@ double forward_valid_fraction(const Scan& scan, const types::Se2& T_base_laser) 
   return forward == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(forward);
 }
 
+std::size_t scan_points(const Scan& scan, const types::Se2& T_base_laser, std::span<ScanPoint> out) {
+  std::size_t count = 0;
+  for_each_obstacle(scan, T_base_laser, [&](const Vector2& p, bool forward) {
+    if (count < out.size()) out[count++] = {p, forward};
+  });
+  return count;
+}
+
 double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around) {
   if (!std::isfinite(twist.v_mps) || !std::isfinite(twist.omega_radps)) return 0.0;
-  double free_s = kNever_s;
   const double keep_m = margin_m(twist, limits);
   // Where the hull has just been nothing can be but newcomers: what is as near as the noise is no reason to
   // stay.
   constexpr double kNoise_m = 0.03;
   const bool along_trail = around.backing_off && twist.v_mps < 0.0;
   const Footprint slim = grown(limits.footprint, -kNoise_m);
+  FirstContact first(twist, reach_m(grown(limits.footprint, keep_m)));
   const auto shorten = [&](const Vector2& p) {
-    free_s = std::min(free_s, along_trail ? contact_time_s(p, twist, slim)
-                                          : contact_time_with_margin_s(p, twist, limits.footprint, keep_m));
+    first.offer(p, [&] {
+      return along_trail ? contact_time_s(p, twist, slim)
+                         : contact_time_with_margin_s(p, twist, limits.footprint, keep_m);
+    });
   };
   for_each_echo(limits, around, shorten);
   for_each_scan_point(limits, around, shorten);
-  return free_s;
+  return first.seconds();
 }
 
 double slip_free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around) {
   if (!(twist.v_mps > 0.0)) return kNever_s;
-  double free_s = kNever_s;
   const double turn_radps = limits.slip_curvature_per_m * twist.v_mps;
   const Twist2 left{twist.v_mps, twist.omega_radps + turn_radps};
   const Twist2 right{twist.v_mps, twist.omega_radps - turn_radps};
+  FirstContact first(twist, reach_m(limits.footprint));
   const auto shorten = [&](const Vector2& p) {
-    free_s = std::min(
-        {free_s, contact_time_s(p, left, limits.footprint), contact_time_s(p, right, limits.footprint)});
+    first.offer(p, [&] {
+      return std::min(contact_time_s(p, left, limits.footprint), contact_time_s(p, right, limits.footprint));
+    });
   };
   for_each_echo(limits, around, shorten);
   for_each_scan_point(limits, around, shorten);
-  return free_s;
+  return first.seconds();
 }
 
 std::size_t collect_obstacles(const RobotLimits& limits, const Surroundings& around, double reach_m,

@@ -14,10 +14,19 @@ namespace topo::motion {
 /// Beams within this angle of the robot's x axis are the forward sector.
 inline constexpr double kForwardSector_rad = 1.0471975511965976;  // 60 degrees
 
+/// What a beam, or a gap between beams, is taken for.
+struct ScanPoint {
+  types::Vector2 p_base{0.0, 0.0};
+  bool forward = false;  ///< of the forward sector
+};
+
 /// What stands around, from the newest raw data. Pointers and spans are borrowed for the call.
 struct Surroundings {
   const types::Scan* front_scan = nullptr;
   types::Se2 T_base_laser;
+  /// scan_points() of front_scan and T_base_laser, for those who ask several times; empty: the scan is
+  /// walked.
+  std::span<const ScanPoint> points{};
   std::span<const types::SonarReading> sonar;
   std::span<const types::Se2> T_base_sonar;  ///< as many as are known; readings without a pose are ignored
   double sonar_range_max_m = 5.0;
@@ -30,6 +39,10 @@ struct Surroundings {
 /// Part of the forward sector's beams that measured something or saw nothing within range; 0 for a scan
 /// without a beam there. Below a half the scan counts as stale (DESIGN "Motion and safety").
 double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_laser);
+
+/// The obstacles of a scan as free_time_s() takes them, the robot's own outline not yet left out. `out` has
+/// room for a point for each beam. Returns how many were written; one walk over the scan.
+std::size_t scan_points(const types::Scan& scan, const types::Se2& T_base_laser, std::span<ScanPoint> out);
 
 /// How long the robot can go on at `twist` until its footprint with the margin meets something. Zero for a
 /// twist that is not finite, kNever_s when nothing is in the way.

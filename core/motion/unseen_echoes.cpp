@@ -3,7 +3,11 @@
 #include "core/motion/unseen_echoes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+
+#include "core/types/beam_directions.hpp"
 
 namespace topo::motion {
 namespace {
@@ -23,23 +27,75 @@ bool is_usable(const types::SonarReading& echo, const Surroundings& around, doub
          range_m > kNearest_m && range_m < range_max_m;
 }
 
-/// Does the laser see anything in the echo's cone, up to the echo?
-bool is_explained(const Vector2& p_sonar, double range_m) {
-  const double distance_m = p_sonar.norm();
-  return distance_m <= range_m + kBehindEcho_m && p_sonar.x() > 0.0 &&
-         std::abs(std::atan2(p_sonar.y(), p_sonar.x())) <= kHalfCone_rad;
+/// Where a laser point explains the echo, in the sonar's frame: the beam's cone up to a little behind the
+/// echo.
+class Cone {
+ public:
+  explicit Cone(double range_m) : reach_m_(range_m + kBehindEcho_m), tan_(std::tan(kHalfCone_rad)) {}
+  [[nodiscard]] bool has(const Vector2& p_sonar) const {
+    return p_sonar.x() > 0.0 && std::abs(p_sonar.y()) <= tan_ * p_sonar.x() &&
+           p_sonar.squaredNorm() <= reach_m_ * reach_m_;
+  }
+  /// Corners of a triangle around it, the tip first.
+  [[nodiscard]] std::array<Vector2, 3> corners() const {
+    return {Vector2{0.0, 0.0}, {reach_m_, tan_ * reach_m_}, {reach_m_, -tan_ * reach_m_}};
+  }
+  /// Is a point in that triangle, or nearly?
+  [[nodiscard]] bool is_around(const Vector2& p_sonar) const {
+    constexpr double kNearly_m = 1e-3;
+    return p_sonar.x() > -kNearly_m && p_sonar.x() < reach_m_ + kNearly_m &&
+           std::abs(p_sonar.y()) < tan_ * p_sonar.x() + 2.0 * kNearly_m;
+  }
+
+ private:
+  double reach_m_, tan_;
+};
+
+struct Beams {
+  std::size_t begin = 0, end = 0;
+};
+
+double bearing_rad(const Vector2& p) { return std::atan2(p.y(), p.x()); }
+
+/// The beams that can meet the cone: between the bearings of its corners. All when the laser is within it, or
+/// when the bearings lie astride the scan's seam.
+Beams beams_towards(const Cone& cone, const types::Se2& T_sonar_laser, const types::Scan& scan) {
+  const Beams all{0, scan.beams};
+  const double step_rad = static_cast<double>(scan.geometry.angle_increment_rad);
+  if (!(step_rad > 0.0) || cone.is_around(T_sonar_laser.translation())) return all;
+  const types::Se2 T_laser_sonar = T_sonar_laser.inverse();
+  const std::array<Vector2, 3> corners = cone.corners();
+  const double first_rad = static_cast<double>(scan.geometry.angle_min_rad);
+  const double middle_rad = first_rad + 0.5 * step_rad * (scan.beams - 1);
+  const double centre_rad =
+      bearing_rad(T_laser_sonar * Vector2((corners[0] + corners[1] + corners[2]) / 3.0));
+  double low_rad = 0.0, high_rad = 0.0;
+  for (const Vector2& corner : corners) {
+    const double off_rad = types::wrap_angle(bearing_rad(T_laser_sonar * corner) - centre_rad);
+    low_rad = std::min(low_rad, off_rad);
+    high_rad = std::max(high_rad, off_rad);
+  }
+  const double from_middle_rad = types::wrap_angle(centre_rad - middle_rad);
+  if (from_middle_rad + low_rad < -std::numbers::pi || from_middle_rad + high_rad > std::numbers::pi)
+    return all;
+  const auto beam = [&](double off_rad) {
+    const double i = (middle_rad + from_middle_rad + off_rad - first_rad) / step_rad;
+    return std::clamp(i, 0.0, static_cast<double>(scan.beams));
+  };
+  return {static_cast<std::size_t>(std::floor(beam(low_rad - step_rad))),
+          static_cast<std::size_t>(std::ceil(beam(high_rad + step_rad)))};
 }
 
 bool laser_explains(const Surroundings& around, const types::Se2& T_base_sonar, double range_m) {
   const types::Se2 T_sonar_laser = T_base_sonar.inverse() * around.T_base_laser;
   const types::Scan& scan = *around.front_scan;
-  for (std::size_t i = 0; i < scan.beams; ++i) {
+  const Cone cone(range_m);
+  const Beams beams = beams_towards(cone, T_sonar_laser, scan);
+  types::BeamDirections direction(scan.geometry, T_sonar_laser.theta_rad, beams.begin);
+  for (std::size_t i = beams.begin; i < beams.end; ++i, direction.advance()) {
     if (!types::is_hit(scan.range_m[i])) continue;
     const double beam_m = static_cast<double>(scan.range_m[i]);
-    if (beam_m > range_m + 1.0) continue;  // cannot be near the echo, whatever the lever between the two
-    const double angle_rad = static_cast<double>(scan.angle_rad(i));
-    const Vector2 p_laser(beam_m * std::cos(angle_rad), beam_m * std::sin(angle_rad));
-    if (is_explained(T_sonar_laser * p_laser, range_m)) return true;
+    if (cone.has(T_sonar_laser.translation() + beam_m * direction.now())) return true;
   }
   return false;
 }

@@ -176,6 +176,7 @@ double blind_time_s(const GateInput& in) {
 Surroundings surroundings(const GateInput& in) {
   return {.front_scan = in.front_scan,
           .T_base_laser = in.T_base_laser,
+          .points = in.front_points,
           .sonar = in.base->sonar,
           .T_base_sonar = in.T_base_sonar,
           .now = in.now,

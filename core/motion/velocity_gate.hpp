@@ -53,6 +53,7 @@ struct GateInput {
   const types::BaseState* base = nullptr;
   const types::Scan* front_scan = nullptr;
   types::Se2 T_base_laser;
+  std::span<const ScanPoint> front_points;  ///< as Surroundings::points
   std::span<const types::Se2> T_base_sonar;
   bool estop_pressed = false;
   bool estop_cleared = false;  ///< by the operator, in this period; does nothing while something is pressed

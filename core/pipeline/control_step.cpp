@@ -104,8 +104,9 @@ struct ControlState::Impl {
   std::uint32_t touches = 0;
   types::Vector2 touched_odom{0.0, 0.0};
   std::array<types::Vector2, kObstaclesMax> obstacles{};
+  std::array<motion::ScanPoint, types::Scan::kMaxBeams> points{};
 
-  [[nodiscard]] motion::GateInput gate_input(const ControlSetup& setup, const ControlInput& in) const;
+  [[nodiscard]] motion::GateInput gate_input(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] std::optional<Se2> place(const ControlSetup& setup, const ControlInput& in) const;
   void drive_on(const ControlInput& in);
   void count_touches(const ControlSetup& setup, const ControlInput& in);
@@ -136,13 +137,15 @@ void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
 ControlState::ControlState() : impl_(std::make_unique<Impl>()) {}
 ControlState::~ControlState() = default;
 
-motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, const ControlInput& in) const {
+motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, const ControlInput& in) {
   motion::GateInput g;
   g.now = in.now;
   g.request.stamp = in.now;
   g.base = in.state;
   g.front_scan = in.front;
   g.T_base_laser = setup.T_base_laser;
+  if (in.front != nullptr)
+    g.front_points = {points.data(), motion::scan_points(*in.front, setup.T_base_laser, points)};
   g.T_base_sonar = in.T_base_sonar;
   g.estop_pressed = in.estop;
   g.estop_cleared = in.estop_cleared;

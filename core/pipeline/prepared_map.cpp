@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/types/beam_directions.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -144,12 +146,13 @@ std::vector<Vector2> confirmed_points(const types::Scan& scan, const types::Se2&
     return types::is_hit(scan.range_m[neighbour]) &&
            std::abs(scan.range_m[neighbour] - scan.range_m[i]) < kStep_m;
   };
+  types::BeamDirections direction(scan.geometry, T_map_laser.theta_rad);
   for (std::size_t i = 1; i + 1 < scan.beams; ++i) {
+    direction.advance();
     const double range_m = static_cast<double>(scan.range_m[i]);
     if (!types::is_hit(scan.range_m[i]) || range_m > range_max_m) continue;
     if (!confirmed(i, i - 1) || !confirmed(i, i + 1)) continue;
-    const double angle_rad = static_cast<double>(scan.angle_rad(i));
-    points.push_back(T_map_laser * Vector2(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad)));
+    points.emplace_back(T_map_laser.translation() + range_m * direction.now());
   }
   return points;
 }

@@ -69,5 +69,28 @@ TEST(FootprintSweep, TheMarginStopsAMotionTowardsButNotAlong) {
   EXPECT_NEAR(contact_time_with_margin_s({1.25, 0.0}, {0.5, 0.0}, kRobot, 0.05), 2.0, 1e-9);
 }
 
+TEST(FirstContact, IsThatOfAllPointsThoughItLooksAtFew) {
+  std::size_t offered = 0, looked_at = 0;
+  EXPECT_TRUE(rc::check([&] {
+    Footprint f = kRobot;
+    if (*rc::gen::arbitrary<bool>()) f.swing_radius_m = uniform(0.26, 0.45);
+    const double margin_m = uniform(0.0, 0.1);
+    const bool on_the_spot = *rc::gen::inRange(0, 4) == 0;
+    const Twist2 t{on_the_spot ? 0.0 : uniform(-1.0, 1.0), uniform(-2.0, 2.0)};
+    const double until_s = *rc::gen::arbitrary<bool>() ? kNever_s : uniform(0.0, 4.0);
+    FirstContact first(t, reach_m(grown(f, margin_m)), until_s);
+    double expected_s = until_s;
+    for (int i = 0; i < 60; ++i) {
+      const Vector2 p{uniform(-3.0, 3.0), uniform(-3.0, 3.0)};
+      const double at_s = contact_time_with_margin_s(p, t, f, margin_m);
+      expected_s = std::min(expected_s, at_s);
+      ++offered;
+      first.offer(p, [&] { return ++looked_at, at_s; });
+    }
+    RC_ASSERT(first.seconds() == expected_s);
+  }));
+  EXPECT_LT(looked_at, offered / 2);
+}
+
 }  // namespace
 }  // namespace topo::motion
