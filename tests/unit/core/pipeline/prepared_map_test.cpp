@@ -47,6 +47,66 @@ TEST(FreeDisc, takesUnknownCellsOnly) {
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"     ", "  #  ", " ... ", "  .  ", "     "}));
 }
 
+/// A grid of one tile in which some cells have counts.
+class CountedCells {
+ public:
+  CountedCells() : grid_(arena_, 0.05) {}
+  void put(grid::CellIndex cell, std::uint16_t hits, std::uint16_t misses) {
+    grid_.tile_to_change(cell.x >> 5, cell.y >> 5).cells[grid::Tile::index(cell.x & 31, cell.y & 31)] = {
+        hits, misses};
+  }
+  [[nodiscard]] const grid::OccupancyGrid& grid() const { return grid_; }
+
+ private:
+  patricia::Arena<grid::TileRef> arena_;
+  grid::OccupancyGrid grid_;
+};
+
+TEST(OccupyFaint, aTenthAndTwiceAtLeast) {
+  grid::DenseMap map = drawn_map({"......"});
+  CountedCells counted;
+  counted.put({0, 0}, 2, 18);   // a tenth
+  counted.put({1, 0}, 2, 19);   // less
+  counted.put({2, 0}, 1, 0);    // once
+  counted.put({3, 0}, 20, 20);  // half
+  counted.put({4, 0}, 0, 30);
+  counted.put({40, 0}, 9, 0);  // outside the map
+  occupy_faint(map, counted.grid());
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"#..#.."}));
+}
+
+TEST(FreeTrail, whereTheRobotStoodASuspicionIsNone) {
+  grid::DenseMap map = drawn_map({"#####"});
+  CountedCells counted;
+  counted.put({1, 0}, 2, 18);  // faint
+  counted.put({2, 0}, 18, 2);  // seen well
+  counted.put({4, 0}, 2, 18);  // faint, and not where the robot stood
+  free_trail(map, counted.grid(), map.centre_of({1, 0}), 0.06);
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"..###"}));
+}
+
+KeyframePose station(double x_m, double y_m) {
+  return {types::Stamp{}, types::Transform2<types::Map, types::Base>(x_m, y_m, 0.0)};
+}
+
+TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
+  Rows rows(20, std::string(40, '.'));
+  rows[9][6] = '#';  // (6, 10), on the way
+  const grid::DenseMap map = drawn_map(rows, 0.1);
+  std::vector<float> clearance(map.cells.size(), 0.0F);
+  clearance[map.index({7, 10})] = 0.9F;
+  const std::vector<KeyframePose> way{station(0.35, 1.05), station(1.05, 1.05), station(3.05, 1.05)};
+  keep_trail_open(map, way, 0.33, clearance);
+  for (const int x : {3, 4, 5, 8, 9, 10}) {
+    EXPECT_FLOAT_EQ(clearance[map.index({x, 10})], 0.33F) << x;
+    EXPECT_FLOAT_EQ(clearance[map.index({x, 11})], 0.33F) << x;
+    EXPECT_FLOAT_EQ(clearance[map.index({x, 12})], 0.0F) << x;
+  }
+  EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.0F) << "occupied";
+  EXPECT_FLOAT_EQ(clearance[map.index({7, 10})], 0.9F) << "never lowered";
+  EXPECT_FLOAT_EQ(clearance[map.index({20, 10})], 0.0F) << "carried from one to the next";
+}
+
 TEST(ApplyLimits, outsideAndKeepOutAreWalls) {
   grid::DenseMap map = drawn_map({"......", "......", "......", "......"}, 1.0);
   motion::AreaLimits limits;

@@ -42,6 +42,10 @@ void ToyBuilding::close(int column, int row) {
   rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = '#';
 }
 
+void ToyBuilding::open(int column, int row) {
+  rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = ' ';
+}
+
 void ToyBuilding::see(const types::Vector2& p, bool free) {
   const grid::CellIndex cell = snapshot_.grid.cell_at(p);
   const auto tile = [](std::int32_t v) { return v >> 5; };

@@ -28,8 +28,9 @@ class ToyBuilding {
   TrackedPose& tracked() { return tracked_; }
   [[nodiscard]] types::Stamp now() const { return now_; }
   [[nodiscard]] const MapSnapshot& snapshot() const { return snapshot_; }
-  /// A wall from now on.
+  /// A wall from now on, or floor.
   void close(int column, int row);
+  void open(int column, int row);
 
  private:
   [[nodiscard]] bool wall_at(const types::Vector2& p) const;

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+// When an exploration ends, and when it goes on although nothing seemed to be left.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+/// A corridor, and a hall behind a door of 1.25 m that can be shut.
+class Door : public ::testing::Test {
+ protected:
+  static std::vector<std::string> floor() {
+    std::vector<std::string> rows(10, "#" + std::string(40, ' ') + "#" + std::string(40, ' ') + "#");
+    rows.insert(rows.begin(), std::string(83, '#'));
+    rows.push_back(std::string(83, '#'));
+    rows[6][4] = 'S';
+    for (const int row : kDoorRows) rows[static_cast<std::size_t>(row)][kDoorColumn] = ' ';
+    return rows;
+  }
+  void shut() {
+    for (const int row : kDoorRows) building.close(kDoorColumn, row);
+  }
+  void unlock() {
+    for (const int row : kDoorRows) building.open(kDoorColumn, row);
+  }
+  const PlanningReport& period() {
+    out = building.run_period(state, mission);
+    return *out.report;
+  }
+  /// Until the robot is at the door and has seen some of the hall.
+  void go_to_the_door() {
+    for (int i = 0; i < 200 && building.robot().x() < kDoor_m - 2.0; ++i) period();
+    ASSERT_FALSE(out.report->mission_ended);
+    ASSERT_LT(building.robot().x(), kDoor_m - 1.0);
+  }
+
+  static constexpr int kDoorColumn = 41;
+  static constexpr std::array kDoorRows{4, 5, 6, 7, 8};  // from above and from below
+  static constexpr double kDoor_m = 0.25 * kDoorColumn;
+  static constexpr int kPatience = 12;  // periods of half a second
+
+  ToyBuilding building{floor(), 4.0};
+  PlanningState state{PlannerParams{}};
+  Mission mission{1, Order::kExplore, false, {0.0, 0.0}};
+  PlanningOutput out;
+};
+
+TEST_F(Door, shutForGoodEndsTheExplorationAfterAWhileOfPatience) {
+  go_to_the_door();
+  shut();
+  int waited = 0;
+  for (int i = 0; i < 200 && out.report->activity != Activity::kReturning; ++i) {
+    if (period().activity != Activity::kThinking) continue;
+    ++waited;
+    EXPECT_FALSE(out.plan.moving);
+    EXPECT_THAT(out.report->reason, AnyOf(HasSubstr("no way to the goals left"), HasSubstr("tried again")));
+  }
+  EXPECT_GE(waited, kPatience);
+  EXPECT_LE(waited, 2 * kPatience + 4) << "and once more, when what was given up before was tried again";
+  for (int i = 0; i < 200 && !out.report->mission_ended; ++i) period();
+  EXPECT_EQ(out.report->activity, Activity::kDone);
+  EXPECT_THAT(out.report->reason, HasSubstr("no goal is left in reach"));
+  EXPECT_LT(building.coverage(), 0.9);
+}
+
+TEST_F(Door, shutForAMomentEndsNothing) {
+  go_to_the_door();
+  shut();
+  for (int i = 0; i < kPatience - 2; ++i) EXPECT_NE(period().activity, Activity::kReturning);
+  unlock();
+  bool returned_before_all = false;
+  for (int i = 0; i < 400 && !out.report->mission_ended; ++i) {
+    period();
+    returned_before_all =
+        returned_before_all || (out.report->activity == Activity::kReturning && building.coverage() < 0.9);
+  }
+  EXPECT_FALSE(returned_before_all);
+  EXPECT_EQ(out.report->activity, Activity::kDone);
+  EXPECT_GE(building.coverage(), 0.97);
+}
+
+TEST_F(Door, openingOnTheWayHomeIsTakenUpAgain) {
+  go_to_the_door();
+  shut();
+  for (int i = 0; i < 200 && out.report->activity != Activity::kReturning; ++i) period();
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(period().activity, Activity::kReturning);
+  unlock();
+  for (int i = 0; i < 3 && out.report->activity == Activity::kReturning; ++i) period();
+  EXPECT_EQ(out.report->activity, Activity::kExploring);
+  for (int i = 0; i < 400 && !out.report->mission_ended; ++i) period();
+  EXPECT_EQ(out.report->activity, Activity::kDone);
+  EXPECT_GE(building.coverage(), 0.97);
+}
+
+TEST_F(Door, thatTeasesItForEverDoesNotKeepItOut) {
+  go_to_the_door();
+  int taken_up = 0;
+  for (int i = 0; i < 3000 && !out.report->mission_ended; ++i) {
+    const Activity before = out.report->activity;
+    period();
+    const bool explores = out.report->activity == Activity::kExploring;
+    if (before == Activity::kReturning && explores) ++taken_up;
+    if (explores && building.robot().x() > kDoor_m - 2.5) shut();
+    if (out.report->activity == Activity::kReturning && building.robot().x() < kDoor_m - 3.5) unlock();
+  }
+  EXPECT_TRUE(out.report->mission_ended);
+  EXPECT_GE(taken_up, 2);
+  EXPECT_LE(taken_up, 8);
+}
+
+}  // namespace
+}  // namespace topo::pipeline
