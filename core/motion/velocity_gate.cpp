@@ -36,13 +36,20 @@ std::optional<GateReason> request_fault(const GateInput& in) {
   return std::nullopt;
 }
 
+/// Off what touches the rear bumper: forwards, with nothing touching in front, and an operator who sees it.
+bool creeps_off(const GateInput& in) {
+  return in.base->bumpers_rear != 0 && in.by_hand && in.request.twist.v_mps > 0.0 &&
+         in.base->bumpers_front == 0;
+}
+
 std::optional<GateReason> base_fault(const GateInput& in) {
   if (in.base == nullptr || is_stale(in.base->arrival, in.now, in.limits.status_age_max))
     return GateReason::kStaleStatus;
   if (!is_finite(*in.base)) return GateReason::kInvalidStatus;
   const bool leaves = in.backing_off && in.request.twist.v_mps <= 0.0;
   if ((in.base->stall_left || in.base->stall_right) && !leaves) return GateReason::kStall;
-  if (in.base->bumpers_rear != 0 || (in.base->bumpers_front != 0 && !leaves)) return GateReason::kBumper;
+  if (in.base->bumpers_rear != 0 && !creeps_off(in)) return GateReason::kBumper;
+  if (in.base->bumpers_front != 0 && !leaves) return GateReason::kBumper;
   return std::nullopt;
 }
 
@@ -119,7 +126,9 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
     return;
   }
   const Twist2 wanted = within_limits(in.request.twist, in.limits);
-  const Twist2 next = ramped_twist(state, wanted, in);
+  Twist2 next = ramped_twist(state, wanted, in);
+  // Straight, since a turn swings the rear into what touches it; and at once, without the ramp.
+  if (creeps_off(in)) next = {std::min(next.v_mps, in.limits.v_reverse_max_mps), 0.0};
   const double blind_s = blind_time_s(in);
   const double free_s = free_time_s(next, in.limits, surroundings(in));
   out.free_distance_m = free_distance_m(next, free_s);

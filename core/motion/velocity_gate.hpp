@@ -62,6 +62,9 @@ struct GateInput {
   /// The request backs off along the way the robot came, which whoever sets this vouches for: it may leave a
   /// pressed front bumper or a stall. A rear bumper stops it all the same.
   bool backing_off = false;
+  /// The request is that of a person who sees the robot: it may creep straight forwards off a pressed rear
+  /// bumper. By itself a robot stands then: who or what is behind it, it cannot see.
+  bool by_hand = false;
   const AreaLimits* area = nullptr;      ///< null or empty: none
   std::optional<types::Se2> T_map_base;  ///< now; needed when there are area limits
 };

@@ -300,6 +300,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   if (wish.moving) memory.wanted_at = input.now;
   gate_in.request.twist = wish.twist;
   gate_in.backing_off = wish.backing_off;
+  gate_in.by_hand = wish.mode == ControlMode::kTeleop;
   gate_in.request.enable_motors =
       memory.wanted_at != types::Stamp{} && input.now - memory.wanted_at <= kMotorsLinger;
   const motion::GateOutput out = motion::gate(memory.gate, gate_in);

@@ -219,6 +219,43 @@ TEST_F(ControlStepTest, EveryTouchIsCountedOnceWithItsPlace) {
   EXPECT_EQ(run(1).report.touches, 3U);
 }
 
+TEST_F(ControlStepTest, TheHandCreepsOffAPressedRearBumperAndNothingElseMovesIt) {
+  run(40);  // at 0.3 m/s
+  state.bumpers_rear = 2;
+  drive.twist = {0.3, 0.5};
+  for (int i = 0; i < 20; ++i) {
+    const types::Twist2 twist = run(1).command.twist;
+    EXPECT_LE(twist.v_mps, setup.limits.v_reverse_max_mps);
+    EXPECT_EQ(twist.omega_radps, 0.0) << "a turn would swing the rear into it";
+    EXPECT_GT(twist.v_mps, 0.05) << i;
+  }
+  for (const types::Twist2 twist : {types::Twist2{-0.1, 0.0}, {0.0, 0.5}, {0.0, 0.0}}) {
+    drive.twist = twist;
+    EXPECT_EQ(run(1).report.reason, GateReason::kBumper);
+    EXPECT_EQ(run(1).command.twist, types::Twist2{});
+  }
+  drive.twist = {0.3, 0.0};
+  state.bumpers_front = 1;
+  EXPECT_EQ(run(2).command.twist, types::Twist2{}) << "held at both ends";
+  state.bumpers_front = 0;
+  state.stall_left = true;
+  EXPECT_EQ(run(2).command.twist, types::Twist2{});
+  state.stall_left = false;
+  scan->range_m.fill(0.25F);
+  EXPECT_EQ(run(2).command.twist, types::Twist2{}) << "the stop zone holds as ever";
+  scan->range_m.fill(10.0F);
+  input.teleop = nullptr;
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  for (int i = 0; i < 40; ++i) {
+    plan.stamp = now;
+    EXPECT_EQ(run(1).command.twist, types::Twist2{}) << "not by itself";
+  }
+  input.teleop = &drive;
+  state.bumpers_rear = 0;
+  EXPECT_GT(run(40).command.twist.v_mps, 0.25) << "and off it all is as before";
+}
+
 TEST_F(ControlStepTest, AllocatesNothing) {
   Plan plan = plan_ahead(now);
   input.plan = &plan;
