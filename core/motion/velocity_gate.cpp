@@ -89,12 +89,15 @@ double elapsed_s(const GateState& state, Stamp now) {
   return std::min(types::to_seconds(now - state.last_stamp), kElapsedMax_s);
 }
 
+/// On the wanted arc from the start: turning gets up to speed long before driving does, and a robot that
+/// begins an arc by turning on the spot turns into what the arc passes.
 Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInput& in) {
   const double dt_s = elapsed_s(state, in.now);
   const RobotLimits& l = in.limits;
-  return {ramped(state.last.v_mps, wanted.v_mps, l.acceleration_mps2, l.deceleration_mps2, dt_s),
-          ramped(state.last.omega_radps, wanted.omega_radps, l.angular_acceleration_radps2,
-                 l.angular_acceleration_radps2, dt_s)};
+  const double v_mps = ramped(state.last.v_mps, wanted.v_mps, l.acceleration_mps2, l.deceleration_mps2, dt_s);
+  const double part = wanted.v_mps != 0.0 ? std::clamp(v_mps / wanted.v_mps, 0.0, 1.0) : 1.0;
+  return {v_mps, ramped(state.last.omega_radps, part * wanted.omega_radps, l.angular_acceleration_radps2,
+                        l.angular_acceleration_radps2, dt_s)};
 }
 
 /// As slow as it takes to brake when a wheel slips, by a daemon that is alive: with the watchdog's time as
