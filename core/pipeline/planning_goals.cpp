@@ -10,7 +10,9 @@ namespace topo::pipeline {
 namespace {
 
 constexpr std::size_t kDecisionsKept = 64;
-constexpr types::Duration kStandstill = std::chrono::seconds(25);  // longer than a recovery takes
+// Two recoveries of control, waiting, backing off and turning. To say of itself that it is stuck control
+// takes up to a minute; another goal, or another way to this one, is the better use of that time.
+constexpr types::Duration kStandstill = std::chrono::seconds(25);
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
 constexpr types::Duration kPatience = std::chrono::seconds(6);
@@ -61,15 +63,19 @@ void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   goal.reset();
 }
 
+/// The robot did not get on here: whatever stands ahead, the next route goes round it.
+void PlanningState::Impl::block_ahead(const PlanningInput& in) {
+  blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
+}
+
 /// Is the present goal done with: reached, stuck on the way, no progress?
 void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (!goal) return;
   const types::Vector2 here = T_map_base.se2().translation();
   const bool about_this = in.control->goal_id == goal_id;
   if (about_this && in.control->mode == ControlMode::kStuck) {
-    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
-    give_up(in, "stuck on the way");
-    return;
+    block_ahead(in);
+    return give_up(in, "stuck on the way");
   }
   if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
@@ -83,7 +89,10 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
     progress_at = here;
     last_progress = in.now;
   }
-  if (in.now - last_progress > kStandstill) return give_up(in, "no progress");
+  if (in.now - last_progress > kStandstill) {
+    block_ahead(in);
+    return give_up(in, "no progress");
+  }
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
@@ -191,7 +200,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
   if ((p_map - here).norm() <= reached_m || (arrived && (p_map - here).norm() <= 2.0 * reached_m + 0.1))
     return end(Activity::kDone, "arrived");
   if (in.control->goal_id == goal_id && in.control->mode == ControlMode::kStuck) {
-    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
+    block_ahead(in);
     ++goal_id;  // another way, and control begins anew
   }
   if ((here - progress_at).norm() > kProgress_m) {

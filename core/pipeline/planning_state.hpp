@@ -53,6 +53,7 @@ struct PlanningState::Impl {
   void go_to(const PlanningInput& in);
   void aim(const PlanningInput& in, const types::Vector2& target, double reached_m, Activity underway);
   void give_up(const PlanningInput& in, std::string why);
+  void block_ahead(const PlanningInput& in);
   void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
   void end(Activity how, std::string why);
 
@@ -102,7 +103,7 @@ struct PlanningState::Impl {
     types::Stamp until{};
     int times = 1;  ///< how often something was noticed there
   };
-  std::vector<Blocked> blocked;  ///< where the robot got stuck on something that no laser sees
+  std::vector<Blocked> blocked;  ///< where the robot did not get on
   std::vector<Blocked> echoes;   ///< where sonar hears, or the robot touched, what no laser sees
   std::uint32_t touches = 0;     ///< of control's count, those remembered
   types::Stamp forgotten{};

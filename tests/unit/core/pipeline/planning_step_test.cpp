@@ -140,6 +140,26 @@ Outcome run_with_low_battery(const Mission& mission) {
   return run;
 }
 
+TEST(PlanningStep, withoutProgressTheGoalIsGivenUpAndThePlaceAheadGoneRound) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  for (int i = 0; i < 4; ++i) (void)building.run_period(state, mission);
+  types::Vector2 ahead(0.0, 0.0);
+  PlanningOutput out;
+  for (int i = 0; i < 60 && (i == 0 || out.report->given_up.empty()); ++i) {
+    out = building.run_period(state, mission, 0.0);  // it stands, whatever the plan
+    const auto& T = building.control().odometry.T_odom_base.se2();
+    ahead = T * types::Vector2(0.45, 0.0);
+  }
+  ASSERT_EQ(out.report->given_up.size(), 1U);
+  EXPECT_THAT(out.report->given_up.front().why, HasSubstr("no progress"));
+  out = building.run_period(state, mission, 0.0);
+  ASSERT_TRUE(out.plan.moving);
+  for (std::size_t i = 5; i < out.plan.points; ++i)
+    EXPECT_GT((out.plan.path_odom[i] - ahead).norm(), 0.2) << "half a metre on it is well beside it";
+}
+
 TEST(PlanningStep, aLowBatteryMeansHomeWithTheExplorationUnfulfilled) {
   const Outcome run = run_with_low_battery({1, Order::kExplore, false, kNowhere});
   EXPECT_EQ(run.last.report->activity, Activity::kFailed);
