@@ -57,15 +57,22 @@ void transform_lines(std::vector<float>& field, int lines, int length, std::size
   }
 }
 
-// Cells along a beam from p until its end.
-void mark_beam(const Vector2& p, double angle_rad, double range_m, const Raster& free, Raster& visible) {
-  const double step = 0.7 * free.resolution_m;
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
-  for (double r = 0.0; r < range_m; r += step) {
-    const int x = free.column(p.x() + r * c);
-    const int y = free.row(p.y() + r * s);
-    if (free.at(x, y) != 0) visible.set(x, y, 1);
+// Cells along a beam from p until its end. Hundreds of millions of steps in a building: counted in cells, so
+// that a step divides nothing.
+void mark_beam(const Vector2& p, const Vector2& direction, double range_m, const Raster& free,
+               Raster& visible) {
+  constexpr double kStep = 0.7;  // cells
+  const Vector2 from = (p - free.origin) / free.resolution_m;
+  const Vector2 step = kStep * direction;
+  const int steps = static_cast<int>(std::ceil(range_m / (kStep * free.resolution_m)));
+  // Rounded down, for what is at most one cell outside.
+  const auto cell = [](double at) { return static_cast<std::uint32_t>(static_cast<int>(at + 1.0) - 1); };
+  const auto width = static_cast<std::uint32_t>(free.width), height = static_cast<std::uint32_t>(free.height);
+  for (int k = 0; k < steps; ++k) {
+    const std::uint32_t x = cell(from.x() + k * step.x()), y = cell(from.y() + k * step.y());
+    if (x >= width || y >= height) return;  // a raster is convex: the beam does not come back
+    const std::size_t i = std::size_t{y} * width + x;
+    visible.cells[i] |= static_cast<std::uint8_t>(free.cells[i] != 0);
   }
 }
 
@@ -131,16 +138,20 @@ ReachableArea reachable_area(const World& world, const Vector2& start, double ra
   const int every = std::max(1, static_cast<int>(kSpacing_m / free.resolution_m));
   RayOptions options;
   options.range_max_m = range_max_m;
+  std::vector<Vector2> directions;
+  for (int i = 0; i < kBeams; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kBeams;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
   for (int y = 0; y < free.height; ++y) {
     for (int x = 0; x < free.width; ++x) {
       if (area.poses.at(x, y) == 0) continue;
       area.visible.set(x, y, 1);
       if (x % every != 0 || y % every != 0) continue;
       const Vector2 p = free.center(x, y);
-      for (int i = 0; i < kBeams; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / kBeams;
-        const double range = world.level_range_m(p.x(), p.y(), z_m, angle, options);
-        mark_beam(p, angle, std::min(range, range_max_m), free, area.visible);
+      for (const Vector2& d : directions) {
+        const double range = world.cast({p.x(), p.y(), z_m, d.x(), d.y(), 0.0}, options).range_m;
+        mark_beam(p, d, std::min(range, range_max_m), free, area.visible);
       }
     }
   }
