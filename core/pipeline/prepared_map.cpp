@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "core/types/beam_directions.hpp"
 
@@ -16,13 +17,61 @@ using grid::CellState;
 using grid::DenseMap;
 using types::Vector2;
 
-/// Is the nearest known cell from `from` in steps of `stride` free?
-bool sees_free(const CellState* from, std::ptrdiff_t stride, int reach) {
-  for (int i = 1; i <= reach; ++i) {
-    const CellState state = from[i * stride];
-    if (state != CellState::kUnknown) return state == CellState::kFree;
+/// Cells side by side that are looked at together, so that the compiler makes vector instructions of them.
+constexpr int kBlock = 64;
+using Block = std::array<std::uint8_t, kBlock>;
+
+/// For each of `count` cells from `from` on: is the nearest known cell in steps of `stride` free?
+void see_free(const CellState* from, int count, std::ptrdiff_t stride, int reach, Block& sees) {
+  std::fill_n(sees.begin(), count, std::uint8_t{0});
+  for (int step = reach; step >= 1; --step) {
+    const CellState* at = from + step * stride;
+    for (int x = 0; x < count; ++x) {
+      const auto free = static_cast<std::uint8_t>(at[x] == CellState::kFree);
+      const auto unknown = static_cast<std::uint8_t>(at[x] == CellState::kUnknown);
+      sees[static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>(free | (unknown & sees[static_cast<std::size_t>(x)]));
+    }
   }
-  return false;
+}
+
+/// Which of the cells are unknown and between free ones. False: none.
+bool between_free(const CellState* from, int count, std::span<const std::ptrdiff_t> strides, int reach,
+                  Block& between) {
+  Block one, other;
+  std::fill_n(between.begin(), count, std::uint8_t{0});
+  for (const std::ptrdiff_t stride : strides) {
+    see_free(from, count, stride, reach, one);
+    see_free(from, count, -stride, reach, other);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x)
+      between[x] = static_cast<std::uint8_t>(between[x] | (one[x] & other[x]));
+  }
+  std::uint8_t any = 0;
+  for (int x = 0; x < count; ++x) {
+    const auto unknown = static_cast<std::uint8_t>(from[x] == CellState::kUnknown);
+    std::uint8_t& here = between[static_cast<std::size_t>(x)];
+    here = static_cast<std::uint8_t>(here & unknown);
+    any = static_cast<std::uint8_t>(any | here);
+  }
+  return any != 0;
+}
+
+/// Are all of the cells of one state? Most of a map's blocks are unknown through and through, or known.
+bool is_all(const CellState* from, int count, CellState state) {
+  std::uint8_t other = 0;
+  for (int x = 0; x < count; ++x)
+    other = static_cast<std::uint8_t>(other | static_cast<std::uint8_t>(from[x] != state));
+  return other == 0;
+}
+
+/// Can no cell of these change: none is unknown, or all around is?
+bool is_settled(const CellState* from, int count, std::ptrdiff_t width, int reach) {
+  if (std::memchr(from, static_cast<int>(CellState::kUnknown), static_cast<std::size_t>(count)) == nullptr)
+    return true;
+  for (int y = -reach; y <= reach; ++y) {
+    if (!is_all(from + y * width - reach, count + 2 * reach, CellState::kUnknown)) return false;
+  }
+  return true;
 }
 
 /// Crossings of the horizontal line at `y_m` with a polygon's edges, in order of x.
@@ -72,17 +121,21 @@ void for_each_around(const DenseMap& map, const Vector2& centre, double radius_m
 }  // namespace
 
 void close_gaps(DenseMap& map, int reach) {
+  static_assert(sizeof(CellState) == 1);
   const int w = map.width(), h = map.height();
   const std::array<std::ptrdiff_t, 4> strides{1, w, w + 1, w - 1};
   std::vector<std::size_t> closed;
+  Block between;
   for (int y = reach; y < h - reach; ++y) {
     const CellState* row = map.cells.data() + static_cast<std::ptrdiff_t>(y) * w;
-    for (int x = reach; x < w - reach; ++x) {
-      if (row[x] != CellState::kUnknown) continue;
-      const bool between = std::any_of(strides.begin(), strides.end(), [&](std::ptrdiff_t stride) {
-        return sees_free(row + x, stride, reach) && sees_free(row + x, -stride, reach);
-      });
-      if (between) closed.push_back(static_cast<std::size_t>(row + x - map.cells.data()));
+    for (int x = reach; x < w - reach; x += kBlock) {
+      const int count = std::min(kBlock, w - reach - x);
+      if (is_settled(row + x, count, w, reach)) continue;
+      if (!between_free(row + x, count, strides, reach, between)) continue;
+      for (int i = 0; i < count; ++i) {
+        if (between[static_cast<std::size_t>(i)] != 0)
+          closed.push_back(static_cast<std::size_t>(row + x + i - map.cells.data()));
+      }
     }
   }
   for (const std::size_t index : closed) map.cells[index] = CellState::kFree;
