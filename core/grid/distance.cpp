@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace topo::grid {
@@ -107,14 +108,17 @@ class RowPass {
         envelope_(width),
         squares_(width) {}
 
-  /// `out` is zero so far.
-  void row(const Steps* steps, float* out) {
+  /// `out` is zero so far. `known` takes runs whose distances are known already: known(first, end) is true
+  /// when it has filled them in.
+  template <class Known>
+  void row(const Steps* steps, float* out, Known&& known) {
     int x = 0;
     while (x < width_) {
       while (x < width_ && steps[x] == 0) ++x;
       const int first = x;
       while (x < width_ && steps[x] != 0) ++x;
       if (first == x) break;
+      if (known(first, x)) continue;
       const bool wall_before = first > 0 || !open_outside_, wall_after = x < width_ || !open_outside_;
       envelope_.run(steps, first, x, wall_before, wall_after, squares_.data());
       metres(first, x, out);
@@ -139,28 +143,120 @@ class RowPass {
   std::vector<std::int32_t> squares_;
 };
 
-}  // namespace
-
-std::vector<float> clearance_m(const DenseMap& map, Boundary boundary) {
+/// Distances along the columns into `steps`: from below first, then from above.
+void column_pass(const DenseMap& map, bool open_outside, std::vector<Steps>& steps) {
   const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  std::vector<float> clearance(map.cells.size(), 0.0F);
-  if (clearance.empty()) return clearance;
-
-  const bool open_outside = boundary == Boundary::kOccupied;
   const std::vector<Steps> outside(width, open_outside ? kNone : Steps{0});
   const auto up = open_outside ? steps_up<Boundary::kOccupied> : steps_up<Boundary::kOccupiedOrUnknown>;
-  std::vector<Steps> steps(map.cells.size());
+  steps.resize(map.cells.size());
   for (std::size_t y = 0; y < height; ++y) {
     const Steps* below = y == 0 ? outside.data() : &steps[(y - 1) * width];
     up(&map.cells[y * width], below, &steps[y * width], width);
   }
-  RowPass pass(width, map.resolution_m, open_outside);
   for (std::size_t y = height; y-- > 0;) {
     const Steps* above = y + 1 == height ? outside.data() : &steps[(y + 1) * width];
     steps_down(above, &steps[y * width], width);
-    pass.row(&steps[y * width], &clearance[y * width]);
   }
+}
+
+}  // namespace
+
+std::vector<float> clearance_m(const DenseMap& map, Boundary boundary) {
+  std::vector<float> clearance(map.cells.size(), 0.0F);
+  if (clearance.empty()) return clearance;
+  const bool open_outside = boundary == Boundary::kOccupied;
+  const auto width = static_cast<std::size_t>(map.width());
+  std::vector<Steps> steps;
+  column_pass(map, open_outside, steps);
+  RowPass pass(width, map.resolution_m, open_outside);
+  for (std::size_t at = 0; at < clearance.size(); at += width)
+    pass.row(&steps[at], &clearance[at], [](int, int) { return false; });
   return clearance;
+}
+
+/// Distances with what they were made of.
+struct ClearanceUpdate::Version {
+  CellBox box;
+  double resolution_m = 0.0;
+  std::vector<Steps> steps;
+  std::vector<float> clearance_m;
+};
+
+struct ClearanceUpdate::Impl {
+  Version now, before;
+};
+
+namespace {
+
+/// What is still true of the version before. A run of open cells in a row lies between boundary cells; its
+/// distances depend on nothing but the distances along the columns within it.
+class Kept {
+ public:
+  template <class Version>
+  Kept(const Version& before, const DenseMap& map)
+      : box_(before.resolution_m == map.resolution_m ? before.box : CellBox{}),
+        steps_(before.steps.data()),
+        clearance_m_(before.clearance_m.data()),
+        min_x_(map.box.min.x) {}
+
+  /// Row `y` comes; `steps` are its present distances along the columns.
+  void begin_row(std::int32_t y, const Steps* steps) {
+    now_ = steps;
+    inside_ = !box_.empty() && y >= box_.min.y && y <= box_.max.y;
+    // Where the row's cell 0 is, or would be, in the array before.
+    offset_ =
+        inside_ ? (y - box_.min.y) * static_cast<std::ptrdiff_t>(box_.width()) + min_x_ - box_.min.x : 0;
+  }
+
+  /// Fills in the run [first, end) when nothing about it has changed.
+  bool fill(int first, int end, float* out) const {
+    if (!inside_ || min_x_ + first < box_.min.x || min_x_ + end - 1 > box_.max.x) return false;
+    if (!was_boundary(first - 1) || !was_boundary(end)) return false;
+    const auto count = static_cast<std::size_t>(end - first);
+    if (std::memcmp(now_ + first, steps_ + offset_ + first, count * sizeof(Steps)) != 0) return false;
+    std::memcpy(out + first, clearance_m_ + offset_ + first, count * sizeof(float));
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool was_boundary(int x) const {
+    const std::int32_t cell_x = min_x_ + x;
+    return cell_x < box_.min.x || cell_x > box_.max.x || steps_[offset_ + x] == 0;
+  }
+
+  CellBox box_;
+  const Steps* steps_;
+  const float* clearance_m_;
+  std::int32_t min_x_;
+  const Steps* now_ = nullptr;
+  bool inside_ = false;
+  std::ptrdiff_t offset_ = 0;
+};
+
+}  // namespace
+
+ClearanceUpdate::ClearanceUpdate() : impl_(std::make_unique<Impl>()) {}
+ClearanceUpdate::~ClearanceUpdate() = default;
+
+const std::vector<float>& ClearanceUpdate::clearance_m() const { return impl_->now.clearance_m; }
+
+void ClearanceUpdate::take(const DenseMap& map) {
+  std::swap(impl_->now, impl_->before);
+  Version& now = impl_->now;
+  now.box = map.box;
+  now.resolution_m = map.resolution_m;
+  now.clearance_m.assign(map.cells.size(), 0.0F);
+  if (now.clearance_m.empty()) return;
+  column_pass(map, false, now.steps);
+  const auto width = static_cast<std::size_t>(map.width());
+  RowPass pass(width, map.resolution_m, false);
+  Kept kept(impl_->before, map);
+  std::int32_t y = map.box.min.y;
+  for (std::size_t at = 0; at < now.clearance_m.size(); at += width, ++y) {
+    kept.begin_row(y, &now.steps[at]);
+    float* const out = &now.clearance_m[at];
+    pass.row(&now.steps[at], out, [&](int first, int end) { return kept.fill(first, end, out); });
+  }
 }
 
 }  // namespace topo::grid

@@ -88,7 +88,7 @@ void PlanningState::Impl::refresh_map(const PlanningInput& in) {
   if (in.map->revision == map_revision && !map.cells.empty()) return;
   map_revision = in.map->revision;
   map = prepare_map(*in.map, params.area, params.travel.radius_m);
-  clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  clearance.take(map);
   known_m2 = free_area_m2(map);
 }
 
@@ -98,8 +98,8 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   // often.
   if (analysis != nullptr && goal && in.now - analysed < kAnalysisPeriod) return;
   analysed = in.now;
-  analysis =
-      std::make_shared<const Analysis>(analyse(*in.map, map, clearance_m, visited(*in.map), params.analysis));
+  analysis = std::make_shared<const Analysis>(
+      analyse(*in.map, map, clearance.clearance_m(), visited(*in.map), params.analysis));
 }
 
 std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {
@@ -118,7 +118,7 @@ std::vector<types::Vector2> PlanningState::Impl::unseen() const {
 
 void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   std::erase_if(blocked, [&](const Blocked& b) { return b.until <= in.now; });
-  travel_clearance_m = clearance_m;
+  travel_clearance_m = clearance.clearance_m();
   lower_clearance(map, unseen(), params.travel.preferred_m, travel_clearance_m);
   keep_trail_open(map, in.map->keyframes, params.travel.radius_m, travel_clearance_m);
   lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);

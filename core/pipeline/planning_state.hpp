@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/grid/distance.hpp"
 #include "core/pipeline/goal_choice.hpp"
 #include "core/pipeline/planning_step.hpp"
 
@@ -83,7 +84,7 @@ struct PlanningState::Impl {
   // The map.
   std::uint64_t map_revision = 0;
   grid::DenseMap map;
-  std::vector<float> clearance_m;         ///< of the map alone
+  grid::ClearanceUpdate clearance;        ///< of the map alone
   std::vector<float> travel_clearance_m;  ///< and of what stands there now
   double known_m2 = 0.0;
   std::shared_ptr<const Analysis> analysis;
