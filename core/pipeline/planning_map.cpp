@@ -10,6 +10,7 @@ namespace topo::pipeline {
 namespace {
 
 constexpr types::Duration kAnalysisPeriod = std::chrono::milliseconds(900);
+constexpr types::Duration kBaselineAnalysisPeriod = std::chrono::seconds(5);
 constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
 constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again before it matters
 constexpr double kBlockedRadius_m = 0.25;
@@ -95,8 +96,9 @@ void PlanningState::Impl::refresh_map(const PlanningInput& in) {
 void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   if (analysis != nullptr && analysis->revision == map_revision) return;
   // On the way to a goal the map changes with every keyframe; the goal does not need to be looked at as
-  // often.
-  if (analysis != nullptr && goal && in.now - analysed < kAnalysisPeriod) return;
+  // often. The baseline decides nothing by places: they are for whoever looks on.
+  const auto period = params.strategy == Strategy::kTopometric ? kAnalysisPeriod : kBaselineAnalysisPeriod;
+  if (analysis != nullptr && goal && in.now - analysed < period) return;
   analysed = in.now;
   analysis = std::make_shared<const Analysis>(
       analyse(*in.map, map, clearance.clearance_m(), visited(*in.map), params.analysis));
