@@ -78,6 +78,7 @@ struct Session::Impl {
   // session_stream.cpp: scans, silence, faults
   bool on_scan(types::Scan& out);
   void fill(types::Scan& out, const SensorClock::Result& time) const;
+  bool is_late(const SensorClock::Result& time);
   void count_gap(const SensorClock::Result& time);
   void on_garbage();
   void on_stream_status();

@@ -37,6 +37,7 @@ bool Session::Impl::on_scan(types::Scan& out) {
     return false;
   }
   if (time.repeated) return false;  // it has no stamp of its own; the gap counts it as lost
+  if (is_late(time)) return false;
   bad_in_a_row = 0;
   if (++good_in_a_row >= kProvenScans) {
     ladder = 0;
@@ -47,6 +48,18 @@ bool Session::Impl::on_scan(types::Scan& out) {
   if (health != Health::kStreaming) set_health(Health::kStreaming, streaming_text());
   count_gap(time);
   fill(out, time);
+  return true;
+}
+
+/// On a line that is too slow the scans queue up, each fresh by its arrival and all of them of the past.
+/// Whoever brakes for what they show reckons with a second at most.
+bool Session::Impl::is_late(const SensorClock::Result& time) {
+  constexpr Duration kLatestMax = 1s;
+  if (time.jumped || line.arrival() - time.host <= kLatestMax) return false;
+  set_health(Health::kSilent,
+             place() + ": scans arrive more than 1 s late, the line is too slow; starting the stream anew");
+  good_in_a_row = 0;
+  probe();
   return true;
 }
 

@@ -142,6 +142,22 @@ TEST_F(SessionStream, AFrozenClockIsAFaultAndCuredByAReset) {
   EXPECT_EQ(sensor->resets, 1);
 }
 
+TEST_F(SessionStream, ScansThatComeTooLateAreNotHandedOut) {
+  types::Duration oldest{};
+  for (int i = 0; i < 40 && session->health() == Health::kStreaming; ++i) {
+    sensor->latency += 50ms;  // a queue on the line grows
+    if (run_scans(1, 300ms)) oldest = std::max(oldest, scan.arrival - scan.first_beam);
+  }
+  EXPECT_EQ(session->health(), Health::kSilent);
+  EXPECT_THAT(session->message(), HasSubstr("late"));
+  EXPECT_GT(oldest, 800ms);  // late scans are better than none
+  EXPECT_LE(oldest, 1s);
+  EXPECT_GE(sensor->count("QT"), 1);
+  sensor->latency = 500us;
+  ASSERT_TRUE(run_scans(50, 20s)) << session->message();
+  EXPECT_LT(scan.arrival - scan.first_beam, 50ms);
+}
+
 TEST_F(SessionStream, StampsFollowADriftingSensor) {
   sensor->drift_ppm = 80.0;
   double worst_s = 0.0;
