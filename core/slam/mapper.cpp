@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/slam/information.hpp"
+#include "core/slam/make_keyframe.hpp"
 #include "core/slam/search.hpp"
 
 namespace topo::slam {
@@ -76,15 +77,8 @@ bool Mapper::due(const types::Se2& T_map_base) const {
 
 void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                           walls::ColumnCollector& columns) {
-  auto keyframe = std::make_shared<Keyframe>();
-  keyframe->id = {robot_, static_cast<std::uint32_t>(keyframes_.size())};
-  keyframe->stamp = cloud.stamp;
-  keyframe->T_odom_base = T_odom_base_;
-  keyframe->sensor = cloud.sensor;
-  keyframe->hits = cloud.points;
-  keyframe->surfels = make_surfels(cloud, params_.cloud);
-  keyframe->match_points = points_;
-  keyframe->columns = columns.take(T_odom_base_.inverse());
+  auto keyframe = make_keyframe({robot_, next_sequence_++}, cloud, T_odom_base_,
+                                columns.take(T_odom_base_.inverse()), params_.cloud);
   if (!keyframes_.empty()) {
     Edge edge;
     edge.from = keyframes_.size() - 1;
@@ -132,6 +126,12 @@ void Mapper::rebuild_local_map() {
   }
   for (std::size_t i = window_first_; i < keyframes_.size(); ++i)
     local_map_.add(keyframes_[i]->surfels, poses_[i]);
+  // A resumed path is short at first: what was mapped here before helps, until the window has left that
+  // place.
+  if (window_first_ > resumed_at_) neighbours_.clear();
+  for (const std::size_t i : neighbours_) {
+    if (i < window_first_) local_map_.add(keyframes_[i]->surfels, poses_[i]);
+  }
 }
 
 }  // namespace topo::slam

@@ -9,6 +9,7 @@
 #include "core/slam/keyframe.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/slam/refine.hpp"
+#include "core/slam/session.hpp"
 #include "core/walls/column_collector.hpp"
 
 namespace topo::slam {
@@ -31,6 +32,10 @@ class Mapper {
  public:
   explicit Mapper(const MapperParams& params, std::uint16_t robot = 0);
 
+  /// Goes on with a session that was checked, from where a scan was found in its map: the scan becomes the
+  /// next keyframe, hung on the nearest one. Of a new mapper only.
+  void resume(const Session& session, const Arrival& arrival);
+
   /// Places one deskewed scan. `T_odom_base` is dead reckoning at the cloud's stamp. A keyframe takes the
   /// heights collected since the one before.
   MatchReport add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns);
@@ -47,8 +52,10 @@ class Mapper {
   [[nodiscard]] std::span<const KeyframePtr> keyframes() const { return keyframes_; }
   [[nodiscard]] std::span<const types::Se2> poses() const { return poses_; }
   [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
+  [[nodiscard]] Session session() const { return {keyframes_, poses_, edges_}; }
   [[nodiscard]] types::Se2 T_map_odom() const { return T_map_base_ * T_odom_base_.inverse(); }
   [[nodiscard]] const types::Se2& T_map_base() const { return T_map_base_; }
+  [[nodiscard]] const types::Se2& T_odom_base() const { return T_odom_base_; }  ///< of the scan placed last
   [[nodiscard]] const MapperParams& params() const { return params_; }
 
  private:
@@ -65,6 +72,7 @@ class Mapper {
   std::vector<KeyframePtr> keyframes_;
   std::vector<types::Se2> poses_;  ///< of base_link at each keyframe, in map
   std::vector<Edge> edges_;
+  std::uint32_t next_sequence_ = 0;
   types::Se2 T_map_base_, T_odom_base_;
   SurfelMap local_map_;
   std::size_t window_first_ = 0;  ///< first keyframe in the local map
@@ -72,6 +80,8 @@ class Mapper {
   std::optional<LoopQuery> query_;
   std::vector<Point> points_;  ///< scratch
   int closures_since_solve_ = 0;
+  std::size_t resumed_at_ = 0;           ///< first keyframe since resume()
+  std::vector<std::size_t> neighbours_;  ///< older keyframes around it
 };
 
 }  // namespace topo::slam

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/make_keyframe.hpp"
+
+#include <utility>
+
+#include "core/slam/keyframe_codec.hpp"
+
+namespace topo::slam {
+
+KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, const types::Se2& T_odom_base,
+                          std::vector<walls::ColumnPoint> columns, const CloudParams& params) {
+  auto keyframe = std::make_shared<Keyframe>();
+  keyframe->id = id;
+  keyframe->stamp = cloud.stamp;
+  keyframe->T_odom_base = T_odom_base;
+  keyframe->sensor = cloud.sensor;
+  keyframe->hits = cloud.points;
+  keyframe->surfels = make_surfels(cloud, params);
+  select_points(cloud, params, keyframe->match_points);
+  keyframe->columns = std::move(columns);
+  quantise(*keyframe);
+  return keyframe;
+}
+
+}  // namespace topo::slam

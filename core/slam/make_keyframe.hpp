@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/slam/keyframe.hpp"
+
+namespace topo::slam {
+
+/// Freezes a deskewed scan and the heights seen since the keyframe before, rounded as the codec rounds: a
+/// loaded session gives the same map as the live one, to the bit.
+[[nodiscard]] KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, const types::Se2& T_odom_base,
+                                        std::vector<walls::ColumnPoint> columns, const CloudParams& params);
+
+}  // namespace topo::slam

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/slam/information.hpp"
+#include "core/slam/make_keyframe.hpp"
+#include "core/slam/mapper.hpp"
+
+namespace topo::slam {
+namespace {
+
+constexpr double kMapReach_m = 1e5;    // a hostile file's pose must not make cell numbers overflow
+constexpr double kNeighbour_m = 10.0;  // old keyframes this near help to track until the new path has its own
+
+bool sane(const types::Se2& pose) {
+  return std::abs(pose.x_m) <= kMapReach_m && std::abs(pose.y_m) <= kMapReach_m &&
+         std::abs(pose.theta_rad) <= kMapReach_m;
+}
+
+double apart_m(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
+}  // namespace
+
+types::Status check_session(const Session& session) {
+  const auto wrong = [](std::string text) {
+    return types::fail(types::Errc::kInvalidInput, std::move(text));
+  };
+  const std::size_t n = session.keyframes.size();
+  if (session.poses.size() != n)
+    return wrong("found " + std::to_string(session.poses.size()) + " poses of " + std::to_string(n) +
+                 " keyframes");
+  for (std::size_t i = 0; i < n; ++i) {
+    if (session.keyframes[i] == nullptr) return wrong("keyframe " + std::to_string(i) + " is missing");
+    if (!sane(session.poses[i]))
+      return wrong("the pose of keyframe " + std::to_string(i) + " is out of range");
+  }
+  for (std::size_t i = 0; i < session.edges.size(); ++i) {
+    const Edge& edge = session.edges[i];
+    if (edge.from >= n || edge.to >= n || edge.from == edge.to || !sane(edge.T_from_to) ||
+        !edge.information.allFinite()) {
+      return wrong("edge " + std::to_string(i) + " joins no two keyframes, or is out of range");
+    }
+  }
+  return {};
+}
+
+void Mapper::resume(const Session& session, const Arrival& arrival) {
+  keyframes_ = session.keyframes;
+  poses_ = session.poses;
+  edges_ = session.edges;
+  T_map_base_ = arrival.T_map_base;
+  T_odom_base_ = arrival.T_odom_base;
+  const std::size_t node = keyframes_.size();
+  Edge edge;  // to the nearest one
+  for (std::size_t i = 0; i < node; ++i) {
+    const double d = apart_m(poses_[i], T_map_base_);
+    if (d < apart_m(poses_[edge.from], T_map_base_)) edge.from = i;
+    if (d < kNeighbour_m) neighbours_.push_back(i);
+  }
+  edge.to = node;
+  edge.T_from_to = poses_[edge.from].inverse() * T_map_base_;
+  edge.information = edge_information(arrival.information, T_map_base_.theta_rad,
+                                      params_.graph.loop_trans_floor_m, params_.graph.loop_rot_floor_rad);
+  edges_.push_back(edge);
+  // Keyframes are numbered on: the key of the grow-only set never comes twice.
+  for (const KeyframePtr& keyframe : keyframes_) {
+    if (keyframe->id.robot == robot_) next_sequence_ = std::max(next_sequence_, keyframe->id.sequence + 1);
+  }
+  keyframes_.push_back(
+      make_keyframe({robot_, next_sequence_++}, arrival.cloud, T_odom_base_, {}, params_.cloud));
+  poses_.push_back(T_map_base_);
+  resumed_at_ = node;
+  rebuild_local_map();
+}
+
+}  // namespace topo::slam
