@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/types/result.hpp"
+
+namespace topo::daemon {
+
+/// A session's file in the folder of sessions.
+struct SessionEntry {
+  std::string name;  ///< without ".session"
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::int64_t written_s = 0;  ///< last change, seconds since 1970
+  bool journal = false;
+};
+
+/// 1 to 64 letters, digits, - and _; names that begin with "journal-" are the daemon's own.
+[[nodiscard]] bool is_session_name(std::string_view name);
+/// The file of a session in a folder.
+[[nodiscard]] std::string session_path(const std::string& folder, std::string_view name);
+
+/// The sessions in a folder, by name. Blocks on the disk. kNotFound when there is no such folder.
+[[nodiscard]] types::Result<std::vector<SessionEntry>> list_sessions(const std::string& folder);
+
+/// The journal begun last, by its name; nothing when there is none.
+[[nodiscard]] std::optional<SessionEntry> newest_journal(const std::vector<SessionEntry>& sessions);
+
+/// Name for a journal begun at `seconds` since 1970, after all of `sessions`, whatever the clock did: it
+/// sorts behind them. "journal-20260102T030405Z" and, where that is not so, a number more.
+[[nodiscard]] std::string next_journal_name(std::int64_t seconds, const std::vector<SessionEntry>& sessions);
+
+/// Removes the oldest journals until `keep` are left; saved sessions stay. How many were removed.
+std::size_t remove_old_journals(const std::vector<SessionEntry>& sessions, std::size_t keep);
+
+}  // namespace topo::daemon

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/session/session_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/slam/bytes.hpp"
+#include "core/slam/keyframe_codec.hpp"
+#include "daemon/mapfile/input_file.hpp"
+#include "daemon/session/format.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using types::Errc;
+using types::Result;
+using types::Status;
+
+constexpr std::size_t kMaxFileBytes = 1U << 30U;
+constexpr std::size_t kPoseBytes = 24;
+constexpr std::size_t kEdgeBytes = 2 + 1 + 9 * 8;  ///< at least
+
+types::Se2 read_pose(slam::ByteReader& in) {
+  types::Se2 pose;
+  pose.x_m = in.real64();
+  pose.y_m = in.real64();
+  pose.theta_rad = in.real64();
+  return pose;
+}
+
+slam::Edge read_edge(slam::ByteReader& in) {
+  slam::Edge edge;
+  edge.from = static_cast<std::size_t>(in.varint());
+  edge.to = static_cast<std::size_t>(in.varint());
+  edge.robust = in.integer<std::uint8_t>() != 0;
+  edge.T_from_to = read_pose(in);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = row; column < 3; ++column)
+      edge.information(row, column) = edge.information(column, row) = in.real64();
+  }
+  return edge;
+}
+
+/// Items from the number that stands first; false when that leaves a gap or bytes are left over.
+template <class Item, class Read>
+bool replace_from(slam::ByteReader& in, std::vector<Item>& items, std::size_t bytes_each, Read read) {
+  const std::uint64_t first = in.varint();
+  if (!in.ok() || first > items.size()) return false;
+  items.resize(static_cast<std::size_t>(first));
+  while (in.ok() && in.remaining() >= bytes_each) items.push_back(read(in));
+  return in.complete();
+}
+
+bool read_keyframes(std::span<const std::byte> rest, std::vector<slam::KeyframePtr>& keyframes) {
+  while (!rest.empty()) {
+    slam::ByteReader in(rest);
+    const std::size_t size = in.count(1);
+    if (!in.ok() || size > in.remaining()) return false;
+    rest = rest.last(in.remaining());
+    auto keyframe = slam::decode_keyframe(rest.first(size));
+    if (!keyframe) return false;
+    keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(*keyframe)));
+    rest = rest.subspan(size);
+  }
+  return true;
+}
+
+/// Takes a record; false when its content is none of its kind.
+bool take(const ReadRecord& record, LoadedSession& loaded) {
+  slam::Session& session = loaded.session;
+  slam::ByteReader in(record.content);
+  switch (record.kind) {
+    case SessionRecord::kKeyframes:
+      return read_keyframes(record.content, session.keyframes);
+    case SessionRecord::kEdges:
+      return replace_from(in, session.edges, kEdgeBytes, &read_edge);
+    case SessionRecord::kPoses:
+      return replace_from(in, session.poses, kPoseBytes, &read_pose);
+    case SessionRecord::kEnd:
+      loaded.closed = in.varint() == session.keyframes.size() && in.varint() == session.edges.size() &&
+                      in.varint() == session.poses.size() && in.complete();
+      return loaded.closed;
+  }
+  return false;
+}
+
+/// Leaves out keyframes whose pose was not written any more, and what hangs on them.
+void trim(slam::Session& session) {
+  const std::size_t n = std::min(session.keyframes.size(), session.poses.size());
+  session.keyframes.resize(n);
+  session.poses.resize(n);
+  std::erase_if(session.edges, [n](const slam::Edge& e) { return e.from >= n || e.to >= n; });
+}
+
+}  // namespace
+
+Result<LoadedSession> parse_session(std::span<const std::byte> file) {
+  std::uint32_t version = 0;
+  const auto header = decode_session_header(file, version);
+  if (!header) {
+    return types::fail(Errc::kInvalidInput,
+                       version != 0 && version != kSessionVersion
+                           ? fmt::format("found version {}, expected {}", version, kSessionVersion)
+                           : std::string("the file does not begin as a session does"));
+  }
+  LoadedSession loaded;
+  loaded.params_hash = header->params_hash;
+  loaded.bytes = SessionHeader::kSize;
+  while (!loaded.closed) {
+    const auto record = read_record(file.subspan(loaded.bytes));
+    if (!record || !take(*record, loaded)) break;
+    loaded.bytes += record->bytes;
+  }
+  loaded.damaged = file.size() - loaded.bytes;
+  trim(loaded.session);
+  if (const Status sound = slam::check_session(loaded.session); !sound) return tl::unexpected(sound.error());
+  return loaded;
+}
+
+Result<LoadedSession> load_session(const std::string& path) {
+  const auto content = read_file(path, kMaxFileBytes);
+  if (!content) return tl::unexpected(content.error());
+  auto loaded = parse_session(std::as_bytes(std::span(*content)));
+  if (!loaded) return types::fail(loaded.error().code, fmt::format("{}: {}", path, loaded.error().message));
+  return loaded;
+}
+
+}  // namespace topo::daemon

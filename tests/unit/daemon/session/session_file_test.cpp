@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "core/slam/bytes.hpp"
+#include "core/slam/map_builder.hpp"
+#include "core/slam/mapper.hpp"
+#include "daemon/session/format.hpp"
+#include "daemon/session/session_reader.hpp"
+#include "daemon/session/session_writer.hpp"
+#include "tests/unit/core/slam/matching_fixture.hpp"
+#include "tests/unit/daemon/session/session_sample.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using testing::same;
+using testing::sample_session;
+
+std::vector<std::byte> bytes_of(const slam::Session& session) {
+  auto bytes = session_bytes(session, 42);
+  EXPECT_TRUE(bytes) << bytes.error().message;
+  return *bytes;
+}
+
+RC_GTEST_PROP(SessionFile, WhatIsSavedIsLoadedToTheBit, (unsigned seed)) {
+  const slam::Session session = sample_session(seed % 60, seed);
+  const auto loaded = parse_session(*session_bytes(session, seed));
+  RC_ASSERT(loaded.has_value());
+  RC_ASSERT(same(loaded->session, session));
+  RC_ASSERT(loaded->params_hash == seed);
+  RC_ASSERT(loaded->closed);
+  RC_ASSERT(loaded->damaged == 0U);
+}
+
+// A journal: keyframes come, poses are corrected, edges come, go and change.
+RC_GTEST_PROP(SessionFile, GrowsByWhatChanged, (unsigned seed)) {
+  std::mt19937 random(seed);
+  slam::Session session;
+  SessionWriter writer;
+  std::vector<std::byte> file = encode_session_header({1});
+  for (int step = 0; step < 8; ++step) {
+    testing::grow(session, random() % 5, random);
+    if (random() % 3 == 0 && !session.poses.empty())
+      session.poses[random() % session.poses.size()].x_m += 0.001;
+    if (random() % 3 == 0 && !session.edges.empty()) session.edges.pop_back();
+    if (random() % 3 == 0 && !session.edges.empty())
+      session.edges[random() % session.edges.size()].robust ^= true;
+    const auto changes = writer.changes(session, {});
+    RC_ASSERT(changes.has_value());
+    file.insert(file.end(), changes->begin(), changes->end());
+    writer.written(session, {});
+    RC_ASSERT(writer.changes(session, {})->empty());
+    const auto loaded = parse_session(file);
+    RC_ASSERT(loaded.has_value());
+    RC_ASSERT(same(loaded->session, session));
+    RC_ASSERT(!loaded->closed);
+  }
+}
+
+TEST(SessionFile, SmallCorrectionsCanWait) {
+  std::mt19937 random(1);
+  slam::Session session = sample_session(20, 1);
+  SessionWriter writer;
+  constexpr PoseTolerance kCoarse{0.02, 0.002};
+  writer.written(session, kCoarse);
+  session.poses[3].x_m += 0.019;
+  EXPECT_TRUE(writer.changes(session, kCoarse)->empty());
+  EXPECT_FALSE(writer.changes(session, {})->empty());
+  session.poses[3].x_m += 0.002;  // what waited adds up
+  EXPECT_FALSE(writer.changes(session, kCoarse)->empty());
+}
+
+// Killed at any instant: every cut gives what was whole before it, and more bytes never give less.
+TEST(SessionFile, ACutAnywhereKeepsWhatIsWhole) {
+  std::mt19937 random(2);
+  slam::Session session;
+  SessionWriter writer;
+  std::vector<std::byte> file = encode_session_header({1});
+  for (int step = 0; step < 6; ++step) {
+    testing::grow(session, 3, random);
+    const auto changes = writer.changes(session, {});
+    ASSERT_TRUE(changes);
+    file.insert(file.end(), changes->begin(), changes->end());
+    writer.written(session, {});
+  }
+  std::size_t before = 0;
+  for (std::size_t n = 0; n <= file.size(); ++n) {
+    const auto loaded = parse_session(std::span(file).first(n));
+    ASSERT_EQ(loaded.has_value(), n >= SessionHeader::kSize) << n;
+    if (!loaded) continue;
+    const std::size_t keyframes = loaded->session.keyframes.size();
+    ASSERT_GE(keyframes, before) << n;
+    ASSERT_EQ(keyframes % 3, 0U) << n;
+    ASSERT_TRUE(testing::same_keyframes(loaded->session, session, keyframes)) << n;
+    ASSERT_TRUE(std::equal(loaded->session.poses.begin(), loaded->session.poses.end(), session.poses.begin()))
+        << n;
+    ASSERT_EQ(loaded->bytes + loaded->damaged, n);
+    before = keyframes;
+  }
+  EXPECT_EQ(before, 18U);
+}
+
+// Checksums before meaning: a damaged record and all behind it are left out, nothing wrong is taken.
+TEST(SessionFile, AFlippedByteAnywhereTakesNothingWrong) {
+  const slam::Session session = sample_session(6, 3);
+  const auto file = bytes_of(session);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    auto damaged = file;
+    damaged[i] ^= std::byte{0x10};
+    const auto loaded = parse_session(damaged);
+    ASSERT_EQ(loaded.has_value(), i >= SessionHeader::kSize) << i;
+    if (!loaded) continue;
+    ASSERT_FALSE(loaded->closed) << i;
+    ASSERT_TRUE(testing::same_keyframes(loaded->session, session, loaded->session.keyframes.size())) << i;
+    ASSERT_TRUE(std::equal(loaded->session.poses.begin(), loaded->session.poses.end(), session.poses.begin()))
+        << i;
+  }
+}
+
+// With checksums that fit, as an enemy can make them: what the records say is checked too.
+TEST(SessionFile, HostileRecordsAreNotBelieved) {
+  const auto with = [](SessionRecord kind, const slam::ByteWriter& content) {
+    auto file = encode_session_header({1});
+    const auto changes = SessionWriter().changes(sample_session(4, 4), {});
+    file.insert(file.end(), changes->begin(), changes->end());
+    EXPECT_TRUE(append_record(file, kind, content.bytes()));
+    return parse_session(file);
+  };
+  slam::ByteWriter gap;
+  gap.varint(std::uint64_t{1} << 40U);
+  for (const auto kind : {SessionRecord::kEdges, SessionRecord::kPoses, SessionRecord::kEnd}) {
+    const auto loaded = with(kind, gap);
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded->session.keyframes.size(), 4U);
+    EXPECT_FALSE(loaded->closed);
+  }
+  slam::ByteWriter nowhere;
+  nowhere.varint(0);
+  nowhere.real(1e300);
+  nowhere.real(0.0);
+  nowhere.real(0.0);
+  EXPECT_FALSE(with(SessionRecord::kPoses, nowhere)) << "a pose out of range";
+  slam::ByteWriter huge;
+  huge.varint(std::uint64_t{1} << 50U);
+  EXPECT_EQ(with(SessionRecord::kKeyframes, huge)->session.keyframes.size(), 4U);
+  EXPECT_EQ(with(static_cast<SessionRecord>(77), huge)->session.keyframes.size(), 4U);
+}
+
+TEST(SessionFile, AnotherVersionAndAnotherFileAreNamed) {
+  const testing::TempDir folder;
+  const auto refused = load_session(folder.write("a.session", "TOPOSES and something else, long enough"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            folder.file("a.session") + ": the file does not begin as a session does");
+  auto file = bytes_of({});
+  file[8] = std::byte{9};
+  const auto version = parse_session(file);
+  ASSERT_FALSE(version);
+  EXPECT_EQ(version.error().message, "found version 9, expected 1");
+  EXPECT_EQ(load_session(folder.file("none.session")).error().code, types::Errc::kNotFound);
+}
+
+// What is loaded draws the same map as what was mapped, to the bit: keyframes are rounded before they enter
+// it.
+TEST(SessionFile, ALoadedMapIsTheLiveMap) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  std::mt19937 random(5);
+  slam::Mapper mapper({});
+  walls::ColumnCollector columns({});
+  for (int i = 0; i < 60; ++i) {
+    const types::Se2 pose{1.5 + 0.08 * i, 1.5, 0.0};
+    (void)mapper.add(slam::testing::view_of(world, pose, 0.02, random).cloud, {0.08 * i, 0.0, 0.0}, columns);
+  }
+  ASSERT_GT(mapper.keyframes().size(), 8U);
+  const testing::TempDir folder;
+  ASSERT_TRUE(save_session(folder.file("rooms.session"), mapper.session(), 1));
+  const auto loaded = load_session(folder.file("rooms.session"));
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  ASSERT_TRUE(same(loaded->session, mapper.session()));
+  slam::MapBuilder live({}), again({});
+  live.update(mapper.keyframes(), mapper.poses());
+  again.update(loaded->session.keyframes, loaded->session.poses);
+  std::size_t cells = 0;
+  live.grid().tiles().for_each([&](patricia::Key key, const grid::TileRef& tile) {
+    const auto corner = patricia::cell_of(key);
+    for (int y = 0; y < grid::Tile::kSide; ++y) {
+      for (int x = 0; x < grid::Tile::kSide; ++x, ++cells) {
+        const grid::CellIndex cell{corner.x * grid::Tile::kSide + x, corner.y * grid::Tile::kSide + y};
+        ASSERT_EQ(tile.read().cells[grid::Tile::index(x, y)], again.grid().counts(cell));
+      }
+    }
+  });
+  EXPECT_GT(cells, 10000U);
+  EXPECT_EQ(live.grid().tiles().size(), again.grid().tiles().size());
+}
+
+}  // namespace
+}  // namespace topo::daemon
