@@ -116,7 +116,17 @@ void MappingState::Impl::keyframe_boundary(MappingOutput& output) {
 }
 
 MappingState::MappingState(const slam::MapperParams& params) : impl_(std::make_unique<Impl>(params)) {}
+MappingState::MappingState(const slam::MapperParams& params, const slam::Session& session,
+                           const slam::Arrival& arrival)
+    : MappingState(params) {
+  impl_->mapper.resume(session, arrival);
+  impl_->cloud = arrival.cloud;
+  impl_->placed = arrival.cloud.stamp;
+  impl_->builder.update(impl_->mapper.keyframes(), impl_->mapper.poses());
+}
 MappingState::~MappingState() = default;
+
+void MappingState::follow(std::uint64_t revision) { impl_->revision = revision + 1; }
 
 void MappingState::adopt() { impl_->builder.adopt(); }
 
@@ -155,6 +165,8 @@ std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {
 }
 
 const slam::Mapper& MappingState::mapper() const { return impl_->mapper; }
+std::uint64_t MappingState::revision() const { return impl_->revision; }
+const slam::Cloud& MappingState::cloud() const { return impl_->cloud; }
 const MappingLosses& MappingState::losses() const { return impl_->losses; }
 
 MappingOutput mapping_step(MappingState& state, const MappingInput& input) {

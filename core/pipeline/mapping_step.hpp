@@ -40,6 +40,8 @@ struct MappingLosses {
 class MappingState {
  public:
   explicit MappingState(const slam::MapperParams& params);
+  /// Goes on with a session that was checked, from where a scan was found in its map. Draws the whole map.
+  MappingState(const slam::MapperParams& params, const slam::Session& session, const slam::Arrival& arrival);
   ~MappingState();
   MappingState(const MappingState&) = delete;
   MappingState& operator=(const MappingState&) = delete;
@@ -47,6 +49,9 @@ class MappingState {
   /// Makes the calling thread the owner of the map's nodes: once, when the mapping thread takes over a state
   /// that another thread built.
   void adopt();
+
+  /// Counts on from here: this map is a later generation than whatever was published before.
+  void follow(std::uint64_t revision);
 
   /// Hands over what the loop closure thread found; it is applied at the next keyframe boundary.
   void offer(slam::LoopAnswer answer);
@@ -59,6 +64,10 @@ class MappingState {
   [[nodiscard]] std::unique_ptr<MapSnapshot> make_snapshot();
 
   [[nodiscard]] const slam::Mapper& mapper() const;
+  [[nodiscard]] std::uint64_t revision() const;
+  /// The front scan placed last, deskewed; at its stamp the robot was at mapper().T_odom_base() in odom.
+  /// Empty before the first.
+  [[nodiscard]] const slam::Cloud& cloud() const;
   [[nodiscard]] const MappingLosses& losses() const;
 
  private:

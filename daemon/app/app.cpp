@@ -38,6 +38,7 @@ Status from_sd(int result, const char* what) {
 
 void block_signals() {
   ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is a full disk, no reason to leave a robot alone
   sigset_t set;
   ::sigemptyset(&set);
   for (const int number : kStopSignals) ::sigaddset(&set, number);

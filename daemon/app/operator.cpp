@@ -28,7 +28,8 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       monitor_(monitor),
       announce_(std::move(announce)),
       plan_(hand_overs),
-      saver_(hand_overs) {}
+      saver_(hand_overs),
+      sessions_(configuration, hand_overs, files_) {}
 
 Status Operator::start() {
   if (auto s = files_.start("files"); !s) return s;
@@ -49,6 +50,9 @@ void Operator::tick(types::Stamp now) {
       });
     }
   }
+  if (const auto* journal = hand_overs_.journal_report.take_new(); journal != nullptr)
+    sessions_.note(*journal);
+  sessions_.tick(now, monitor_.has_map());
   watch_battery(now);
   watch_readiness();
 }
@@ -102,7 +106,7 @@ std::string Operator::obstacle() const {
   const auto* report = plan_.report();
   if (!monitor_.has_map() || report == nullptr)
     return "there is no map yet: no scan was matched since the start";
-  return {};
+  return sessions_.obstacle();
 }
 
 Status Operator::begin(Order order, const types::Vector2& target) {
@@ -234,6 +238,17 @@ void Operator::save_map(const std::string& folder, std::function<void(Result<Jso
     };
   };
   if (const auto added = files_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+void Operator::load_session(const std::string& name, const std::optional<types::Se2>& pose,
+                            SessionDone done) {
+  if (missions_.active()) return done(fail(Errc::kBusy, "a mission is under way; topoctl stop ends it"));
+  sessions_.load(name, pose, done);
+}
+
+Status Operator::begin_anew() {
+  sessions_.begin_anew();
+  return {};
 }
 
 Status Operator::set_log_level(const std::string& level) {

@@ -10,6 +10,7 @@
 #include "daemon/app/mission_control.hpp"
 #include "daemon/app/monitor.hpp"
 #include "daemon/app/plan_watch.hpp"
+#include "daemon/app/session_control.hpp"
 #include "daemon/control/methods.hpp"
 
 namespace topo::daemon {
@@ -49,6 +50,11 @@ class Operator final : public Operations {
   types::Status resume() override;
   void go_to(const types::Vector2& target, std::function<void(types::Status)> done) override;
   void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) override;
+  void list_sessions(SessionDone done) override { sessions_.list(done); }
+  void save_session(const std::string& name, SessionDone done) override { sessions_.save(name, done); }
+  void load_session(const std::string& name, const std::optional<types::Se2>& pose,
+                    SessionDone done) override;
+  types::Status begin_anew() override;
   types::Status set_log_level(const std::string& level) override;
 
  private:
@@ -76,6 +82,7 @@ class Operator final : public Operations {
   std::uint64_t commands_ = 0;  ///< that said what the robot is to do; a slow one must not undo a later one
   types::Stamp estop_cleared_{};
   MapSaver saver_;
+  SessionControl sessions_;  // before the thread that its jobs run on, which goes first
   Background files_, searches_;
   types::Stamp low_since_{};  ///< the battery; zero: it is not
   bool low_told_ = false;

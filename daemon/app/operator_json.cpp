@@ -28,6 +28,7 @@ Json Operator::status() const {
   Json json = monitor_.status();
   json["estop"] = estop_latched();
   json["mission"] = mission_json();
+  json["session"] = sessions_.status();
   const auto* report = plan_.report();
   if (report == nullptr) return json;
   json["activity"] = to_text(report->activity);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/app/workers.hpp"
 
+#include "daemon/app/session_control.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -77,10 +79,16 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
                                                         types::from_seconds(c.exploration.planning_period_s),
                                                         workers->planning_vitals_);
   workers->closure_ = std::make_unique<ClosureWorker>(hand_overs, workers->closure_vitals_);
+  if (!c.session.folder.empty() && c.session.journal) {
+    const JournalSettings settings{c.session.folder, types::from_seconds(c.session.journal_period_s),
+                                   static_cast<std::size_t>(c.session.keep), params_hash(c)};
+    workers->journal_ = std::make_unique<JournalWorker>(hand_overs, settings, workers->journal_vitals_);
+  }
   workers->vital_.push_back(&workers->mapping_vitals_);
   workers->vital_.push_back(&workers->planning_vitals_);
   workers->all_ = workers->vital_;
   workers->all_.push_back(&workers->closure_vitals_);
+  if (workers->journal_ != nullptr) workers->all_.push_back(&workers->journal_vitals_);
   return workers;
 }
 
@@ -109,15 +117,19 @@ Status Workers::launch(Thread& thread, const ThreadSettings& settings, Worker& w
 
 Status Workers::start() {
   const RealtimeConfig& config = configuration_.realtime;
-  ThreadSettings closure, mapping, planning;
+  ThreadSettings closure, mapping, planning, journal;
   closure.name = "closure";
-  closure.nice = 5;
+  journal.name = "journal";
+  closure.nice = journal.nice = 5;
   mapping.name = "mapping";
   planning.name = "planning";
   closure.stack_bytes = mapping.stack_bytes = planning.stack_bytes = 8 << 20;
   if (auto s = launch(closure_thread_, closure, *closure_); !s) return s;
   if (auto s = launch(mapping_thread_, mapping, *mapping_); !s) return s;
   if (auto s = launch(planning_thread_, planning, *planning_); !s) return s;
+  if (journal_ != nullptr) {
+    if (auto s = launch(journal_thread_, journal, *journal_); !s) return s;
+  }
   if (coronal_ != nullptr) {
     if (auto s = launch(coronal_thread_, real_time("coronal", config.scan_priority), *coronal_); !s) return s;
   }
@@ -129,11 +141,13 @@ void Workers::stop() {
   hand_overs_.stopping.store(true, std::memory_order_release);
   hand_overs_.planning_wakeup.post();
   hand_overs_.closure_wakeup.post();
+  hand_overs_.journal_wakeup.post();
   base_thread_.join();
   front_thread_.join();
   coronal_thread_.join();
   closure_thread_.join();
   planning_thread_.join();
+  journal_thread_.join();  // the mapping thread answers it to the last
   hand_overs_.readers_gone.store(true, std::memory_order_release);
   hand_overs_.mapping_wakeup.post();
   mapping_thread_.join();

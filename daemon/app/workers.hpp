@@ -11,6 +11,7 @@
 #include "daemon/config/configuration.hpp"
 #include "daemon/threads/base_worker.hpp"
 #include "daemon/threads/closure_worker.hpp"
+#include "daemon/threads/journal_worker.hpp"
 #include "daemon/threads/mapping_worker.hpp"
 #include "daemon/threads/planning_worker.hpp"
 #include "daemon/threads/scan_worker.hpp"
@@ -56,16 +57,18 @@ class Workers {
   const Configuration& configuration_;
   HandOvers& hand_overs_;
   Vitals base_vitals_{"base"}, front_vitals_{"front"}, coronal_vitals_{"coronal"}, mapping_vitals_{"mapping"},
-      planning_vitals_{"planning"}, closure_vitals_{"closure"};
+      planning_vitals_{"planning"}, closure_vitals_{"closure"}, journal_vitals_{"journal"};
   std::vector<Vitals*> vital_, all_;
   std::unique_ptr<BaseWorker> base_;
   std::unique_ptr<ScanWorker> front_, coronal_;
   std::unique_ptr<MappingWorker> mapping_;
   std::unique_ptr<PlanningWorker> planning_;
   std::unique_ptr<ClosureWorker> closure_;
-  std::array<sync::Ring<FixedText<160>, 4>, 6> refusals_;  ///< one producer each
+  std::unique_ptr<JournalWorker> journal_;                 ///< null: no sessions are kept
+  std::array<sync::Ring<FixedText<160>, 4>, 7> refusals_;  ///< one producer each
   std::size_t launched_ = 0;
-  Thread closure_thread_, mapping_thread_, planning_thread_, coronal_thread_, front_thread_, base_thread_;
+  Thread journal_thread_, closure_thread_, mapping_thread_, planning_thread_, coronal_thread_, front_thread_,
+      base_thread_;
 };
 
 }  // namespace topo::daemon

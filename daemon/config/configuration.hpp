@@ -98,6 +98,15 @@ struct RecordConfig {
   std::string folder;  ///< empty: no recording
 };
 
+/// Sessions: maps that can be gone on with.
+struct SessionConfig {
+  std::string folder;  ///< empty: none are kept
+  bool journal = true;
+  double journal_period_s = 2.0;
+  int keep = 5;                   ///< journals
+  std::string resume = "killed";  ///< "killed", "last", a session's name, or empty
+};
+
 struct Configuration {
   RobotConfig robot;
   BaseConfig base;
@@ -111,6 +120,7 @@ struct Configuration {
   LogConfig log;
   RealtimeConfig realtime;
   RecordConfig record;
+  SessionConfig session;
 };
 
 /// The mapper's parameters with the scanners where the configuration has them.

@@ -56,6 +56,7 @@ bool is_absolute(std::string_view text) {
   return text.size() > 1 && text.size() < 4096 && text.front() == '/' && text.back() != '/' &&
          text.find('\0') == std::string_view::npos;
 }
+bool is_resume(std::string_view text) { return text.empty() || all_of(text, 64, "-_"); }
 bool is_optional_path(std::string_view text) { return text.empty() || is_absolute(text); }
 // sockaddr_un.sun_path holds 108 bytes with the closing zero.
 bool is_socket_path(std::string_view text) { return is_absolute(text) && text.size() < 108; }
@@ -249,6 +250,26 @@ void add_realtime_and_record(std::vector<KeySpec>& t) {
                "every start records all bytes from the devices into a new file here; --record goes before"});
 }
 
+void add_session(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::session;
+  using C = SessionConfig;
+  t.push_back(
+      {"session.folder", "", false,
+       TextKey{&at<kS, &C::folder>, "an absolute path of a folder, or \"\" for none", &is_optional_path},
+       "where sessions are kept, from which mapping can go on; \"\": none are"});
+  t.push_back({"session.journal", "", false, SwitchKey{&at<kS, &C::journal>},
+               "keep the session while it is made, so that a killed daemon recovers its map"});
+  t.push_back({"session.journal_period_s", "s", false, RealKey{&at<kS, &C::journal_period_s>, 0.2, 60.0},
+               "from one write of the journal to the next"});
+  t.push_back({"session.keep", "", false, IntegerKey{&at<kS, &C::keep>, 1, 1000},
+               "journals that are kept; older ones are removed, saved sessions never"});
+  t.push_back(
+      {"session.resume", "", false,
+       TextKey{&at<kS, &C::resume>, "\"killed\", \"last\", a session's name, or \"\" for none", &is_resume},
+       "what to go on with at the start: killed: the last journal when its daemon was killed; last: the last "
+       "journal; \"\": a new map"});
+}
+
 std::vector<KeySpec> make_table() {
   std::vector<KeySpec> table;
   add_robot(table);
@@ -261,6 +282,7 @@ std::vector<KeySpec> make_table() {
   add_motion(table);
   add_control_and_log(table);
   add_realtime_and_record(table);
+  add_session(table);
   return table;
 }
 

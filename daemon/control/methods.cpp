@@ -46,8 +46,8 @@ Answer call_log_level(Operations& o, const Json& params) {
   return done(o.set_log_level(*level));
 }
 
-const std::array<Method, 17>& methods() {
-  static const std::array<Method, 17> table{{
+const std::array<Method, 18>& methods() {
+  static const std::array<Method, 18> table{{
       {"status", false, {}, [](Operations& o, const Json&) -> Answer { return o.status(); }},
       {"version",
        false,
@@ -69,6 +69,7 @@ const std::array<Method, 17>& methods() {
       {"clear_estop", true, {}, [](Operations& o, const Json&) { return done(o.clear_estop()); }},
       {"drive", true, {"v_mps", "omega_radps"}, &call_drive},
       {"stop", true, {}, [](Operations& o, const Json&) -> Answer { return o.stop(), Json::object(); }},
+      {"session.new", true, {}, [](Operations& o, const Json&) { return done(o.begin_anew()); }},
       {"log_level", true, {"level"}, &call_log_level},
   }};
   return table;
@@ -80,13 +81,17 @@ Answer forbidden(std::string_view method) {
       fmt::format("{} is for root, the daemon's user and the members of its group (control.group)", method)});
 }
 
+Operations::SessionDone later(const Call& call, const Methods::Late& late) {
+  return [late, call](types::Result<Json> result) {
+    late(call, result ? Answer(std::move(*result)) : Answer(refuse(result.error())));
+  };
+}
+
 Answer call_save(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
   const auto folder = text_param(call.request.params, "dir");
   if (!folder) return tl::unexpected(folder.error());
   waits = true;
-  o.save_map(*folder, [late, call](types::Result<Json> result) {
-    late(call, result ? Answer(std::move(*result)) : Answer(refuse(result.error())));
-  });
+  o.save_map(*folder, later(call, late));
   return Json();
 }
 
@@ -97,6 +102,39 @@ Answer call_goto(Operations& o, const Call& call, const Methods::Late& late, boo
   if (!y_m) return tl::unexpected(y_m.error());
   waits = true;
   o.go_to({*x_m, *y_m}, [late, call](const types::Status& status) { late(call, done(status)); });
+  return Json();
+}
+
+Answer call_sessions(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  waits = true;
+  o.list_sessions(later(call, late));
+  return Json();
+}
+
+Answer call_save_session(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  const auto name = text_param(call.request.params, "name");
+  if (!name) return tl::unexpected(name.error());
+  waits = true;
+  o.save_session(*name, later(call, late));
+  return Json();
+}
+
+Answer call_load_session(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  const Json& params = call.request.params;
+  const auto name = text_param(params, "name");
+  if (!name) return tl::unexpected(name.error());
+  std::optional<types::Se2> pose;
+  if (params.contains("x_m") || params.contains("y_m") || params.contains("theta_rad")) {
+    const auto x_m = real_param(params, "x_m");
+    if (!x_m) return tl::unexpected(x_m.error());
+    const auto y_m = real_param(params, "y_m");
+    if (!y_m) return tl::unexpected(y_m.error());
+    const auto theta_rad = real_param(params, "theta_rad");
+    if (!theta_rad) return tl::unexpected(theta_rad.error());
+    pose = types::Se2{*x_m, *y_m, types::wrap_angle(*theta_rad)};
+  }
+  waits = true;
+  o.load_session(*name, pose, later(call, late));
   return Json();
 }
 
@@ -114,10 +152,14 @@ struct LateMethod {
   Answer (*call)(Operations&, const Call&, const Methods::Late&, bool& waits);
 };
 
-const std::array<LateMethod, 3>& late_methods() {
-  static const std::array<LateMethod, 3> table{{{"map.save", true, {"dir"}, &call_save},
-                                                {"goto", true, {"x_m", "y_m"}, &call_goto},
-                                                {"doctor", false, {}, &call_doctor}}};
+const std::array<LateMethod, 6>& late_methods() {
+  static const std::array<LateMethod, 6> table{
+      {{"map.save", true, {"dir"}, &call_save},
+       {"session.list", false, {}, &call_sessions},
+       {"session.save", true, {"name"}, &call_save_session},
+       {"session.load", true, {"name", "x_m", "y_m", "theta_rad"}, &call_load_session},
+       {"goto", true, {"x_m", "y_m"}, &call_goto},
+       {"doctor", false, {}, &call_doctor}}};
   return table;
 }
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/types/transform.hpp"
@@ -39,6 +40,15 @@ class Operations {
   virtual void stop() = 0;
   /// Writes the map's files into a folder and calls `done` on the main thread, later.
   virtual void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) = 0;
+  /// Sessions, each with an answer on the main thread, later: what is kept; saving the map with all that it
+  /// is made of; going on with a saved one, around a pose of its map or wherever the robot is found.
+  using SessionDone = std::function<void(types::Result<Json>)>;
+  virtual void list_sessions(SessionDone done) = 0;
+  virtual void save_session(const std::string& name, SessionDone done) = 0;
+  virtual void load_session(const std::string& name, const std::optional<types::Se2>& pose,
+                            SessionDone done) = 0;
+  /// The map made since the start is the map, whatever session the daemon wanted to go on with.
+  virtual types::Status begin_anew() = 0;
   /// Looks whether the point can be gone to and calls `done` on the main thread, later.
   virtual void go_to(const types::Vector2& target, std::function<void(types::Status)> done) = 0;
   virtual types::Status set_log_level(const std::string& level) = 0;

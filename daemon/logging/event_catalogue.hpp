@@ -17,6 +17,8 @@ enum class EventId : std::uint16_t {
   kScanRingFull,
   kDeadlineMissed,
   kPlanningSlow,
+  kJournalFailed,
+  kJournalGoesOn,
   kCount  ///< how many there are; no event
 };
 

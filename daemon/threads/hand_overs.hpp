@@ -19,6 +19,7 @@
 #include "core/types/base_state.hpp"
 #include "core/types/scan.hpp"
 #include "daemon/threads/fixed_text.hpp"
+#include "daemon/threads/session_desk.hpp"
 #include "daemon/threads/wakeup.hpp"
 
 namespace topo::daemon {
@@ -49,7 +50,18 @@ struct MappingReport {
   std::uint64_t closures_accepted = 0;
   std::uint64_t closures_rejected = 0;
   double response = 0.0;
+  std::uint64_t map = 1;  ///< one more for every session that was taken over
   types::Transform2<types::Map, types::Odom> T_map_odom;
+};
+
+/// How the journal of the session fares.
+struct JournalReport {
+  FixedText<80> name;  ///< of the session's file
+  std::uint64_t keyframes = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t failures = 0;  ///< writes that the disk refused
+  bool failing = false;        ///< the newest one was
+  FixedText<200> message;      ///< of the newest failure
 };
 
 inline constexpr std::size_t kScanRing = 32;  ///< 0.8 s at 40 Hz
@@ -109,6 +121,14 @@ struct HandOvers {
   Wakeup closure_wakeup;
   sync::Ring<slam::LoopQuery, 4> loop_queries;
   sync::Ring<slam::LoopAnswer, 8> loop_answers;
+
+  // Sessions: the journal's and main's background thread ask, mapping answers.
+  SessionDesk journal_desk, files_desk;
+  /// Main's background thread to mapping: a map to go on with in the place of the present one.
+  sync::Ring<Parcel<pipeline::MappingState>, 2> take_over;
+  std::atomic<bool> journal_held{false};  ///< main: nothing is written for the time being
+  Wakeup journal_wakeup;
+  sync::Latest<JournalReport> journal_report;
 };
 
 }  // namespace topo::daemon

@@ -14,21 +14,42 @@ MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& pa
 }
 
 void MappingWorker::run() noexcept {
-  {
-    pipeline::MappingState state(params_);
-    publish(state);
-    while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
-      hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
-      // A machine that is too slow never sees its rings empty: it skips, reports and beats all the same.
-      bool more = true;
-      while (more && !hand_overs_.stopping.load(std::memory_order_acquire)) {
-        more = serve(state);
-        hand_overs_.mapping_report.store(report_);
-        vitals_.beat();
-      }
+  auto state = std::make_unique<pipeline::MappingState>(params_);
+  publish(*state);
+  while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
+    hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
+    serve_desk(hand_overs_.journal_desk, *state, report_.map);
+    // A machine that is too slow never sees its rings empty: it skips, reports and beats all the same.
+    bool more = true;
+    while (more && !hand_overs_.stopping.load(std::memory_order_acquire)) {
+      take_over(state);
+      more = serve(*state);
+      serve_desk(hand_overs_.journal_desk, *state, report_.map);
+      serve_desk(hand_overs_.files_desk, *state, report_.map);
+      hand_overs_.mapping_report.store(report_);
+      vitals_.beat();
     }
-    hand_overs_.map.reset();  // snapshots hold nodes of the state's arenas
   }
+  take_over(state);         // what came too late is ended here: its nodes must be this thread's
+  hand_overs_.map.reset();  // snapshots hold nodes of the states' arenas
+  former_.clear();
+}
+
+/// Goes on with the map that was made ready elsewhere. The present one ends when nobody looks at it any more.
+void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
+  for (const auto* parcel = hand_overs_.take_over.front(); parcel != nullptr;
+       parcel = hand_overs_.take_over.front()) {
+    std::unique_ptr<pipeline::MappingState> next = std::move(parcel->content);
+    hand_overs_.take_over.pop();
+    next->adopt();
+    next->follow(state->revision());
+    former_.push_back(std::exchange(state, std::move(next)));
+    stale_until_ = asked_;
+    ++report_.map;
+    publish(*state);
+    hand_over_pose(*state, state->cloud().stamp, true);
+  }
+  if (!former_.empty() && hand_overs_.map->reclaim() == 0) former_.clear();
 }
 
 /// Everything that waits but of the scans the oldest; false when nothing was there.
@@ -43,7 +64,7 @@ bool MappingWorker::serve(pipeline::MappingState& state) {
 void MappingWorker::take_answers(pipeline::MappingState& state) {
   for (auto* answer = hand_overs_.loop_answers.front(); answer != nullptr;
        answer = hand_overs_.loop_answers.front()) {
-    state.offer(*answer);
+    if (++answered_ > stale_until_) state.offer(*answer);
     hand_overs_.loop_answers.pop();
   }
 }
@@ -90,13 +111,14 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
     report_.closures_rejected += static_cast<std::uint64_t>(verdict.rejected);
   }
   if (output.keyframe_added) publish(state);
-  if (!output.matches.empty()) hand_over_pose(state, output.matches.back());
+  if (!output.matches.empty())
+    hand_over_pose(state, output.matches.back().stamp, output.matches.back().matched);
   for (slam::LoopQuery& query : output.loop_queries) ask(std::move(query));
 }
 
-void MappingWorker::hand_over_pose(const pipeline::MappingState& state, const slam::MatchReport& match) {
+void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched) {
   report_.T_map_odom = types::Transform2<types::Map, types::Odom>(state.mapper().T_map_odom());
-  hand_overs_.tracked.store({match.stamp, report_.revision, report_.T_map_odom, match.matched});
+  hand_overs_.tracked.store({stamp, report_.revision, report_.T_map_odom, matched});
 }
 
 void MappingWorker::ask(slam::LoopQuery query) {
@@ -105,6 +127,7 @@ void MappingWorker::ask(slam::LoopQuery query) {
   if (slot == nullptr) return;
   *slot = std::move(query);
   hand_overs_.loop_queries.commit();
+  ++asked_;
   hand_overs_.closure_wakeup.post();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,7 @@ class MappingWorker {
 
  private:
   bool serve(pipeline::MappingState& state);
+  void take_over(std::unique_ptr<pipeline::MappingState>& state);
   void take_answers(pipeline::MappingState& state);
   void take_odometry();
   bool step(pipeline::MappingState& state);
@@ -33,13 +35,16 @@ class MappingWorker {
   void use(pipeline::MappingState& state, pipeline::MappingOutput& output);
   void ask(slam::LoopQuery query);
   void publish(pipeline::MappingState& state);
-  void hand_over_pose(const pipeline::MappingState& state, const slam::MatchReport& match);
+  void hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched);
 
   HandOvers& hand_overs_;
   slam::MapperParams params_;
   Vitals& vitals_;
   std::vector<types::Odometry> odometry_;
   MappingReport report_;
+  std::vector<std::unique_ptr<pipeline::MappingState>> former_;  ///< somebody may still read their maps
+  std::uint64_t asked_ = 0, answered_ = 0;                       ///< questions to the loop closure thread
+  std::uint64_t stale_until_ = 0;  ///< answers up to this one are about a former map
 };
 
 }  // namespace topo::daemon

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "daemon/config/configuration.hpp"
 #include "daemon/topoctl/client.hpp"
@@ -24,7 +25,9 @@ struct Arguments {
   std::string socket = ControlConfig{}.socket;
   bool json = false;
   bool why = false;
-  std::string folder, level, what;
+  std::string folder, level, what, session;
+  bool search = false;       ///< of a session to load: without a pose
+  std::vector<double> pose;  ///< x, y, theta; or empty
   double v_mps = 0.0, omega_radps = 0.0, seconds = 1.0;
   double x_m = 0.0, y_m = 0.0;
   double timeout_s = 0.0;   ///< 0: for ever
@@ -63,5 +66,7 @@ int watch(const Arguments& arguments);
 int doctor(const Arguments& arguments);
 int wait_done(const Arguments& arguments);
 int wait_ready(const Arguments& arguments);
+int save_session(const Arguments& arguments);
+int load_session(const Arguments& arguments);
 
 }  // namespace topo::daemon

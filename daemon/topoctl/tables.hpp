@@ -17,6 +17,7 @@ std::string goals_table(const Json& goals);
 std::string why_table(const Json& goals);
 std::string places_table(const Json& places);
 std::string doctor_table(const Json& doctor);
+std::string sessions_table(const Json& answer);
 /// One line with its end.
 std::string mission_text(const Json& mission);
 /// The status on one line without an end, for watching.

@@ -87,6 +87,27 @@ void add_commands(CLI::App& cli, Arguments& a, int& status) {
       ->required();
 }
 
+void add_sessions(CLI::App& cli, Arguments& a, int& status) {
+  auto* session = cli.add_subcommand("session", "maps that can be gone on with");
+  session->require_subcommand(1);
+  add(*session, "list", "the sessions that are kept", status,
+      [&a] { return show(a, "session.list", &sessions_table); });
+  add(*session, "new", "the map made since the start is the map, no older one is gone on with", status,
+      [&a] { return show(a, "session.new", &nothing); });
+  add(*session, "save", "keep the map, and all that it is made of, as NAME", status,
+      [&a] { return save_session(a); });
+  add(*session, "load", "go on with session NAME, when the robot is found in its map", status,
+      [&a] { return load_session(a); });
+  for (const char* name : {"save", "load"})
+    session->get_subcommand(name)->add_option("NAME", a.session, "letters, digits, - and _")->required();
+  auto* load = session->get_subcommand("load");
+  auto* pose =
+      load->add_option("--pose", a.pose, "X Y THETA: about where the robot is, metres and radians in map")
+          ->expected(3);
+  load->add_flag("--search", a.search, "look for the robot in the whole map (so without --pose)")
+      ->excludes(pose);
+}
+
 void add_missions(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "start", "explore, and come home", status, [&a] { return show(a, "start", &nothing); });
   add(cli, "pause", "stand; the mission is kept", status, [&a] { return show(a, "pause", &nothing); });
@@ -126,6 +147,7 @@ int start(int argc, char** argv) {
   add_queries(cli, arguments, status);
   add_missions(cli, arguments, status);
   add_commands(cli, arguments, status);
+  add_sessions(cli, arguments, status);
   if (const auto ended = parse_command_line(cli, "topoctl", argc, argv)) return *ended;
   return status;
 }

@@ -67,7 +67,9 @@ class DaemonThreads : public ::testing::Test {
     };
     return "[robot]\nmodel = \"p3dx\"\n[base]\n" + address(DeviceId::kBase) + "[scanner.front]\n" +
            address(DeviceId::kFront) + "x_m = 0.021\n[scanner.coronal]\n" + address(DeviceId::kCoronal) +
-           "[control]\nsocket = \"" + socket + "\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n";
+           "[control]\nsocket = \"" + socket +
+           "\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n" + "[session]\nfolder = \"" +
+           folder.str() + "\"\njournal_period_s = 0.2\n";
   }
 
   Json ask(const char* method, const Json& params = Json::object()) {
@@ -128,6 +130,34 @@ TEST_F(DaemonThreads, DrivesMapsAndSaves) {
     EXPECT_TRUE(std::filesystem::exists(folder.file(name))) << name;
   }
   EXPECT_EQ(ask("latency")["base"]["wake"]["count"] > 20, true);
+}
+
+// The map is handed from thread to thread: to the journal, to the file, and back from the file while planning
+// reads.
+TEST_F(DaemonThreads, SessionsAreKeptSavedAndGoneOnWith) {
+  ASSERT_TRUE(until_ready());
+  const Json drive{{"v_mps", 0.3}, {"omega_radps", 0.0}};
+  ASSERT_TRUE(until([](const Json& s) { return s["map"]["keyframes"] >= 3; }, [&] { ask("drive", drive); }));
+  ASSERT_TRUE(until([](const Json& s) {
+    return s["twist"]["v_mps"] == 0.0 && s["session"]["journal"]["keyframes"] == s["map"]["keyframes"];
+  }));
+  const Json before = ask("status");
+  EXPECT_EQ(ask("session.save", {{"name", "room"}})["keyframes"], before["map"]["keyframes"]);
+  // Around where the simulator has it.
+  const double x_m = simulator->truth().pose.x_m - 4.0;
+  Json where{{"name", "room"}, {"x_m", x_m + 0.3}, {"y_m", -0.2}, {"theta_rad", 0.1}};
+  EXPECT_EQ(ask("session.load", where)["keyframes"], before["map"]["keyframes"]);
+  const auto keyframes = before["map"]["keyframes"].get<int>() + 1;
+  ASSERT_TRUE(until([&](const Json& s) {
+    return s["map"]["keyframes"] == keyframes && s["map"]["revision"] > before["map"]["revision"];
+  }));
+  EXPECT_NEAR(ask("status")["pose"]["x_m"].get<double>(), x_m, 0.15);
+  const Json back{{"v_mps", 0.0}, {"omega_radps", 0.5}};
+  ASSERT_TRUE(
+      until([&](const Json& s) { return s["map"]["keyframes"] > keyframes; }, [&] { ask("drive", back); }));
+  ASSERT_TRUE(
+      until([](const Json& s) { return s["session"]["journal"]["keyframes"] == s["map"]["keyframes"]; }));
+  EXPECT_EQ(ask("session.list")["sessions"].size(), 3U) << "the saved one, and a journal of each map";
 }
 
 TEST_F(DaemonThreads, EstopStopsAndLatches) {

@@ -15,6 +15,7 @@ class FakeOperations final : public Operations {
   std::vector<std::string> calls;
   types::Twist2 twist;
   std::string folder;
+  std::optional<types::Se2> pose;
   std::function<void(types::Result<Json>)> save_done;
   types::Vector2 target{0.0, 0.0};
   std::function<void(types::Status)> goto_done;
@@ -47,6 +48,17 @@ class FakeOperations final : public Operations {
     folder = f;
     save_done = std::move(done);
   }
+  void list_sessions(SessionDone done) override { done(Json{{"sessions", Json::array()}}); }
+  void save_session(const std::string& name, SessionDone done) override {
+    folder = name;
+    save_done = std::move(done);
+  }
+  void load_session(const std::string& name, const std::optional<types::Se2>& at, SessionDone done) override {
+    folder = name;
+    pose = at;
+    save_done = std::move(done);
+  }
+  types::Status begin_anew() override { return calls.push_back("new"), outcome; }
   types::Status set_log_level(const std::string&) override { return calls.push_back("log_level"), outcome; }
 };
 

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "tests/unit/daemon/control/fake_operations.hpp"
 
 namespace topo::daemon {
@@ -74,6 +76,37 @@ TEST_F(MethodsTest, MissionsAreGivenByName) {
     ASSERT_TRUE(ask(method, Json::object())->has_value()) << method;
   EXPECT_THAT(operations.calls, ElementsAre("explore", "pause", "resume", "home"));
   EXPECT_EQ(refusal("start", {{"fast", true}}), RpcCode::kInvalidParams);
+}
+
+TEST_F(MethodsTest, SessionsAreAnsweredLate) {
+  for (const auto* method : {"session.save", "session.load"}) {
+    EXPECT_EQ(refusal(method, {{"name", "office"}}, false), RpcCode::kForbidden) << method;
+    EXPECT_EQ(refusal(method, Json::object()), RpcCode::kInvalidParams) << method;
+  }
+  EXPECT_EQ(refusal("session.new", Json::object(), false), RpcCode::kForbidden);
+  EXPECT_FALSE(operations.save_done);
+  EXPECT_FALSE(ask("session.list", Json::object(), false).has_value());
+  ASSERT_TRUE(late && late->has_value());
+  EXPECT_TRUE((**late).contains("sessions"));
+  EXPECT_FALSE(ask("session.save", {{"name", "office"}}).has_value());
+  EXPECT_EQ(operations.folder, "office");
+  operations.save_done(types::fail(types::Errc::kIo, "the disk is full"));
+  ASSERT_TRUE(late && !late->has_value());
+  EXPECT_EQ(late->error().message, "the disk is full");
+  ASSERT_TRUE(ask("session.new", Json::object())->has_value());
+  EXPECT_THAT(operations.calls, ElementsAre("new"));
+}
+
+TEST_F(MethodsTest, ASessionIsLoadedAnywhereOrAroundAWholePose) {
+  EXPECT_FALSE(ask("session.load", {{"name", "office"}}).has_value());
+  EXPECT_FALSE(operations.pose);
+  EXPECT_FALSE(
+      ask("session.load", {{"name", "office"}, {"x_m", 1.5}, {"y_m", -2}, {"theta_rad", 7.0}}).has_value());
+  ASSERT_TRUE(operations.pose);
+  EXPECT_EQ(operations.pose->x_m, 1.5);
+  EXPECT_NEAR(operations.pose->theta_rad, 7.0 - 2.0 * std::numbers::pi, 1e-12);
+  EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"x_m", 1.5}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"at", 1}}), RpcCode::kInvalidParams);
 }
 
 TEST_F(MethodsTest, GotoIsAnsweredWhenTheWayWasLookedFor) {

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/session_control.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+#include "daemon/config/key_table.hpp"
+#include "daemon/session/format.hpp"
+#include "daemon/session/session_writer.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+
+using types::Errc;
+using types::fail;
+using types::Result;
+using types::Status;
+
+namespace {
+
+constexpr types::Duration kPatience = std::chrono::seconds(5);
+constexpr types::Duration kTryAgain = std::chrono::seconds(10);
+
+}  // namespace
+
+std::uint64_t params_hash(const Configuration& configuration) {
+  std::string text;
+  for (const KeySpec& key : key_table()) {
+    const std::string_view section = key.section();
+    if (section != "mapping" && !section.starts_with("scanner.")) continue;
+    if (key.name() == "address" || key.name() == "serial_number") continue;
+    text += fmt::format("{}={}\n", key.path, value_text(key, configuration));
+  }
+  return hash_of(std::as_bytes(std::span(text)));
+}
+
+SessionControl::SessionControl(const Configuration& configuration, HandOvers& hand_overs, Background& files)
+    : configuration_(configuration),
+      hand_overs_(hand_overs),
+      files_(files),
+      client_(hand_overs.files_desk, hand_overs.mapping_wakeup),
+      params_hash_(params_hash(configuration)) {
+  const SessionConfig& config = configuration_.session;
+  resuming_ = !config.folder.empty() && !config.resume.empty();
+  if (!resuming_) return;
+  obstacle_ = "the last session is being looked for";
+  hand_overs_.journal_held.store(true, std::memory_order_release);
+}
+
+void SessionControl::tick(types::Stamp now, bool has_map) {
+  if (!resuming_ || loading_ || !has_map || now < next_try_) return;
+  resume(now);
+}
+
+void SessionControl::release() {
+  resuming_ = false;
+  obstacle_.clear();
+  hand_overs_.journal_held.store(false, std::memory_order_release);
+  hand_overs_.journal_wakeup.post();
+}
+
+void SessionControl::begin_anew() {
+  if (resuming_) spdlog::info("session: begun anew, on the operator's word");
+  release();
+}
+
+Result<std::optional<SessionEntry>> SessionControl::wanted() const {
+  const SessionConfig& config = configuration_.session;
+  const auto sessions = list_sessions(config.folder);
+  if (!sessions) return tl::unexpected(sessions.error());
+  if (config.resume == "killed" || config.resume == "last") return newest_journal(*sessions);
+  for (const SessionEntry& session : *sessions) {
+    if (session.name == config.resume) return std::optional(session);
+  }
+  return fail(Errc::kNotFound,
+              fmt::format("{}: there is no such session", session_path(config.folder, config.resume)));
+}
+
+/// What the daemon was told to go on with. One that stopped in order is not taken up again after "killed".
+SessionControl::Resumed SessionControl::try_resume() {
+  Resumed resumed;
+  const auto entry = wanted();
+  if (!entry) resumed.warning = entry.error().message;
+  if (!entry || !*entry) return resumed;
+  resumed.name = (*entry)->name;
+  const auto file = load_session((*entry)->path);
+  if (!file) {
+    resumed.warning = file.error().message;
+  } else if (!file->session.keyframes.empty() &&
+             !(file->closed && configuration_.session.resume == "killed")) {
+    resumed.loaded = go_on(*file, std::nullopt, true);
+  }
+  return resumed;
+}
+
+void SessionControl::resume(types::Stamp now) {
+  loading_ = true;
+  next_try_ = now + kTryAgain;
+  auto job = [this]() -> Background::Finish {
+    return [this, resumed = try_resume()] {
+      loading_ = false;
+      if (resuming_) settle(resumed);
+    };
+  };
+  if (!files_.add(std::move(job))) loading_ = false;
+}
+
+void SessionControl::settle(const Resumed& resumed) {
+  if (!resumed.loaded) {
+    if (!resumed.warning.empty()) spdlog::warn("session.resume: {}", resumed.warning);
+    return release();
+  }
+  const Result<Loaded>& loaded = *resumed.loaded;
+  if (loaded) {
+    spdlog::info("session {}: goes on with {} keyframes; {}", resumed.name, loaded->keyframes, loaded->place);
+    return release();
+  }
+  const std::string text = fmt::format(
+      "the robot does not know where it is in session {0}: {1} (topoctl session load {0} --pose X Y THETA, "
+      "or "
+      "topoctl session new)",
+      resumed.name, loaded.error().message);
+  if (text != obstacle_) spdlog::warn("session.resume: {}", text);
+  obstacle_ = text;
+}
+
+void SessionControl::list(const Done& done) {
+  auto job = [folder = configuration_.session.folder, done]() -> Background::Finish {
+    if (folder.empty())
+      return [done] {
+        done(fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept"));
+      };
+    const auto sessions = list_sessions(folder);
+    if (!sessions) return [done, error = sessions.error()] { done(tl::unexpected(error)); };
+    Json entries = Json::array();
+    for (const SessionEntry& s : *sessions) {
+      entries.push_back(
+          {{"name", s.name}, {"bytes", s.bytes}, {"written_s", s.written_s}, {"journal", s.journal}});
+    }
+    return [done, json = Json{{"folder", folder}, {"sessions", std::move(entries)}}] { done(json); };
+  };
+  if (const auto added = files_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+void SessionControl::save(const std::string& name, const Done& done) {
+  const std::string& folder = configuration_.session.folder;
+  if (folder.empty())
+    return done(fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept"));
+  if (!is_session_name(name)) {
+    return done(
+        fail(Errc::kInvalidInput,
+             fmt::format("name: found \"{}\", expected 1 to 64 letters, digits, - and _, not \"journal-...\"",
+                         name)));
+  }
+  auto job = [this, path = session_path(folder, name), done]() -> Background::Finish {
+    return [done, saved = save_now(path)] { done(saved); };
+  };
+  if (const auto added = files_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+Result<Json> SessionControl::save_now(const std::string& path) {
+  const auto news = client_.ask({}, kPatience);
+  if (news == nullptr) return fail(Errc::kTimeout, "the mapping thread does not answer");
+  if (news->session.keyframes.empty())
+    return fail(Errc::kNotFound, "there is no map yet: no scan was matched since the start");
+  if (auto s = save_session(path, news->session, params_hash_); !s) return tl::unexpected(s.error());
+  spdlog::info("session of {} keyframes saved to {}", news->session.keyframes.size(), path);
+  return Json{{"file", path}, {"keyframes", news->session.keyframes.size()}, {"revision", news->revision}};
+}
+
+void SessionControl::load(const std::string& name, const std::optional<types::Se2>& pose, const Done& done) {
+  const std::string& folder = configuration_.session.folder;
+  if (folder.empty())
+    return done(fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept"));
+  if (!is_session_name(name) && !name.starts_with("journal-"))
+    return done(
+        fail(Errc::kInvalidInput, fmt::format("name: found \"{}\", expected a session's name", name)));
+  if (loading_) return done(fail(Errc::kBusy, "a session is being loaded already"));
+  loading_ = true;
+  const std::string before = std::exchange(obstacle_, "a session is being loaded");
+  auto job = [this, before, path = session_path(folder, name), name, pose, done]() -> Background::Finish {
+    const auto file = load_session(path);
+    const Result<Loaded> loaded = file ? go_on(*file, pose, false) : tl::unexpected(file.error());
+    return [this, before, loaded, name, done] {
+      loading_ = false;
+      obstacle_ = before;
+      if (!loaded) return done(tl::unexpected(loaded.error()));
+      release();
+      spdlog::info("session {}: goes on with {} keyframes; {}", name, loaded->keyframes, loaded->place);
+      done(Json{{"name", name},
+                {"keyframes", loaded->keyframes},
+                {"closed", loaded->closed},
+                {"other_parameters", loaded->other_params},
+                {"place", loaded->place},
+                {"pose",
+                 {{"x_m", loaded->T_map_base.x_m},
+                  {"y_m", loaded->T_map_base.y_m},
+                  {"theta_rad", loaded->T_map_base.theta_rad}}}});
+    };
+  };
+  if (const auto added = files_.add(std::move(job)); !added) {
+    loading_ = false;
+    obstacle_ = before;
+    done(tl::unexpected(added.error()));
+  }
+}
+
+Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
+                                                     const std::optional<types::Se2>& pose, bool hint) {
+  if (file.session.keyframes.empty()) return fail(Errc::kNotFound, "the session holds no map");
+  SessionAsk ask;
+  ask.sighting = true;
+  const auto news = client_.ask(ask, kPatience);
+  if (news == nullptr) return fail(Errc::kTimeout, "the mapping thread does not answer");
+  if (news->session.keyframes.empty()) return fail(Errc::kBusy, "no scan came since the start");
+  const auto found = place(file.session, *news, pose, hint);
+  if (!found) return tl::unexpected(found.error());
+  if (auto s = hand_over(file.session, *news, found->match); !s) return tl::unexpected(s.error());
+  return Loaded{file.session.keyframes.size(), file.closed, file.params_hash != params_hash_,
+                describe(*found), found->match.T_map_base};
+}
+
+/// Where the newest scan is in the session. `hint`: when two places look alike, a robot that was only
+/// restarted is where the session's path ended.
+Result<slam::Localisation> SessionControl::place(const slam::Session& session, const SessionNews& news,
+                                                 const std::optional<types::Se2>& pose, bool hint) const {
+  const slam::MapperParams params = mapper_params(configuration_);
+  slam::Localisation found = pose ? slam::localise_near(session, news.cloud, *pose, params)
+                                  : slam::localise_anywhere(session, news.cloud, params);
+  if (!found.found() && found.refusal != slam::LocaliseRefusal::kNothingFits && hint) {
+    slam::LocaliseParams last;  // it rolled on until the firmware's watchdog or the helper stopped it
+    last.window = {3.0, 1.0};
+    last.guess_sigma_m = 1.5;
+    last.guess_sigma_rad = 0.5;
+    found = slam::localise_near(session, news.cloud, session.poses.back(), params, last);
+  }
+  if (!found.found()) return fail(Errc::kBusy, describe(found));
+  return found;
+}
+
+/// Draws the map here, so that the mapping thread only has to take it.
+Status SessionControl::hand_over(const slam::Session& session, const SessionNews& news,
+                                 const slam::Match& match) {
+  auto* slot = hand_overs_.take_over.try_acquire();
+  if (slot == nullptr)
+    return fail(Errc::kBusy, "the mapping thread has not taken the session before over yet");
+  slot->content = std::make_unique<pipeline::MappingState>(
+      mapper_params(configuration_), session,
+      slam::Arrival{news.cloud, news.T_odom_base, match.T_map_base, match.scan_information});
+  hand_overs_.take_over.commit();
+  SessionAsk known;
+  known.map = news.map;
+  known.revision = news.revision;
+  known.keyframes = news.session.keyframes.size();
+  const types::Stamp limit = io::monotonic_now() + kPatience;
+  while (io::monotonic_now() < limit) {
+    const auto answer = client_.ask(known, kPatience);
+    if (answer != nullptr && answer->map != news.map) return {};
+  }
+  return fail(Errc::kTimeout, "the mapping thread does not take the session over");
+}
+
+Json SessionControl::status() const {
+  return {{"folder", configuration_.session.folder},
+          {"obstacle", obstacle_},
+          {"journal",
+           {{"name", journal_.name.view()},
+            {"keyframes", journal_.keyframes},
+            {"bytes", journal_.bytes},
+            {"failures", journal_.failures},
+            {"failing", journal_.failing},
+            {"message", journal_.message.view()}}}};
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/slam/localise.hpp"
+#include "daemon/app/background.hpp"
+#include "daemon/config/configuration.hpp"
+#include "daemon/control/json_rpc.hpp"
+#include "daemon/session/folder.hpp"
+#include "daemon/session/session_reader.hpp"
+#include "daemon/threads/hand_overs.hpp"
+
+namespace topo::daemon {
+
+/// Hash of what a map is made with: the values of [mapping] and of the scanners' places.
+[[nodiscard]] std::uint64_t params_hash(const Configuration& configuration);
+
+/// The sessions that the operator saves and loads, and the one that the daemon goes on with after a restart.
+/// Main only, but for the jobs that it gives to the background thread; a map is taken over only when the
+/// robot knows where it is in it, and else everything stays as it is.
+class SessionControl {
+ public:
+  using Done = std::function<void(types::Result<Json>)>;
+  /// `files`: the thread that the jobs run on, one after the other; ended before this.
+  SessionControl(const Configuration& configuration, HandOvers& hand_overs, Background& files);
+
+  /// Every tick: begins what session.resume asks for as soon as there is a scan, and tries again until it is
+  /// done.
+  void tick(types::Stamp now, bool has_map);
+  /// Why the robot cannot be sent off because of a session; empty when it can.
+  [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+
+  void list(const Done& done);
+  void save(const std::string& name, const Done& done);
+  /// Goes on with a session: the robot is looked for around the pose, or anywhere.
+  void load(const std::string& name, const std::optional<types::Se2>& pose, const Done& done);
+  /// Leaves the session alone that the daemon wanted to go on with: the map made since the start is the map.
+  void begin_anew();
+
+  [[nodiscard]] Json status() const;
+  void note(const JournalReport& journal) { journal_ = journal; }
+
+ private:
+  /// What a load found out.
+  struct Loaded {
+    std::size_t keyframes = 0;
+    bool closed = false, other_params = false;
+    std::string place;  ///< one sentence
+    types::Se2 T_map_base;
+  };
+  /// What became of session.resume.
+  struct Resumed {
+    std::string name, warning;
+    std::optional<types::Result<Loaded>> loaded;  ///< nothing: there is none to go on with
+  };
+  void resume(types::Stamp now);
+  void settle(const Resumed& resumed);
+  void release();
+  // On the background thread.
+  Resumed try_resume();
+  types::Result<Json> save_now(const std::string& path);
+  types::Result<Loaded> go_on(const LoadedSession& file, const std::optional<types::Se2>& pose, bool hint);
+  types::Result<slam::Localisation> place(const slam::Session& session, const SessionNews& news,
+                                          const std::optional<types::Se2>& pose, bool hint) const;
+  types::Status hand_over(const slam::Session& session, const SessionNews& news, const slam::Match& match);
+  /// The session that session.resume names; nothing when there is none to go on with.
+  types::Result<std::optional<SessionEntry>> wanted() const;
+
+  const Configuration& configuration_;
+  HandOvers& hand_overs_;
+  Background& files_;
+  SessionClient client_;  ///< background thread
+  std::uint64_t params_hash_;
+  std::string obstacle_;
+  bool resuming_ = false;  ///< session.resume is not settled yet
+  bool loading_ = false;   ///< a job of ours is under way
+  types::Stamp next_try_{};
+  JournalReport journal_;
+};
+
+}  // namespace topo::daemon

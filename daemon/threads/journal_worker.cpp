@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/journal_worker.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+#include "daemon/logging/event_catalogue.hpp"
+#include "daemon/session/folder.hpp"
+#include "drivers/io/posix.hpp"
+
+namespace topo::daemon {
+namespace {
+
+/// A robot that has not moved has no map worth a file: starting it anew must not push a real map's journal
+/// out.
+constexpr std::size_t kWorthKeeping = 2;
+constexpr types::Duration kPatience = std::chrono::seconds(5);
+constexpr types::Duration kTellAgain = std::chrono::minutes(1);
+
+}  // namespace
+
+void JournalWorker::run() noexcept {
+  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+    hand_overs_.journal_wakeup.wait(settings_.period);
+    vitals_.beat();
+    const types::Stamp begin = io::monotonic_now();
+    pull();
+    vitals_.run.record((io::monotonic_now() - begin).count());
+  }
+  pull();
+  close();
+}
+
+void JournalWorker::pull() {
+  // A robot that does not know yet where it is in an older map keeps that map's journal the newest.
+  if (hand_overs_.journal_held.load(std::memory_order_acquire)) return;
+  const auto news = client_.ask(known_, kPatience);
+  if (news == nullptr) return;
+  if (news->changed) take(*news);
+  keep();
+}
+
+void JournalWorker::take(const SessionNews& news) {
+  if (news.map != known_.map) {
+    close();  // another map was taken over: another journal
+    session_ = {};
+  }
+  session_.keyframes.resize(news.first);
+  session_.keyframes.insert(session_.keyframes.end(), news.session.keyframes.begin(),
+                            news.session.keyframes.end());
+  session_.poses = news.session.poses;
+  session_.edges = news.session.edges;
+  known_.map = news.map;
+  known_.revision = news.revision;
+  known_.keyframes = session_.keyframes.size();
+}
+
+void JournalWorker::keep() {
+  if (session_.keyframes.size() < kWorthKeeping) return;
+  if (!file_) {
+    if (auto opened = open(); !opened) return note(opened);
+  }
+  const auto appended = file_->append(session_);
+  note(appended ? types::Status{} : types::Status(tl::unexpected(appended.error())));
+}
+
+types::Status JournalWorker::open() {
+  const auto sessions = list_sessions(settings_.folder);
+  if (!sessions) return tl::unexpected(sessions.error());
+  const std::string name = next_journal_name(static_cast<std::int64_t>(std::time(nullptr)), *sessions);
+  auto created = JournalFile::create(session_path(settings_.folder, name), settings_.params_hash);
+  if (!created) return tl::unexpected(created.error());
+  file_.emplace(std::move(*created));
+  report_.name = name;
+  remove_old_journals(*sessions, std::max<std::size_t>(settings_.keep, 1) - 1);
+  return {};
+}
+
+void JournalWorker::close() {
+  if (!file_) return;
+  note(file_->close(session_));
+  file_.reset();
+}
+
+/// A disk that is full or gone is told once a minute; mapping does not mind.
+void JournalWorker::note(const types::Status& kept) {
+  const types::Stamp now = io::monotonic_now();
+  const bool failed_before = report_.failing;
+  report_.failing = !kept.has_value();
+  if (kept) {
+    report_.keyframes = session_.keyframes.size();
+    report_.bytes = file_ ? file_->bytes() : report_.bytes;
+    if (failed_before) {
+      post(vitals_.events, now.time_since_epoch().count(), EventId::kJournalGoesOn, sync::Severity::kInfo,
+           {static_cast<std::int64_t>(report_.keyframes)});
+    }
+  } else {
+    ++report_.failures;
+    report_.message = kept.error().message;
+    if (!failed_before || now - told_ >= kTellAgain) {
+      told_ = now;
+      post(vitals_.events, now.time_since_epoch().count(), EventId::kJournalFailed, sync::Severity::kWarning,
+           {static_cast<std::int64_t>(report_.failures)}, report_.message.view());
+    }
+  }
+  hand_overs_.journal_report.store(report_);
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/types/stamp.hpp"
+#include "daemon/session/journal_file.hpp"
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
+
+namespace topo::daemon {
+
+/// How the session is kept while it is made.
+struct JournalSettings {
+  std::string folder;
+  types::Duration period = std::chrono::seconds(2);
+  std::size_t keep = 5;  ///< journals, the present one too
+  std::uint64_t params_hash = 0;
+};
+
+/// The journal thread: writes the session into a file while it grows, so that a killed daemon's map can be
+/// gone on with. It pulls keyframes by their numbers and loses none: what a full disk did not take comes
+/// later.
+class JournalWorker {
+ public:
+  JournalWorker(HandOvers& hand_overs, JournalSettings settings, Vitals& vitals)
+      : hand_overs_(hand_overs),
+        settings_(std::move(settings)),
+        vitals_(vitals),
+        client_(hand_overs.journal_desk, hand_overs.mapping_wakeup) {}
+
+  /// The thread's body: until hand_overs.stopping; then the last keyframes, and the record that all is there.
+  /// The mapping thread must still answer by then.
+  void run() noexcept;
+
+ private:
+  void pull();
+  void take(const SessionNews& news);
+  void keep();
+  void close();
+  types::Status open();
+  void note(const types::Status& kept);
+
+  HandOvers& hand_overs_;
+  JournalSettings settings_;
+  Vitals& vitals_;
+  SessionClient client_;
+  SessionAsk known_;
+  slam::Session session_;
+  std::optional<JournalFile> file_;
+  JournalReport report_;
+  types::Stamp told_{};  ///< when the last failure was told
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "daemon/topoctl/commands.hpp"
+#include "daemon/topoctl/tables.hpp"
+
+namespace topo::daemon {
+namespace {
+
+constexpr types::Duration kDiskPatience = std::chrono::minutes(2);
+
+std::int64_t number_of(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_number() ? found->get<std::int64_t>() : 0;
+}
+
+std::string saved_text(const Json& answer) {
+  return fmt::format("session of {} keyframes saved to {}\n", number_of(answer, "keyframes"),
+                     text_at(answer, "/file"));
+}
+
+std::string loaded_text(const Json& answer) {
+  std::string text = fmt::format("goes on with session {}, {} keyframes: {}\n", text_at(answer, "/name"),
+                                 number_of(answer, "keyframes"), text_at(answer, "/place"));
+  if (const auto other = answer.find("other_parameters"); other != answer.end() && *other == true)
+    text += "(it was made with other parameters of the mapper or places of the scanners)\n";
+  return text;
+}
+
+}  // namespace
+
+std::string sessions_table(const Json& answer) {
+  const auto sessions = answer.find("sessions");
+  if (sessions == answer.end() || !sessions->is_array()) return {};
+  if (sessions->empty()) return fmt::format("no sessions in {}\n", text_at(answer, "/folder"));
+  std::string text = fmt::format("{:<36} {:>10}  {}\n", "session", "kB", "last written (UTC)");
+  for (const Json& session : *sessions) {
+    const auto written = static_cast<std::time_t>(number_of(session, "written_s"));
+    text += fmt::format("{:<36} {:>10.1f}  {:%Y-%m-%d %H:%M:%S}\n", text_at(session, "/name"),
+                        static_cast<double>(number_of(session, "bytes")) / 1e3, fmt::gmtime(written));
+  }
+  return text;
+}
+
+int save_session(const Arguments& arguments) {
+  return show(arguments, "session.save", &saved_text, Json{{"name", arguments.session}}, kDiskPatience);
+}
+
+int load_session(const Arguments& arguments) {
+  Json params{{"name", arguments.session}};
+  if (arguments.pose.size() == 3) {
+    params["x_m"] = arguments.pose[0];
+    params["y_m"] = arguments.pose[1];
+    params["theta_rad"] = arguments.pose[2];
+  }
+  return show(arguments, "session.load", &loaded_text, params, kDiskPatience);
+}
+
+}  // namespace topo::daemon

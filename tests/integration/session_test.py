@@ -1,0 +1,239 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Topometric authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A daemon that is killed recovers its map; sessions are saved, listed and gone on with; a full disk is survived.
+
+usage: session_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]
+Where the robot is, is held against the simulator's truth; the daemon sees its wires only."""
+import json
+import math
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BIN = SOURCE = None
+PATIENCE_S = 90
+# No two corners alike, so that one scan tells where it was taken.
+WORLD = """
+[[start]]
+x_m = 2.0
+y_m = 2.0
+[[wall]]
+points_m = [[-0.1, -0.1], [12.1, -0.1], [12.1, 8.1], [-0.1, 8.1]]
+closed = true
+thickness_m = 0.2
+[[wall]]
+points_m = [[7.0, 8.0], [7.0, 4.5]]
+thickness_m = 0.1
+[[wall]]
+points_m = [[3.0, 5.5], [4.2, 5.5], [4.2, 6.3], [3.0, 6.3]]
+closed = true
+thickness_m = 0.1
+[[wall]]
+points_m = [[10.0, 0.0], [10.0, 1.0], [11.0, 1.6]]
+thickness_m = 0.1
+"""
+START = (2.0, 2.0)
+
+
+def wait_for(condition, what, seconds=PATIENCE_S):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.05)
+    raise AssertionError("%s did not come within %g s" % (what, seconds))
+
+
+class Sessions(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+        self.sessions = self.folder / "sessions"
+        self.sessions.mkdir()
+        self.processes = []
+        self.addCleanup(self.kill_all)
+        (self.folder / "world.toml").write_text(WORLD)
+        self.sim_control = str(self.folder / "sim.sock")
+        simulator = self.start("toposim", "--world", self.folder / "world.toml", "--control", self.sim_control,
+                               "--die-with-parent", stdout=subprocess.PIPE)
+        self.addCleanup(simulator.stdout.close)
+        self.write_config(json.loads(simulator.stdout.readline())["robots"][0])
+
+    def kill_all(self):
+        for process in self.processes:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+
+    def start(self, name, *arguments, **options):
+        with open(self.folder / (name + ".log"), "ab") as log:
+            process = subprocess.Popen([str(BIN / name), *map(str, arguments)], stderr=log, text=True, **options)
+        self.processes.append(process)
+        return process
+
+    def write_config(self, devices):
+        text = (SOURCE / "config/simulation.toml").read_text()
+        for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
+            pattern = r"(\[%s\].*?\naddress = )\"[^\"]*\"" % re.escape(section)
+            text = re.sub(pattern, r'\1"%s"' % devices[device]["address"], text, count=1, flags=re.S)
+        self.socket = self.folder / "control.sock"
+        text = re.sub(r'(?m)^socket = "[^"]*"', 'socket = "%s"' % self.socket, text, count=1)
+        self.config = self.folder / "robot.toml"
+        text = text[:text.index("[session]")]
+        self.config.write_text(text + '[session]\nfolder = "%s"\njournal_period_s = 0.2\n' % self.sessions)
+
+    def start_daemon(self, **options):
+        daemon = self.start("topometricd", "--config", self.config, **options)
+        wait_for(lambda: self.status().get("map", {}).get("keyframes", 0) > 0, "a daemon with a map")
+        return daemon
+
+    def status(self):
+        done = self.ctl("--json", "status")
+        return json.loads(done.stdout) if done.returncode == 0 else {}
+
+    def ready(self):
+        done = self.ctl("wait", "ready", "--timeout", PATIENCE_S)
+        self.assertEqual(done.returncode, 0, done)
+
+    def ctl(self, *words):
+        return subprocess.run([BIN / "topoctl", "--socket", self.socket, *map(str, words)], capture_output=True,
+                              text=True, timeout=2 * PATIENCE_S)
+
+    def truth(self):
+        done = subprocess.run([BIN / "toposim", "ctl", self.sim_control, "truth"], capture_output=True, text=True,
+                              timeout=PATIENCE_S, check=True)
+        return json.loads(done.stdout)["robots"][0]
+
+    def drive(self, *way):
+        """Legs of (speed, turning speed, seconds) by hand."""
+        for v, w, seconds in way:
+            done = self.ctl("drive", v, w, "--for", seconds)
+            self.assertEqual(done.returncode, 0, done)
+
+    def make_a_map(self):
+        self.drive((0.5, 0, 6), (0, 0.8, 2), (0.4, 0, 3))
+        status = wait_for(lambda: (lambda s: s if s["state"] == "standing" and s["twist"]["v_mps"] == 0 else None)(
+            self.status()), "a robot that stands")
+        self.assertGreater(status["map"]["keyframes"], 6)
+        return status
+
+    def journalled(self):
+        """The journal has every keyframe of the map."""
+        def all_there():
+            status = self.status()
+            journal = status["session"]["journal"]
+            return journal if journal["keyframes"] == status["map"]["keyframes"] else None
+        return wait_for(all_there, "a journal with all keyframes")
+
+    def assert_at_the_truth(self, status):
+        """The map's origin is where the first daemon's robot stood."""
+        truth, pose = self.truth(), status["pose"]
+        off_m = math.hypot(pose["x_m"] - (truth["x_m"] - START[0]), pose["y_m"] - (truth["y_m"] - START[1]))
+        print("pose off by %.3f m" % off_m, file=sys.stderr)
+        self.assertLess(off_m, 0.12)
+
+    def test_a_killed_daemon_recovers_its_map_and_stands(self):
+        daemon = self.start_daemon()
+        self.make_a_map()
+        kept = self.journalled()["keyframes"]
+        daemon.kill()
+        daemon.wait()
+        before = self.truth()
+        self.start_daemon()
+        self.ready()
+        status = self.status()
+        self.assertGreater(status["map"]["keyframes"], kept)
+        self.assertEqual(status["session"]["obstacle"], "")
+        self.assert_at_the_truth(status)
+        self.assertEqual(self.truth(), before, "the wheels turned by themselves")
+        self.assertEqual(status["mission"]["state"], "none")
+        # Told to move, it goes on mapping in the same frame; and that is kept in a journal of its own.
+        self.drive((0, -0.8, 3), (0.4, 0, 4))
+        self.assertGreater(self.status()["map"]["keyframes"], status["map"]["keyframes"])
+        self.assert_at_the_truth(self.status())
+        self.assertGreater(self.journalled()["keyframes"], kept)
+        self.assertEqual(len(list(self.sessions.glob("journal-*.session"))), 2)
+
+    def test_killed_at_any_moment_of_its_way(self):
+        """Three times in a row, while it drives."""
+        keyframes = 0
+        for turn in (0.5, -0.6, 0.7):
+            daemon = self.start_daemon()
+            self.ready()
+            driver = self.start("topoctl", "--socket", self.socket, "drive", 0.35, turn, "--for", 30,
+                                stdout=subprocess.DEVNULL)
+            wait_for(lambda: self.status()["session"]["journal"]["keyframes"] >= keyframes + 4, "a growing journal")
+            keyframes = self.status()["session"]["journal"]["keyframes"]
+            daemon.kill()
+            daemon.wait()
+            driver.wait()
+            wait_for(lambda: (lambda a, b: a == b)(self.truth(), (time.sleep(0.2), self.truth())[1]), "standing")
+        self.start_daemon()
+        self.ready()
+        self.assertGreaterEqual(self.status()["map"]["keyframes"], keyframes)
+        self.assert_at_the_truth(self.status())
+
+    def test_sessions_are_saved_and_gone_on_with(self):
+        daemon = self.start_daemon()
+        self.make_a_map()
+        saved = self.ctl("session", "save", "office")
+        self.assertEqual(saved.returncode, 0, saved)
+        self.assertIn("office.session", saved.stdout)
+        kept = self.status()["map"]["keyframes"]
+        self.assertEqual(self.ctl("session", "save", "../office").returncode, 1)
+        daemon.terminate()
+        self.assertEqual(daemon.wait(), 0)
+        # Stopped in order: the next one begins a map of its own, and has nothing in its way.
+        self.start_daemon()
+        self.ready()
+        self.assertLess(self.status()["map"]["keyframes"], kept)
+        listed = self.ctl("session", "list")
+        self.assertIn("office", listed.stdout)
+        self.assertIn("journal-", listed.stdout)
+        self.assertEqual(self.ctl("session", "load", "nowhere").returncode, 1)
+        pose = self.truth()
+        loaded = self.ctl("session", "load", "office", "--pose", pose["x_m"] - START[0] + 0.5,
+                          pose["y_m"] - START[1] - 0.4, pose["theta_rad"] + 0.2)
+        self.assertEqual(loaded.returncode, 0, loaded)
+        self.assertEqual(self.status()["map"]["keyframes"], kept + 1)
+        wait_for(lambda: self.status()["map"]["keyframes"] == kept + 1, "the session's map")
+        self.assert_at_the_truth(self.status())
+        # Told a wrong place it stays as it was.
+        wrong = self.ctl("session", "load", "office", "--pose", 60, 60, 0)
+        self.assertEqual(wrong.returncode, 1, wrong)
+        self.assertIn("fits nowhere", wrong.stderr)
+        self.assertEqual(self.status()["map"]["keyframes"], kept + 1)
+        found = self.ctl("--json", "session", "load", "office", "--search")
+        self.assertEqual(found.returncode, 0, found)
+        self.assertEqual(json.loads(found.stdout)["keyframes"], kept)
+        self.ready()
+        self.assert_at_the_truth(self.status())
+
+    def test_a_full_disk_is_told_and_mapping_goes_on(self):
+        limit = 12000
+        self.start_daemon(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+        self.make_a_map()
+        wait_for(lambda: self.status()["session"]["journal"]["failures"] > 1, "failures that are counted")
+        journal = self.status()["session"]["journal"]
+        self.assertTrue(journal["failing"])
+        self.assertIn("cannot write", journal["message"])
+        before = self.status()["map"]["keyframes"]
+        self.drive((0, 0.8, 3))
+        self.assertGreater(self.status()["map"]["keyframes"], before)
+        log = (self.folder / "topometricd.log").read_text()
+        self.assertIn("the session is not being kept", log)
+        for path in self.sessions.glob("*.session"):
+            self.assertLessEqual(path.stat().st_size, limit)
+
+
+if __name__ == "__main__":
+    BIN, SOURCE = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
+    unittest.main(verbosity=2)
