@@ -24,15 +24,6 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-void fill_scan(const daemon::CarmenScan& from, std::uint64_t sequence, types::Scan& to) {
-  to.first_beam = to.arrival = types::stamp_from_seconds(from.stamp_s);
-  to.sequence = sequence;
-  to.beams = static_cast<std::uint16_t>(std::min(from.range_m.size(), types::Scan::kMaxBeams));
-  to.geometry = {from.angle_min_rad, from.angle_increment_rad, 0.0F, 0.0F, 0.02F, from.range_max_m};
-  to.has_intensity = false;
-  std::copy_n(from.range_m.begin(), to.beams, to.range_m.begin());
-}
-
 /// A scan's place relative to its keyframe, to be corrected when the log has ended.
 struct Hung {
   double stamp_s;
@@ -121,6 +112,20 @@ class Runner {
 };
 
 }  // namespace
+
+types::Result<daemon::CarmenLog> read_log(const std::string& path) {
+  return path.find(".dat") != std::string::npos ? daemon::read_mines_log(path)
+                                                : daemon::read_carmen_log(path);
+}
+
+void fill_scan(const daemon::CarmenScan& from, std::uint64_t sequence, types::Scan& to) {
+  to.first_beam = to.arrival = types::stamp_from_seconds(from.stamp_s);
+  to.sequence = sequence;
+  to.beams = static_cast<std::uint16_t>(std::min(from.range_m.size(), types::Scan::kMaxBeams));
+  to.geometry = {from.angle_min_rad, from.angle_increment_rad, 0.0F, 0.0F, 0.02F, from.range_max_m};
+  to.has_intensity = false;
+  std::copy_n(from.range_m.begin(), to.beams, to.range_m.begin());
+}
 
 LogRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state, const LogRunOptions& options) {
   return Runner(log, state, options).run();

@@ -33,6 +33,13 @@ struct LogRun {
 /// Maps a whole log. `state` holds the map afterwards.
 LogRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state, const LogRunOptions& options);
 
+/// A log of either kind: Mines logs are tables of numbers (MANIFEST of the data), everything else is CARMEN
+/// text.
+types::Result<daemon::CarmenLog> read_log(const std::string& path);
+
+/// A log's scan as the mapper takes it: all beams at one instant.
+void fill_scan(const daemon::CarmenScan& from, std::uint64_t sequence, types::Scan& to);
+
 /// Mapper parameters for a log: the tree's defaults and the laser's place on that robot.
 slam::MapperParams params_for(const daemon::CarmenLog& log);
 

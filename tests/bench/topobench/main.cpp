@@ -9,6 +9,7 @@
 #include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
+#include "tests/bench/topobench/session_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
 
 namespace {
@@ -66,6 +67,14 @@ void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
   app.add_flag("--json", analyse.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
+  app.add_option("--log", session.log, "The log")->required();
+  app.add_option("--out", session.out, "File for the session, as topoctl session save writes it");
+  app.add_option("--localise", session.localise, "Scans of the log that are looked for in its whole map")
+      ->capture_default_str();
+  app.add_flag("--json", session.json, "One JSON object on one line");
+}
+
 void add_options(CLI::App& app, topo::bench::SegmentCommand& segment) {
   app.add_option("labels,--labels", segment.labels, "Folder of label pictures")->required();
   app.add_option("truth,--truth", segment.truth, "Folder of true rooms (lines or colours)")->required();
@@ -108,6 +117,10 @@ int main(int argc, char** argv) {
   CLI::App* explore_app =
       app.add_subcommand("explore", "Explore a simulated building in lock-step, faster than real time");
   add_options(*explore_app, explore);
+  topo::bench::SessionCommand session;
+  CLI::App* session_app = app.add_subcommand(
+      "session", "Size of a log's session on the disk, and how its scans are found in its whole map");
+  add_options(*session_app, session);
   topo::bench::JudgeCommand judge;
   CLI::App* judge_app =
       app.add_subcommand("judge",
@@ -120,6 +133,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (*session_app) return finish(topo::bench::run_session(session));
   if (*slam_app) return finish(topo::bench::run_slam(slam));
   if (*analyse_app) return finish(topo::bench::run_analyse(analyse));
   if (*segment_app) return finish(topo::bench::run_segment(segment));

@@ -67,12 +67,6 @@ types::Result<nlohmann::json> relation_errors(const std::string& path, const Log
                         {"rot_max_deg", degrees(errors.rot_max_rad)}};
 }
 
-/// Mines logs are tables of numbers (MANIFEST of the data); everything else is CARMEN text.
-types::Result<daemon::CarmenLog> read_log(const std::string& path) {
-  return path.find(".dat") != std::string::npos ? daemon::read_mines_log(path)
-                                                : daemon::read_carmen_log(path);
-}
-
 }  // namespace
 
 types::Status run_slam(const SlamCommand& command) {

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "core/types/result.hpp"
+
+namespace topo::bench {
+
+/// The command line of `topobench session`.
+struct SessionCommand {
+  std::string log;
+  std::string out;     ///< file for the session; empty: none
+  int localise = 200;  ///< scans of the log that are looked for in its map
+  bool json = false;
+};
+
+/// Maps a log, measures what the codec and the session's file make of its keyframes, and looks for scans that
+/// are no keyframes in the whole map, as a robot would that was switched on there.
+types::Status run_session(const SessionCommand& command);
+
+}  // namespace topo::bench
