@@ -37,17 +37,7 @@ void BaseWorker::serve_until(types::Stamp deadline) {
   while (true) {
     const types::Stamp now = io::monotonic_now();
     if (now >= deadline) return;
-    switch (session_->step(incoming_, deadline - now)) {
-      case pioneer::StepOutcome::kState:
-        take_state();
-        break;
-      case pioneer::StepOutcome::kChanged:
-        break;
-      // Between attempts to connect a session has nothing to wait for.
-      case pioneer::StepOutcome::kNothing:
-        io::sleep_until(deadline);
-        return;
-    }
+    if (session_->step(incoming_, deadline - now) == pioneer::StepOutcome::kState) take_state();
   }
 }
 

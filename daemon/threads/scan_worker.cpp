@@ -14,14 +14,10 @@ ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
 
 void ScanWorker::run() noexcept {
   while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
-    const types::Stamp begin = io::monotonic_now();
+    // Paced by the sensor, or by the time-out: a session returns earlier only with news.
     const hokuyo::StepOutcome outcome = step();
-    const types::Stamp end = io::monotonic_now();
     vitals_.beat();
-    if (outcome == hokuyo::StepOutcome::kChanged || end >= next_report_) report();
-    // Between attempts to connect a session has nothing to wait for and returns at once. There is no event to
-    // wait for either, and a real-time thread must not spin: it looks again in a tenth of its time-out.
-    if (outcome == hokuyo::StepOutcome::kNothing) io::sleep_until(begin + kTimeout / 10);
+    if (outcome == hokuyo::StepOutcome::kChanged || io::monotonic_now() >= next_report_) report();
   }
   session_->close(kCloseTime);
   report();
