@@ -43,31 +43,45 @@ class BucketQueue {
     float cost_m;
   };
 
-  BucketQueue(float step_min_m, float step_max_m)
-      : buckets_per_m_(1.0F / step_min_m),
-        ring_(std::bit_ceil(static_cast<std::size_t>(std::ceil(step_max_m / step_min_m)) + 2)) {}
+  /// For another search; what was allocated stays.
+  void reset(float step_min_m, float step_max_m) {
+    for (auto& bucket : ring_) bucket.clear();
+    turn_ = empty_ = 0;
+    buckets_per_m_ = 1.0F / step_min_m;
+    ring_.resize(std::bit_ceil(static_cast<std::size_t>(std::ceil(step_max_m / step_min_m)) + 2));
+  }
 
   void push(std::uint32_t index, float cost_m) {
     ring_[static_cast<std::size_t>(cost_m * buckets_per_m_) & (ring_.size() - 1)].push_back({index, cost_m});
-    ++size_;
   }
 
-  /// Calls f(Entry) until the queue is empty; f may push.
+  /// Calls f(Entry) until the queue is empty or what comes costs at least `bound_m`; f may push. True when it
+  /// is empty. May be called again to go on.
   template <class F>
-  void drain(F&& f) {
-    for (std::size_t turn = 0; size_ > 0; turn = (turn + 1) & (ring_.size() - 1)) {
-      std::vector<Entry>& bucket = ring_[turn];
+  bool drain(float bound_m, F&& f) {
+    for (; empty_ < ring_.size() && next_m() < bound_m; ++turn_) {
+      std::vector<Entry>& bucket = ring_[turn_ & (ring_.size() - 1)];
+      empty_ = bucket.empty() ? empty_ + 1 : 0;
       // Rounding may put a new entry into the bucket at hand: it grows while it is read.
       for (std::size_t i = 0; i < bucket.size(); ++i) f(Entry(bucket[i]));
-      size_ -= bucket.size();
       bucket.clear();
     }
+    return empty_ >= ring_.size();
+  }
+  /// Whatever costs less has been called.
+  [[nodiscard]] float next_m() const { return static_cast<float>(turn_) / buckets_per_m_; }
+
+  template <class F>
+  void for_each(F&& f) const {
+    for (const auto& bucket : ring_)
+      for (const Entry& entry : bucket) f(entry);
   }
 
  private:
-  float buckets_per_m_;
+  float buckets_per_m_ = 1.0F;
   std::vector<std::vector<Entry>> ring_;
-  std::size_t size_ = 0;
+  std::size_t turn_ = 0;   ///< number of the bucket whose turn it is
+  std::size_t empty_ = 0;  ///< how many before it had nothing
 };
 
 double distance_m(const DenseMap& map, CellIndex a, CellIndex b) {
@@ -107,112 +121,165 @@ class StartRegion {
   float clearance_min_m_;
 };
 
-class Wavefront {
+}  // namespace
+
+class TravelSearch::Impl {
  public:
-  Wavefront(const DenseMap& map, std::span<const float> clearance_m, const TravelRules& rules)
-      : map_(map),
-        clearance_m_(clearance_m),
-        crowding_(rules),
-        radius_m_(static_cast<float>(rules.radius_m)),
-        resolution_m_(static_cast<float>(map.resolution_m)),
-        queue_(resolution_m_, resolution_m_ * std::numbers::sqrt2_v<float> * crowding_.at(0.0F)) {
+  void begin(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
+             const TravelRules& rules, TravelField& field) {
+    map_ = &map;
+    clearance_m_ = clearance_m;
+    crowding_ = Crowding(rules);
+    resolution_m_ = static_cast<float>(map.resolution_m);
+    field_ = &field;
+    queue_.reset(resolution_m_, resolution_m_ * std::numbers::sqrt2_v<float> * crowding_.at(0.0F));
     for (std::size_t i = 0; i < kNeighbours.size(); ++i) {
       offset_[i] = kNeighbours[i].y * std::ptrdiff_t{map.width()} + kNeighbours[i].x;
     }
+    prepare(start, rules);
   }
 
-  TravelField run(CellIndex start, const TravelRules& rules) {
-    field_.start = start;
-    field_.cost_m.assign(map_.cells.size(), kUnreached);
-    field_.step.assign(map_.cells.size(), kNoStep);
-    if (!map_.contains(start)) return std::move(field_);
-    const auto first = static_cast<std::uint32_t>(map_.index(start));
-    if (!on_border(start)) {
-      mark_border(kClosed);
-      if (!open(first)) open_start_region(StartRegion(map_, clearance_m_, start, rules));
-      queue_.push(first, field_.cost_m[first] = 0.0F);
-      queue_.drain([&](BucketQueue::Entry entry) {
-        if (entry.cost_m <= field_.cost_m[entry.index]) expand(entry);
-      });
-      mark_border(kUnreached);
-      close_start_region();
-    }
-    field_.cost_m[first] = 0.0F;
-    field_.step[first] = kNoStep;
-    return std::move(field_);
+  void settle(float bound_m) {
+    if (complete_) return;
+    if (!may_pause_) bound_m = kUnreached;
+    complete_ = queue_.drain(bound_m, [&](BucketQueue::Entry entry) {
+      if (entry.cost_m <= field_->cost_m[entry.index]) expand(entry);
+    });
+    if (!complete_) flood();
   }
+
+  [[nodiscard]] float settled_m() const { return complete_ ? kUnreached : queue_.next_m(); }
 
  private:
-  // A cost that nothing is less than: the border is never entered, and nobody asks for it.
-  static constexpr float kClosed = -1.0F;
-  // In place of kNoStep before a cell of the start region is reached.
-  static constexpr std::uint8_t kOpenAtStart = 254;
-
-  [[nodiscard]] bool on_border(CellIndex c) const {
-    return c.x == map_.box.min.x || c.x == map_.box.max.x || c.y == map_.box.min.y || c.y == map_.box.max.y;
+  void prepare(CellIndex start, const TravelRules& rules) {
+    field_->start = start;
+    field_->cost_m.assign(map_->cells.size(), kUnreached);
+    field_->step.assign(map_->cells.size(), kNoStep);
+    complete_ = true;
+    if (!map_->contains(start)) return;
+    const auto first = static_cast<std::uint32_t>(map_->index(start));
+    field_->cost_m[first] = 0.0F;
+    if (on_border(start)) return;
+    price_cells(static_cast<float>(rules.radius_m));
+    const bool leaves = metre_cost_[first] == kUnreached;
+    if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
+    close_border();
+    // Corners are cut nowhere else: the flood need not ask.
+    may_pause_ = !leaves && !is_near_something(static_cast<float>(rules.radius_m));
+    queue_.push(first, 0.0F);
+    complete_ = false;
   }
 
-  void mark_border(float cost) {
-    const auto width = static_cast<std::size_t>(map_.width()), size = field_.cost_m.size();
-    std::fill_n(field_.cost_m.begin(), width, cost);
-    std::fill_n(field_.cost_m.end() - static_cast<std::ptrdiff_t>(width), width, cost);
-    for (std::size_t i = 0; i < size; i += width) field_.cost_m[i] = field_.cost_m[i + width - 1] = cost;
+  [[nodiscard]] bool on_border(CellIndex c) const {
+    return c.x == map_->box.min.x || c.x == map_->box.max.x || c.y == map_->box.min.y ||
+           c.y == map_->box.max.y;
+  }
+
+  /// What a metre costs in every cell, so that a step asks one array.
+  void price_cells(float radius_m) {
+    metre_cost_.resize(map_->cells.size());
+    const Crowding crowding = crowding_;
+    const CellState* cells = map_->cells.data();
+    const float* clearance_m = clearance_m_.data();
+    float* const out = metre_cost_.data();
+    for (std::size_t i = 0; i < metre_cost_.size(); ++i) {
+      const float open = crowding.at(clearance_m[i]);
+      const bool closed = (clearance_m[i] < radius_m) | (cells[i] != CellState::kFree);
+      out[i] = closed ? kUnreached : open;
+    }
+  }
+
+  /// The outermost cells are never entered: neighbours of all others are in the array.
+  void close_border() {
+    const auto width = static_cast<std::size_t>(map_->width()), size = metre_cost_.size();
+    std::fill_n(metre_cost_.begin(), width, kUnreached);
+    std::fill_n(metre_cost_.end() - static_cast<std::ptrdiff_t>(width), width, kUnreached);
+    for (std::size_t i = 0; i < size; i += width) metre_cost_[i] = metre_cost_[i + width - 1] = kUnreached;
   }
 
   void open_start_region(const StartRegion& region) {
-    for (int y = field_.start.y - region.reach(); y <= field_.start.y + region.reach(); ++y) {
-      for (int x = field_.start.x - region.reach(); x <= field_.start.x + region.reach(); ++x) {
+    for (int y = field_->start.y - region.reach(); y <= field_->start.y + region.reach(); ++y) {
+      for (int x = field_->start.x - region.reach(); x <= field_->start.x + region.reach(); ++x) {
         const CellIndex cell{x, y};
-        if (!map_.contains(cell) || !region.allows(cell)) continue;
-        start_region_.push_back(map_.index(cell));
-        field_.step[start_region_.back()] = kOpenAtStart;
+        if (!map_->contains(cell) || !region.allows(cell)) continue;
+        const std::size_t i = map_->index(cell);
+        metre_cost_[i] = crowding_.at(clearance_m_[i]);
       }
     }
   }
 
-  void close_start_region() {
-    for (const std::size_t i : start_region_) {
-      if (field_.step[i] == kOpenAtStart) field_.step[i] = kNoStep;
-    }
-  }
-
-  [[nodiscard]] bool open(std::size_t i) const {
-    return (clearance_m_[i] >= radius_m_ && map_.cells[i] == CellState::kFree) || field_.step[i] != kNoStep;
+  /// Straight neighbours are one cell away: farther from everything, none of them is occupied.
+  [[nodiscard]] bool is_near_something(float clearance_m) const {
+    return clearance_m <= 1.01F * resolution_m_;
   }
 
   [[nodiscard]] bool cuts_corner(std::size_t from, std::size_t direction) const {
-    // Straight neighbours are one cell away: farther from everything, none of them is occupied.
-    if (direction % 2 == 0 || clearance_m_[from] > 1.01F * resolution_m_) return false;
+    if (direction % 2 == 0 || !is_near_something(clearance_m_[from])) return false;
     const auto occupied = [&](std::size_t d) {
-      return map_.cells[from + static_cast<std::size_t>(offset_[d % 8])] == CellState::kOccupied;
+      return map_->cells[from + static_cast<std::size_t>(offset_[d % 8])] == CellState::kOccupied;
     };
     return occupied(direction - 1) || occupied(direction + 1);
   }
 
   void expand(BucketQueue::Entry entry) {
     const float here = crowding_.at(clearance_m_[entry.index]);
+    const float straight_m = 0.5F * resolution_m_;
+    const float diagonal_m = std::numbers::sqrt2_v<float> / 2.0F * resolution_m_;
+    float* const cost = field_->cost_m.data() + entry.index;
+    const float* const metre = metre_cost_.data() + entry.index;
     for (std::size_t d = 0; d < kNeighbours.size(); ++d) {
-      const std::size_t to = entry.index + static_cast<std::size_t>(offset_[d]);
-      const float half_m = (d % 2 == 0 ? 0.5F : std::numbers::sqrt2_v<float> / 2.0F) * resolution_m_;
-      if (field_.cost_m[to] <= entry.cost_m + 2.0F * half_m || !open(to)) continue;
-      const float cost_m = entry.cost_m + half_m * (here + crowding_.at(clearance_m_[to]));
-      if (cost_m >= field_.cost_m[to] || cuts_corner(entry.index, d)) continue;
-      field_.cost_m[to] = cost_m;
-      field_.step[to] = static_cast<std::uint8_t>((d + 4) % 8);
-      queue_.push(static_cast<std::uint32_t>(to), cost_m);
+      const std::ptrdiff_t to = offset_[d];
+      const float cost_m = entry.cost_m + (d % 2 == 0 ? straight_m : diagonal_m) * (here + metre[to]);
+      if (cost_m >= cost[to] || cuts_corner(entry.index, d)) continue;
+      cost[to] = cost_m;
+      field_->step[entry.index + static_cast<std::size_t>(to)] = static_cast<std::uint8_t>((d + 4) % 8);
+      queue_.push(static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(entry.index) + to), cost_m);
     }
   }
 
-  const DenseMap& map_;
+  /// Marks what will be reached, run by run of a row.
+  void flood() {
+    seeds_.clear();
+    queue_.for_each([&](BucketQueue::Entry entry) { seeds_.push_back(entry.index); });
+    const auto width = static_cast<std::size_t>(map_->width());
+    while (!seeds_.empty()) {
+      const std::size_t seed = seeds_.back();
+      seeds_.pop_back();
+      std::size_t first = seed, end = seed + 1;
+      while (is_new(first - 1)) field_->cost_m[--first] = TravelField::kLater;
+      while (is_new(end)) field_->cost_m[end++] = TravelField::kLater;
+      add_seeds(first - width - 1, end - width + 1);
+      add_seeds(first + width - 1, end + width + 1);
+    }
+  }
+
+  /// The first new cell of each run in a piece of a row.
+  void add_seeds(std::size_t from, std::size_t end) {
+    for (std::size_t i = from; i < end; ++i) {
+      if (!is_new(i)) continue;
+      field_->cost_m[i] = TravelField::kLater;
+      seeds_.push_back(static_cast<std::uint32_t>(i));
+      while (i + 1 < end && is_new(i + 1)) ++i;
+    }
+  }
+
+  [[nodiscard]] bool is_new(std::size_t i) const {
+    return field_->cost_m[i] == kUnreached && metre_cost_[i] != kUnreached;
+  }
+
+  const DenseMap* map_ = nullptr;
   std::span<const float> clearance_m_;
-  Crowding crowding_;
-  float radius_m_;
-  float resolution_m_;
+  Crowding crowding_{TravelRules{}};
+  float resolution_m_ = 0.0F;
   BucketQueue queue_;
+  std::vector<float> metre_cost_;  ///< of every cell; infinity where the robot cannot be
+  TravelField* field_ = nullptr;
   std::array<std::ptrdiff_t, 8> offset_{};
-  std::vector<std::size_t> start_region_;
-  TravelField field_;
+  std::vector<std::uint32_t> seeds_;
+  bool complete_ = true, may_pause_ = false;
 };
+
+namespace {
 
 /// Calls f for the cells of the square ring `distance` cells around c.
 template <class F>
@@ -236,8 +303,24 @@ double cells_outside(const CellBox& box, CellIndex c) {
 
 TravelField travel_field(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
                          const TravelRules& rules) {
-  return Wavefront(map, clearance_m, rules).run(start, rules);
+  TravelField field;
+  TravelSearch search;
+  search.begin(map, clearance_m, start, rules, field);
+  search.settle(HUGE_VAL);
+  return field;
 }
+
+TravelSearch::TravelSearch() : impl_(std::make_unique<Impl>()) {}
+TravelSearch::~TravelSearch() = default;
+
+void TravelSearch::begin(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
+                         const TravelRules& rules, TravelField& field) {
+  impl_->begin(map, clearance_m, start, rules, field);
+}
+
+void TravelSearch::settle(double bound_m) { impl_->settle(static_cast<float>(bound_m)); }
+
+double TravelSearch::settled_m() const { return static_cast<double>(impl_->settled_m()); }
 
 std::vector<CellIndex> route_to(const DenseMap& map, const TravelField& field, CellIndex goal) {
   std::vector<CellIndex> route;

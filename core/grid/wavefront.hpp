@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,6 +29,9 @@ inline constexpr std::array<CellIndex, 8> kNeighbours{
 /// Cost of the cheapest way from the start to every cell, in metres of open travel; infinity where there is
 /// none. As long as map.cells.
 struct TravelField {
+  /// In place of a cost: there is a way, and a search that was paused has not found it yet.
+  static constexpr float kLater = std::numeric_limits<float>::max();
+
   CellIndex start;
   std::vector<float> cost_m;
   std::vector<std::uint8_t> step;  ///< how the cell was entered: 0..7, the neighbour it came from; 255: none
@@ -42,6 +47,33 @@ struct TravelField {
 /// reaches nothing.
 TravelField travel_field(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
                          const TravelRules& rules);
+
+/// travel_field in stages, and over and over, on one thread. Whoever wants the nearest of several cells need
+/// not wait for the rest of the building. Once its arrays and the field's are as long as the map, it
+/// allocates nothing.
+class TravelSearch {
+ public:
+  TravelSearch();
+  ~TravelSearch();
+  TravelSearch(const TravelSearch&) = delete;
+  TravelSearch& operator=(const TravelSearch&) = delete;
+
+  /// As travel_field. `map`, `clearance_m` and `field` must stay as they are until the next begin().
+  void begin(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
+             const TravelRules& rules, TravelField& field);
+
+  /// Goes on until all costs below `bound_m` are final, with the steps of their ways, and the others are
+  /// infinite where no way leads and no less than settled_m() elsewhere (TravelField::kLater, or that of a
+  /// way which need not be the cheapest). HUGE_VAL: to the end.
+  void settle(double bound_m);
+
+  /// Costs below are final; infinity when all are.
+  [[nodiscard]] double settled_m() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// The way to a cell, from the start on, as cells; empty when it cannot be reached.
 std::vector<CellIndex> route_to(const DenseMap& map, const TravelField& field, CellIndex goal);

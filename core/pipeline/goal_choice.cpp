@@ -13,7 +13,7 @@ constexpr double kGoalReach_m = 0.6;      // a goal whose own cell is closed by 
 constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
 constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
 
-constexpr double kAtHand_m = 9.0, kLongWay_m = 16.0;
+constexpr double kAtHand_m = 9.0;
 constexpr double kTurnCost_m_per_rad = 1.0;  // stopping, turning on the spot and speeding up again
 constexpr std::size_t kBeginning = 20;       // cells that say in which direction a route begins: 1 m
 
@@ -92,7 +92,7 @@ const Candidate* choose(std::span<const Candidate> candidates, const Candidate* 
   for (const Candidate& c : candidates) {
     double cost_m = c.cost_m;
     if (&c == present) cost_m *= switch_gain;
-    if (home_place != 0 && c.goal.place == home_place) cost_m *= 0.5;
+    if (home_place != 0 && c.goal.place == home_place) cost_m *= kHomePlaceShare;
     if (cost_m >= best_m) continue;
     best_m = cost_m;
     best = &c;

@@ -40,9 +40,14 @@ void add_gaps_at_hand(std::span<const Candidate> gaps, std::vector<Candidate>& c
 /// The candidate that a present goal has become: goals recede as the map grows (paper section III).
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);
 
+/// A goal that costs more is far: gaps at hand come first.
+inline constexpr double kLongWay_m = 16.0;
+
+/// What of its cost a candidate in the home place counts: gaps are filled place by place.
+inline constexpr double kHomePlaceShare = 0.5;
+
 /// The cheapest candidate; the present goal's successor stays unless another costs less than `switch_gain` of
-/// it. Candidates in `home_place` (0: none) cost half: gaps are filled place by place. Null when there is
-/// none.
+/// it. Candidates in `home_place` (0: none) cost kHomePlaceShare. Null when there is none.
 const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain,
                         std::uint16_t home_place);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "core/pipeline/planning_state.hpp"
@@ -118,6 +119,21 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
   return candidates;
 }
 
+/// Candidates with all costs that the choice can depend on: what is farther than the search has come is not
+/// chosen, whatever it gets off. The nearest goal is mostly near, and the building large.
+std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInput& in, bool& cut_off) {
+  constexpr double kFirst_m = 1.25 * kLongWay_m;
+  const double least_share = params.switch_gain * kHomePlaceShare;
+  for (double bound_m = kFirst_m;; bound_m *= 2.0) {
+    search.settle(bound_m);
+    cut_off = false;
+    std::vector<Candidate> candidates = find_candidates(in, cut_off);
+    double nearest_m = HUGE_VAL;
+    for (const Candidate& c : candidates) nearest_m = std::min(nearest_m, c.cost_m);
+    if (std::isinf(search.settled_m()) || nearest_m < least_share * search.settled_m()) return candidates;
+  }
+}
+
 void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& candidate) {
   goal = candidate.goal;
   target = candidate.cell;
@@ -150,7 +166,7 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
 void PlanningState::Impl::explore(const PlanningInput& in) {
   if (!returning) settle_goal(in);
   bool cut_off = false;
-  const std::vector<Candidate> candidates = find_candidates(in, cut_off);
+  const std::vector<Candidate> candidates = settled_candidates(in, cut_off);
   open_goals.clear();
   for (const Candidate& c : candidates) open_goals.push_back(c.goal);
   if (returning) {
@@ -208,6 +224,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
     last_progress = in.now;
   }
   if (in.now - last_progress > 4 * kStandstill) return end(Activity::kFailed, "no progress for 100 s");
+  search.settle(HUGE_VAL);
   const auto cell = grid::nearest_reachable(map, field, map.cell_at(p_map), 0.5);
   has_target = cell.has_value();
   if (cell) target = *cell;

@@ -125,7 +125,7 @@ void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   keep_trail_open(map, in.map->keyframes, params.travel.radius_m, travel_clearance_m);
   lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
   const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
-  field = grid::travel_field(map, travel_clearance_m, start, params.travel);
+  search.begin(map, travel_clearance_m, start, params.travel, field);
 }
 
 }  // namespace topo::pipeline

@@ -49,6 +49,7 @@ struct PlanningState::Impl {
   void run_dry(const PlanningInput& in, bool cut_off);
   void settle_goal(const PlanningInput& in);
   [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in, bool& cut_off);
+  [[nodiscard]] std::vector<Candidate> settled_candidates(const PlanningInput& in, bool& cut_off);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void go_home(const PlanningInput& in, std::string why);
   void go_to(const PlanningInput& in);
@@ -89,7 +90,8 @@ struct PlanningState::Impl {
   double known_m2 = 0.0;
   std::shared_ptr<const Analysis> analysis;
   types::Stamp analysed{};
-  grid::TravelField field;
+  grid::TravelSearch search;
+  grid::TravelField field;  ///< as far as the search has come
 
   // The goal.
   std::uint64_t goal_id = 0;

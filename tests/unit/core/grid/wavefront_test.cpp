@@ -231,5 +231,31 @@ TEST(Wavefront, NearestReachableIsTheNearestWithinTheLimit) {
   }));
 }
 
+TEST(TravelSearch, PausedAndResumedIsTheWholeField) {
+  EXPECT_TRUE(rc::check("stages", [] {
+    const DenseMap map = random_map(40);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
+    const TravelField whole = travel_field(map, clearance, map.cell(i), kSmallRobot);
+    TravelSearch search;
+    TravelField field;
+    for (int again = 0; again < 2; ++again) {
+      search.begin(map, clearance, map.cell(i), kSmallRobot, field);
+      for (double bound_m = 0.1; !std::isinf(search.settled_m()); bound_m += 0.4) {
+        search.settle(bound_m);
+        for (std::size_t k = 0; k < map.cells.size(); ++k) {
+          ASSERT_EQ(std::isinf(field.cost_m[k]), std::isinf(whole.cost_m[k])) << "cell " << k;
+          ASSERT_GE(field.cost_m[k], whole.cost_m[k]) << "cell " << k;
+          if (static_cast<double>(whole.cost_m[k]) >= search.settled_m() - 1e-5) continue;
+          ASSERT_EQ(field.cost_m[k], whole.cost_m[k]) << "cell " << k;
+          ASSERT_EQ(field.step[k], whole.step[k]) << "cell " << k;
+        }
+      }
+      ASSERT_EQ(field.cost_m, whole.cost_m);
+      ASSERT_EQ(field.step, whole.step);
+    }
+  }));
+}
+
 }  // namespace
 }  // namespace topo::grid
