@@ -42,6 +42,21 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   return params;
 }
 
+pipeline::ControlSetup control_setup(const Configuration& configuration) {
+  const BaseConfig& base = configuration.base;
+  pipeline::ControlSetup setup;
+  setup.limits.v_max_mps = base.v_max_mps;
+  setup.limits.omega_max_radps = base.omega_max_radps;
+  setup.limits.acceleration_mps2 = base.acceleration_mps2;
+  setup.limits.deceleration_mps2 = base.deceleration_mps2;
+  setup.limits.angular_acceleration_radps2 = base.angular_acceleration_radps2;
+  setup.limits.footprint = footprint(configuration);
+  setup.limits.margin_m = configuration.motion.margin_m;
+  setup.T_base_laser = mapper_params(configuration).T_base_laser;
+  setup.area = configuration.area;
+  return setup;
+}
+
 motion::Footprint footprint(const Configuration& configuration) {
   const ModelLimits model = model_limits(configuration.robot.model);
   const RobotConfig& robot = configuration.robot;

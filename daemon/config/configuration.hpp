@@ -7,6 +7,7 @@
 
 #include "core/motion/area_limits.hpp"
 #include "core/motion/robot_limits.hpp"
+#include "core/pipeline/control_step.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/params.hpp"
 
@@ -128,6 +129,9 @@ struct Configuration {
 
 /// The planner's parameters with the robot's size and its scanner's place.
 [[nodiscard]] pipeline::PlannerParams planner_params(const Configuration& configuration);
+
+/// What the base thread is told: the robot's limits, its hull, its scanner's place and the area.
+[[nodiscard]] pipeline::ControlSetup control_setup(const Configuration& configuration);
 
 /// The robot's hull: the configured one, or the model's.
 [[nodiscard]] motion::Footprint footprint(const Configuration& configuration);

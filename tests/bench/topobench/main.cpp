@@ -116,6 +116,11 @@ int main(int argc, char** argv) {
   topo::bench::ExploreCommand explore;
   CLI::App* explore_app =
       app.add_subcommand("explore", "Explore a simulated building in lock-step, faster than real time");
+  explore_app->footer(
+      "Coverage, covered and t50_s to t99_s: share of the reachable area that the map has as free. known "
+      "and\n"
+      "t_known_s: as free or occupied; the difference is the rim of walls, which no map has as free. The\n"
+      "reachable area is what a scanner sees from wherever the robot's disc can get to from its start.");
   add_options(*explore_app, explore);
   topo::bench::SessionCommand session;
   CLI::App* session_app = app.add_subcommand(

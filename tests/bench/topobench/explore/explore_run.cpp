@@ -6,6 +6,8 @@
 #include <cmath>
 #include <ctime>
 
+#include "daemon/config/configuration.hpp"
+
 namespace topo::bench {
 namespace {
 
@@ -192,14 +194,17 @@ std::unique_ptr<RobotMind> make_mind(const RunSetup& setup) {
 }
 
 RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity) {
+  daemon::Configuration configuration;  // the simulated robot's scanners are where its usual file has them
+  configuration.front.x_m = 0.021;
+  configuration.coronal.x_m = 0.10;
+  configuration.coronal.z_m = 0.40;
   RunSetup setup;
   setup.fidelity = fidelity;
   MindSetup& mind = setup.mind;
-  mind.mapping.T_base_laser = {0.021, 0.0, 0.0};
-  mind.mapping.coronal.x_m = 0.10;
-  mind.mapping.coronal.z_m = 0.40;
-  mind.planner.T_base_laser = mind.mapping.T_base_laser;
-  mind.control.T_base_laser = mind.mapping.T_base_laser;
+  // The daemon's own conversions, so that a run here is a run of the daemon.
+  mind.mapping = daemon::mapper_params(configuration);
+  mind.planner = daemon::planner_params(configuration);
+  mind.control = daemon::control_setup(configuration);
   for (const sim::SonarMount& sonar : sim::RobotModel::p3dx().sonars)
     mind.T_base_sonar.push_back({sonar.x_m, sonar.y_m, sonar.heading_rad});
   setup.plant.start = start;
