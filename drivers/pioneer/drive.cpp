@@ -12,6 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr types::Duration kCallerSilence = milliseconds(200);
+constexpr types::Duration kUnheard = milliseconds(300);    // three cycles; the base thread's limit too
 constexpr types::Duration kStopAgain = milliseconds(200);  // no acknowledgement: until the robot stands
 constexpr types::Duration kPulse = milliseconds(500);
 constexpr types::Duration kSwitchAgain = milliseconds(500);
@@ -24,8 +25,8 @@ bool asks_for_motion(const types::BaseCommand& c) {
 
 }  // namespace
 
-Drive::Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move)
-    : outbox_(outbox), limits_(limits), may_move_(may_move) {
+Drive::Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move, types::Stamp now)
+    : outbox_(outbox), limits_(limits), may_move_(may_move), last_heard_(now) {
   constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
   outbox_.set_velocity({});
   outbox_.push(encode(Command::kSetV, std::max(1, static_cast<int>(limits.v_mps * 1e3))));
@@ -45,18 +46,23 @@ types::Status Drive::command(const types::BaseCommand& command, types::Stamp now
   const bool refused = !may_move_ && asks_for_motion(command);
   if (!command.enable_motors) enable_blocked_ = false;
   want_motors_ = may_move_ && command.enable_motors && !enable_blocked_;
-  if (command.estop) outbox_.set_estop();
+  const Setpoints setpoints = want_motors_ && !command.estop
+                                  ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
+                                  : Setpoints{};
+  asked_ = setpoints != Setpoints{};
+  // On a line that loses bytes RVEL 0 may arrive where VEL 0 does not, and then feeds the watchdog of a robot
+  // that drives on: one that is not heard is stopped by the packet that needs no other.
+  const bool stop_unheard = !asked_ && !stands_ && now - last_heard_ > kUnheard;
+  if (command.estop || stop_unheard) outbox_.set_estop();
   // VEL 0 behind E_STOP could soften the braking, so it waits until the robot stands; then it makes sure that
   // there is no setpoint left to resume.
-  if (!command.estop || stands_)
-    outbox_.set_velocity(want_motors_ && !command.estop
-                             ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
-                             : Setpoints{});
+  if (stands_ || !(command.estop || stop_unheard)) outbox_.set_velocity(setpoints);
   if (refused) return types::fail(types::Errc::kUnsupported, "unsafe: refused");  // short: no allocation
   return {};
 }
 
 void Drive::on_state(const types::BaseState& state, types::Stamp now) {
+  last_heard_ = now;
   const types::Twist2& twist = state.odometry.twist;
   stands_ = std::abs(twist.v_mps) < kStands_mps && std::abs(twist.omega_radps) < kStands_radps;
   if (state.stop_button) enable_blocked_ = true;

@@ -12,8 +12,8 @@ namespace topo::pioneer {
 /// nothing else goes out, and the motors' switch. Decides from stamps given as values.
 class Drive {
  public:
-  /// Queues the first commands of a session: standstill, limits, sonar.
-  Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move);
+  /// Queues the first commands of a session: standstill, limits, sonar. `now` counts as the first status.
+  Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move, types::Stamp now);
 
   /// kUnsupported when motion or motors are asked for and may not be; a stop goes out in its place.
   types::Status command(const types::BaseCommand& command, types::Stamp now);
@@ -25,6 +25,8 @@ class Drive {
   /// The session ends: the motors' switch is left to the caller.
   void shut_down() { ever_commanded_ = false; }
   [[nodiscard]] bool stands() const { return stands_; }
+  /// By what was heard last, or by what was asked for last.
+  [[nodiscard]] bool may_be_moving() const { return !stands_ || asked_; }
 
  private:
   void stop(types::Stamp now);
@@ -36,10 +38,12 @@ class Drive {
   bool commanded_ = false;  ///< the caller drives; false again after its silence
   bool stopping_ = false;   ///< a stop was sent for it and the robot does not stand yet
   bool stands_ = true;
+  bool asked_ = false;  ///< the last setpoints are motion
   bool ever_commanded_ = false;
   bool want_motors_ = false;
   bool enable_blocked_ = false;  ///< after the stop button, until the caller has let go
   types::Stamp last_command_{};
+  types::Stamp last_heard_;
   types::Stamp last_stop_{};
   types::Stamp last_switch_{};
 };

@@ -14,6 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::array<int, 5> kBaudOrder{9600, 38400, 19200, 115200, 57600};  // PROTOCOLS section 1.2
+constexpr types::Duration kStopAgain = milliseconds(50);
 constexpr types::Duration kQuietTime = milliseconds(200);
 constexpr types::Duration kStillStreaming = milliseconds(150);
 constexpr types::Duration kSyncTime = milliseconds(300);
@@ -22,14 +23,24 @@ constexpr types::Duration kConfigTime = milliseconds(300);
 constexpr int kTries = 3;
 constexpr int kRestarts = 10;
 
+/// Is this a status of a robot that stands?
+bool stands(const PacketView& packet) {
+  const auto status = decode_status(packet.payload);
+  return status && status->left_velocity == 0 && status->right_velocity == 0;
+}
+
 bool is_reset(const PacketView& packet) {
   return packet.is(PacketType::kReset) || packet.is(PacketType::kResetWithDiagnosis);
 }
 
 }  // namespace
 
-Handshake::Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud)
-    : link_(link), expected_subclass_(std::move(expected_subclass)), device_(device) {
+Handshake::Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud,
+                     types::Stamp may_drive_until)
+    : link_(link),
+      expected_subclass_(std::move(expected_subclass)),
+      device_(device),
+      may_drive_until_(may_drive_until) {
   if (!link.has_baud()) return;
   if (first_baud != 0) bauds_[baud_count_++] = first_baud;
   for (const int baud : kBaudOrder)
@@ -42,7 +53,7 @@ types::Status Handshake::begin() {
     auto set = link_.set_baud(baud_);
     if (!set) return set;
   }
-  begin_quiet();
+  begin_stopping();
   return {};
 }
 
@@ -50,6 +61,15 @@ void Handshake::enter(Phase phase, types::Duration wait) {
   phase_ = phase;
   wait_ = wait;
   deadline_ = link_.now() + wait;
+}
+
+/// VEL 0 or SYNC0 that arrive where E_STOP was lost would wake a robot up instead of stopping it.
+Handshake::Progress Handshake::begin_stopping() {
+  if (link_.now() >= may_drive_until_) return begin_quiet();
+  link_.outbox().clear();
+  link_.outbox().set_estop();
+  enter(Phase::kStopping, kStopAgain);
+  return Progress::kPending;
 }
 
 Handshake::Progress Handshake::begin_quiet() {
@@ -77,6 +97,8 @@ Handshake::Progress Handshake::on_time() {
   }
   if (link_.now() < deadline_) return Progress::kPending;
   switch (phase_) {
+    case Phase::kStopping:
+      return begin_stopping();
     case Phase::kQuiet:
       return end_quiet();
     case Phase::kSync:
@@ -110,6 +132,8 @@ void Handshake::send_sync(unsigned index) {
 
 Handshake::Progress Handshake::sync_timed_out() {
   if (++tries_ < kTries) {
+    // What came before may have been lost on its way, and to a session that is still open SYNC0 is a PULSE.
+    if (sync_index_ == 0) link_.outbox().set_estop();
     send_sync(sync_index_);
     return Progress::kPending;
   }
@@ -123,7 +147,7 @@ Handshake::Progress Handshake::next_baud() {
   if (++baud_index_ >= baud_count_) return no_answer();
   baud_ = bauds_[baud_index_];
   if (auto set = link_.set_baud(baud_); !set) return fail(Health::kDisconnected, set.error().message);
-  return begin_quiet();
+  return begin_stopping();
 }
 
 Handshake::Progress Handshake::no_answer() {
@@ -136,6 +160,8 @@ Handshake::Progress Handshake::no_answer() {
 Handshake::Progress Handshake::on_packet(const PacketView& packet) {
   if (packet.is_status()) last_status_ = packet.last_byte;
   switch (phase_) {
+    case Phase::kStopping:
+      return stands(packet) ? begin_quiet() : Progress::kPending;
     case Phase::kQuiet:
       return Progress::kPending;  // answers to what was before us
     case Phase::kSync:

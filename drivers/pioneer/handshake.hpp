@@ -17,13 +17,17 @@ namespace topo::pioneer {
 
 /// From an open port to an open session with a known robot (PROTOCOLS sections 2 and 7), as a state machine
 /// with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE: a robot
-/// whose host died resumes its last setpoint on any packet.
+/// whose host died resumes its last setpoint on any packet. On a line that loses bytes each of them may be
+/// the only one to arrive; so a robot that may still drive hears nothing but E_STOP first, until it is heard
+/// to stand or its watchdog must have bitten.
 class Handshake {
  public:
   enum class Progress { kPending, kDone, kFailed };
 
-  /// `first_baud` is tried before the other speeds; 0: none is known.
-  Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud);
+  /// `first_baud` is tried before the other speeds; 0: none is known. Until `may_drive_until` the robot may
+  /// still follow a setpoint of a session that was lost.
+  Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud,
+            types::Stamp may_drive_until = {});
 
   /// Sets the first speed and queues the first bytes.
   types::Status begin();
@@ -43,9 +47,10 @@ class Handshake {
   [[nodiscard]] const std::string& message() const { return message_; }
 
  private:
-  enum class Phase { kQuiet, kSync, kFirstStatus, kConfig };
+  enum class Phase { kStopping, kQuiet, kSync, kFirstStatus, kConfig };
 
   void enter(Phase phase, types::Duration wait);
+  Progress begin_stopping();
   Progress begin_quiet();
   Progress restart(const char* why);
   Progress end_quiet();
@@ -66,6 +71,7 @@ class Handshake {
   std::size_t baud_count_ = 0;
   std::size_t baud_index_ = 0;
   int baud_ = 0;
+  types::Stamp may_drive_until_;
 
   Phase phase_ = Phase::kQuiet;
   types::Duration wait_{};

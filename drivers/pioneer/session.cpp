@@ -60,6 +60,7 @@ struct Session::Impl {
   Counters counters;
   Duration back_off = kBackOffMin;
   Stamp retry_at{};
+  Stamp may_drive_until{};  ///< by a setpoint of the session that was lost, until the watchdog bites
   int good_baud = 0;
 
   std::optional<Link> link;
@@ -81,12 +82,15 @@ void Session::Impl::set_health(Health value, std::string text) {
 
 /// Gives the line up and waits before the next attempt; a last E_STOP goes out if it still can.
 void Session::Impl::lose(Health value, std::string text) {
+  const Stamp time = now();
   if (link && drive) {
     std::ignore = link->send_at_once(encode(Command::kEStop));
+    // A controller that was reset remembers no setpoint.
+    if (drive->may_be_moving() && value != Health::kReset)
+      may_drive_until = time + milliseconds(info->watchdog_ms);
   }
   drive.reset();
   handshake.reset();
-  const Stamp time = now();
   link.reset();
   retry_at = time + back_off;
   back_off = std::min(back_off * 2, kBackOffMax);
@@ -105,7 +109,7 @@ void Session::Impl::open(Duration timeout) {
     return;
   }
   link.emplace(std::move(*stream), counters);
-  handshake.emplace(*link, config.expected_subclass, connector->name(), good_baud);
+  handshake.emplace(*link, config.expected_subclass, connector->name(), good_baud, may_drive_until);
   if (auto begun = handshake->begin(); !begun) {
     lose(Health::kDisconnected, begun.error().message);
     return;
@@ -153,7 +157,7 @@ void Session::Impl::start_running() {
   handshake.reset();
   back_off = kBackOffMin;
   const std::string fault = watchdog_fault(packet);
-  drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty());
+  drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty(), now());
   delay.emplace(milliseconds(info->sip_cycle_ms));
   // What the robot can do, not what it is allowed: a push must not look like a reset of the controller.
   constexpr double kPushed = 2.0;

@@ -124,6 +124,7 @@ void ScriptedRobot::on_packet(std::span<const std::byte> payload) {
   const bool has_argument = payload.size() >= 4;
   int argument = has_argument ? static_cast<int>(value(payload[2]) + value(payload[3]) * 256) : 0;
   if (has_argument && payload[1] == std::byte{0x1B}) argument = -argument;
+  if (loses && loses(command)) return;
   received.push_back({command, has_argument, argument, now, baud_of_host});
   last_packet_ = now;
   asleep_ = false;

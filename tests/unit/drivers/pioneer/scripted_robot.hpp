@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -46,7 +47,8 @@ class ScriptedRobot {
   bool echoes = false;  ///< a loop-back plug
   std::string chatter;  ///< sent on every write instead of ARCOS: another device
   bool deaf_to_close = false;
-  unsigned flags = 0;  ///< besides the motors' bit
+  std::function<bool(int command)> loses;  ///< on the line, before the robot hears it
+  unsigned flags = 0;                      ///< besides the motors' bit
   unsigned stall_bump = 0;
 
   // What it does.

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace topo::pioneer {
 namespace {
 
@@ -119,6 +121,28 @@ TEST_F(PioneerSession, SilenceIsNoticedAfterFiveCyclesAndHealed) {
   EXPECT_EQ(robot.last(kEStop), &robot.received.back());
   robot.sends_status = true;
   EXPECT_TRUE(run_until(Health::kReady)) << session->message();
+}
+
+TEST_F(PioneerSession, ARobotThatIsNotHeardHearsNothingButTheStop) {
+  connect();
+  drive(move(0.6), milliseconds(1500));
+  ASSERT_EQ(robot.velocity_mmps, 600);
+  robot.forget();
+  robot.sends_status = false;
+  const Stamp silent = robot.now;
+  const double x_mm = robot.x_mm;
+  // The base thread drives until it sees that nothing is heard, and then asks for a standstill.
+  constexpr milliseconds kSeen(350);
+  const Stamp bites = silent + kSeen + milliseconds(robot.config.watchdog_ms);
+  robot.loses = [&](int command) { return robot.now < bites && (command == kEStop || command == kVel); };
+  drive(move(0.6), kSeen);
+  drive(move(0.0), bites - robot.now);
+  const auto feeds = [&](const Received& r) { return r.stamp > silent + kSeen; };
+  EXPECT_EQ(std::count_if(robot.received.begin(), robot.received.end(), feeds), 0)
+      << "would have fed the watchdog of a robot that drives";
+  drive(move(0.0), milliseconds(5000));
+  EXPECT_EQ(robot.velocity_mmps, 0);
+  EXPECT_LE(robot.x_mm - x_mm, 0.6 * 1e3 * types::to_seconds(bites - silent) + 1.0);
 }
 
 TEST_F(PioneerSession, BacksOffWhileThereIsNoPort) {
