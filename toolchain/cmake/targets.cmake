@@ -31,11 +31,12 @@ function(topo_program name)
   add_dependencies(thread_tests ${name})
 endfunction()
 
-# topo_test(NAME SOURCES a_test.cpp ... DEPS target ... [LABELS unit ...] [TIMEOUT s] [ENVIRONMENT k=v ...])
+# topo_test(NAME SOURCES a_test.cpp ... DEPS target ... [LABELS unit ...] [TIMEOUT s] [ENVIRONMENT k=v ...]
+#           [COMMAND program arguments ...])
 # One GoogleTest executable a folder, one ctest entry an executable. Label `thread` puts it into the
 # ThreadSanitizer run.
 function(topo_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPS;LABELS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPS;LABELS;ENVIRONMENT;COMMAND" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -47,7 +48,10 @@ function(topo_test name)
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   # What a test is made of runs once: a third of its compile time is worth more. The libraries stay as packaged.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  add_test(NAME ${name} COMMAND ${name})
+  if(NOT ARG_COMMAND)
+    set(ARG_COMMAND ${name})
+  endif()
+  add_test(NAME ${name} COMMAND ${ARG_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
                        ENVIRONMENT "${ARG_ENVIRONMENT}")
   if("thread" IN_LIST ARG_LABELS)

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/integration/wire_rig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "daemon/app/device_connectors.hpp"
+#include "daemon/config/load.hpp"
+#include "drivers/io/posix.hpp"
+#include "tests/sim/devices/commands.hpp"
+
+namespace topo::test {
+namespace {
+
+using namespace std::chrono_literals;
+using sim::DeviceId;
+
+constexpr double kStart_x_m = 2.0, kEnd_x_m = 30.0;
+constexpr const char* kHall = R"(
+[[start]]
+x_m = 2.0
+y_m = 4.0
+[[wall]]
+points_m = [[-0.1, -0.1], [30.1, -0.1], [30.1, 8.1], [-0.1, 8.1]]
+closed = true
+thickness_m = 0.2
+)";
+
+types::Duration from_s(double seconds) { return types::from_seconds(seconds); }
+
+}  // namespace
+
+MachineWatch::MachineWatch()
+    : thread_([this] {
+        constexpr types::Duration kNap = 5ms;
+        while (!stop_) {
+          const types::Stamp due = io::monotonic_now() + kNap;
+          std::this_thread::sleep_for(kNap);
+          const std::int64_t late_ns = (io::monotonic_now() - due).count();
+          if (late_ns > latest_ns_) latest_ns_ = late_ns;
+        }
+      }) {}
+
+MachineWatch::~MachineWatch() {
+  stop_ = true;
+  thread_.join();
+}
+
+std::unique_ptr<WireRig> WireRig::start(const WireSetup& setup) {
+  daemon::block_signals();
+  std::unique_ptr<WireRig> rig(new WireRig);
+  if (!rig->start_simulator(setup) || !rig->start_daemon()) return nullptr;
+  return rig;
+}
+
+bool WireRig::start_simulator(const WireSetup& setup) {
+  auto world = sim::World::from_scene_text(kHall, "hall.toml");
+  if (!world) return ADD_FAILURE() << world.error().message, false;
+  sim::RigConfig config;
+  config.robots.push_back(sim::tcp_robot());
+  config.robots[0].watchdog_ms = setup.watchdog_ms;
+  sim::LinkConfig& base = config.robots[0].links[static_cast<std::size_t>(DeviceId::kBase)];
+  if (setup.base == BaseLink::kPty) base = {std::nullopt, folder_.file("base")};
+  auto started = sim::SimHarness::start(std::move(*world), config);
+  if (!started) return ADD_FAILURE() << started.error().message, false;
+  simulator_ = std::move(*started);
+  return true;
+}
+
+std::string WireRig::configuration() {
+  const auto address = [this](DeviceId device) {
+    const sim::DeviceAddress& a = simulator_->address(0, device);
+    const std::string where =
+        a.tcp ? "tcp:" + a.host + ":" + std::to_string(a.port) : "serial:" + a.path.string();
+    return "address = \"" + where + "\"\n";
+  };
+  // Quick to get fast, so that more faults fit into a minute; how it brakes is as configured by default.
+  return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\n" + address(DeviceId::kBase) +
+         "[scanner.front]\n" + address(DeviceId::kFront) + "x_m = 0.021\n[scanner.coronal]\n" +
+         address(DeviceId::kCoronal) + "[control]\nsocket = \"" + folder_.file("control.sock") +
+         "\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n";
+}
+
+bool WireRig::start_daemon() {
+  const auto loaded = daemon::parse_configuration(configuration(), "test.toml");
+  if (!loaded.faults.empty()) return ADD_FAILURE() << faults_text(loaded), false;
+  const std::string socket = folder_.file("control.sock");
+  auto listening = daemon::ListeningSocket::open(socket);
+  if (!listening) return ADD_FAILURE() << listening.error().message, false;
+  auto made = daemon::App::make(
+      {loaded.values, effective_text(loaded), std::move(*listening), daemon::device_connectors(nullptr), {}});
+  if (!made) return ADD_FAILURE() << made.error().message, false;
+  app_ = std::move(*made);
+  thread_ = std::thread([this] { ran_ = app_->run(); });
+  auto connected = daemon::Client::connect(socket);
+  if (!connected) return ADD_FAILURE() << connected.error().message, false;
+  client_.emplace(std::move(*connected));
+  return true;
+}
+
+WireRig::~WireRig() {
+  client_.reset();
+  if (app_ != nullptr) app_->request_stop();
+  if (thread_.joinable()) thread_.join();
+  EXPECT_TRUE(ran_) << ran_.error().message;
+  app_.reset();
+}
+
+namespace {
+
+Moment look(sim::SimRig& rig) {
+  Moment now;
+  const sim::RobotBody& body = rig.simulation().body(0);
+  now.truth = rig.truth(0);
+  now.v_mps = (body.encoder_left_mps() + body.encoder_right_mps()) / 2.0;
+  now.omega_radps = body.true_twist().omega_radps;
+  now.stands = body.encoder_left_mps() == 0.0 && body.encoder_right_mps() == 0.0;
+  now.e_stops = rig.robot(0).base().e_stops();
+  for (std::size_t i = 0; i < now.laser_ms.size(); ++i)
+    now.laser_ms[i] = rig.robot(0).laser(static_cast<DeviceId>(i)).clock_ms(rig.now());
+  return now;
+}
+
+}  // namespace
+
+std::pair<Moment, std::vector<Json>> WireRig::strike_and_hear(const std::vector<Json>& commands) {
+  machine_.restart();
+  return simulator_->with_rig([&commands](sim::SimRig& rig) {
+    std::pair<Moment, std::vector<Json>> result{look(rig), {}};
+    for (const Json& command : commands) {
+      result.second.push_back(Json::parse(sim::run_command(rig, command.dump())));
+      EXPECT_EQ(result.second.back()["ok"], true) << command << " -> " << result.second.back();
+    }
+    return result;
+  });
+}
+
+Moment WireRig::moment() { return simulator_->with_rig(look); }
+
+Json WireRig::ask(const char* method, const Json& params) {
+  auto answer = client_->call(method, params, 30s);
+  EXPECT_TRUE(answer) << method << " " << params << ": " << answer.error().message;
+  return answer ? *answer : Json();
+}
+
+bool WireRig::try_ask(const char* method, const Json& params) {
+  return client_->call(method, params, 30s).has_value();
+}
+
+bool WireRig::is_ready() { return ask("progress").value("ready", false); }
+
+bool WireRig::wait(double seconds, const std::function<bool()>& is_so) {
+  const types::Stamp end = io::monotonic_now() + from_s(seconds);
+  while (!is_so()) {
+    if (io::monotonic_now() > end) return false;
+    std::this_thread::sleep_for(20ms);
+  }
+  return true;
+}
+
+void WireRig::order_down_the_hall(bool to_the_east) {
+  const double here_m = moment().truth.pose.x_m - kStart_x_m;
+  // Far away the beams are wider apart than the cells: what lies there is not known at first, and refused.
+  for (const double way_m : {26.0, 22.0, 18.0, 14.0, 10.0}) {
+    const double x_m = std::clamp(to_the_east ? here_m + way_m : here_m - way_m, 0.0, 25.5);
+    if (!try_ask("goto", {{"x_m", x_m}, {"y_m", 0.0}})) continue;
+    to_the_east_ = to_the_east;
+    return;
+  }
+}
+
+bool WireRig::reach_full_speed() {
+  constexpr double kRoom_m = 7.0;
+  return wait(90.0, [this] {
+    const Moment now = moment();
+    const double heading_rad = now.truth.pose.theta_rad;
+    const double room_m = room_ahead_m(now);
+    const bool straight = std::abs(std::sin(heading_rad)) < 0.15 && std::abs(now.omega_radps) < 0.15;
+    if (straight && now.v_mps > 0.95 * kV_mps && room_m > kRoom_m) return true;
+    const bool to_the_east = now.truth.pose.x_m < 0.5 * kEnd_x_m;
+    const bool under_way = status()["mission"]["state"] == "under way";
+    const bool at_the_end = room_m < kRoom_m && to_the_east_ != to_the_east;
+    if ((!under_way || at_the_end) && is_ready()) order_down_the_hall(to_the_east);
+    return false;
+  });
+}
+
+double WireRig::room_ahead_m(const Moment& moment) {
+  const types::Se2& pose = moment.truth.pose;
+  return std::cos(pose.theta_rad) > 0.0 ? kEnd_x_m - pose.x_m : pose.x_m;
+}
+
+}  // namespace topo::test
