@@ -20,7 +20,7 @@ constexpr types::Duration kControlAgeMax = std::chrono::milliseconds(500);
 constexpr types::Duration kReckonedMax = std::chrono::seconds(2);
 constexpr types::Duration kBatteryLowFor = std::chrono::seconds(10);
 // A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
-constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
+constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(2000);
 constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
 constexpr double kCorrection_rad = 0.03;
