@@ -67,6 +67,7 @@ void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
 /// The robot did not get on here: whatever stands ahead, the next route goes round it.
 void PlanningState::Impl::block_ahead(const PlanningInput& in) {
   blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
+  think_again = true;  // this period's costs do not know of it yet
 }
 
 /// Is the present goal done with: reached, stuck on the way, no progress?

@@ -114,6 +114,7 @@ struct PlanningState::Impl {
   std::vector<Decision> decisions;
   std::vector<types::Vector2> route;  ///< to the target, in map
   types::Stamp thought{};             ///< when it was found
+  bool think_again = false;           ///< something happened that the decision does not know of
   types::Transform2<types::Map, types::Odom> thought_in;
   int clusters = 0;
   std::uint64_t goals_issued = 0, decisions_made = 0, clusters_sum = 0, goals_sum = 0;

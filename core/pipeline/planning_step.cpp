@@ -20,7 +20,7 @@ constexpr types::Duration kControlAgeMax = std::chrono::milliseconds(500);
 constexpr types::Duration kReckonedMax = std::chrono::seconds(2);
 constexpr types::Duration kBatteryLowFor = std::chrono::seconds(10);
 // A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
-constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(2000);
+constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
 constexpr double kCorrection_rad = 0.03;
@@ -125,7 +125,8 @@ void PlanningState::Impl::decide(const PlanningInput& in) {
 
 /// Is the last decision still good: nothing happened, and nothing stands in the way?
 bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
-  if (!has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds) return false;
+  if (think_again || !has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds)
+    return false;
   if (battery_low && !returning) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
   if (corrected(thought_in, T_map_odom)) return false;
@@ -160,6 +161,7 @@ void PlanningState::Impl::find_route() {
 /// Everything anew: map, analysis, goal, route.
 void PlanningState::Impl::think(const PlanningInput& in) {
   thought = in.now;
+  think_again = false;
   thought_in = T_map_odom;
   refresh_map(in);
   refresh_analysis(in);

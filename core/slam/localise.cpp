@@ -20,6 +20,8 @@ constexpr double kThin_m = 0.05;     ///< one surfel a cell and side of a wall i
 constexpr double kPeakMin = 0.35;    ///< least likelihood of a coarse peak
 constexpr double kPeakRatio = 0.80;  ///< a coarse peak this good against the best may refine to a better one
 constexpr std::size_t kRayStride = 4;
+/// What stands where the map was seen through speaks louder against a place than what the map does not know.
+constexpr double kContradictionWeight = 2.0;
 
 /// The whole map's bounds.
 types::Rectangle bounds_of(const Session& session) {
@@ -103,7 +105,8 @@ void see_through(const Session& session, StandingRoom& room, FreeGround& ground)
   room.close();
 }
 
-/// A place with what speaks for it: the share of points that fit less the share that contradicts the map.
+/// A place with what speaks for it: the share of points that fit less, weighted, the share that contradicts
+/// the map.
 struct Peak {
   Match match;
   double evidence = 0.0;
@@ -136,7 +139,8 @@ std::vector<Peak> peaks_of(const Session& session, const SurfelMap& map, const C
     if (i == 0) score_min = kPeakRatio * hit->score;
     known.push_back({hit->T_map_base, params.apart_m, params.apart_rad});
     const Match match = refine(map, points, cloud.sensor, hit->T_map_base, std::nullopt, mapper.refine);
-    peaks.push_back({match, match.response - ground.contradiction(map, points, match.T_map_base)});
+    const double against = kContradictionWeight * ground.contradiction(map, points, match.T_map_base);
+    peaks.push_back({match, match.response - against});
   }
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const Peak& a, const Peak& b) { return a.evidence > b.evidence; });
