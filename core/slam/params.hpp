@@ -81,6 +81,7 @@ struct LoopParams {
 
 struct GraphParams {
   int iterations_max = 12;
+  double converged = 1e-5;   ///< a step smaller than this, in metres and radians, is the last
   double loop_kernel = 3.0;  ///< Cauchy scale of a closure, in standard deviations
   double odometry_trans_floor_m = 0.03;
   double odometry_rot_floor_rad = 0.003;
@@ -90,8 +91,11 @@ struct GraphParams {
 
 struct GridParams {
   double resolution_m = 0.05;
-  double redo_m = 0.02;  ///< a keyframe that moved less is not drawn again
+  double redo_m = 0.02;  ///< a keyframe that moved less is not drawn again at once
   double redo_rad = 0.002;
+  int redo_keyframes_per_step = 4;  ///< of a correction: what a step may cost
+  int creep_every_steps = 10;       ///< how often one that moved less is put right
+  double creep_tolerance = 0.05;    ///< and from which part of the above on
 };
 
 struct MapperParams {

@@ -3,14 +3,16 @@
 
 #include "core/slam/pose_graph.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <algorithm>
 #include <cmath>
+
+#include "core/slam/block_factor.hpp"
+#include "core/slam/graph_pattern.hpp"
 
 namespace topo::slam {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
+using Factor = BlockFactor<3>;
 
 struct Linearised {
   Eigen::Vector3d error;
@@ -38,77 +40,141 @@ double loss(double chi2, bool robust, double kernel) {
   return robust ? kernel * kernel * std::log1p(chi2 / (kernel * kernel)) : chi2;
 }
 
-double total_loss(const std::vector<types::Se2>& poses, std::span<const Edge> edges,
-                  const GraphParams& params) {
+double total_loss(std::span<const types::Se2> poses, std::span<const Edge> edges, const GraphParams& params) {
   double sum = 0.0;
-  for (const Edge& edge : edges) {
-    const Eigen::Vector3d e = edge_error(edge, poses[edge.from], poses[edge.to]);
-    sum += loss(e.dot(edge.information * e), edge.robust, params.loop_kernel);
-  }
+  for (const Edge& edge : edges) sum += loss(edge_chi2(edge, poses), edge.robust, params.loop_kernel);
   return sum;
 }
 
-double total_chi2(const std::vector<types::Se2>& poses, std::span<const Edge> edges) {
-  double sum = 0.0;
-  for (const Edge& edge : edges) {
-    const Eigen::Vector3d e = edge_error(edge, poses[edge.from], poses[edge.to]);
-    sum += e.dot(edge.information * e);
-  }
-  return sum;
-}
+class Solver {
+ public:
+  Solver(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
+         std::size_t fixed)
+      : poses_(poses),
+        edges_(edges),
+        params_(params),
+        pattern_(poses.size(), edges, fixed),
+        factor_(pattern_.elimination()),
+        gradient_(pattern_.elimination().variables()),
+        step_(gradient_.size()),
+        diagonal_(gradient_.size()) {}
 
-/// Adds a 3x3 block between nodes (1-based: node 0 is fixed) to the lower triangle.
-void add_block(std::vector<Eigen::Triplet<double>>& triplets, std::size_t row, std::size_t column,
-               const Eigen::Matrix3d& block) {
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      const int i = static_cast<int>(3 * (row - 1)) + r, j = static_cast<int>(3 * (column - 1)) + c;
-      if (i >= j) triplets.emplace_back(i, j, block(r, c));
+  /// Iterates; false when the system is singular at the start.
+  bool run(int& iterations) {
+    current_ = total_loss(poses_, edges_, params_);
+    for (iterations = 0; iterations < params_.iterations_max;) {
+      build();
+      ++iterations;
+      while (!try_step()) {
+        if (!std::isfinite(current_) || damping_ > kDampingMax) return moved_;
+        if (iterations == params_.iterations_max) return moved_;
+        ++iterations;
+        build();
+      }
+      moved_ = true;
+      if (largest_step() < params_.converged) break;
     }
+    return true;
   }
-}
 
-void build(const std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
-           Sparse& h, Eigen::VectorXd& g) {
-  std::vector<Eigen::Triplet<double>> triplets;
-  triplets.reserve(edges.size() * 27);
-  g.setZero();
-  for (const Edge& edge : edges) {
-    const Linearised lin = linearise(edge, poses[edge.from], poses[edge.to]);
+ private:
+  static constexpr double kDampingMin = 1e-7;  ///< below: a plain Gauss-Newton step
+  static constexpr double kDampingMax = 1e8;
+
+  void build() {
+    factor_.set_zero();
+    std::fill(gradient_.begin(), gradient_.end(), Eigen::Vector3d::Zero());
+    for (std::size_t i = 0; i < edges_.size(); ++i) add(edges_[i], pattern_.links()[i]);
+    std::size_t at = 0;
+    factor_.add_to_diagonal([&](double entry) {
+      diagonal_[at / 3][static_cast<Eigen::Index>(at % 3)] = entry;
+      ++at;
+      return damping_ * entry;
+    });
+  }
+
+  void add(const Edge& edge, const GraphPattern::EdgePlaces& places) {
+    const Linearised lin = linearise(edge, poses_[edge.from], poses_[edge.to]);
     Eigen::Matrix3d weight = edge.information;
-    if (edge.robust) {
-      const double k2 = params.loop_kernel * params.loop_kernel;
-      weight /= 1.0 + lin.error.dot(edge.information * lin.error) / k2;
-    }
+    if (edge.robust)
+      weight /=
+          1.0 + lin.error.dot(edge.information * lin.error) / (params_.loop_kernel * params_.loop_kernel);
     const Eigen::Matrix3d wf = weight * lin.from, wt = weight * lin.to;
-    if (edge.from > 0) {
-      add_block(triplets, edge.from, edge.from, lin.from.transpose() * wf);
-      g.segment<3>(static_cast<Eigen::Index>(3 * (edge.from - 1))) +=
-          lin.from.transpose() * (weight * lin.error);
+    const Eigen::Vector3d we = weight * lin.error;
+    if (places.has_from) {
+      factor_.add(places.from, lin.from.transpose() * wf);
+      gradient_[places.from_variable] += lin.from.transpose() * we;
     }
-    if (edge.to > 0) {
-      add_block(triplets, edge.to, edge.to, lin.to.transpose() * wt);
-      g.segment<3>(static_cast<Eigen::Index>(3 * (edge.to - 1))) += lin.to.transpose() * (weight * lin.error);
+    if (places.has_to) {
+      factor_.add(places.to, lin.to.transpose() * wt);
+      gradient_[places.to_variable] += lin.to.transpose() * we;
     }
-    if (edge.from > 0 && edge.to > 0) {
-      if (edge.from > edge.to)
-        add_block(triplets, edge.from, edge.to, lin.from.transpose() * wt);
-      else
-        add_block(triplets, edge.to, edge.from, lin.to.transpose() * wf);
-    }
+    if (places.has_from && places.has_to) factor_.add(places.between, lin.from.transpose() * wt);
   }
-  h.setFromTriplets(triplets.begin(), triplets.end());
-}
 
-std::vector<types::Se2> moved(const std::vector<types::Se2>& poses, const Eigen::VectorXd& step) {
-  std::vector<types::Se2> out = poses;
-  for (std::size_t i = 1; i < out.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(3 * (i - 1));
-    out[i] = {out[i].x_m + step[k], out[i].y_m + step[k + 1],
-              types::wrap_angle(out[i].theta_rad + step[k + 2])};
+  /// One damped step; false when it was refused, and then the damping is greater than before.
+  bool try_step() {
+    if (!factor_.factorise()) return refuse();
+    for (std::size_t i = 0; i < gradient_.size(); ++i) step_[i] = -gradient_[i];
+    factor_.solve(step_);
+    const std::vector<types::Se2> candidate = moved();
+    const double next = total_loss(candidate, edges_, params_);
+    if (!std::isfinite(next) || next > current_ * (1.0 + kRounding)) return refuse();
+    const double predicted = predicted_decrease();
+    const double gain = predicted > 0.0 ? (current_ - next) / predicted : 1.0;
+    damping_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3.0));
+    if (damping_ < kDampingMin) damping_ = 0.0;
+    growth_ = 2.0;
+    poses_ = candidate;
+    current_ = next;
+    return true;
   }
-  return out;
-}
+
+  bool refuse() {
+    damping_ = std::max(damping_, 0.5 * kDampingMin * 1e3) * growth_;
+    growth_ *= 2.0;
+    return false;
+  }
+
+  /// Of the quadratic model: -(2 g + H s) s with (H + damping D) s = -g.
+  [[nodiscard]] double predicted_decrease() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < step_.size(); ++i) {
+      const std::size_t rank = pattern_.elimination().rank(i);
+      sum += step_[i].dot(damping_ * diagonal_[rank].cwiseProduct(step_[i]) - gradient_[i]);
+    }
+    return sum;
+  }
+
+  [[nodiscard]] std::vector<types::Se2> moved() const {
+    std::vector<types::Se2> out = poses_;
+    for (std::size_t i = 0; i < step_.size(); ++i) {
+      types::Se2& pose = out[pattern_.node(i)];
+      pose = {pose.x_m + step_[i].x(), pose.y_m + step_[i].y(),
+              types::wrap_angle(pose.theta_rad + step_[i].z())};
+    }
+    return out;
+  }
+
+  [[nodiscard]] double largest_step() const {
+    double largest = 0.0;
+    for (const Eigen::Vector3d& step : step_) largest = std::max(largest, step.cwiseAbs().maxCoeff());
+    return largest;
+  }
+
+  static constexpr double kRounding = 1e-13;  ///< at the optimum sums differ by their rounding
+
+  std::vector<types::Se2>& poses_;
+  std::span<const Edge> edges_;
+  const GraphParams& params_;
+  GraphPattern pattern_;
+  Factor factor_;
+  std::vector<Eigen::Vector3d> gradient_, step_;
+  std::vector<Eigen::Vector3d> diagonal_;  ///< of the undamped matrix, in the order of elimination
+  double current_ = 0.0;
+  double damping_ = 0.0, growth_ = 2.0;
+  bool moved_ = false;
+};
 
 }  // namespace
 
@@ -117,46 +183,27 @@ Eigen::Vector3d edge_error(const Edge& edge, const types::Se2& from, const types
   return {e.x_m, e.y_m, e.theta_rad};
 }
 
-SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params) {
+double edge_chi2(const Edge& edge, std::span<const types::Se2> poses) {
+  const Eigen::Vector3d e = edge_error(edge, poses[edge.from], poses[edge.to]);
+  return e.dot(edge.information * e);
+}
+
+double total_chi2(std::span<const types::Se2> poses, std::span<const Edge> edges) {
+  double sum = 0.0;
+  for (const Edge& edge : edges) sum += edge_chi2(edge, poses);
+  return sum;
+}
+
+SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
+                  std::size_t fixed) {
   SolveReport report;
   report.chi2_start = report.chi2_end = total_chi2(poses, edges);
   if (poses.size() < 2) {
     report.solved = true;
     return report;
   }
-  const auto size = static_cast<Eigen::Index>(3 * (poses.size() - 1));
-  Sparse h(size, size);
-  Eigen::VectorXd g(size);
-  Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor;
-  double damping = 0.0;
-  double current = total_loss(poses, edges, params);
-  bool analysed = false;
-  for (report.iterations = 0; report.iterations < params.iterations_max; ++report.iterations) {
-    build(poses, edges, params, h, g);
-    if (damping > 0.0) {
-      for (Eigen::Index i = 0; i < size; ++i) h.coeffRef(i, i) *= 1.0 + damping;
-    }
-    if (!analysed) factor.analyzePattern(h);
-    analysed = true;
-    factor.factorize(h);
-    if (factor.info() != Eigen::Success) return report;
-    const Eigen::VectorXd step = factor.solve(-g);
-    if (!step.allFinite()) return report;
-    std::vector<types::Se2> candidate = moved(poses, step);
-    const double next = total_loss(candidate, edges, params);
-    if (next > current) {
-      damping = damping == 0.0 ? 1e-4 : damping * 10.0;
-      if (damping > 1e4) break;
-      continue;
-    }
-    damping *= 0.1;
-    poses = std::move(candidate);
-    const bool converged = current - next < 1e-6 * (current + 1e-12);
-    current = next;
-    report.solved = true;
-    if (converged) break;
-  }
-  report.solved = true;
+  if (!is_connected(poses.size(), edges)) return report;
+  report.solved = Solver(poses, edges, params, fixed).run(report.iterations);
   report.chi2_end = total_chi2(poses, edges);
   return report;
 }

@@ -23,15 +23,23 @@ struct Edge {
 struct SolveReport {
   double chi2_start = 0.0;  ///< sum of squared whitened errors, without the robust loss
   double chi2_end = 0.0;
-  int iterations = 0;
+  int iterations = 0;   ///< linear systems solved
   bool solved = false;  ///< false: the system was singular or a step not finite; poses are unchanged
 };
 
 /// Error of an edge: Z^-1 (Xi^-1 Xj) as (x, y, theta).
 Eigen::Vector3d edge_error(const Edge& edge, const types::Se2& from, const types::Se2& to);
 
-/// Least squares over SE(2) with node 0 fixed: damped Gauss-Newton on the sparse normal equations (Kuemmerle
-/// et al. 2011). Pure function of its input; one thread.
-SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params);
+/// Squared whitened error of an edge.
+double edge_chi2(const Edge& edge, std::span<const types::Se2> poses);
+
+/// Sum of the edges' squared whitened errors.
+double total_chi2(std::span<const types::Se2> poses, std::span<const Edge> edges);
+
+/// Least squares over SE(2) with node `fixed` held: Levenberg-Marquardt with analytic Jacobians on the sparse
+/// normal equations (Kuemmerle et al. 2011; step control after Nielsen 1999). Nodes that no chain of edges
+/// ties to `fixed` make the system singular. Pure function of its input; one thread.
+SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
+                  std::size_t fixed = 0);
 
 }  // namespace topo::slam

@@ -30,6 +30,10 @@ Result<LineSource> LineSource::open(const std::string& path) {
   return LineSource(path, std::move(*source));
 }
 
+LineSource LineSource::over(std::string name, std::unique_ptr<ByteSource> source) {
+  return {std::move(name), std::move(source)};
+}
+
 Result<bool> LineSource::refill() {
   std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
             buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());

@@ -18,6 +18,8 @@ class LineSource {
   static constexpr std::size_t kMaxLine = 1U << 20U;  ///< no message of a robot's log comes near it
 
   static types::Result<LineSource> open(const std::string& path);
+  /// Lines of any content; `name` stands for the file in messages.
+  static LineSource over(std::string name, std::unique_ptr<ByteSource> source);
 
   /// The next line without its end ("\n" or "\r\n"), valid until the next call; nothing at the end of the
   /// file.

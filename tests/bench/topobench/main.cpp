@@ -9,6 +9,7 @@
 #include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
+#include "tests/bench/topobench/posegraph/posegraph_command.hpp"
 #include "tests/bench/topobench/session_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
 
@@ -86,6 +87,12 @@ void add_options(CLI::App& app, topo::bench::SegmentCommand& segment) {
   app.add_flag("--json", segment.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::PosegraphCommand& posegraph) {
+  app.add_option("file", posegraph.file, "The graph: g2o or TORO text, .bz2 or .gz or plain")->required();
+  app.add_flag("--robust", posegraph.robust, "Closures under the mapper's robust loss, not least squares");
+  app.add_flag("--json", posegraph.json, "One JSON object on one line");
+}
+
 int finish(const topo::types::Status& done) {
   if (done) return 0;
   fmt::print(stderr, "topobench: {}\n", done.error().message);
@@ -132,6 +139,10 @@ int main(int argc, char** argv) {
                          "Hold a saved map against the building and the true path. `covered` is with the map "
                          "laid where its path fits best, `covered_at_start` with it laid on the true start");
   add_options(*judge_app, judge);
+  topo::bench::PosegraphCommand posegraph;
+  CLI::App* posegraph_app =
+      app.add_subcommand("posegraph", "Solve a pose graph of the community's benchmarks from its odometry");
+  add_options(*posegraph_app, posegraph);
 
   try {
     app.parse(argc, argv);
@@ -143,5 +154,6 @@ int main(int argc, char** argv) {
   if (*analyse_app) return finish(topo::bench::run_analyse(analyse));
   if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
+  if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));
 }

@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
+
+#include "core/slam/linear_start.hpp"
+#include "core/slam/spanning_start.hpp"
 
 namespace topo::slam {
 namespace {
@@ -41,6 +45,35 @@ std::vector<Se2> chained(const Se2& first, std::span<const Edge> odometry) {
   return poses;
 }
 
+GraphParams exact() {
+  GraphParams params;
+  params.iterations_max = 200;
+  params.converged = 1e-11;
+  return params;
+}
+
+/// A circle driven three times with noisy dead reckoning, tied together at every fifth node.
+struct Rounds {
+  std::vector<Se2> truth, odometry;
+  std::vector<Edge> edges;
+};
+
+Rounds three_rounds(unsigned seed, double noise_m, double noise_rad) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> m(0.0, noise_m), rad(0.0, noise_rad);
+  const std::vector<Se2> once = circle(40, 8.0);
+  Rounds rounds;
+  for (int round = 0; round < 3; ++round) rounds.truth.insert(rounds.truth.end(), once.begin(), once.end());
+  const auto add = [&](std::size_t from, std::size_t to) {
+    const double x = m(random), y = m(random), theta = rad(random);
+    rounds.edges.push_back(between(rounds.truth, from, to, {x, y, theta}));
+  };
+  for (std::size_t i = 0; i + 1 < rounds.truth.size(); ++i) add(i, i + 1);
+  rounds.odometry = chained(rounds.truth[0], rounds.edges);
+  for (std::size_t i = 40; i < rounds.truth.size(); i += 5) add(i, i - 40);
+  return rounds;
+}
+
 TEST(Solve, ClosesALoopThatDriftedApart) {
   const std::vector<Se2> truth = circle(60, 10.0);
   std::vector<Edge> edges;
@@ -50,7 +83,7 @@ TEST(Solve, ClosesALoopThatDriftedApart) {
   const double apart = (poses.back().translation() - truth.back().translation()).norm();
   edges.push_back(between(truth, truth.size() - 1, 0));
   edges.back().robust = true;
-  const SolveReport report = solve(poses, edges, {12, 1e6});
+  const SolveReport report = solve(poses, edges, {.loop_kernel = 1e6});
   EXPECT_TRUE(report.solved);
   EXPECT_GT(apart, 1.0);
   EXPECT_LT(report.chi2_end, 0.1 * report.chi2_start);
@@ -71,11 +104,11 @@ TEST(Solve, TheOptimumDoesNotDependOnTheOrderOfTheEdges) {
     edges.push_back(between(truth, 19, 0));
     edges.push_back(between(truth, 12, 2));
     std::vector<Se2> b = a;
-    (void)solve(a, edges, kParams);
+    (void)solve(a, edges, exact());
     std::shuffle(edges.begin(), edges.end(), random);
-    (void)solve(b, edges, kParams);
+    (void)solve(b, edges, exact());
     for (std::size_t i = 0; i < a.size(); ++i)
-      RC_ASSERT((a[i].translation() - b[i].translation()).norm() < 1e-6);
+      RC_ASSERT((a[i].translation() - b[i].translation()).norm() < 1e-9);
   }));
 }
 
@@ -95,6 +128,98 @@ TEST(Solve, OneFalseClosureAmongTrueOnesDoesNotTearTheMap) {
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_LT((poses[i].translation() - truth[i].translation()).norm(), 0.25) << i;
   }
+}
+
+/// Where the frame lies and which node holds it must not matter to what the edges say.
+TEST(Solve, MovingTheWholeMapOrHoldingAnotherNodeMovesNothingElse) {
+  const Rounds rounds = three_rounds(3, 0.02, 0.01);
+  std::vector<Se2> here = rounds.odometry, there = rounds.odometry, held = rounds.odometry;
+  const Se2 shift{120.0, -45.0, 2.1};
+  for (Se2& pose : there) pose = shift * pose;
+  const SolveReport a = solve(here, rounds.edges, exact());
+  const SolveReport b = solve(there, rounds.edges, exact());
+  const SolveReport c = solve(held, rounds.edges, exact(), 57);
+  ASSERT_TRUE(a.solved && b.solved && c.solved);
+  EXPECT_EQ(held[57], rounds.odometry[57]);
+  EXPECT_NEAR(a.chi2_end, b.chi2_end, 1e-6 * a.chi2_end);
+  EXPECT_NEAR(a.chi2_end, c.chi2_end, 1e-6 * a.chi2_end);
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const Se2 from_there = there[0].inverse() * there[i], from_held = held[0].inverse() * held[i];
+    const Se2 from_here = here[0].inverse() * here[i];
+    EXPECT_LT((from_here.translation() - from_there.translation()).norm(), 1e-8) << i;
+    EXPECT_LT((from_here.translation() - from_held.translation()).norm(), 1e-8) << i;
+  }
+}
+
+TEST(Solve, AtTheOptimumNoSmallMoveOfAnyNodeIsBetter) {
+  const Rounds rounds = three_rounds(4, 0.02, 0.01);
+  std::vector<Se2> poses = rounds.odometry;
+  const SolveReport report = solve(poses, rounds.edges, exact());
+  ASSERT_TRUE(report.solved);
+  for (std::size_t i = 1; i < poses.size(); i += 7) {
+    for (const Se2& move : {Se2{1e-4, 0, 0}, Se2{-1e-4, 0, 0}, Se2{0, 1e-4, 0}, Se2{0, -1e-4, 0},
+                            Se2{0, 0, 1e-4}, Se2{0, 0, -1e-4}}) {
+      std::vector<Se2> other = poses;
+      other[i] = {poses[i].x_m + move.x_m, poses[i].y_m + move.y_m, poses[i].theta_rad + move.theta_rad};
+      EXPECT_GT(total_chi2(other, rounds.edges), report.chi2_end) << i;
+    }
+  }
+}
+
+TEST(Solve, ChiSquareOfASmallGraphIsWhatIsReckonedByHand) {
+  // Two ways between two nodes that disagree by d, of information w each: each gives way by d / 2, and what
+  // is left is w d^2 / 2.
+  std::vector<Se2> poses{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  std::vector<Edge> edges(2);
+  for (Edge& edge : edges) edge.to = 1;
+  edges[0].T_from_to = {1.0, 0.0, 0.0};
+  edges[1].T_from_to = {1.2, 0.0, 0.0};
+  edges[0].information = edges[1].information = 100.0 * Eigen::Matrix3d::Identity();
+  const SolveReport report = solve(poses, edges, kParams);
+  EXPECT_NEAR(report.chi2_start, 4.0, 1e-12);
+  EXPECT_NEAR(report.chi2_end, 2.0, 1e-12);
+  EXPECT_NEAR(poses[1].x_m, 1.1, 1e-12);
+}
+
+TEST(StartLinearly, FindsTheOptimumFromPosesThatAreNoEstimateAtAll) {
+  const Rounds rounds = three_rounds(5, 0.02, 0.01);
+  std::vector<Se2> good = rounds.odometry, bad(rounds.odometry.size());
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> anywhere(-50.0, 50.0), any_way(-3.0, 3.0);
+  for (std::size_t i = 1; i < bad.size(); ++i) bad[i] = {anywhere(random), anywhere(random), any_way(random)};
+  bad[0] = good[0];
+  const double optimum = solve(good, rounds.edges, exact()).chi2_end;
+  ASSERT_TRUE(start_linearly(bad, rounds.edges));
+  EXPECT_LT(total_chi2(bad, rounds.edges), 1.5 * optimum) << "a start in the right valley";
+  EXPECT_NEAR(solve(bad, rounds.edges, exact()).chi2_end, optimum, 1e-9 * optimum);
+}
+
+TEST(StartLinearly, AGraphInTwoPiecesHasNone) {
+  std::vector<Se2> poses = circle(4, 1.0);
+  const std::vector<Se2> before = poses;
+  const std::vector<Edge> edges{between(poses, 0, 1), between(poses, 2, 3)};
+  EXPECT_FALSE(start_linearly(poses, edges));
+  EXPECT_EQ(poses, before);
+}
+
+TEST(SpanningStart, IsDeadReckoningWhereThereIsOneWhateverElseIsInTheList) {
+  Rounds rounds = three_rounds(7, 0.05, 0.02);
+  std::rotate(rounds.edges.begin(), rounds.edges.begin() + 119, rounds.edges.end());
+  const auto start = spanning_start(rounds.truth.size(), rounds.edges, rounds.truth[0]);
+  ASSERT_TRUE(start);
+  for (std::size_t i = 0; i < start->size(); ++i)
+    EXPECT_LT(((*start)[i].translation() - rounds.odometry[i].translation()).norm(), 1e-9) << i;
+}
+
+TEST(SpanningStart, BridgesAGapByAnotherEdgeAgainstItsDirection) {
+  const std::vector<Se2> truth = circle(6, 2.0);
+  const std::vector<Edge> edges{between(truth, 0, 1), between(truth, 2, 1), between(truth, 5, 2),
+                                between(truth, 4, 5), between(truth, 3, 4)};
+  const auto start = spanning_start(6, edges, truth[0]);
+  ASSERT_TRUE(start);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_LT(((*start)[i].translation() - truth[i].translation()).norm(), 1e-12) << i;
+  EXPECT_FALSE(spanning_start(7, edges));
 }
 
 TEST(Solve, ADisconnectedNodeIsSaidNotInvented) {

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/slam/elimination.hpp"
+#include "core/slam/pose_graph.hpp"
+
+namespace topo::slam {
+
+/// Whether chains of edges tie all nodes together. Edges name nodes below `nodes`.
+bool is_connected(std::size_t nodes, std::span<const Edge> edges);
+
+/// Which block of the normal equations each edge of a graph adds to. All nodes but the fixed one are
+/// variables, in the order of the nodes.
+class GraphPattern {
+ public:
+  GraphPattern(std::size_t nodes, std::span<const Edge> edges, std::size_t fixed);
+
+  struct EdgePlaces {
+    std::size_t from_variable = 0, to_variable = 0;
+    Elimination::Place from, to, between;   ///< `between`: row `from`, column `to`
+    bool has_from = false, has_to = false;  ///< false: that end is the fixed node
+  };
+
+  [[nodiscard]] const Elimination& elimination() const { return elimination_; }
+  [[nodiscard]] const std::vector<EdgePlaces>& links() const { return places_; }
+  [[nodiscard]] std::size_t node(std::size_t variable) const {
+    return variable < fixed_ ? variable : variable + 1;
+  }
+
+ private:
+  [[nodiscard]] std::size_t variable(std::size_t node) const { return node < fixed_ ? node : node - 1; }
+  [[nodiscard]] std::vector<Elimination::Link> variable_links(std::span<const Edge> edges) const;
+
+  std::size_t fixed_;
+  Elimination elimination_;
+  std::vector<EdgePlaces> places_;
+};
+
+}  // namespace topo::slam
