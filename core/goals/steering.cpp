@@ -15,6 +15,11 @@ using grid::CellState;
 constexpr std::array<CellIndex, 8> kAround = {
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
+/// The skeleton's own clearance is that of the map without furniture.
+double clear_at(const GoalInput& input, CellIndex cell) {
+  return static_cast<double>(input.clearance_m[input.map.index(cell)]);
+}
+
 std::optional<std::size_t> free_node(const GoalInput& input, CellIndex from, const GoalParams& params,
                                      const std::vector<bool>& taken) {
   const types::Vector2 p = input.map.centre_of(from);
@@ -22,7 +27,7 @@ std::optional<std::size_t> free_node(const GoalInput& input, CellIndex from, con
   double best_m = params.node_reach_m;
   for (std::size_t n = 0; n < input.skeleton.nodes.size(); ++n) {
     const places::SkeletonNode& node = input.skeleton.nodes[n];
-    if (taken[n] || static_cast<double>(node.clearance_m) < params.robot_radius_m) continue;
+    if (taken[n] || clear_at(input, node.cell) < params.robot_radius_m) continue;
     const double away_m = (input.map.centre_of(node.cell) - p).norm();
     if (away_m >= best_m || !sees(input.map, from, node.cell)) continue;
     best = n;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/analysis.hpp"
 
+#include "core/grid/distance.hpp"
+#include "core/places/furniture.hpp"
+
 namespace topo::pipeline {
 
 Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
@@ -26,13 +29,15 @@ Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<fl
   const double compass_rad = a.compass.angle_rad.value_or(0.0);
   a.walls = walls::extract_walls(points, compass_rad, params.walls);
   tell(Stage::kWalls);
-  a.skeleton = places::skeletonise(a.map, a.clearance_m);
+  const grid::DenseMap open = places::without_furniture(a.map, a.walls, params.places.furniture_m);
+  const std::vector<float> open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
+  tell(Stage::kFurniture);
+  a.skeleton = places::skeletonise(open, open_m);
   tell(Stage::kSkeleton);
-  const places::FirstLabels first =
-      places::first_labels(a.map, a.clearance_m, a.skeleton, params.places.piece_m);
+  const places::FirstLabels first = places::first_labels(open, open_m, a.skeleton, params.places.piece_m);
   tell(Stage::kLabels);
-  a.places =
-      places::reduce_labels(a.map, a.clearance_m, a.skeleton, first, a.walls, compass_rad, params.places);
+  a.places = places::reduce_labels(open, open_m, a.skeleton, first, a.walls, compass_rad, params.places);
+  places::leave_free_space(a.map, a.places.labels);
   tell(Stage::kReduction);
   a.goals = goals::essential_goals({a.map, a.clearance_m, a.skeleton, a.places, visited}, params.goals);
   tell(Stage::kGoals);

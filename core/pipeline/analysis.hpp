@@ -30,12 +30,12 @@ struct Analysis {
   std::vector<float> clearance_m;  ///< kOccupiedOrUnknown
   walls::Compass compass;
   std::vector<types::Segment> walls;
-  places::Skeleton skeleton;
+  places::Skeleton skeleton;  ///< of the map without furniture (core/places/furniture.hpp)
   places::PlaceMap places;
   goals::GoalSet goals;
 };
 
-enum class Stage : std::uint8_t { kCompass, kWalls, kSkeleton, kLabels, kReduction, kGoals };
+enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabels, kReduction, kGoals };
 
 /// Told after each stage, in the order of the enumeration: who measures brings the clock.
 using StageWatch = std::function<void(Stage)>;

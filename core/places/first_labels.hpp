@@ -17,10 +17,12 @@ struct FirstLabels {
   std::uint32_t pieces = 0;
 };
 
-/// Every free cell gets the label of the axis cell nearest to it through free space, and every axis cell that
-/// of the node nearest to it along the axis, with two departures from the paper that put borders where a
-/// person would: an edge is divided at its narrow passages (doors) rather than half-way between its nodes,
-/// and a long one into pieces of `piece_m`, as if it had nodes there.
+/// Every axis cell gets the label of the node nearest to it along the axis, and every free cell that of the
+/// axis cell to which the steepest way up the distance map leads; linear in the cells. Three departures from
+/// the paper put borders where a person would: steepest ascent instead of nearest axis cell, so that a border
+/// between two labels of the axis runs straight across a doorway and not in a bow into the room; an edge is
+/// divided at its narrow passages (doors) rather than half-way between its nodes; and a long one into pieces
+/// of `piece_m`, as if it had nodes there.
 FirstLabels first_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                          const Skeleton& skeleton, double piece_m);
 

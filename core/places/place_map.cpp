@@ -71,6 +71,14 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   return out;
 }
 
+void leave_free_space(const grid::DenseMap& map, std::vector<std::uint16_t>& labels) {
+  assert(labels.size() == map.cells.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const bool free = map.cells[i] == grid::CellState::kFree;
+    labels[i] = free ? labels[i] : std::uint16_t{0};
+  }
+}
+
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
                         const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
                         const PlaceParams& params) {

@@ -15,15 +15,20 @@
 namespace topo::places {
 
 struct PlaceParams {
-  double density_min = 0.80;  ///< free share of a place's bounding box, for a merge (paper II-C, condition 1)
+  double furniture_m = 1.0;   ///< what stands free and is no longer than this divides nothing
+  double density_min = 0.64;  ///< free share of a place's bounding box, for a merge (paper II-C, condition 1)
   double elsewhere_weight = 0.3;  ///< beside an occupied cell in that box, of one that is unknown or of
                                   ///< another place: what is not there yet speaks less against a merge
+  double turned_weight = 0.5;     ///< the same of a box that does not lie in the compass frame
   double width_ratio_max = 1.8;   ///< of the clearances of two corridor pieces, for a merge
-  double narrow_ratio = 0.75;     ///< a passage narrower than this share of both sides' widths divides places
-  double wall_share_max = 0.5;    ///< of wall to open border between two places, for a merge (condition 2)
-  double piece_m = 1.0;           ///< of the axis, in the first labels
-  double small_m2 = 1.5;          ///< smaller places go to the neighbour with the longest common border
-  double speck_m2 = 0.3;          ///< free space of its own smaller than this is no place at all
+  double narrow_ratio = 0.58;     ///< a passage narrower than this share of the narrower side divides places
+  double wider_power = 0.1;     ///< of the sides' ratio, by which that share grows: doors lead from corridors
+                                ///< into what is wider
+  double parallel_share = 0.5;  ///< of the sum of several passages' widths that counts as one passage
+  double wall_share_max = 0.5;  ///< of wall to open border between two places, for a merge (condition 2)
+  double piece_m = 1.0;         ///< of the axis, in the first labels
+  double small_m2 = 2.0;        ///< smaller places go to the neighbour with the longest common border
+  double speck_m2 = 0.3;        ///< free space of its own smaller than this is no place at all
 };
 
 struct Place {
@@ -56,6 +61,9 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
                        const Skeleton& skeleton, const FirstLabels& first,
                        std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params = {});
+
+/// Takes the labels from all cells that are not free: of places found without furniture, where it stands.
+void leave_free_space(const grid::DenseMap& map, std::vector<std::uint16_t>& labels);
 
 /// Both: the first labels, then the reduction.
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,

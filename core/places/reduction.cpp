@@ -43,6 +43,21 @@ struct Proposal {
   }
 };
 
+/// The greatest density of the union in a frame that is not the compass's: a wing or a corridor at an angle
+/// to the rest of the building is as dense in its own. What is in the box beside the union is not looked at
+/// but weighed as between occupied and elsewhere.
+double turned_density(const Region& a, const Region& b, double resolution_m, const PlaceParams& params) {
+  const double own_m2 = (a.cells + b.cells) * resolution_m * resolution_m;
+  double best = 0.0;
+  for (std::size_t k = 0; k < kTurns; ++k) {
+    const types::Rectangle box = united(a.turned[k], b.turned[k]);
+    const types::Vector2 side = box.max - box.min;
+    const double beside_m2 = std::max(0.0, side.x() * side.y() - own_m2);
+    best = std::max(best, own_m2 / (own_m2 + params.turned_weight * beside_m2));
+  }
+  return best;
+}
+
 class Reduction {
  public:
   Reduction(std::vector<Region>& regions, const BoxCounts& counts, double resolution_m,
@@ -70,7 +85,8 @@ class Reduction {
     if (c.upright + c.level == 0 || !no_wall_between(c, resolution_m_, params_) ||
         !no_narrows(a, b, c, resolution_m_, params_) || !similar_width(a, b, c, resolution_m_, params_))
       return std::nullopt;
-    const double dense = density(united(a.core, b.core), a.cells + b.cells, counts_, resolution_m_, params_);
+    const double level = density(united(a.core, b.core), a.cells + b.cells, counts_, resolution_m_, params_);
+    const double dense = std::max(level, turned_density(a, b, resolution_m_, params_));
     return dense >= params_.density_min ? std::optional(dense) : std::nullopt;
   }
 
@@ -164,11 +180,13 @@ bool no_wall_between(const Contact& contact, double resolution_m, const PlacePar
 
 bool no_narrows(const Region& a, const Region& b, const Contact& contact, double resolution_m,
                 const PlaceParams& params) {
-  const double narrower_m = 2.0 * static_cast<double>(std::min(a.clearance_m, b.clearance_m));
-  // Of a border in several parts, around furniture, the sum counts.
-  const double passage_m =
-      std::max(2.0 * static_cast<double>(contact.clearance_m), contact.border() * resolution_m);
-  return passage_m >= params.narrow_ratio * narrower_m;
+  const auto [narrower, wider] = std::minmax(a.clearance_m, b.clearance_m);
+  // Of a border in several parts, around furniture, the sum counts as well.
+  const double passage_m = std::max(2.0 * static_cast<double>(contact.clearance_m),
+                                    params.parallel_share * static_cast<double>(contact.open) * resolution_m);
+  const double ratio = static_cast<double>(wider) / std::max(static_cast<double>(narrower), resolution_m);
+  return passage_m >=
+         params.narrow_ratio * 2.0 * static_cast<double>(narrower) * std::pow(ratio, params.wider_power);
 }
 
 bool similar_width(const Region& a, const Region& b, const Contact& contact, double resolution_m,

@@ -3,6 +3,7 @@
 #include "core/places/regions.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace topo::places {
 namespace {
@@ -19,6 +20,11 @@ struct Pair {
 
 std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
+}
+
+void extend_by_disc(types::Rectangle& box, const types::Vector2& centre, double radius_m) {
+  box.extend(centre - types::Vector2(radius_m, radius_m));
+  box.extend(centre + types::Vector2(radius_m, radius_m));
 }
 
 /// Sums per region, and pairs of labels across borders.
@@ -43,13 +49,18 @@ class CellPass {
     pad_boxes();
   }
   void add_cores(std::span<const std::uint32_t> axis) {
+    const double compass_rad = std::atan2(frame_.sin, frame_.cos),
+                 step_rad = std::numbers::pi / 2.0 / (kTurns + 1);
+    std::vector<CompassFrame> turns;
+    for (std::size_t k = 0; k < kTurns; ++k)
+      turns.emplace_back(compass_rad + static_cast<double>(k + 1) * step_rad);
     for (const std::uint32_t i : axis) {
       if (labels_[i] == 0) continue;
       Region& region = regions[labels_[i] - 1];
-      const types::Vector2 p = frame_.from_map(map_.centre_of(map_.cell(i)));
+      const types::Vector2 centre = map_.centre_of(map_.cell(i));
       const double r = static_cast<double>(clearance_m_[i]) - 0.5 * map_.resolution_m;
-      region.core.extend(p - types::Vector2(r, r));
-      region.core.extend(p + types::Vector2(r, r));
+      extend_by_disc(region.core, frame_.from_map(centre), r);
+      for (std::size_t k = 0; k < kTurns; ++k) extend_by_disc(region.turned[k], turns[k].from_map(centre), r);
     }
     for (Region& region : regions) {
       region.core.min = region.core.min.cwiseMax(region.box.min);
@@ -140,6 +151,7 @@ void add_contacts(std::vector<Pair>& pairs, std::vector<Region>& regions) {
       contact.wall_m += pairs[k].wall_m;
       contact.clearance_m = std::max(contact.clearance_m, pairs[k].clearance_m);
     }
+    contact.open = static_cast<float>(contact.border());
     const auto a = static_cast<std::uint32_t>(key >> 32U), b = static_cast<std::uint32_t>(key);
     contact.other = b;
     regions[a].contacts.push_back(contact);
@@ -154,10 +166,34 @@ void add_contact(Region& region, const Contact& contact) {
     known.upright += contact.upright;
     known.level += contact.level;
     known.wall_m += contact.wall_m;
+    known.open += contact.open;
     known.clearance_m = std::max(known.clearance_m, contact.clearance_m);
     return;
   }
   region.contacts.push_back(contact);
+}
+
+/// What leads on through a passage is no wider than that.
+void narrow_to(Contact& contact, const Contact& passage) {
+  contact.clearance_m = std::min(contact.clearance_m, passage.clearance_m);
+  contact.open = std::min(contact.open, passage.open);
+}
+
+/// The same of all that leads on from region `of`, but to region `but`.
+void narrow_contacts(std::vector<Region>& regions, std::uint32_t of, std::uint32_t but,
+                     const Contact& passage) {
+  for (Contact& contact : regions[of].contacts) {
+    if (contact.other == but) continue;
+    narrow_to(contact, passage);
+    for (Contact& back : regions[contact.other].contacts) {
+      if (back.other == of) narrow_to(back, passage);
+    }
+  }
+}
+
+void extend_by(types::Rectangle& box, const types::Rectangle& more) {
+  box.extend(more.min);
+  box.extend(more.max);
 }
 
 void drop_contact(Region& region, std::uint32_t other) {
@@ -179,21 +215,27 @@ std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clear
 
 void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core) {
   Region &a = regions[into], &b = regions[from];
-  a.box.extend(b.box.min);
-  a.box.extend(b.box.max);
+  extend_by(a.box, b.box);
   if (grows_core) {
-    a.core.extend(b.core.min);
-    a.core.extend(b.core.max);
+    extend_by(a.core, b.core);
+    for (std::size_t k = 0; k < kTurns; ++k) extend_by(a.turned[k], b.turned[k]);
   }
+  const bool a_clearest = a.clearance_m >= b.clearance_m;
   a.sum += b.sum;
   a.cells += b.cells;
   a.first = std::min(a.first, b.first);
   a.clearance_m = std::max(a.clearance_m, b.clearance_m);
   ++a.version;
   b.cells = 0;
+  // Who comes from the clearest point of the one side to the other has to go through where they met.
+  const auto met =
+      std::find_if(a.contacts.begin(), a.contacts.end(), [&](const Contact& c) { return c.other == from; });
+  const Contact passage = met == a.contacts.end() ? Contact{} : *met;
+  if (!a_clearest) narrow_contacts(regions, into, from, passage);
   drop_contact(a, from);
   for (Contact contact : b.contacts) {
     if (contact.other == into) continue;
+    if (a_clearest) narrow_to(contact, passage);
     add_contact(a, contact);
     Region& third = regions[contact.other];
     drop_contact(third, from);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -20,7 +21,8 @@ struct Contact {
   std::uint32_t upright = 0;  ///< pairs of cells side by side across the border
   std::uint32_t level = 0;    ///< pairs of cells one above the other
   float wall_m = 0.0F;        ///< length of wall with one of them on each side
-  float clearance_m = 0.0F;   ///< at the clearest point of the border
+  float clearance_m = 0.0F;   ///< at the narrowest of the clearest way between the clearest points of both
+  float open = 0.0F;          ///< width of the border in cells, or of what leads to it where that is less
 
   /// Of the open border, in cells; a slanted one is a staircase of both kinds.
   [[nodiscard]] double border() const {
@@ -28,15 +30,19 @@ struct Contact {
   }
 };
 
+/// Frames beside that of the compass, for what is built at an angle to it: a quarter turn has six.
+inline constexpr std::size_t kTurns = 5;
+
 /// Free space with one label, and all that the reduction must know of it.
 struct Region {
-  types::Rectangle box;              ///< of its cells, in the compass frame
-  types::Rectangle core;             ///< the same of what the clear discs along its axis reach: without nooks
-  types::Vector2 sum{0.0, 0.0};      ///< of its cells' centres in map
-  std::uint32_t cells = 0;           ///< 0: gone into another region
-  std::uint32_t first = UINT32_MAX;  ///< its lowest cell
-  float clearance_m = 0.0F;          ///< at its clearest
-  std::uint32_t version = 0;         ///< counts the merges
+  types::Rectangle box;   ///< of its cells, in the compass frame
+  types::Rectangle core;  ///< the same of what the clear discs along its axis reach: without nooks
+  std::array<types::Rectangle, kTurns> turned;  ///< the core's in frames turned by 15 degrees more each
+  types::Vector2 sum{0.0, 0.0};                 ///< of its cells' centres in map
+  std::uint32_t cells = 0;                      ///< 0: gone into another region
+  std::uint32_t first = UINT32_MAX;             ///< its lowest cell
+  float clearance_m = 0.0F;                     ///< at its clearest
+  std::uint32_t version = 0;                    ///< counts the merges
   std::vector<Contact> contacts;
 };
 

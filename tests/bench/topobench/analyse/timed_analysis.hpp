@@ -11,8 +11,8 @@
 namespace topo::bench {
 
 /// The stages of REPORTS "topobench analyse", in the order in which they run.
-inline constexpr std::array<std::string_view, 8> kStageNames = {"distance", "compass",   "walls", "skeleton",
-                                                                "labels",   "reduction", "goals", "total"};
+inline constexpr std::array<std::string_view, 9> kStageNames = {
+    "distance", "compass", "walls", "furniture", "skeleton", "labels", "reduction", "goals", "total"};
 
 struct TimedAnalysis {
   pipeline::Analysis analysis;

@@ -86,10 +86,10 @@ TEST(Places, FurnitureDoesNotDivideARoom) {
 }
 
 TEST(Places, AWallThatIsSeenThroughDividesWithTheStore) {
-  // Two rooms side by side; the wall between them is open in the occupancy grid for 2.4 of 5 m.
-  DrawnMap drawn = DrawnMap(220, 120).room(10, 10, 210, 110).occupied(108, 10, 110, 60);
+  // Two rooms side by side; the wall between them is open in the occupancy grid for 3 of 5 m.
+  DrawnMap drawn = DrawnMap(220, 120).room(10, 10, 210, 110).occupied(108, 10, 110, 50);
   EXPECT_EQ(drawn.places().places.size(), 1U);
-  const std::vector<types::Segment> wall = {{{5.45, 0.5}, {5.45, 3.0}}};
+  const std::vector<types::Segment> wall = {{{5.45, 0.5}, {5.45, 5.4}}};
   EXPECT_EQ(drawn.places(0.0, wall).places.size(), 2U);
 }
 

@@ -65,7 +65,10 @@ TEST(Conditions, AreWhatTheySay) {
   room.clearance_m = 2.5F;
   room.core = {{0.0, 2.0}, {5.0, 7.0}};
   EXPECT_FALSE(no_narrows(corridor, room, door, 0.05, params));
-  EXPECT_TRUE(no_narrows(corridor, room, {1, 40, 0, 0.0F, 0.0F}, 0.05, params));
+  EXPECT_TRUE(no_narrows(corridor, room, {1, 40, 0, 0.0F, 1.0F}, 0.05, params)) << "the corridor's width";
+  EXPECT_TRUE(no_narrows(corridor, room, {1, 60, 0, 0.0F, 0.0F, 60.0F}, 0.05, params)) << "in several parts";
+  EXPECT_FALSE(no_narrows(corridor, room, {1, 60, 0, 0.0F, 0.0F, 18.0F}, 0.05, params))
+      << "all of it behind a door";
   Contact end{1, 0, 40, 0.0F, 1.0F}, side{1, 200, 0, 0.0F, 1.0F};
   EXPECT_FALSE(similar_width(corridor, room, end, 0.05, params));
   EXPECT_TRUE(similar_width(corridor, room, side, 0.05, params)) << "the edge of a hall";
