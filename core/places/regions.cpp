@@ -125,7 +125,8 @@ std::uint32_t label_beside(const DenseMap& map, const std::vector<std::uint32_t>
 }
 
 void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels,
-                std::span<const types::Segment> walls, std::vector<Pair>& pairs) {
+                std::span<const types::Segment> walls, std::vector<Region>& regions,
+                std::vector<Pair>& pairs) {
   constexpr double kStepM = 0.10;
   for (const types::Segment& wall : walls) {
     const double length_m = wall.length_m();
@@ -134,7 +135,10 @@ void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels,
     for (double d = 0.5 * kStepM; d < length_m; d += kStepM) {
       const types::Vector2 p = wall.a + d * along;
       const std::uint32_t a = label_beside(map, labels, p, across), b = label_beside(map, labels, p, -across);
-      if (a != 0 && b != 0 && a != b)
+      if (a == 0 || b == 0) continue;
+      if (a == b)
+        regions[a - 1].straddled_m += static_cast<float>(kStepM);
+      else
         pairs.push_back({key_of(a - 1, b - 1), 0, 0, static_cast<float>(kStepM), 0.0F});
     }
   }
@@ -196,6 +200,28 @@ void extend_by(types::Rectangle& box, const types::Rectangle& more) {
   box.extend(more.max);
 }
 
+Contact* contact_with(Region& region, std::uint32_t other) {
+  const auto found = std::find_if(region.contacts.begin(), region.contacts.end(),
+                                  [&](const Contact& c) { return c.other == other; });
+  return found == region.contacts.end() ? nullptr : &*found;
+}
+
+/// The opening of a wall goes to one of the wall's two sides: the wall across it then lies between that side
+/// and the other, as it does beside the opening.
+bool hand_on_straddled(std::vector<Region>& regions, std::uint32_t opening, std::uint32_t side) {
+  const float straddled_m = regions[opening].straddled_m;
+  if (straddled_m <= 0.0F) return false;
+  bool handed = false;
+  for (Contact& beyond : regions[opening].contacts) {
+    const Contact* wall = contact_with(regions[side], beyond.other);
+    if (wall == nullptr || wall->wall_m <= 0.0F) continue;
+    beyond.wall_m += straddled_m;
+    if (Contact* back = contact_with(regions[beyond.other], opening)) back->wall_m += straddled_m;
+    handed = true;
+  }
+  return handed;
+}
+
 void drop_contact(Region& region, std::uint32_t other) {
   std::erase_if(region.contacts, [&](const Contact& c) { return c.other == other; });
 }
@@ -208,13 +234,16 @@ std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clear
   CellPass pass(map, clearance_m, first, frame);
   pass.run();
   pass.add_cores(axis);
-  note_walls(map, first.labels, walls, pass.pairs);
+  note_walls(map, first.labels, walls, pass.regions, pass.pairs);
   add_contacts(pass.pairs, pass.regions);
   return std::move(pass.regions);
 }
 
 void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core) {
   Region &a = regions[into], &b = regions[from];
+  const float left_a_m = hand_on_straddled(regions, into, from) ? 0.0F : a.straddled_m;
+  const float left_b_m = hand_on_straddled(regions, from, into) ? 0.0F : b.straddled_m;
+  a.straddled_m = left_a_m + left_b_m;
   extend_by(a.box, b.box);
   if (grows_core) {
     extend_by(a.core, b.core);
@@ -228,9 +257,8 @@ void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from
   ++a.version;
   b.cells = 0;
   // Who comes from the clearest point of the one side to the other has to go through where they met.
-  const auto met =
-      std::find_if(a.contacts.begin(), a.contacts.end(), [&](const Contact& c) { return c.other == from; });
-  const Contact passage = met == a.contacts.end() ? Contact{} : *met;
+  const Contact* met = contact_with(a, from);
+  const Contact passage = met == nullptr ? Contact{} : *met;
   if (!a_clearest) narrow_contacts(regions, into, from, passage);
   drop_contact(a, from);
   for (Contact contact : b.contacts) {

@@ -42,6 +42,7 @@ struct Region {
   std::uint32_t cells = 0;                      ///< 0: gone into another region
   std::uint32_t first = UINT32_MAX;             ///< its lowest cell
   float clearance_m = 0.0F;                     ///< at its clearest
+  float straddled_m = 0.0F;                     ///< length of wall with the region on both sides: an opening
   std::uint32_t version = 0;                    ///< counts the merges
   std::vector<Contact> contacts;
 };
