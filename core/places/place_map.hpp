@@ -25,7 +25,7 @@ struct PlaceParams {
   double wider_power = 0.1;     ///< of the sides' ratio, by which that share grows: doors lead from corridors
                                 ///< into what is wider
   double parallel_share = 0.5;  ///< of the sum of several passages' widths that counts as one passage
-  double wall_share_max = 0.5;  ///< of wall to open border between two places, for a merge (condition 2)
+  double wall_share_max = 0.8;  ///< of wall to open border between two places, for a merge (condition 2)
   double piece_m = 1.0;         ///< of the axis, in the first labels
   double small_m2 = 2.0;        ///< smaller places go to the neighbour with the longest common border
   double speck_m2 = 0.3;        ///< free space of its own smaller than this is no place at all
