@@ -95,7 +95,8 @@ class BlockFactor {
   /// Takes what finished column j contributes to the column that is its turn, and queues j for its next row.
   void subtract(std::size_t j) {
     const std::size_t end = pattern_.begin(j + 1), own = cursor_[j];
-    const Block left = blocks_[own].transpose();
+    Block left = Block::Zero();  // g++ 12 takes Eigen's look at aliasing for a use
+    left = blocks_[own].transpose();
     for (std::size_t p = own; p < end; ++p) blocks_[where_[pattern_.row(p)]].noalias() -= blocks_[p] * left;
     queue(j, own + 1, end);
   }

@@ -51,9 +51,9 @@ class Thinner {
     const bool steep = std::abs(normal.y()) > std::abs(normal.x());
     const unsigned quarter = steep ? (normal.y() > 0.0F ? 0U : 1U) : (normal.x() > 0.0F ? 2U : 3U);
     unsigned char& seen = seen_[y * side_ + x];
-    if ((seen >> quarter & 1U) != 0) return false;
-    seen = static_cast<unsigned char>(seen | 1U << quarter);
-    return true;
+    const unsigned before = seen;
+    seen = static_cast<unsigned char>(before | 1U << quarter);
+    return before != seen;
   }
 
  private:
