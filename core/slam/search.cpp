@@ -138,51 +138,74 @@ class Searcher {
   bool found_ = false;
 };
 
+/// exp(-d^2 / 2 sigma^2) in 255ths, from a table over d^2.
+class Kernel {
+ public:
+  Kernel(double reach_m, double sigma_m) {
+    const double reach2 = 2.0 * reach_m * reach_m;
+    per_entry_ = static_cast<float>(kEntries / reach2);
+    for (std::size_t i = 0; i < kEntries; ++i) {
+      const double d2 = (static_cast<double>(i) + 0.5) * reach2 / kEntries;
+      table_[i] = static_cast<std::uint8_t>(255.0 * std::exp(-0.5 * d2 / (sigma_m * sigma_m)));
+    }
+  }
+  [[nodiscard]] std::uint8_t at(float distance2) const {
+    return table_[std::min(kEntries - 1, static_cast<std::size_t>(distance2 * per_entry_))];
+  }
+
+ private:
+  static constexpr std::size_t kEntries = 2048;
+  std::array<std::uint8_t, kEntries> table_;
+  float per_entry_;
+};
+
 }  // namespace
 
 LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& params)
     : cell_m_(params.cell_m),
       origin_(map.origin()),
-      width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))) {
-  const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(width_);
-  levels_.resize(static_cast<std::size_t>(params.depth) + 1);
-  levels_[0].assign(cells, 0);
+      width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))),
+      height_(width_) {
   const int reach = static_cast<int>(std::ceil(2.5 * params.kernel_sigma_m / cell_m_));
+  levels_.resize(static_cast<std::size_t>(params.depth) + 1);
+  draw(map.surfels(), reach, params.kernel_sigma_m);
+  for (std::size_t h = 1; h < levels_.size(); ++h) coarsen(h);
+}
+
+void LikelihoodPyramid::draw(std::span<const Surfel> surfels, int reach, double sigma_m) {
+  levels_[0].assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
   const auto cell = static_cast<float>(cell_m_);
-  const float scale = static_cast<float>(-0.5 / (params.kernel_sigma_m * params.kernel_sigma_m));
-  for (const Surfel& surfel : map.surfels()) {
+  const Kernel kernel(reach * cell_m_ + cell_m_, sigma_m);
+  for (const Surfel& surfel : surfels) {
     const Point local = surfel.position - origin_;
     const int cx = static_cast<int>(local.x() / cell), cy = static_cast<int>(local.y() / cell);
-    for (int y = std::max(0, cy - reach); y <= std::min(width_ - 1, cy + reach); ++y) {
+    for (int y = std::max(0, cy - reach); y <= std::min(height_ - 1, cy + reach); ++y) {
+      const float dy = (static_cast<float>(y) + 0.5F) * cell - local.y();
+      std::uint8_t* row = &levels_[0][static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)];
       for (int x = std::max(0, cx - reach); x <= std::min(width_ - 1, cx + reach); ++x) {
-        const Point d =
-            Point((static_cast<float>(x) + 0.5F) * cell, (static_cast<float>(y) + 0.5F) * cell) - local;
-        const auto value = static_cast<std::uint8_t>(255.0F * std::exp(scale * d.squaredNorm()));
-        std::uint8_t& best = levels_[0][static_cast<std::size_t>(y * width_ + x)];
-        best = std::max(best, value);
+        const float dx = (static_cast<float>(x) + 0.5F) * cell - local.x();
+        row[x] = std::max(row[x], kernel.at(dx * dx + dy * dy));
       }
     }
   }
-  for (std::size_t h = 1; h < levels_.size(); ++h) {
-    const int step = 1 << (h - 1);
-    const std::vector<std::uint8_t>& below = levels_[h - 1];
-    std::vector<std::uint8_t> rows(cells), level(cells);
-    for (int y = 0; y < width_; ++y) {
-      const auto row = static_cast<std::size_t>(y * width_);
-      for (int x = 0; x < width_; ++x) {
-        const auto i = row + static_cast<std::size_t>(x);
-        rows[i] =
-            x + step < width_ ? std::max(below[i], below[i + static_cast<std::size_t>(step)]) : below[i];
-      }
-    }
-    for (int y = 0; y < width_; ++y) {
-      const auto row = static_cast<std::size_t>(y * width_);
-      const auto above = static_cast<std::size_t>(std::min(y + step, width_ - 1) * width_);
-      for (std::size_t x = 0; x < static_cast<std::size_t>(width_); ++x) {
-        level[row + x] = y + step < width_ ? std::max(rows[row + x], rows[above + x]) : rows[row + x];
-      }
-    }
-    levels_[h] = std::move(level);
+}
+
+void LikelihoodPyramid::coarsen(std::size_t level) {
+  const std::vector<std::uint8_t>& below = levels_[level - 1];
+  std::vector<std::uint8_t>& above = levels_[level];
+  above = below;
+  const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
+  const std::size_t step = std::size_t{1} << (level - 1);
+  // Two passes of plain maxima, which the compiler turns into one instruction for sixteen cells.
+  for (std::size_t y = 0; y < height && step < width; ++y) {
+    const std::uint8_t* from = &below[y * width];
+    std::uint8_t* to = &above[y * width];
+    for (std::size_t x = 0; x < width - step; ++x) to[x] = std::max(from[x], from[x + step]);
+  }
+  for (std::size_t y = 0; y + step < height; ++y) {
+    std::uint8_t* to = &above[y * width];
+    const std::uint8_t* next = &above[(y + step) * width];
+    for (std::size_t x = 0; x < width; ++x) to[x] = std::max(to[x], next[x]);
   }
 }
 
@@ -190,7 +213,7 @@ std::uint8_t LikelihoodPyramid::clipped(int level, int x, int y) const {
   // A square that begins outside to the lower left may still reach in: its maximum is bounded by the square
   // of the same size that begins at the border.
   const int width = 1 << level;
-  if (x >= width_ || y >= width_ || x <= -width || y <= -width) return 0;
+  if (x >= width_ || y >= height_ || x <= -width || y <= -width) return 0;
   return levels_[static_cast<std::size_t>(level)]
                 [static_cast<std::size_t>(std::max(y, 0) * width_ + std::max(x, 0))];
 }
