@@ -142,6 +142,63 @@ class DrawnLog(unittest.TestCase):
         self.assertEqual(run("--lgo", "x").returncode, 2)
 
 
+class SimulatedPatrol(unittest.TestCase):
+    FLAT = str(pathlib.Path(__file__).with_name("flat.toml"))
+
+    def patrol(self, *arguments, world=FLAT):
+        done = run("--simulate", world, "--json", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_the_path_is_the_true_one_to_centimetres(self):
+        report = self.patrol("--minutes", "1.5", "--seed", "3")
+        self.assertGreater(report["scans"], 3400, "40 a second, and the drive lasts")
+        self.assertGreater(report["true_path_m"], 15)
+        self.assertEqual((report["lost"], report["collisions"]), (0, 0))
+        self.assertLess(report["error"]["rmse_m"], 0.03)
+        self.assertLess(report["error"]["heading_rmse_deg"], 0.5)
+        self.assertTrue(report["difficulty"].startswith("difficulty: range noise 30 mm"), report["difficulty"])
+        self.assertEqual(set(report["stages"]), {"scan", "step", "track", "keyframe", "correction", "loop_search", "end"})
+
+    def test_the_same_seed_gives_the_same_path(self):
+        with tempfile.TemporaryDirectory() as out:
+            for name in ("a", "b"):
+                self.patrol("--minutes", "0.3", "--seed", "5", "--out", out + "/" + name)
+            paths = [pathlib.Path(out, name, "trajectory.txt").read_bytes() for name in ("a", "b")]
+        self.assertEqual(paths[0], paths[1])
+
+    def test_people_who_walk_about_do_not_tear_the_map(self):
+        report = self.patrol("--minutes", "2", "--seed", "2", "--people", "4")
+        self.assertEqual(report["lost"], 0)
+        self.assertLess(report["error"]["rmse_m"], 0.03)
+
+    def test_a_log_and_a_building_at_once_are_refused(self):
+        self.assertEqual(run("--simulate", self.FLAT, "--log", "x.clf").returncode, 2)
+        self.assertEqual(run("--json").returncode, 2)
+
+    def test_a_missing_building_is_the_users_fault(self):
+        done = run("--simulate", "none.toml")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("none.toml", done.stderr)
+
+
+@unittest.skipUnless(os.environ.get("TOPOMETRIC_DATA"), "TOPOMETRIC_DATA is not set: no building of real plans was tried")
+class FloorPlans(unittest.TestCase):
+    def rmse(self, name, minutes):
+        world = pathlib.Path(os.environ["TOPOMETRIC_DATA"]) / "floorplans" / (name + ".yaml")
+        done = run("--simulate", str(world), "--minutes", str(minutes), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(done.stdout)
+        self.assertEqual(report["lost"], 0)
+        return report["error"]["rmse_m"]
+
+    def test_columbia(self):
+        self.assertLess(self.rmse("columbia", 5), 0.05)
+
+    def test_hospital_section(self):
+        self.assertLess(self.rmse("hospital_section", 5), 0.05)
+
+
 @unittest.skipUnless(os.environ.get("TOPOMETRIC_DATA"), "TOPOMETRIC_DATA is not set: the real logs were not tried")
 class RealLogs(unittest.TestCase):
     def errors(self, name):

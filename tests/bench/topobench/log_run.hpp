@@ -2,36 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
-#include "core/pipeline/mapping_step.hpp"
 #include "daemon/carmen/carmen_log.hpp"
-#include "daemon/carmen/relations.hpp"
+#include "tests/bench/topobench/slam/lock_step.hpp"
 
 namespace topo::bench {
 
-/// How a log was mapped: the same pure steps as the daemon's threads, in lock-step. A loop answer is handed
-/// over exactly `answer_delay` keyframes after its question, so that runs repeat.
-struct LogRunOptions {
-  std::size_t answer_delay = 2;
-};
-
-/// What a run over a log produced, with the time each scan cost.
-struct LogRun {
-  std::vector<daemon::TimedPose> trajectory;  ///< robot in map, every scan, corrected, log's own stamps
-  std::vector<double> match_ms;               ///< wall time of each mapping step
-  std::vector<double> closure_ms;             ///< wall time of each loop search
-  int closures_accepted = 0;
-  int closures_rejected = 0;
-  int lost = 0;      ///< scans placed by odometry alone
-  int searched = 0;  ///< scans that needed the correlative search
-  double path_m = 0.0;
-  double cpu_s = 0.0;
-  double wall_s = 0.0;
-};
-
-/// Maps a whole log. `state` holds the map afterwards.
-LogRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state, const LogRunOptions& options);
+/// Maps a whole log. `state` holds the map afterwards. The stamps are the log's own.
+MappingRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state);
 
 /// A log of either kind: Mines logs are tables of numbers (MANIFEST of the data), everything else is CARMEN
 /// text.

@@ -23,6 +23,36 @@ int exit_status(const topo::types::Error& error) {
   return users ? 2 : 1;
 }
 
+void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
+  app.footer(
+      "Times are processor time (match_ms: all that the mapping thread does for a scan), each stage also by "
+      "the\n"
+      "clock. revisit_within_0_1_m: of all ends of beams, at places that the robot saw on another visit too "
+      "(at\n"
+      "least 15 m of way later or earlier, and twice as much way as the two places are apart), the share "
+      "within\n"
+      "0.1 m of the centre of an occupied cell that another visit hit. A place was seen when a beam of that\n"
+      "visit ended within 0.5 m of it or went through it.");
+  auto* from = app.add_option_group("input")->require_option(1);
+  from->add_option("--log", slam.log, "The log");
+  from->add_option("--simulate", slam.simulate,
+                   "A building (map_server YAML or scene .toml): a UTM-30LX on a patrol by a seeded route");
+  app.add_option("--relations", slam.relations, "True relations (Kuemmerle et al. 2009) to measure against")
+      ->needs("--log");
+  app.add_option("--minutes", slam.minutes, "Of the simulated patrol")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 600.0));
+  app.add_option("--seed", slam.seed, "Of route, noise, slip and wheel errors")->capture_default_str();
+  app.add_option("--people", slam.people, "Who walk about in the building")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100));
+  app.add_option("--acceleration", slam.acceleration_mps2, "Of the simulated robot, m/s^2")
+      ->capture_default_str()
+      ->check(CLI::Range(0.05, 5.0));
+  app.add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt");
+  app.add_flag("--json", slam.json, "One JSON object on one line");
+}
+
 void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
   app.add_option("--world", explore.world, "The building: a map_server YAML file or a drawn scene (.toml)")
       ->required();
@@ -106,13 +136,9 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   topo::bench::SlamCommand slam;
-  CLI::App* slam_app =
-      app.add_subcommand("slam", "Map a CARMEN log (.clf, .clf.bz2, .clf.gz) or a Mines URG log (.dat.bz2)");
-  slam_app->add_option("--log", slam.log, "The log")->required();
-  slam_app->add_option("--relations", slam.relations,
-                       "True relations (Kuemmerle et al. 2009) to measure against");
-  slam_app->add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt");
-  slam_app->add_flag("--json", slam.json, "One JSON object on one line");
+  CLI::App* slam_app = app.add_subcommand(
+      "slam", "Map a CARMEN log (.clf, .clf.bz2, .clf.gz), a Mines URG log (.dat.bz2) or a simulated patrol");
+  add_options(*slam_app, slam);
 
   topo::bench::AnalyseCommand analyse;
   CLI::App* analyse_app = app.add_subcommand("analyse", "The topometric analysis of one map");

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <system_error>
 
 #include "daemon/mapfile/atomic_file.hpp"
@@ -15,8 +16,9 @@ namespace topo::bench {
 namespace {
 
 constexpr daemon::Rgb kPathColour{30, 90, 220};
+constexpr daemon::Rgb kClosureColour{230, 60, 40};
 
-std::string trajectory_text(const LogRun& run) {
+std::string trajectory_text(const MappingRun& run) {
   std::string text;
   for (const daemon::TimedPose& timed : run.trajectory) {
     fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} {:.6f} {:.7f}\n", timed.stamp_s, timed.pose.x_m,
@@ -44,12 +46,17 @@ types::Status write_map(const std::filesystem::path& folder, const pipeline::Map
 }
 
 types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
-                              const LogRun& run) {
+                              const slam::Mapper& mapper, const MappingRun& run) {
   if (auto made = make_folder(folder); !made) return made;
   const auto image = daemon::image_of(map.grid);
   if (!image) return tl::unexpected(image.error());
   if (auto saved = daemon::save_map(folder.string(), *image); !saved) return saved;
   daemon::Picture picture = daemon::picture_of(*image);
+  for (const slam::Edge& edge : mapper.edges()) {
+    if (!edge.robust) continue;
+    const std::array<types::Se2, 2> ends{mapper.poses()[edge.from], mapper.poses()[edge.to]};
+    daemon::draw_path(picture, *image, ends, kClosureColour);
+  }
   std::vector<types::Se2> path;
   for (const daemon::TimedPose& timed : run.trajectory) path.push_back(timed.pose);
   daemon::draw_path(picture, *image, path, kPathColour);

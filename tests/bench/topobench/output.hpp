@@ -6,7 +6,7 @@
 
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/types/result.hpp"
-#include "tests/bench/topobench/log_run.hpp"
+#include "tests/bench/topobench/slam/lock_step.hpp"
 
 namespace topo::bench {
 
@@ -16,8 +16,9 @@ types::Status make_folder(const std::filesystem::path& folder);
 /// map.pgm and map.yaml in an existing folder.
 types::Status write_map(const std::filesystem::path& folder, const pipeline::MapSnapshot& map);
 
-/// map.pgm, map.yaml, map.png (with the trajectory) and trajectory.txt in a folder, which is made if missing.
+/// map.pgm, map.yaml, map.png (the trajectory blue, closures red) and trajectory.txt in a folder, which is
+/// made if missing.
 types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
-                              const LogRun& run);
+                              const slam::Mapper& mapper, const MappingRun& run);
 
 }  // namespace topo::bench

@@ -91,7 +91,7 @@ types::Status run_session(const SessionCommand& command) {
   if (!log) return tl::unexpected(log.error());
   const slam::MapperParams params = params_for(*log);
   pipeline::MappingState state(params);
-  const auto run = run_log(*log, state, {});
+  const auto run = run_log(*log, state);
   const slam::Session session = state.mapper().session();
   auto begin = Clock::now();
   const auto bytes = daemon::session_bytes(session, 0);

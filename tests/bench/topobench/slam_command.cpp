@@ -4,56 +4,20 @@
 #include "tests/bench/topobench/slam_command.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <numeric>
 
 #include "tests/bench/topobench/log_run.hpp"
 #include "tests/bench/topobench/output.hpp"
+#include "tests/bench/topobench/slam/revisit.hpp"
+#include "tests/bench/topobench/slam/slam_report.hpp"
 
 namespace topo::bench {
 namespace {
 
 double degrees(double rad) { return rad * 180.0 / std::numbers::pi; }
 
-nlohmann::json quantiles(std::vector<double> values) {
-  if (values.empty()) return nullptr;
-  std::sort(values.begin(), values.end());
-  const auto at = [&](double q) {
-    return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
-  };
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  return {{"mean", mean}, {"p50", at(0.5)}, {"p99", at(0.99)}, {"p999", at(0.999)}, {"max", values.back()}};
-}
-
-double peak_rss_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-nlohmann::json report(const SlamCommand& command, const daemon::CarmenLog& log,
-                      const pipeline::MappingState& state, const LogRun& run) {
-  return {{"log", command.log},
-          {"scans", log.scans.size()},
-          {"stamp_inversions", log.stamp_inversions},
-          {"keyframes", state.mapper().keyframes().size()},
-          {"closures", {{"accepted", run.closures_accepted}, {"rejected", run.closures_rejected}}},
-          {"lost", run.lost},
-          {"searched", run.searched},
-          {"path_m", run.path_m},
-          {"cpu_s", run.cpu_s},
-          {"wall_s", run.wall_s},
-          {"match_ms", quantiles(run.match_ms)},
-          {"closure_ms", quantiles(run.closure_ms)},
-          {"peak_rss_mb", peak_rss_mb()}};
-}
-
-types::Result<nlohmann::json> relation_errors(const std::string& path, const LogRun& run) {
+types::Result<nlohmann::json> relation_errors(const std::string& path, const MappingRun& run) {
   const auto relations = daemon::read_relations(path);
   if (!relations) return tl::unexpected(relations.error());
   const daemon::RelationErrors errors = daemon::evaluate_relations(*relations, run.trajectory);
@@ -67,24 +31,68 @@ types::Result<nlohmann::json> relation_errors(const std::string& path, const Log
                         {"rot_max_deg", degrees(errors.rot_max_rad)}};
 }
 
-}  // namespace
+types::Status finish(const SlamCommand& command, nlohmann::json& json, pipeline::MappingState& state,
+                     const MappingRun& run) {
+  if (!command.out.empty()) {
+    auto written = write_map_files(command.out, *state.make_snapshot(), state.mapper(), run);
+    if (!written) return written;
+  }
+  fmt::print("{}\n", command.json ? json.dump() : json.dump(2));
+  return {};
+}
 
-types::Status run_slam(const SlamCommand& command) {
+types::Status map_log(const SlamCommand& command) {
+  const StageTimer timer;
   const auto log = read_log(command.log);
   if (!log) return tl::unexpected(log.error());
+  StageTimes reading;
+  timer.stop({&reading});
   pipeline::MappingState state(params_for(*log));
-  const LogRun run = run_log(*log, state, {});
-  nlohmann::json json = report(command, *log, state, run);
+  const MappingRun run = run_log(*log, state);
+  nlohmann::json json = report_of(state, run);
+  json["log"] = command.log;
+  json["scans"] = log->scans.size();
+  json["stamp_inversions"] = log->stamp_inversions;
+  json["read_cpu_s"] = 1e-3 * reading.cpu_ms.front();
   if (!command.relations.empty()) {
     auto errors = relation_errors(command.relations, run);
     if (!errors) return tl::unexpected(errors.error());
     json["relations"] = std::move(*errors);
   }
-  if (!command.out.empty()) {
-    if (auto written = write_map_files(command.out, *state.make_snapshot(), run); !written) return written;
-  }
-  fmt::print("{}\n", command.json ? json.dump() : json.dump(2));
-  return {};
+  const RevisitShare revisits =
+      revisit_share(state.mapper().keyframes(), state.mapper().poses(), state.make_snapshot()->grid);
+  if (revisits.points > 0) json["revisit_within_0_1_m"] = revisits.share();
+  json["revisit_points"] = revisits.points;
+  return finish(command, json, state, run);
+}
+
+types::Status map_simulation(const SlamCommand& command) {
+  auto world = sim::World::load(command.simulate);
+  if (!world) return tl::unexpected(world.error());
+  sim::Simulation simulation(std::move(*world), {}, command.seed);
+  SimulatedSetup setup{command.minutes, command.seed, command.people, {.arrived_m = 0.10}};
+  setup.limits.acceleration_mps2 = command.acceleration_mps2;
+  pipeline::MappingState state(simulated_robot_params());
+  const auto simulated = run_simulated(simulation, setup, state);
+  if (!simulated) return tl::unexpected(simulated.error());
+  nlohmann::json json = report_of(state, simulated->run);
+  json["world"] = command.simulate.string();
+  json["seed"] = command.seed;
+  json["people"] = command.people;
+  json["difficulty"] = simulation.difficulty().text();
+  json["scans"] = simulated->scans;
+  json["true_path_m"] = simulated->path_m;
+  json["odometry_off_m"] = simulated->odometry_m;
+  json["collisions"] = simulated->collisions;
+  json["error"] = error_report(simulated->corrected);
+  json["live_error"] = error_report(simulated->live);
+  return finish(command, json, state, simulated->run);
+}
+
+}  // namespace
+
+types::Status run_slam(const SlamCommand& command) {
+  return command.simulate.empty() ? map_log(command) : map_simulation(command);
 }
 
 }  // namespace topo::bench

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -10,14 +11,19 @@
 namespace topo::bench {
 
 struct SlamCommand {
-  std::string log;
-  std::string relations;      ///< empty: none
+  std::string log;                 ///< empty: simulate
+  std::string relations;           ///< empty: none
+  std::filesystem::path simulate;  ///< the building; empty: a log is read
+  double minutes = 30.0;
+  std::uint64_t seed = 1;
+  int people = 0;
+  double acceleration_mps2 = 0.5;
   std::filesystem::path out;  ///< empty: no files
   bool json = false;
 };
 
-/// `topobench slam`: maps a log, writes the map and the trajectory, prints the report of REPORTS "topobench
-/// slam".
+/// `topobench slam`: maps a log, or what a simulated robot measures on a patrol through a building; writes
+/// the map and the trajectory, prints the report of REPORTS "topobench slam".
 types::Status run_slam(const SlamCommand& command);
 
 }  // namespace topo::bench

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bench/topobench/slam/lock_step.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+namespace topo::bench {
+namespace {
+
+double seconds_of(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+StageTimer::StageTimer()
+    : cpu_s_(seconds_of(CLOCK_THREAD_CPUTIME_ID)), wall_s_(seconds_of(CLOCK_MONOTONIC)) {}
+
+void StageTimer::stop(std::initializer_list<StageTimes*> stages) const {
+  const double cpu_ms = 1e3 * (seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_s_);
+  const double wall_ms = 1e3 * (seconds_of(CLOCK_MONOTONIC) - wall_s_);
+  for (StageTimes* stage : stages) {
+    stage->cpu_ms.push_back(cpu_ms);
+    stage->wall_ms.push_back(wall_ms);
+  }
+}
+
+void LockStep::step(const pipeline::MappingInput& input) {
+  while (!answers_.empty() && answers_.front().due <= keyframes_) hand_over();
+  const StageTimer timer;
+  const pipeline::MappingOutput output = mapping_step(state_, input);
+  if (!output.matches.empty()) {
+    const bool solved = std::any_of(output.loop_verdicts.begin(), output.loop_verdicts.end(),
+                                    [](const slam::LoopVerdict& verdict) { return verdict.solved; });
+    timer.stop({&run_.step, solved                  ? &run_.correction
+                            : output.keyframe_added ? &run_.keyframe
+                                                    : &run_.track});
+    const auto scans = static_cast<double>(output.matches.size());
+    run_.scan.cpu_ms.insert(run_.scan.cpu_ms.end(), output.matches.size(), run_.step.cpu_ms.back() / scans);
+    run_.scan.wall_ms.insert(run_.scan.wall_ms.end(), output.matches.size(),
+                             run_.step.wall_ms.back() / scans);
+  }
+  collect(output);
+}
+
+MappingRun LockStep::finish() {
+  while (!answers_.empty()) hand_over();
+  const StageTimer timer;
+  const pipeline::MappingOutput output = state_.finish();
+  timer.stop({&run_.end});
+  collect(output);
+  const std::span<const types::Se2> poses = state_.mapper().poses();
+  for (std::size_t i = 0; i < hung_.size(); ++i)
+    run_.trajectory.push_back({run_.live[i].stamp_s, poses[hung_[i].node] * hung_[i].T_node_base});
+  return std::move(run_);
+}
+
+void LockStep::collect(const pipeline::MappingOutput& output) {
+  for (const slam::MatchReport& match : output.matches) {
+    hung_.push_back({match.node, match.T_node_base});
+    run_.live.push_back({types::to_seconds(match.stamp.time_since_epoch()), match.T_map_base});
+    keyframes_ += match.keyframe ? 1 : 0;
+    run_.lost += match.matched ? 0 : 1;
+    run_.searched += match.searched ? 1 : 0;
+    run_.degenerate += match.matched && match.match.degenerate ? 1 : 0;
+    if (on_match) on_match(match);
+  }
+  for (const slam::LoopVerdict& verdict : output.loop_verdicts) {
+    run_.closures_accepted += verdict.accepted;
+    run_.closures_rejected += verdict.rejected;
+  }
+  for (const slam::LoopQuery& query : output.loop_queries) {
+    const StageTimer timer;
+    slam::LoopAnswer answer = slam::find_closures(query);
+    timer.stop({&run_.loop_search});
+    answers_.push_back({keyframes_ + answer_delay_, std::move(answer)});
+  }
+}
+
+void LockStep::hand_over() {
+  state_.offer(std::move(answers_.front().answer));
+  answers_.pop_front();
+}
+
+}  // namespace topo::bench
