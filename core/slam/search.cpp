@@ -155,7 +155,7 @@ class Kernel {
 
  private:
   static constexpr std::size_t kEntries = 2048;
-  std::array<std::uint8_t, kEntries> table_;
+  std::array<std::uint8_t, kEntries> table_{};
   float per_entry_;
 };
 
