@@ -30,7 +30,9 @@ Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<fl
   a.walls = walls::extract_walls(points, compass_rad, params.walls);
   tell(Stage::kWalls);
   const grid::DenseMap open = places::without_furniture(a.map, a.walls, params.places.furniture_m);
-  const std::vector<float> open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
+  std::vector<float> without_m;
+  if (open.cells != a.map.cells) without_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
+  const std::vector<float>& open_m = without_m.empty() ? a.clearance_m : without_m;
   tell(Stage::kFurniture);
   a.skeleton = places::skeletonise(open, open_m);
   tell(Stage::kSkeleton);

@@ -67,7 +67,7 @@ void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
 /// The robot did not get on here: whatever stands ahead, the next route goes round it.
 void PlanningState::Impl::block_ahead(const PlanningInput& in) {
   blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
-  think_again = true;  // this period's costs do not know of it yet
+  thought = {};  // this period's costs do not know of it yet
 }
 
 /// Is the present goal done with: reached, stuck on the way, no progress?
@@ -98,13 +98,13 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
-std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in, bool& cut_off) {
+std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in,
+                                                            std::span<const goals::Frontier> frontiers,
+                                                            bool& cut_off) {
   const bool essential = params.strategy == Strategy::kTopometric;
   const auto among = [&](const std::vector<goals::Goal>& goals) {
     return candidates_of(goals, map, field, given_up, T_map_base.se2(), in.now, cut_off);
   };
-  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
-  clusters = static_cast<int>(frontiers.size());
   second_phase = false;
   std::vector<Candidate> candidates;
   if (essential) candidates = among(analysis->goals.goals);
@@ -125,10 +125,12 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
 std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInput& in, bool& cut_off) {
   constexpr double kFirst_m = 1.25 * kLongWay_m;
   const double least_share = params.switch_gain * kHomePlaceShare;
+  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
+  clusters = static_cast<int>(frontiers.size());
   for (double bound_m = kFirst_m;; bound_m *= 2.0) {
     search.settle(bound_m);
     cut_off = false;
-    std::vector<Candidate> candidates = find_candidates(in, cut_off);
+    std::vector<Candidate> candidates = find_candidates(in, frontiers, cut_off);
     double nearest_m = HUGE_VAL;
     for (const Candidate& c : candidates) nearest_m = std::min(nearest_m, c.cost_m);
     if (std::isinf(search.settled_m()) || nearest_m < least_share * search.settled_m()) return candidates;

@@ -48,7 +48,9 @@ struct PlanningState::Impl {
   void explore(const PlanningInput& in);
   void run_dry(const PlanningInput& in, bool cut_off);
   void settle_goal(const PlanningInput& in);
-  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in, bool& cut_off);
+  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in,
+                                                       std::span<const goals::Frontier> frontiers,
+                                                       bool& cut_off);
   [[nodiscard]] std::vector<Candidate> settled_candidates(const PlanningInput& in, bool& cut_off);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void go_home(const PlanningInput& in, std::string why);
@@ -113,8 +115,7 @@ struct PlanningState::Impl {
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;
   std::vector<types::Vector2> route;  ///< to the target, in map
-  types::Stamp thought{};             ///< when it was found
-  bool think_again = false;           ///< something happened that the decision does not know of
+  types::Stamp thought{};  ///< when it was found; zero: something happened that it does not know of
   types::Transform2<types::Map, types::Odom> thought_in;
   int clusters = 0;
   std::uint64_t goals_issued = 0, decisions_made = 0, clusters_sum = 0, goals_sum = 0;

@@ -125,8 +125,7 @@ void PlanningState::Impl::decide(const PlanningInput& in) {
 
 /// Is the last decision still good: nothing happened, and nothing stands in the way?
 bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
-  if (think_again || !has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds)
-    return false;
+  if (!has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds) return false;
   if (battery_low && !returning) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
   if (corrected(thought_in, T_map_odom)) return false;
@@ -161,7 +160,6 @@ void PlanningState::Impl::find_route() {
 /// Everything anew: map, analysis, goal, route.
 void PlanningState::Impl::think(const PlanningInput& in) {
   thought = in.now;
-  think_again = false;
   thought_in = T_map_odom;
   refresh_map(in);
   refresh_analysis(in);

@@ -9,8 +9,9 @@
 
 namespace topo::slam {
 
-KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, const types::Se2& T_odom_base,
-                          std::vector<walls::ColumnPoint> columns, const CloudParams& params) {
+KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, std::span<const Point> match_points,
+                          const types::Se2& T_odom_base, std::vector<walls::ColumnPoint> columns,
+                          const CloudParams& params) {
   auto keyframe = std::make_shared<Keyframe>();
   keyframe->id = id;
   keyframe->stamp = cloud.stamp;
@@ -18,7 +19,7 @@ KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, const types::Se2& T
   keyframe->sensor = cloud.sensor;
   keyframe->hits = cloud.points;
   keyframe->surfels = make_surfels(cloud, params);
-  select_points(cloud, params, keyframe->match_points);
+  keyframe->match_points.assign(match_points.begin(), match_points.end());
   keyframe->columns = std::move(columns);
   quantise(*keyframe);
   return keyframe;

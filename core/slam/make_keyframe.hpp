@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/slam/keyframe.hpp"
@@ -9,8 +10,10 @@
 namespace topo::slam {
 
 /// Freezes a deskewed scan and the heights seen since the keyframe before, rounded as the codec rounds: a
-/// loaded session gives the same map as the live one, to the bit.
-[[nodiscard]] KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, const types::Se2& T_odom_base,
+/// loaded session gives the same map as the live one, to the bit. `match_points` are those selected of the
+/// cloud.
+[[nodiscard]] KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud,
+                                        std::span<const Point> match_points, const types::Se2& T_odom_base,
                                         std::vector<walls::ColumnPoint> columns, const CloudParams& params);
 
 }  // namespace topo::slam

@@ -77,7 +77,7 @@ bool Mapper::due(const types::Se2& T_map_base) const {
 
 void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                           walls::ColumnCollector& columns) {
-  auto keyframe = make_keyframe({robot_, next_sequence_++}, cloud, T_odom_base_,
+  auto keyframe = make_keyframe({robot_, next_sequence_++}, cloud, points_, T_odom_base_,
                                 columns.take(T_odom_base_.inverse()), params_.cloud);
   if (!keyframes_.empty()) {
     Edge edge;

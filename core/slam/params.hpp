@@ -91,11 +91,8 @@ struct GraphParams {
 
 struct GridParams {
   double resolution_m = 0.05;
-  double redo_m = 0.02;  ///< a keyframe that moved less is not drawn again at once
+  double redo_m = 0.02;  ///< a keyframe that moved less is not drawn again
   double redo_rad = 0.002;
-  int redo_keyframes_per_step = 4;  ///< of a correction: what a step may cost
-  int creep_every_steps = 10;       ///< how often one that moved less is put right
-  double creep_tolerance = 0.05;    ///< and from which part of the above on
 };
 
 struct MapperParams {

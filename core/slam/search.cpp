@@ -164,8 +164,7 @@ class Kernel {
 LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& params)
     : cell_m_(params.cell_m),
       origin_(map.origin()),
-      width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))),
-      height_(width_) {
+      width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))) {
   const int reach = static_cast<int>(std::ceil(2.5 * params.kernel_sigma_m / cell_m_));
   levels_.resize(static_cast<std::size_t>(params.depth) + 1);
   draw(map.surfels(), reach, params.kernel_sigma_m);
@@ -173,13 +172,13 @@ LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& p
 }
 
 void LikelihoodPyramid::draw(std::span<const Surfel> surfels, int reach, double sigma_m) {
-  levels_[0].assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
+  levels_[0].assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(width_), 0);
   const auto cell = static_cast<float>(cell_m_);
   const Kernel kernel(reach * cell_m_ + cell_m_, sigma_m);
   for (const Surfel& surfel : surfels) {
     const Point local = surfel.position - origin_;
     const int cx = static_cast<int>(local.x() / cell), cy = static_cast<int>(local.y() / cell);
-    for (int y = std::max(0, cy - reach); y <= std::min(height_ - 1, cy + reach); ++y) {
+    for (int y = std::max(0, cy - reach); y <= std::min(width_ - 1, cy + reach); ++y) {
       const float dy = (static_cast<float>(y) + 0.5F) * cell - local.y();
       std::uint8_t* row = &levels_[0][static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)];
       for (int x = std::max(0, cx - reach); x <= std::min(width_ - 1, cx + reach); ++x) {
@@ -194,15 +193,15 @@ void LikelihoodPyramid::coarsen(std::size_t level) {
   const std::vector<std::uint8_t>& below = levels_[level - 1];
   std::vector<std::uint8_t>& above = levels_[level];
   above = below;
-  const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
+  const auto width = static_cast<std::size_t>(width_);
   const std::size_t step = std::size_t{1} << (level - 1);
   // Two passes of plain maxima, which the compiler turns into one instruction for sixteen cells.
-  for (std::size_t y = 0; y < height && step < width; ++y) {
+  for (std::size_t y = 0; y < width && step < width; ++y) {
     const std::uint8_t* from = &below[y * width];
     std::uint8_t* to = &above[y * width];
     for (std::size_t x = 0; x < width - step; ++x) to[x] = std::max(from[x], from[x + step]);
   }
-  for (std::size_t y = 0; y + step < height; ++y) {
+  for (std::size_t y = 0; y + step < width; ++y) {
     std::uint8_t* to = &above[y * width];
     const std::uint8_t* next = &above[(y + step) * width];
     for (std::size_t x = 0; x < width; ++x) to[x] = std::max(to[x], next[x]);
@@ -213,7 +212,7 @@ std::uint8_t LikelihoodPyramid::clipped(int level, int x, int y) const {
   // A square that begins outside to the lower left may still reach in: its maximum is bounded by the square
   // of the same size that begins at the border.
   const int width = 1 << level;
-  if (x >= width_ || y >= height_ || x <= -width || y <= -width) return 0;
+  if (x >= width_ || y >= width_ || x <= -width || y <= -width) return 0;
   return levels_[static_cast<std::size_t>(level)]
                 [static_cast<std::size_t>(std::max(y, 0) * width_ + std::max(x, 0))];
 }

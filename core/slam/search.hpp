@@ -22,8 +22,8 @@ struct SearchHit {
   double score = 0.0;  ///< mean likelihood of the points, 0..1
 };
 
-/// Likelihood of a point over the cells around a map's surfels, and its max pyramid: level h holds the
-/// maximum over the 2^h x 2^h cells to the upper right.
+/// Likelihood of a point over the cells of a map's window, and its max pyramid: level h holds the maximum
+/// over the 2^h x 2^h cells to the upper right.
 class LikelihoodPyramid {
  public:
   LikelihoodPyramid(const SurfelMap& map, const SearchParams& params);
@@ -34,7 +34,7 @@ class LikelihoodPyramid {
   /// Zero outside.
   [[nodiscard]] std::uint8_t at(int level, int x, int y) const {
     if (static_cast<unsigned>(x) >= static_cast<unsigned>(width_) ||
-        static_cast<unsigned>(y) >= static_cast<unsigned>(height_)) {
+        static_cast<unsigned>(y) >= static_cast<unsigned>(width_)) {
       return clipped(level, x, y);
     }
     return levels_[static_cast<std::size_t>(level)][static_cast<std::size_t>(y * width_ + x)];
@@ -47,7 +47,7 @@ class LikelihoodPyramid {
 
   double cell_m_;
   Point origin_ = Point::Zero();  ///< lower left corner
-  int width_ = 0, height_ = 0;    ///< cells
+  int width_ = 0;                 ///< cells along either side: the window is square
   std::vector<std::vector<std::uint8_t>> levels_;
 };
 

@@ -70,8 +70,9 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
   for (const KeyframePtr& keyframe : keyframes_) {
     if (keyframe->id.robot == robot_) next_sequence_ = std::max(next_sequence_, keyframe->id.sequence + 1);
   }
+  select_points(arrival.cloud, params_.cloud, points_);
   keyframes_.push_back(
-      make_keyframe({robot_, next_sequence_++}, arrival.cloud, T_odom_base_, {}, params_.cloud));
+      make_keyframe({robot_, next_sequence_++}, arrival.cloud, points_, T_odom_base_, {}, params_.cloud));
   poses_.push_back(T_map_base_);
   resumed_at_ = node;
   rebuild_local_map();

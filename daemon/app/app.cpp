@@ -101,11 +101,11 @@ Status App::add_events() {
   };
   if (auto s = watch(stop_requested_.fd(), requested, nullptr, stop_source_); !s) return s;
   const auto saved = [](sd_event_source*, int, std::uint32_t, void* app) {
-    static_cast<App*>(app)->operator_->collect(0);
+    static_cast<App*>(app)->collect(0);
     return 0;
   };
   const auto searched = [](sd_event_source*, int, std::uint32_t, void* app) {
-    static_cast<App*>(app)->operator_->collect(1);
+    static_cast<App*>(app)->collect(1);
     return 0;
   };
   const auto fds = operator_->finished_fds();
@@ -136,6 +136,12 @@ void App::end_readers() {
   saved_.reset();
   searched_.reset();
   operator_.reset();  // nobody calls it any more: the loop, which serves the socket, has ended
+}
+
+/// A job that put another map in place is told together with that map's state, not with the one before.
+void App::collect(std::size_t i) {
+  monitor_->update(io::monotonic_now());
+  operator_->collect(i);
 }
 
 void App::tick() {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "daemon/config/key_table.hpp"
-#include "daemon/session/format.hpp"
+#include "daemon/recording/format.hpp"
 #include "daemon/session/session_writer.hpp"
 #include "drivers/io/posix.hpp"
 
@@ -24,6 +24,10 @@ namespace {
 constexpr types::Duration kPatience = std::chrono::seconds(5);
 constexpr types::Duration kTryAgain = std::chrono::seconds(10);
 
+auto no_folder() {
+  return fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept");
+}
+
 }  // namespace
 
 std::uint64_t params_hash(const Configuration& configuration) {
@@ -34,7 +38,7 @@ std::uint64_t params_hash(const Configuration& configuration) {
     if (key.name() == "address" || key.name() == "serial_number") continue;
     text += fmt::format("{}={}\n", key.path, value_text(key, configuration));
   }
-  return hash_of(std::as_bytes(std::span(text)));
+  return checksum(std::as_bytes(std::span(text)));
 }
 
 SessionControl::SessionControl(const Configuration& configuration, HandOvers& hand_overs, Background& files)
@@ -120,8 +124,7 @@ void SessionControl::settle(const Resumed& resumed) {
   }
   const std::string text = fmt::format(
       "the robot does not know where it is in session {0}: {1} (topoctl session load {0} --pose X Y THETA, "
-      "or "
-      "topoctl session new)",
+      "or topoctl session new)",
       resumed.name, loaded.error().message);
   if (text != obstacle_) spdlog::warn("session.resume: {}", text);
   obstacle_ = text;
@@ -129,10 +132,7 @@ void SessionControl::settle(const Resumed& resumed) {
 
 void SessionControl::list(const Done& done) {
   auto job = [folder = configuration_.session.folder, done]() -> Background::Finish {
-    if (folder.empty())
-      return [done] {
-        done(fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept"));
-      };
+    if (folder.empty()) return [done] { done(no_folder()); };
     const auto sessions = list_sessions(folder);
     if (!sessions) return [done, error = sessions.error()] { done(tl::unexpected(error)); };
     Json entries = Json::array();
@@ -147,9 +147,8 @@ void SessionControl::list(const Done& done) {
 
 void SessionControl::save(const std::string& name, const Done& done) {
   const std::string& folder = configuration_.session.folder;
-  if (folder.empty())
-    return done(fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept"));
-  if (!is_session_name(name)) {
+  if (folder.empty()) return done(no_folder());
+  if (!is_session_name(name) || is_journal_name(name)) {
     return done(
         fail(Errc::kInvalidInput,
              fmt::format("name: found \"{}\", expected 1 to 64 letters, digits, - and _, not \"journal-...\"",
@@ -173,9 +172,8 @@ Result<Json> SessionControl::save_now(const std::string& path) {
 
 void SessionControl::load(const std::string& name, const std::optional<types::Se2>& pose, const Done& done) {
   const std::string& folder = configuration_.session.folder;
-  if (folder.empty())
-    return done(fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept"));
-  if (!is_session_name(name) && !name.starts_with("journal-"))
+  if (folder.empty()) return done(no_folder());
+  if (!is_session_name(name))
     return done(
         fail(Errc::kInvalidInput, fmt::format("name: found \"{}\", expected a session's name", name)));
   if (loading_) return done(fail(Errc::kBusy, "a session is being loaded already"));

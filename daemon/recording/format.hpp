@@ -87,6 +87,7 @@ struct DecodedHeader {
 /// Nothing when kind or length are none. Does not check the channel.
 [[nodiscard]] std::optional<RecordHead> decode_record_head(std::span<const std::byte> bytes) noexcept;
 
+/// xxh64, seed 0: of everything that this project writes to a disk.
 [[nodiscard]] std::uint64_t checksum(std::span<const std::byte> bytes) noexcept;
 
 }  // namespace topo::daemon

@@ -18,16 +18,16 @@ constexpr std::string_view kSuffix = ".session";
 constexpr std::string_view kJournal = "journal-";
 constexpr std::size_t kLongest = 64;
 
-bool is_name(std::string_view name) {
+}  // namespace
+
+bool is_session_name(std::string_view name) {
   const auto allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   };
   return !name.empty() && name.size() <= kLongest && std::all_of(name.begin(), name.end(), allowed);
 }
 
-}  // namespace
-
-bool is_session_name(std::string_view name) { return is_name(name) && !name.starts_with(kJournal); }
+bool is_journal_name(std::string_view name) { return name.starts_with(kJournal); }
 
 std::string session_path(const std::string& folder, std::string_view name) {
   return fmt::format("{}/{}{}", folder, name, kSuffix);
@@ -42,9 +42,9 @@ types::Result<std::vector<SessionEntry>> list_sessions(const std::string& folder
     if (!name.ends_with(kSuffix)) continue;
     name.resize(name.size() - kSuffix.size());
     struct stat info {};
-    if (!is_name(name) || ::stat(it->path().c_str(), &info) != 0 || !S_ISREG(info.st_mode)) continue;
+    if (!is_session_name(name) || ::stat(it->path().c_str(), &info) != 0 || !S_ISREG(info.st_mode)) continue;
     sessions.push_back({name, it->path().string(), static_cast<std::uint64_t>(info.st_size),
-                        static_cast<std::int64_t>(info.st_mtime), name.starts_with(kJournal)});
+                        static_cast<std::int64_t>(info.st_mtime), is_journal_name(name)});
   }
   if (error)
     return types::fail(types::Errc::kNotFound, fmt::format("{}: {}", folder, error.message()), error.value());

@@ -21,8 +21,10 @@ struct SessionEntry {
   bool journal = false;
 };
 
-/// 1 to 64 letters, digits, - and _; names that begin with "journal-" are the daemon's own.
+/// 1 to 64 letters, digits, - and _.
 [[nodiscard]] bool is_session_name(std::string_view name);
+/// Such names are the daemon's own: "journal-...".
+[[nodiscard]] bool is_journal_name(std::string_view name);
 /// The file of a session in a folder.
 [[nodiscard]] std::string session_path(const std::string& folder, std::string_view name);
 

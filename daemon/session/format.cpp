@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/session/format.hpp"
 
-#include <xxhash.h>
 #include <zstd.h>
 
 #include <algorithm>
 #include <array>
 
 #include "core/slam/bytes.hpp"
+#include "daemon/recording/format.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -19,14 +19,12 @@ constexpr int kLevel = 3;  // higher ones save 2 % of what varints leave
 
 }  // namespace
 
-std::uint64_t hash_of(std::span<const std::byte> bytes) { return XXH64(bytes.data(), bytes.size(), 0); }
-
 std::vector<std::byte> encode_session_header(const SessionHeader& header) {
   slam::ByteWriter out;
   out.append(std::as_bytes(std::span(kMagic)));
   out.integer(kSessionVersion);
   out.integer(header.params_hash);
-  out.integer(hash_of(out.bytes()));
+  out.integer(checksum(out.bytes()));
   return out.take();
 }
 
@@ -37,7 +35,7 @@ std::optional<SessionHeader> decode_session_header(std::span<const std::byte> fi
   slam::ByteReader in(file.subspan(kMagic.size()));
   version = in.integer<std::uint32_t>();
   SessionHeader header{in.integer<std::uint64_t>()};
-  const bool whole = in.integer<std::uint64_t>() == hash_of(file.first(SessionHeader::kSize - 8));
+  const bool whole = in.integer<std::uint64_t>() == checksum(file.first(SessionHeader::kSize - 8));
   if (version != kSessionVersion || !whole) return std::nullopt;
   return header;
 }
@@ -52,8 +50,8 @@ bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::span<co
   head.integer(static_cast<std::uint32_t>(kind));
   head.integer(static_cast<std::uint32_t>(n));
   head.integer(static_cast<std::uint32_t>(content.size()));
-  head.integer(hash_of(packed));
-  head.integer(hash_of(head.bytes()));
+  head.integer(checksum(packed));
+  head.integer(checksum(head.bytes()));
   out.insert(out.end(), head.bytes().begin(), head.bytes().end());
   out.insert(out.end(), packed.begin(), packed.end());
   return true;
@@ -66,12 +64,12 @@ std::optional<ReadRecord> read_record(std::span<const std::byte> rest) {
   record.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
   const auto packed_bytes = in.integer<std::uint32_t>(), raw_bytes = in.integer<std::uint32_t>();
   const auto sum = in.integer<std::uint64_t>(), head_sum = in.integer<std::uint64_t>();
-  if (head_sum != hash_of(rest.first(kRecordHead - 8)) || raw_bytes > kMaxRecordBytes ||
+  if (head_sum != checksum(rest.first(kRecordHead - 8)) || raw_bytes > kMaxRecordBytes ||
       packed_bytes > rest.size() - kRecordHead) {
     return std::nullopt;
   }
   const auto packed = rest.subspan(kRecordHead, packed_bytes);
-  if (sum != hash_of(packed)) return std::nullopt;
+  if (sum != checksum(packed)) return std::nullopt;
   record.content.resize(raw_bytes);
   const std::size_t n = ZSTD_decompress(record.content.data(), raw_bytes, packed.data(), packed.size());
   if (ZSTD_isError(n) != 0U || n != raw_bytes) return std::nullopt;

@@ -11,10 +11,9 @@
 // The file of a session, little-endian throughout: saved ones (NAME.session) and journals alike.
 //
 //   header  "TOPOSES\0", u32 version, u64 hash of the parameters, u64 xxh64 of all before
-//   record  u32 kind, u32 packed bytes, u32 unpacked bytes, u64 xxh64 of the packed bytes, u64 xxh64 of this
-//   head
-//           before it; then the packed bytes, one zstd frame of its own: what was written stays readable when
-//           the writer is killed in the next one
+//   record  u32 kind, u32 packed bytes, u32 unpacked bytes, u64 xxh64 of the packed bytes, u64 xxh64 of the
+//           head before it; then the packed bytes, one zstd frame of its own: what was written stays readable
+//           when the writer is killed in the next one
 //
 //   kKeyframes  keyframes, each a varint of its size and its bytes (core/slam/keyframe_codec.hpp)
 //   kEdges      varint n: edges from number n on are these. Each: varint from, varint to, u8 1: a closure,
@@ -39,9 +38,6 @@ struct SessionHeader {
 /// Nothing when it is none, damaged, or of another version, which `version` then tells (0: none at all).
 [[nodiscard]] std::optional<SessionHeader> decode_session_header(std::span<const std::byte> file,
                                                                  std::uint32_t& version);
-
-/// xxh64.
-[[nodiscard]] std::uint64_t hash_of(std::span<const std::byte> bytes);
 
 /// Packs a record and appends it. False: it is greater than kMaxRecordBytes, nothing was appended.
 [[nodiscard]] bool append_record(std::vector<std::byte>& out, SessionRecord kind,

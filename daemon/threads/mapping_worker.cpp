@@ -24,9 +24,10 @@ void MappingWorker::run() noexcept {
     while (more && !hand_overs_.stopping.load(std::memory_order_acquire)) {
       take_over(state);
       more = serve(*state);
+      // Before the desks: who is told of a map there finds it in the report too.
+      hand_overs_.mapping_report.store(report_);
       serve_desk(hand_overs_.journal_desk, *state, report_.map);
       serve_desk(hand_overs_.files_desk, *state, report_.map);
-      hand_overs_.mapping_report.store(report_);
       vitals_.beat();
     }
   }

@@ -11,17 +11,16 @@ import json
 import math
 import os
 import pathlib
-import re
 import shutil
 import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 
-BIN = SOURCE = None
+from robot_processes import RobotProcesses, main, wait_for
+
+WORLD = "config/worlds/course.toml"
 SHORT = [(7.0, 0.0), (15.9, 0.0), (15.9, 3.0)]  # in map: metres from the start
 WHOLE = SHORT + [(15.9, 12.8), (7.0, 12.8), (-1.9, 12.8), (-1.9, 0.0), (2.0, 0.0)]
 
@@ -50,16 +49,6 @@ class Client:
         self.socket.close()
 
 
-def wait_for(condition, seconds, what):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.05)
-    raise AssertionError("%s did not come within %g s" % (what, seconds))
-
-
 def wrap(angle):
     return math.atan2(math.sin(angle), math.cos(angle))
 
@@ -74,44 +63,7 @@ def steer(pose, target):
     return max(0.08, min(0.45, 0.9 * math.hypot(dx, dy))) * math.cos(off), turn
 
 
-class FixedCourse(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder, True)
-        self.processes = []
-        self.addCleanup(self.kill)
-
-    def kill(self):
-        for process in self.processes:
-            if process.poll() is None:
-                process.kill()
-                process.wait()
-
-    def start(self, name, *arguments, **options):
-        log = open(self.folder / (name + ".log"), "w")
-        process = subprocess.Popen([str(BIN / name), *map(str, arguments)], stderr=log, text=True, **options)
-        log.close()
-        self.processes.append(process)
-        return process
-
-    def start_simulator(self):
-        simulator = self.start("toposim", "--world", SOURCE / "config/worlds/course.toml", "--tcp", "--seed", 3,
-                               "--truth", self.folder / "truth.tsv", "--die-with-parent", stdout=subprocess.PIPE)
-        ready = json.loads(simulator.stdout.readline())
-        robot = ready["robots"][0]
-        return simulator, {name: robot[name]["address"] for name in ("front", "coronal", "base")}
-
-    def write_config(self, addresses):
-        text = (SOURCE / "config/simulation.toml").read_text()
-        for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
-            text = re.sub(r"(\[%s\].*?\naddress = )\"[^\"]*\"" % re.escape(section), r'\1"%s"' % addresses[device], text,
-                          count=1, flags=re.S)
-        path = self.folder / "control.sock"
-        text = re.sub(r'(?m)^socket = "[^"]*"', 'socket = "%s"' % path, text, count=1)
-        config = self.folder / "robot.toml"
-        config.write_text(text)
-        return config, path
-
+class FixedCourse(RobotProcesses):
     def follow(self, client, course):
         for target in course:
             end = time.monotonic() + 90.0
@@ -127,20 +79,21 @@ class FixedCourse(unittest.TestCase):
         client.call("stop")
 
     def judge(self, saved):
-        done = subprocess.run([str(BIN / "topobench"), "judge", "--world", str(SOURCE / "config/worlds/course.toml"),
+        done = subprocess.run([str(self.programs / "topobench"), "judge", "--world", str(self.source / WORLD),
                                "--map", str(saved / "map.yaml"), "--truth", str(self.folder / "truth.tsv"), "--json"],
                               capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
     def test_the_map_agrees_with_the_truth(self):
-        simulator, addresses = self.start_simulator()
-        config, path = self.write_config(addresses)
-        daemon = self.start("topometricd", "--config", config)
-        wait_for(path.exists, 10.0, "the control socket")
-        client = Client(path)
+        simulator, devices = self.start_simulator(self.source / WORLD, "--tcp", "--seed", 3, "--truth",
+                                                  self.folder / "truth.tsv")
+        self.write_config(devices)
+        daemon = self.start("topometricd", "--config", self.config)
+        wait_for(self.socket.exists, "the control socket")
+        client = Client(self.socket)
         self.addCleanup(client.close)
-        wait_for(lambda: client.call("health")["healthy"] and client.call("status")["map"]["keyframes"] > 0, 30.0,
+        wait_for(lambda: client.call("health")["healthy"] and client.call("status")["map"]["keyframes"] > 0,
                  "a healthy robot with a map")
         whole = os.environ.get("TOPOMETRIC_COURSE") == "whole"
         self.follow(client, WHOLE if whole else SHORT)
@@ -173,5 +126,4 @@ class FixedCourse(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    BIN, SOURCE = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
-    unittest.main(verbosity=2)
+    main()

@@ -7,22 +7,17 @@ daemon comes back?
 
 usage: kill_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]
 What the robot does is read from the simulator's truth; the daemon sees its wires only."""
-import json
 import math
-import pathlib
-import re
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 
-BIN = SOURCE = None
+from robot_processes import PATIENCE_S, RobotProcesses, main, wait_for
+
 V_MAX_MPS = 0.7
 DECELERATION_MPS2 = 0.3  # the least of what the firmware and the configuration brake with
 WATCHDOG_S = 2.0
 COMMAND_AGE_S = 0.3  # the daemon sends a setpoint every 50 ms; a busy machine may be late
-PATIENCE_S = 60
 HALL = """
 [[start]]
 x_m = 2.0
@@ -34,51 +29,13 @@ thickness_m = 0.2
 """
 
 
-def wait_for(condition, what, seconds=PATIENCE_S):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.02)
-    raise AssertionError("%s did not come within %g s" % (what, seconds))
-
-
-class KilledAtFullSpeed(unittest.TestCase):
+class KilledAtFullSpeed(RobotProcesses):
     def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.folder = pathlib.Path(holder.name)
-        self.processes = []
-        self.addCleanup(self.kill_all)
-        (self.folder / "hall.toml").write_text(HALL)
-        self.sim_control = str(self.folder / "sim.sock")
-        simulator = self.start("toposim", "--world", self.folder / "hall.toml", "--control", self.sim_control,
-                               "--die-with-parent", stdout=subprocess.PIPE)
-        self.addCleanup(simulator.stdout.close)
-        self.write_config(json.loads(simulator.stdout.readline())["robots"][0])
-
-    def kill_all(self):
-        for process in self.processes:
-            if process.poll() is None:
-                process.kill()
-                process.wait()
-
-    def start(self, name, *arguments, **options):
-        with open(self.folder / (name + ".log"), "ab") as log:
-            process = subprocess.Popen([str(BIN / name), *map(str, arguments)], stderr=log, text=True, **options)
-        self.processes.append(process)
-        return process
-
-    def write_config(self, devices):
-        text = (SOURCE / "config/simulation.toml").read_text()
-        for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
-            pattern = r"(\[%s\].*?\naddress = )\"[^\"]*\"" % re.escape(section)
-            text = re.sub(pattern, r'\1"%s"' % devices[device]["address"], text, count=1, flags=re.S)
-        self.socket = self.folder / "control.sock"
-        text = re.sub(r'(?m)^socket = "[^"]*"', 'socket = "%s"' % self.socket, text, count=1)
-        self.config = self.folder / "robot.toml"
-        self.config.write_text(text)
+        super().setUp()
+        world = self.folder / "hall.toml"
+        world.write_text(HALL)
+        _, devices = self.start_simulator(world)
+        self.write_config(devices)
 
     def start_daemon(self):
         daemon = self.start("topometricd", "--config", self.config)
@@ -86,23 +43,14 @@ class KilledAtFullSpeed(unittest.TestCase):
         return daemon
 
     def base(self):
-        done = self.ctl("--json", "status")
-        return json.loads(done.stdout)["devices"]["base"] if done.returncode == 0 else {}
-
-    def ctl(self, *words):
-        return subprocess.run([BIN / "topoctl", "--socket", self.socket, *words], capture_output=True, text=True,
-                              timeout=PATIENCE_S)
+        return self.status().get("devices", {}).get("base", {})
 
     def truth(self):
-        done = subprocess.run([BIN / "toposim", "ctl", self.sim_control, "truth"], capture_output=True, text=True,
-                              timeout=PATIENCE_S, check=True)
-        answer = json.loads(done.stdout)
+        answer = self.simulator_says("truth")
         return answer["sim_s"], answer["robots"][0]
 
     def device(self):
-        done = subprocess.run([BIN / "toposim", "ctl", self.sim_control, "status"], capture_output=True, text=True,
-                              timeout=PATIENCE_S, check=True)
-        return json.loads(done.stdout)["robots"][0]["base"]
+        return self.simulator_says("status")["robots"][0]["base"]
 
     def speed(self):
         (t0, a), (t1, b) = self.truth(), (time.sleep(0.05), self.truth())[1]
@@ -154,14 +102,14 @@ class KilledAtFullSpeed(unittest.TestCase):
     def test_the_helper_stops_it_within_a_second(self):
         daemon = self.start_daemon()
         self.drive_at_full_speed()
-        refused = subprocess.run([BIN / "topometric-estop", "--config", self.config], capture_output=True, text=True,
+        refused = subprocess.run([self.programs / "topometric-estop", "--config", self.config], capture_output=True, text=True,
                                  timeout=PATIENCE_S)
         self.assertEqual(refused.returncode, 3, refused)  # the daemon lives: its port is its own
         before_m = self.truth()[1]["path_m"]
         daemon.kill()
         daemon.wait()
         begin = time.monotonic()
-        done = subprocess.run([BIN / "topometric-estop", "--config", self.config], capture_output=True, text=True,
+        done = subprocess.run([self.programs / "topometric-estop", "--config", self.config], capture_output=True, text=True,
                               timeout=PATIENCE_S)
         seconds = time.monotonic() - begin
         self.assertEqual(done.returncode, 0, done)
@@ -193,5 +141,4 @@ class KilledAtFullSpeed(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    BIN, SOURCE = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
-    unittest.main(verbosity=2)
+    main()

@@ -24,18 +24,7 @@ sim::World office() {
   return std::move(*world);
 }
 
-/// A hall of 30 x 8 m with nothing in it; the robot starts at (2, 4) to the east.
-sim::World hall() {
-  return sim::scene(R"(
-[[start]]
-x_m = 2.0
-y_m = 4.0
-[[wall]]
-points_m = [[-0.1, -0.1], [30.1, -0.1], [30.1, 8.1], [-0.1, 8.1]]
-closed = true
-thickness_m = 0.2
-)");
-}
+sim::World hall() { return sim::scene(sim::hall_text()); }
 
 const std::vector<Vector2> kDownTheHall{{2.0, 4.0}, {28.0, 4.0}};
 

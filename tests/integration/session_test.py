@@ -7,17 +7,13 @@ usage: session_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]
 Where the robot is, is held against the simulator's truth; the daemon sees its wires only."""
 import json
 import math
-import pathlib
-import re
 import resource
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 
-BIN = SOURCE = None
-PATIENCE_S = 90
+from robot_processes import PATIENCE_S, RobotProcesses, main, wait_for
+
 # No two corners alike, so that one scan tells where it was taken.
 WORLD = """
 [[start]]
@@ -41,76 +37,27 @@ thickness_m = 0.1
 START = (2.0, 2.0)
 
 
-def wait_for(condition, what, seconds=PATIENCE_S):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.05)
-    raise AssertionError("%s did not come within %g s" % (what, seconds))
-
-
-class Sessions(unittest.TestCase):
+class Sessions(RobotProcesses):
     def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.folder = pathlib.Path(holder.name)
+        super().setUp()
         self.sessions = self.folder / "sessions"
         self.sessions.mkdir()
-        self.processes = []
-        self.addCleanup(self.kill_all)
-        (self.folder / "world.toml").write_text(WORLD)
-        self.sim_control = str(self.folder / "sim.sock")
-        simulator = self.start("toposim", "--world", self.folder / "world.toml", "--control", self.sim_control,
-                               "--die-with-parent", stdout=subprocess.PIPE)
-        self.addCleanup(simulator.stdout.close)
-        self.write_config(json.loads(simulator.stdout.readline())["robots"][0])
-
-    def kill_all(self):
-        for process in self.processes:
-            if process.poll() is None:
-                process.kill()
-                process.wait()
-
-    def start(self, name, *arguments, **options):
-        with open(self.folder / (name + ".log"), "ab") as log:
-            process = subprocess.Popen([str(BIN / name), *map(str, arguments)], stderr=log, text=True, **options)
-        self.processes.append(process)
-        return process
-
-    def write_config(self, devices):
-        text = (SOURCE / "config/simulation.toml").read_text()
-        for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
-            pattern = r"(\[%s\].*?\naddress = )\"[^\"]*\"" % re.escape(section)
-            text = re.sub(pattern, r'\1"%s"' % devices[device]["address"], text, count=1, flags=re.S)
-        self.socket = self.folder / "control.sock"
-        text = re.sub(r'(?m)^socket = "[^"]*"', 'socket = "%s"' % self.socket, text, count=1)
-        self.config = self.folder / "robot.toml"
-        text = text[:text.index("[session]")]
-        self.config.write_text(text + '[session]\nfolder = "%s"\njournal_period_s = 0.2\n' % self.sessions)
+        world = self.folder / "world.toml"
+        world.write_text(WORLD)
+        _, devices = self.start_simulator(world)
+        self.write_config(devices, '[session]\nfolder = "%s"\njournal_period_s = 0.2\n' % self.sessions)
 
     def start_daemon(self, **options):
         daemon = self.start("topometricd", "--config", self.config, **options)
         wait_for(lambda: self.status().get("map", {}).get("keyframes", 0) > 0, "a daemon with a map")
         return daemon
 
-    def status(self):
-        done = self.ctl("--json", "status")
-        return json.loads(done.stdout) if done.returncode == 0 else {}
-
     def ready(self):
         done = self.ctl("wait", "ready", "--timeout", PATIENCE_S)
         self.assertEqual(done.returncode, 0, done)
 
-    def ctl(self, *words):
-        return subprocess.run([BIN / "topoctl", "--socket", self.socket, *map(str, words)], capture_output=True,
-                              text=True, timeout=2 * PATIENCE_S)
-
     def truth(self):
-        done = subprocess.run([BIN / "toposim", "ctl", self.sim_control, "truth"], capture_output=True, text=True,
-                              timeout=PATIENCE_S, check=True)
-        return json.loads(done.stdout)["robots"][0]
+        return self.simulator_says("truth")["robots"][0]
 
     def drive(self, *way):
         """Legs of (speed, turning speed, seconds) by hand."""
@@ -119,10 +66,11 @@ class Sessions(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done)
 
     def make_a_map(self):
+        self.ready()
         self.drive((0.5, 0, 6), (0, 0.8, 2), (0.4, 0, 3))
         status = wait_for(lambda: (lambda s: s if s["state"] == "standing" and s["twist"]["v_mps"] == 0 else None)(
             self.status()), "a robot that stands")
-        self.assertGreater(status["map"]["keyframes"], 6)
+        self.assertGreater(status["map"]["keyframes"], 6, status)
         return status
 
     def journalled(self):
@@ -234,5 +182,4 @@ class Sessions(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    BIN, SOURCE = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
-    unittest.main(verbosity=2)
+    main()

@@ -255,7 +255,8 @@ TEST_F(WireEventsOnce, PeopleWhoCrossTheWayAreNotTouched) {
   const auto is_past = [&] {
     return (rig_->moment().truth.pose.translation() - before.moment.truth.pose.translation()).norm() > 5.0;
   };
-  EXPECT_TRUE(WireRig::wait(kPatience_s, is_past)) << rig_->status().dump(2);
+  // They walk to and fro without a look at the robot: it gives way, backs off and turns as often as it takes.
+  EXPECT_TRUE(WireRig::wait(4 * kPatience_s, is_past)) << rig_->status().dump(2);
   EXPECT_EQ(rig_->moment().truth.collisions, before.moment.truth.collisions);
   rig_.reset();  // the people stay
 }

@@ -11,6 +11,7 @@
 #include "daemon/config/load.hpp"
 #include "drivers/io/posix.hpp"
 #include "tests/sim/devices/commands.hpp"
+#include "tests/unit/sim/rooms.hpp"
 
 namespace topo::test {
 namespace {
@@ -19,15 +20,6 @@ using namespace std::chrono_literals;
 using sim::DeviceId;
 
 constexpr double kStart_x_m = 2.0, kEnd_x_m = 30.0;
-constexpr const char* kHall = R"(
-[[start]]
-x_m = 2.0
-y_m = 4.0
-[[wall]]
-points_m = [[-0.1, -0.1], [30.1, -0.1], [30.1, 8.1], [-0.1, 8.1]]
-closed = true
-thickness_m = 0.2
-)";
 
 types::Duration from_s(double seconds) { return types::from_seconds(seconds); }
 
@@ -38,7 +30,7 @@ MachineWatch::MachineWatch()
         constexpr types::Duration kNap = 5ms;
         while (!stop_) {
           const types::Stamp due = io::monotonic_now() + kNap;
-          std::this_thread::sleep_for(kNap);
+          std::this_thread::sleep_for(kNap);  // what is measured
           const std::int64_t late_ns = (io::monotonic_now() - due).count();
           if (late_ns > latest_ns_) latest_ns_ = late_ns;
         }
@@ -57,7 +49,7 @@ std::unique_ptr<WireRig> WireRig::start(const WireSetup& setup) {
 }
 
 bool WireRig::start_simulator(const WireSetup& setup) {
-  auto world = sim::World::from_scene_text(kHall, "hall.toml");
+  auto world = sim::World::from_scene_text(sim::hall_text(), "hall.toml");
   if (!world) return ADD_FAILURE() << world.error().message, false;
   sim::RigConfig config;
   config.robots.push_back(sim::tcp_robot());
@@ -156,7 +148,7 @@ bool WireRig::wait(double seconds, const std::function<bool()>& is_so) {
   const types::Stamp end = io::monotonic_now() + from_s(seconds);
   while (!is_so()) {
     if (io::monotonic_now() > end) return false;
-    std::this_thread::sleep_for(20ms);
+    std::this_thread::sleep_for(20ms);  // between two looks; the deadline decides
   }
   return true;
 }

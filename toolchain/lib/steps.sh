@@ -7,20 +7,57 @@ step_names=()
 step_minutes=()
 step_verdicts=()
 steps_failed=0
+# Seconds since 1970 until which steps may run; empty: for ever. A step that is running then is ended and has failed,
+# one that was not begun yet is not begun: whoever gives a run so many minutes still gets its verdicts.
+steps_deadline=
 
 minutes_since() { # START: minutes with one digit
   awk -v start="$1" -v now="$(date +%s.%N)" 'BEGIN { printf "%.1f", (now - start) / 60 }'
+}
+
+# in_time COMMAND...: runs it until the deadline, then ends it with everything that it started: status 124.
+in_time() {
+  if [ -z "$steps_deadline" ]; then
+    "$@" </dev/null
+    return
+  fi
+  local job alarm first=
+  set -m # a process group of its own
+  "$@" </dev/null &
+  job=$!
+  sleep $((steps_deadline - $(date +%s))) &
+  alarm=$!
+  set +m
+  trap 'kill -TERM -- "-$job" "-$alarm" 2>/dev/null; exit 130' INT TERM
+  wait -n -p first "$job" "$alarm"
+  local status=$?
+  trap - INT TERM
+  if [ "$first" = "$alarm" ]; then
+    kill -TERM -- "-$job"
+    sleep 2 # to say goodbye in
+    kill -KILL -- "-$job" 2>/dev/null
+    return 124
+  fi
+  kill -TERM -- "-$alarm"
+  return $status
 }
 
 # step NAME COMMAND...: runs it, shows its output, keeps its time and verdict, returns its status.
 step() {
   local name=$1 start status=0 verdict=ok minutes
   shift
+  if [ -n "$steps_deadline" ] && [ "$(date +%s)" -ge "$steps_deadline" ]; then
+    skip_step "$name" "the time is up"
+    return 124
+  fi
   printf '\n== %s\n   %s\n' "$name" "$*"
   start=$(date +%s.%N)
-  "$@" </dev/null || status=$?
+  in_time "$@" || status=$?
   minutes=$(minutes_since "$start")
-  if [ $status != 0 ]; then
+  if [ $status = 124 ] && [ -n "$steps_deadline" ] && [ "$(date +%s)" -ge "$steps_deadline" ]; then
+    verdict="OUT OF TIME"
+    steps_failed=$((steps_failed + 1))
+  elif [ $status != 0 ]; then
     verdict="FAILED ($status)"
     steps_failed=$((steps_failed + 1))
   fi
@@ -31,7 +68,7 @@ step() {
   return $status
 }
 
-# skip_step NAME WHY: a step that cannot run because one before it failed. It failed too.
+# skip_step NAME WHY: a step that cannot run because one before it failed, or for want of time. It failed too.
 skip_step() {
   printf '\n== %s: not run, %s\n' "$1" "$2"
   step_names+=("$1")

@@ -34,4 +34,17 @@ thickness_m = 0.2
 )";
 }
 
+/// A hall of 30 x 8 m with nothing in it; the robot starts at (2, 4) to the east.
+inline std::string hall_text() {
+  return R"(
+[[start]]
+x_m = 2.0
+y_m = 4.0
+[[wall]]
+points_m = [[-0.1, -0.1], [30.1, -0.1], [30.1, 8.1], [-0.1, 8.1]]
+closed = true
+thickness_m = 0.2
+)";
+}
+
 }  // namespace topo::sim

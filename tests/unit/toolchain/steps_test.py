@@ -49,6 +49,27 @@ class Steps(unittest.TestCase):
         self.assertIn("status 3", done.stdout)
 
 
+    def test_the_deadline_ends_a_step_with_all_that_it_started_and_begins_no_other(self):
+        with tempfile.TemporaryDirectory() as name:
+            # A child of the step's holds the pipe: it is gone when the pipe gives its end.
+            done = bash(f"steps_deadline=$(($(date +%s) + 2)); mkfifo '{name}/held'; "
+                        f"step long bash -c 'echo begun; sleep 1000 > {name}/held & wait' & cat '{name}/held'; wait; "
+                        "step long bash -c 'sleep 1000'; step late echo never; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("begun", done.stdout)
+        self.assertNotIn("\nnever", done.stdout)
+        self.assertIn("== long: OUT OF TIME", done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^  late +0\.0 min  NOT RUN$")
+
+    def test_with_a_deadline_a_step_in_time_is_as_without(self):
+        done = bash("steps_deadline=$(($(date +%s) + 600)); step good echo done; step three sh -c 'exit 3'; "
+                    "echo status $?; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("status 3", done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^  good +0\.0 min  ok$")
+        self.assertRegex(done.stdout, r"(?m)^  three +0\.0 min  FAILED \(3\)$")
+
+
 class Build(unittest.TestCase):
     def test_two_builds_in_one_folder_go_one_after_the_other(self):
         with tempfile.TemporaryDirectory() as name:

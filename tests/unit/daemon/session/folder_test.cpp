@@ -17,7 +17,10 @@ std::vector<SessionEntry> journals(const std::vector<std::string>& names) {
 
 TEST(SessionFolder, Names) {
   EXPECT_TRUE(is_session_name("office-2_b"));
-  for (const char* wrong : {"", "../x", "a b", "a.session", "journal-1", "a/b"})
+  EXPECT_TRUE(is_session_name("journal-1"));
+  EXPECT_TRUE(is_journal_name("journal-1"));
+  EXPECT_FALSE(is_journal_name("office-2_b"));
+  for (const char* wrong : {"", "../x", "a b", "a.session", "journal-/../x", "a/b"})
     EXPECT_FALSE(is_session_name(wrong)) << wrong;
   EXPECT_FALSE(is_session_name(std::string(65, 'a')));
 }

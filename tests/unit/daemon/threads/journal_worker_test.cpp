@@ -56,7 +56,7 @@ class JournalWorkerTest : public ::testing::Test {
   }
   void serve() {
     serve_desk(hand_overs->journal_desk, *state, map);
-    std::this_thread::sleep_for(1ms);
+    std::this_thread::sleep_for(1ms);  // as the mapping thread between two scans; who calls has the deadline
   }
   /// Serves until the journal's report pleases.
   template <class Pleases>

@@ -145,6 +145,33 @@ TEST_F(PioneerSession, ARobotThatIsNotHeardHearsNothingButTheStop) {
   EXPECT_LE(robot.x_mm - x_mm, 0.6 * 1e3 * types::to_seconds(bites - silent) + 1.0);
 }
 
+TEST_F(PioneerSession, TheFirstThatArrivesOnALossyLineIsTheStop) {
+  // A session whose host died, the robot at rest since; what is sent first, SYNC0 included, is lost.
+  robot.open = robot.motors = true;
+  robot.setpoint_mmps = 600;
+  robot.sends_status = false;
+  int sent = 0;
+  robot.loses = [&](int) { return ++sent <= 5; };
+  start();
+  run(milliseconds(1000));
+  ASSERT_GT(sent, 5);
+  EXPECT_EQ(robot.received.front().command, kEStop);
+  EXPECT_EQ(robot.largest_motion_mmps, 0);
+}
+
+TEST_F(PioneerSession, ARobotThatIsHeardToStandIsTakenUpAtOnce) {
+  connect();
+  drive(move(0.6), milliseconds(1500));
+  ASSERT_EQ(robot.velocity_mmps, 600);
+  const Stamp lost = robot.now;
+  robot.forget();
+  robot.cut = true;  // until the port is opened again
+  run(milliseconds(100));
+  ASSERT_TRUE(run_until(Health::kReady)) << session->message();
+  EXPECT_EQ(robot.received.front().command, kEStop);
+  EXPECT_LT(robot.now - lost, milliseconds(1800)) << "waited for the watchdog of a robot that was heard";
+}
+
 TEST_F(PioneerSession, BacksOffWhileThereIsNoPort) {
   robot.port_exists = false;
   start();
