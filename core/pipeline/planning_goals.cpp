@@ -98,6 +98,8 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
+/// Candidates by what is settled of their costs. Gaps are worth a look only when it is known that nothing
+/// essential is near.
 std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in,
                                                             std::span<const goals::Frontier> frontiers,
                                                             bool& cut_off) {
@@ -110,6 +112,7 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
   if (essential) candidates = among(analysis->goals.goals);
   const bool fills_gaps = !essential || params.finish == Finish::kComplete;
   if (!fills_gaps || !is_far_from_all(candidates)) return candidates;
+  if (essential && search.settled_m() < kLongWay_m) return candidates;
   std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers);
   // The places may be those of an older map.
   for (goals::Goal& opening : openings) opening.place = place_at(*analysis, opening.p_map);
@@ -123,7 +126,7 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
 /// Candidates with all costs that the choice can depend on: what is farther than the search has come is not
 /// chosen, whatever it gets off. The nearest goal is mostly near, and the building large.
 std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInput& in, bool& cut_off) {
-  constexpr double kFirst_m = 1.25 * kLongWay_m;
+  constexpr double kFirst_m = 6.0;
   const double least_share = params.switch_gain * kHomePlaceShare;
   const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());

@@ -41,10 +41,10 @@ std::optional<SessionHeader> decode_session_header(std::span<const std::byte> fi
 }
 
 bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::span<const std::byte> content) {
-  if (content.size() > kMaxRecordBytes) return false;
+  if (content.size() > kSessionRecordBytesMax) return false;
   std::vector<std::byte> packed(ZSTD_compressBound(content.size()));
   const std::size_t n = ZSTD_compress(packed.data(), packed.size(), content.data(), content.size(), kLevel);
-  if (ZSTD_isError(n) != 0U || n > kMaxRecordBytes) return false;
+  if (ZSTD_isError(n) != 0U || n > kSessionRecordBytesMax) return false;
   packed.resize(n);
   slam::ByteWriter head;
   head.integer(static_cast<std::uint32_t>(kind));
@@ -64,7 +64,7 @@ std::optional<ReadRecord> read_record(std::span<const std::byte> rest) {
   record.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
   const auto packed_bytes = in.integer<std::uint32_t>(), raw_bytes = in.integer<std::uint32_t>();
   const auto sum = in.integer<std::uint64_t>(), head_sum = in.integer<std::uint64_t>();
-  if (head_sum != checksum(rest.first(kRecordHead - 8)) || raw_bytes > kMaxRecordBytes ||
+  if (head_sum != checksum(rest.first(kRecordHead - 8)) || raw_bytes > kSessionRecordBytesMax ||
       packed_bytes > rest.size() - kRecordHead) {
     return std::nullopt;
   }

@@ -25,7 +25,8 @@
 namespace topo::daemon {
 
 inline constexpr std::uint32_t kSessionVersion = 1;
-inline constexpr std::size_t kMaxRecordBytes = 1U << 20U;  ///< neither size of a record's may be greater
+inline constexpr std::size_t kSessionRecordBytesMax = 1U
+                                                      << 20U;  ///< neither size of a record's may be greater
 
 enum class SessionRecord : std::uint32_t { kKeyframes = 1, kEdges, kPoses, kEnd };
 
@@ -39,7 +40,7 @@ struct SessionHeader {
 [[nodiscard]] std::optional<SessionHeader> decode_session_header(std::span<const std::byte> file,
                                                                  std::uint32_t& version);
 
-/// Packs a record and appends it. False: it is greater than kMaxRecordBytes, nothing was appended.
+/// Packs a record and appends it. False: it is greater than kSessionRecordBytesMax, nothing was appended.
 [[nodiscard]] bool append_record(std::vector<std::byte>& out, SessionRecord kind,
                                  std::span<const std::byte> content);
 

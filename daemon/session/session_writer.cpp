@@ -67,8 +67,9 @@ Status append_keyframes(std::vector<std::byte>& out, const std::vector<slam::Key
     content.append(bytes);
     if (content.bytes().size() < kRecordTarget && i + 1 < keyframes.size()) continue;
     if (!append_record(out, SessionRecord::kKeyframes, content.bytes())) {
-      return types::fail(Errc::kInvalidInput, fmt::format("keyframe {}: found {} bytes, expected at most {}",
-                                                          i, bytes.size(), kMaxRecordBytes - kRecordTarget));
+      return types::fail(Errc::kInvalidInput,
+                         fmt::format("keyframe {}: found {} bytes, expected at most {}", i, bytes.size(),
+                                     kSessionRecordBytesMax - kRecordTarget));
     }
     content = {};
   }

@@ -4,7 +4,8 @@
 """topobench slam as a user runs it: a drawn log with known truth, bad input, and the real logs when they are here.
 
 usage: topobench_slam_test.py TOPOBENCH [unittest options]
-The real logs are found through TOPOMETRIC_DATA; without it their tests say that they were skipped."""
+The real logs are found through TOPOMETRIC_DATA; without it their tests say that they were skipped.
+TOPOMETRIC_PATROL_MINUTES (5): how long the robot drives through each real floor plan."""
 import json
 import math
 import os
@@ -184,19 +185,21 @@ class SimulatedPatrol(unittest.TestCase):
 
 @unittest.skipUnless(os.environ.get("TOPOMETRIC_DATA"), "TOPOMETRIC_DATA is not set: no building of real plans was tried")
 class FloorPlans(unittest.TestCase):
-    def rmse(self, name, minutes):
+    MINUTES = os.environ.get("TOPOMETRIC_PATROL_MINUTES", "5")
+
+    def rmse(self, name):
         world = pathlib.Path(os.environ["TOPOMETRIC_DATA"]) / "floorplans" / (name + ".yaml")
-        done = run("--simulate", str(world), "--minutes", str(minutes), "--json")
+        done = run("--simulate", str(world), "--minutes", self.MINUTES, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         report = json.loads(done.stdout)
         self.assertEqual(report["lost"], 0)
         return report["error"]["rmse_m"]
 
     def test_columbia(self):
-        self.assertLess(self.rmse("columbia", 5), 0.05)
+        self.assertLess(self.rmse("columbia"), 0.05)
 
     def test_hospital_section(self):
-        self.assertLess(self.rmse("hospital_section", 5), 0.05)
+        self.assertLess(self.rmse("hospital_section"), 0.05)
 
 
 @unittest.skipUnless(os.environ.get("TOPOMETRIC_DATA"), "TOPOMETRIC_DATA is not set: the real logs were not tried")
