@@ -28,12 +28,13 @@ class Arc {
  public:
   Arc(const Vector2& p, const Twist2& twist, const Footprint& f)
       : radius_m_(twist.v_mps / twist.omega_radps),
-        rho_m_(std::hypot(p.x(), p.y() - radius_m_)),
-        angle_rad_(std::atan2(p.y() - radius_m_, p.x())),
+        from_centre_(p.x(), p.y() - radius_m_),
+        rho2_m2_(from_centre_.squaredNorm()),
         omega_radps_(twist.omega_radps),
         footprint_(f) {}
 
   [[nodiscard]] double contact_s() {
+    if (is_off_the_ring()) return kNever_s;
     cross_side_at_x(footprint_.front_m);
     cross_side_at_x(-footprint_.rear_m);
     cross_side_at_y(footprint_.half_width_m);
@@ -43,15 +44,25 @@ class Arc {
   }
 
  private:
+  /// The footprint sweeps a ring around the arc's centre; most of what is near lies within or around it.
+  [[nodiscard]] bool is_off_the_ring() const {
+    constexpr double kRounding_m = 1e-6;
+    const double centre_m = std::abs(radius_m_);
+    const double corner_m =
+        std::hypot(std::max(footprint_.front_m, footprint_.rear_m), footprint_.half_width_m);
+    const double outer_m = centre_m + std::min(corner_m, footprint_.swing_radius_m) + kRounding_m;
+    const double inner_m = std::max(0.0, centre_m - footprint_.half_width_m - kRounding_m);
+    return rho2_m2_ > outer_m * outer_m || rho2_m2_ < inner_m * inner_m;
+  }
   void cross_side_at_x(double x_m) {
-    const double square = rho_m_ * rho_m_ - x_m * x_m;
+    const double square = rho2_m2_ - x_m * x_m;
     if (square < 0.0) return;
     for (const double y_m : {std::sqrt(square), -std::sqrt(square)})
       if (std::abs(y_m + radius_m_) <= footprint_.half_width_m && in_circle(x_m, y_m)) meet(x_m, y_m);
   }
   void cross_side_at_y(double side_m) {
     const double y_m = side_m - radius_m_;
-    const double square = rho_m_ * rho_m_ - y_m * y_m;
+    const double square = rho2_m2_ - y_m * y_m;
     if (square < 0.0) return;
     for (const double x_m : {std::sqrt(square), -std::sqrt(square)})
       if (x_m <= footprint_.front_m && x_m >= -footprint_.rear_m && in_circle(x_m, y_m)) meet(x_m, y_m);
@@ -59,8 +70,7 @@ class Arc {
   void cross_swing_circle() {
     const double swing_m = footprint_.swing_radius_m;
     if (!std::isfinite(swing_m) || radius_m_ == 0.0) return;
-    const double from_base_m =
-        (swing_m * swing_m + radius_m_ * radius_m_ - rho_m_ * rho_m_) / (2.0 * radius_m_);
+    const double from_base_m = (swing_m * swing_m + radius_m_ * radius_m_ - rho2_m2_) / (2.0 * radius_m_);
     const double square = swing_m * swing_m - from_base_m * from_base_m;
     if (square < 0.0 || std::abs(from_base_m) > footprint_.half_width_m) return;
     for (const double x_m : {std::sqrt(square), -std::sqrt(square)})
@@ -73,12 +83,16 @@ class Arc {
   }
   void meet(double x_m, double y_m) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
-    const double turned = (angle_rad_ - std::atan2(y_m, x_m)) * (omega_radps_ > 0.0 ? 1.0 : -1.0);
+    const double ahead_rad = std::atan2(x_m * from_centre_.y() - y_m * from_centre_.x(),
+                                        x_m * from_centre_.x() + y_m * from_centre_.y());
+    const double turned = ahead_rad * (omega_radps_ > 0.0 ? 1.0 : -1.0);
     const double way_rad = turned - kTurn * std::floor(turned / kTurn);  // in [0, 2 pi)
     first_s_ = std::min(first_s_, way_rad / std::abs(omega_radps_));
   }
 
-  double radius_m_, rho_m_, angle_rad_, omega_radps_;
+  double radius_m_;
+  Vector2 from_centre_;
+  double rho2_m2_, omega_radps_;
   Footprint footprint_;
   double first_s_ = kNever_s;
 };

@@ -127,7 +127,6 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
 /// chosen, whatever it gets off. The nearest goal is mostly near, and the building large.
 std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInput& in, bool& cut_off) {
   constexpr double kFirst_m = 6.0;
-  const double least_share = params.switch_gain * kHomePlaceShare;
   const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());
   for (double bound_m = kFirst_m;; bound_m *= 2.0) {
@@ -136,6 +135,7 @@ std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInp
     std::vector<Candidate> candidates = find_candidates(in, frontiers, cut_off);
     double nearest_m = HUGE_VAL;
     for (const Candidate& c : candidates) nearest_m = std::min(nearest_m, c.cost_m);
+    const double least_share = params.switch_gain * (second_phase ? kHomePlaceShare : 1.0);
     if (std::isinf(search.settled_m()) || nearest_m < least_share * search.settled_m()) return candidates;
   }
 }
@@ -208,6 +208,18 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   reason = description(*goal);
 }
 
+/// The reachable cell nearest to a point, the way to it settled; the search goes no farther than it must.
+std::optional<grid::CellIndex> PlanningState::Impl::settled_cell(const types::Vector2& p_map) {
+  constexpr double kNear_m = 0.5, kDetour = 1.5;
+  const double straight_m = (p_map - T_map_base.se2().translation()).norm();
+  for (double bound_m = kDetour * straight_m + 1.0;; bound_m *= 2.0) {
+    search.settle(bound_m);
+    const auto cell = grid::nearest_reachable(map, field, map.cell_at(p_map), kNear_m);
+    const bool final = !cell || static_cast<double>(field.cost_m[map.index(*cell)]) < search.settled_m();
+    if (final || std::isinf(search.settled_m())) return cell;
+  }
+}
+
 void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_map, double reached_m,
                               Activity underway) {
   if (!goal) {
@@ -230,8 +242,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
     last_progress = in.now;
   }
   if (in.now - last_progress > 4 * kStandstill) return end(Activity::kFailed, "no progress for 100 s");
-  search.settle(HUGE_VAL);
-  const auto cell = grid::nearest_reachable(map, field, map.cell_at(p_map), 0.5);
+  const auto cell = settled_cell(p_map);
   has_target = cell.has_value();
   if (cell) target = *cell;
   activity = underway;

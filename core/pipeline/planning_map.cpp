@@ -9,7 +9,7 @@
 namespace topo::pipeline {
 namespace {
 
-constexpr types::Duration kAnalysisPeriod = std::chrono::milliseconds(2400);
+constexpr types::Duration kAnalysisPeriod = std::chrono::milliseconds(3200);
 constexpr types::Duration kBaselineAnalysisPeriod = std::chrono::seconds(5);
 constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
 constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again before it matters

@@ -55,6 +55,7 @@ struct PlanningState::Impl {
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void go_home(const PlanningInput& in, std::string why);
   void go_to(const PlanningInput& in);
+  [[nodiscard]] std::optional<grid::CellIndex> settled_cell(const types::Vector2& p_map);
   void aim(const PlanningInput& in, const types::Vector2& target, double reached_m, Activity underway);
   void give_up(const PlanningInput& in, std::string why);
   void block_ahead(const PlanningInput& in);

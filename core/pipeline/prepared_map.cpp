@@ -105,15 +105,17 @@ void occupy(DenseMap& map, const motion::Polygon& polygon, bool outside) {
   }
 }
 
-/// Calls visit(index, distance) for the cells within a radius of a point.
+/// Calls visit(index, squared distance) for the cells within a radius of a point.
 template <class Visit>
 void for_each_around(const DenseMap& map, const Vector2& centre, double radius_m, Visit visit) {
   const CellIndex low = map.cell_at(centre - Vector2(radius_m, radius_m));
   const CellIndex high = map.cell_at(centre + Vector2(radius_m, radius_m));
+  const std::int32_t left = std::max(low.x, map.box.min.x), right = std::min(high.x, map.box.max.x);
+  const double radius_m2 = radius_m * radius_m;
   for (std::int32_t y = std::max(low.y, map.box.min.y); y <= std::min(high.y, map.box.max.y); ++y) {
-    for (std::int32_t x = std::max(low.x, map.box.min.x); x <= std::min(high.x, map.box.max.x); ++x) {
-      const double distance_m = (map.centre_of({x, y}) - centre).norm();
-      if (distance_m <= radius_m) visit(map.index({x, y}), distance_m);
+    for (std::int32_t x = left; x <= right; ++x) {
+      const double away_m2 = (map.centre_of({x, y}) - centre).squaredNorm();
+      if (away_m2 <= radius_m2) visit(map.index({x, y}), away_m2);
     }
   }
 }
@@ -216,8 +218,8 @@ void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, do
     // What the map has already changes nothing.
     const CellIndex cell = map.cell_at(obstacle);
     if (!map.contains(cell) || clearance_m[map.index(cell)] <= 0.0F) continue;
-    for_each_around(map, obstacle, reach_m, [&](std::size_t index, double distance_m) {
-      clearance_m[index] = std::min(clearance_m[index], static_cast<float>(distance_m));
+    for_each_around(map, obstacle, reach_m, [&](std::size_t index, double away_m2) {
+      clearance_m[index] = std::min(clearance_m[index], static_cast<float>(std::sqrt(away_m2)));
     });
   }
 }
