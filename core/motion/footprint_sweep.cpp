@@ -48,8 +48,8 @@ class Arc {
   [[nodiscard]] bool is_off_the_ring() const {
     constexpr double kRounding_m = 1e-6;
     const double centre_m = std::abs(radius_m_);
-    const double corner_m =
-        std::hypot(std::max(footprint_.front_m, footprint_.rear_m), footprint_.half_width_m);
+    const double end_m = std::max(footprint_.front_m, footprint_.rear_m);
+    const double corner_m = std::sqrt(end_m * end_m + footprint_.half_width_m * footprint_.half_width_m);
     const double outer_m = centre_m + std::min(corner_m, footprint_.swing_radius_m) + kRounding_m;
     const double inner_m = std::max(0.0, centre_m - footprint_.half_width_m - kRounding_m);
     return rho2_m2_ > outer_m * outer_m || rho2_m2_ < inner_m * inner_m;

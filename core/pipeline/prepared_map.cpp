@@ -177,11 +177,11 @@ void apply_limits(DenseMap& map, const motion::AreaLimits& limits) {
 }
 
 DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limits, double route_radius_m) {
-  constexpr int kReach = 3;  // 0.15 m to either side: the spacing of 0.25 degrees at 30 m
-  constexpr int kMargin = 2 * kReach;
-  DenseMap map = grid::dense_map(snapshot.grid, kMargin);
+  constexpr double kReach_m = 0.15;  // to either side: the spacing of 0.25 degrees at 30 m
+  const int reach = static_cast<int>(std::lround(kReach_m / snapshot.grid.resolution_m()));
+  DenseMap map = grid::dense_map(snapshot.grid, 2 * reach);
   occupy_faint(map, snapshot.grid);
-  close_gaps(map, kReach);
+  close_gaps(map, reach);
   constexpr double kInner =
       0.7;  // of the route's disc: the part that the robot's outline fills whichever way it faces
   for (const KeyframePose& keyframe : snapshot.keyframes) {

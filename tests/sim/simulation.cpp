@@ -104,6 +104,11 @@ void Simulation::add_walker(Walker walker) {
   people_.push_back(std::move(person));
 }
 
+void Simulation::remove_walkers() {
+  for (const auto& person : people_) world_.remove_movable(person->movable);
+  people_.clear();
+}
+
 void Simulation::step_walker(Person& person) {
   const Vector2 target = person.walker.way_points[person.towards];
   const Vector2 rest = target - person.at;

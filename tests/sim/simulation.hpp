@@ -82,6 +82,8 @@ class Simulation {
   types::Result<MovableId> add_box_ahead(std::size_t robot, double distance_m);
   void remove_obstacle(MovableId id);
   void add_walker(Walker walker);
+  /// All who walk about leave.
+  void remove_walkers();
 
   /// Steps until less than one step is missing to `time`. Earlier times do nothing.
   void advance_to(SimTime time);
