@@ -13,12 +13,8 @@ namespace {
 
 constexpr double kReach_m = 10.0;  ///< a step of the angle moves a point here by one cell
 
-struct CellOffset {
-  int x, y;
-};
-
 /// A square of places for one direction of the robot: lower left cell, 2^level wide.
-struct Node {
+struct MapNode {
   int rotation = 0;
   int x = 0, y = 0;
   int level = 0;
@@ -26,16 +22,16 @@ struct Node {
 };
 
 /// Equal scores are taken in the order of direction and cell: the result does not depend on the sort.
-bool before(const Node& a, const Node& b) {
+bool before(const MapNode& a, const MapNode& b) {
   if (a.score != b.score) return a.score > b.score;
   if (a.rotation != b.rotation) return a.rotation < b.rotation;
   return a.y != b.y ? a.y < b.y : a.x < b.x;
 }
 
-class Searcher {
+class MapSearcher {
  public:
-  Searcher(const LikelihoodPyramid& pyramid, const StandingRoom& room, std::span<const Point> points,
-           Exclusions excluded, const SearchParams& params)
+  MapSearcher(const LikelihoodPyramid& pyramid, const StandingRoom& room, std::span<const Point> points,
+              Exclusions excluded, const SearchParams& params)
       : pyramid_(pyramid), room_(room), excluded_(excluded) {
     const std::size_t stride =
         std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(params.points_max));
@@ -50,7 +46,7 @@ class Searcher {
   std::optional<SearchHit> run(double score_min) {
     best_.score = static_cast<int>(std::ceil(score_min * 255.0 * static_cast<double>(count_))) - 1;
     const int level = pyramid_.depth(), width = 1 << level;
-    std::vector<Node> nodes;
+    std::vector<MapNode> nodes;
     for (int y = 0; y < room_.width(); y += width) {
       for (int x = 0; x < room_.width(); x += width) {
         if (!room_.any(level, x, y)) continue;
@@ -67,7 +63,7 @@ class Searcher {
     return 2.0 * std::numbers::pi * rotation / rotations_ - std::numbers::pi;
   }
   /// The middle of a finest square's cell.
-  [[nodiscard]] types::Se2 pose_of(const Node& node) const {
+  [[nodiscard]] types::Se2 pose_of(const MapNode& node) const {
     const double cell = pyramid_.cell_m();
     return {static_cast<double>(pyramid_.origin().x()) + (node.x + 0.5) * cell,
             static_cast<double>(pyramid_.origin().y()) + (node.y + 0.5) * cell,
@@ -84,7 +80,7 @@ class Searcher {
   }
 
   /// Keeps the node when it can be better than the best; looks at no more points than that takes.
-  void add(std::vector<Node>& nodes, Node node) const {
+  void add(std::vector<MapNode>& nodes, MapNode node) const {
     const CellOffset* cells = &cells_[static_cast<std::size_t>(node.rotation) * count_];
     int possible = 255 * static_cast<int>(count_);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -103,9 +99,9 @@ class Searcher {
     });
   }
 
-  void descend(std::vector<Node>& nodes) {
+  void descend(std::vector<MapNode>& nodes) {
     std::sort(nodes.begin(), nodes.end(), before);
-    for (const Node& node : nodes) {
+    for (const MapNode& node : nodes) {
       if (node.score <= best_.score) return;
       if (node.level == 0) {
         best_ = node;
@@ -113,7 +109,7 @@ class Searcher {
         return;
       }
       const int level = node.level - 1, half = 1 << level;
-      std::vector<Node> children;
+      std::vector<MapNode> children;
       children.reserve(4);
       for (const auto& [dx, dy] : {std::pair{0, 0}, {half, 0}, {0, half}, {half, half}}) {
         if (room_.any(level, node.x + dx, node.y + dy))
@@ -129,7 +125,7 @@ class Searcher {
   std::vector<CellOffset> cells_;  ///< of all points in one direction after the other
   std::size_t count_ = 0;
   int rotations_ = 0;
-  Node best_;
+  MapNode best_;
   bool found_ = false;
 };
 
@@ -190,7 +186,7 @@ std::optional<SearchHit> search_everywhere(const LikelihoodPyramid& pyramid, con
                                            std::span<const Point> points, double score_min,
                                            Exclusions excluded, const SearchParams& params) {
   if (points.empty()) return std::nullopt;
-  return Searcher(pyramid, room, points, excluded, params).run(score_min);
+  return MapSearcher(pyramid, room, points, excluded, params).run(score_min);
 }
 
 }  // namespace topo::slam

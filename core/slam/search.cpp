@@ -10,10 +10,6 @@
 namespace topo::slam {
 namespace {
 
-struct CellOffset {
-  int x, y;
-};
-
 /// One rotation of the scan, as cells relative to the search centre.
 struct Rotation {
   double theta_rad = 0.0;
@@ -21,17 +17,18 @@ struct Rotation {
 };
 
 /// A square of translations: lower corner in cells, 2^level wide.
-struct Node {
+struct WindowNode {
   std::size_t rotation = 0;
   int x = 0, y = 0;
   int level = 0;
   int score = 0;
 };
 
-class Searcher {
+class WindowSearcher {
  public:
-  Searcher(const LikelihoodPyramid& pyramid, std::span<const Point> points, const types::Se2& centre,
-           const SearchWindow& window, const SearchParams& params, const std::optional<Exclusion>& exclusion)
+  WindowSearcher(const LikelihoodPyramid& pyramid, std::span<const Point> points, const types::Se2& centre,
+                 const SearchWindow& window, const SearchParams& params,
+                 const std::optional<Exclusion>& exclusion)
       : pyramid_(pyramid), centre_(centre), exclusion_(exclusion) {
     half_cells_ = std::max(1, static_cast<int>(std::ceil(window.half_m / pyramid.cell_m())));
     const std::size_t stride =
@@ -52,7 +49,7 @@ class Searcher {
     best_score_ = static_cast<int>(std::ceil(score_min * 255.0 * static_cast<double>(count_))) - 1;
     int level = pyramid_.depth();
     while (level > 0 && (1 << level) > half_cells_) --level;
-    std::vector<Node> nodes;
+    std::vector<WindowNode> nodes;
     const int width = 1 << level;
     for (std::size_t r = 0; r < rotations_.size(); ++r) {
       for (int y = -half_cells_; y <= half_cells_; y += width) {
@@ -82,7 +79,7 @@ class Searcher {
     return rotation;
   }
 
-  void add(std::vector<Node>& nodes, Node node) const {
+  void add(std::vector<WindowNode>& nodes, WindowNode node) const {
     if (node.x > half_cells_ || node.y > half_cells_) return;
     if (node.level == 0 && excluded(node)) return;
     int score = 0;
@@ -93,7 +90,7 @@ class Searcher {
     if (score > best_score_) nodes.push_back(node);
   }
 
-  bool excluded(const Node& node) const {
+  bool excluded(const WindowNode& node) const {
     if (!exclusion_) return false;
     const double x = centre_.x_m + node.x * pyramid_.cell_m(), y = centre_.y_m + node.y * pyramid_.cell_m();
     const double turn = types::wrap_angle(rotations_[node.rotation].theta_rad - exclusion_->centre.theta_rad);
@@ -101,15 +98,15 @@ class Searcher {
            std::abs(turn) < exclusion_->radius_rad;
   }
 
-  void descend(std::vector<Node>& nodes) {
+  void descend(std::vector<WindowNode>& nodes) {
     // Equal scores are taken in the order of rotation and cell, so that the result does not depend on the
     // sort.
-    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
+    std::sort(nodes.begin(), nodes.end(), [](const WindowNode& a, const WindowNode& b) {
       if (a.score != b.score) return a.score > b.score;
       if (a.rotation != b.rotation) return a.rotation < b.rotation;
       return a.y != b.y ? a.y < b.y : a.x < b.x;
     });
-    for (const Node& node : nodes) {
+    for (const WindowNode& node : nodes) {
       if (node.score <= best_score_) return;
       if (node.level == 0) {
         best_ = node;
@@ -118,7 +115,7 @@ class Searcher {
         return;
       }
       const int half = 1 << (node.level - 1);
-      std::vector<Node> children;
+      std::vector<WindowNode> children;
       children.reserve(4);
       for (const auto& [dx, dy] : {std::pair{0, 0}, {half, 0}, {0, half}, {half, half}}) {
         add(children, {node.rotation, node.x + dx, node.y + dy, node.level - 1, 0});
@@ -133,7 +130,7 @@ class Searcher {
   std::vector<Rotation> rotations_;
   std::size_t count_ = 1;
   int half_cells_ = 1;
-  Node best_;
+  WindowNode best_;
   int best_score_ = 0;
   bool found_ = false;
 };
@@ -221,7 +218,7 @@ std::optional<SearchHit> search(const LikelihoodPyramid& pyramid, std::span<cons
                                 const types::Se2& centre, const SearchWindow& window, double score_min,
                                 const SearchParams& params, const std::optional<Exclusion>& exclusion) {
   if (points.empty()) return std::nullopt;
-  return Searcher(pyramid, points, centre, window, params, exclusion).run(score_min);
+  return WindowSearcher(pyramid, points, centre, window, params, exclusion).run(score_min);
 }
 
 }  // namespace topo::slam

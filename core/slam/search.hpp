@@ -11,6 +11,10 @@
 
 namespace topo::slam {
 
+struct CellOffset {
+  int x, y;
+};
+
 /// Half widths of a search around a pose.
 struct SearchWindow {
   double half_m = 0.5;

@@ -10,6 +10,8 @@ namespace topo::types {
 
 using Vector2 = Eigen::Vector2d;
 
+inline constexpr double kDegree_rad = std::numbers::pi / 180.0;
+
 /// The same angle in (-pi, pi].
 inline double wrap_angle(double angle_rad) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;

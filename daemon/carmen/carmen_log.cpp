@@ -24,7 +24,7 @@ constexpr double kSickReach_m = 80.0;  // an LMS in 80 m mode sends 81.83 or 81.
 constexpr double kMaxRange_m = 1000.0;
 constexpr std::size_t kTail = 3;  // every message ends in: ipc_ts host logger_ts
 
-constexpr float radians(double degrees) { return static_cast<float>(degrees * std::numbers::pi / 180.0); }
+constexpr float radians(double degrees) { return static_cast<float>(degrees * types::kDegree_rad); }
 
 /// FLASER tells neither angles nor steps: they are known from the number of beams of a SICK LMS 200.
 void set_flaser_angles(CarmenScan& scan, std::size_t beams) {

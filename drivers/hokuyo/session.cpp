@@ -15,14 +15,13 @@ using types::Duration;
 using types::Errc;
 using types::Stamp;
 
-constexpr Duration kBackoffMin = 500ms;
 constexpr Duration kBackoffMax = 5s;
 constexpr Duration kOpenLimit = 3s;
 
 }  // namespace
 
 Session::Impl::Impl(SessionConfig config_in, std::unique_ptr<io::Connector> connector_in)
-    : config(std::move(config_in)), connector(std::move(connector_in)), backoff(kBackoffMin) {
+    : config(std::move(config_in)), connector(std::move(connector_in)) {
   message = place() + ": not connected yet";
   deadline = connector->now();
 }

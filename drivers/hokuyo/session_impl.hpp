@@ -15,6 +15,8 @@
 
 namespace topo::hokuyo {
 
+constexpr types::Duration kBackoffMin = std::chrono::milliseconds(500);  ///< again after each scan
+
 /// Where a session is between two losses of its stream.
 enum class Phase : std::uint8_t {
   kBackoff,      ///< no stream; the next attempt is due at deadline
@@ -105,7 +107,7 @@ struct Session::Impl {
   Counters counters;
   std::uint64_t connections = 0;
 
-  types::Duration backoff;
+  types::Duration backoff = kBackoffMin;
   int failures = 0;  ///< attempts in a row without a scan: told once, not every time
   std::size_t baud_index = 0;
   std::size_t find_index = 0;

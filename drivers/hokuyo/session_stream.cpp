@@ -18,7 +18,6 @@ constexpr int kMaxBadInARow = 3;
 /// So many good scans prove that what was done against silence has worked.
 constexpr int kProvenScans = 40;
 constexpr Duration kProbeLimit = 500ms;
-constexpr Duration kBackoffMin = 500ms;
 
 }  // namespace
 

@@ -12,8 +12,9 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr types::Duration kCallerSilence = milliseconds(200);
-constexpr types::Duration kUnheard = milliseconds(300);    // three cycles; the base thread's limit too
-constexpr types::Duration kStopAgain = milliseconds(200);  // no acknowledgement: until the robot stands
+constexpr types::Duration kUnheard = milliseconds(300);  // three cycles; the base thread's limit too
+constexpr types::Duration kStopAgainUnacknowledged =
+    milliseconds(200);  // no acknowledgement: until the robot stands
 constexpr types::Duration kPulse = milliseconds(500);
 constexpr types::Duration kSwitchAgain = milliseconds(500);
 constexpr double kStands_mps = 0.005;
@@ -91,7 +92,7 @@ void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
     stopping_ = true;
     stop(now);
   }
-  if (stopping_ && now - last_stop_ >= kStopAgain) {
+  if (stopping_ && now - last_stop_ >= kStopAgainUnacknowledged) {
     stop(now);
     stopping_ = !stands_;
   }
@@ -101,7 +102,7 @@ void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
 types::Stamp Drive::next_due(types::Stamp last_send) const {
   types::Stamp due = last_send + kPulse;
   if (commanded_) due = std::min(due, last_command_ + kCallerSilence);
-  if (stopping_) due = std::min(due, last_stop_ + kStopAgain);
+  if (stopping_) due = std::min(due, last_stop_ + kStopAgainUnacknowledged);
   return due;
 }
 

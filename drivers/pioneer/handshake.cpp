@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 constexpr std::array<int, 5> kBaudOrder{9600, 38400, 19200, 115200, 57600};  // PROTOCOLS section 1.2
 // As fast as 9600 baud carries them: of a line that loses a third of its bytes one in eleven arrives.
-constexpr types::Duration kStopAgain = milliseconds(10);
+constexpr types::Duration kStopAgainUnheard = milliseconds(10);
 constexpr types::Duration kQuietTime = milliseconds(200);
 constexpr types::Duration kStillStreaming = milliseconds(150);
 constexpr types::Duration kSyncTime = milliseconds(300);
@@ -69,7 +69,7 @@ Handshake::Progress Handshake::begin_stopping() {
   if (link_.now() >= may_drive_until_) return begin_quiet();
   link_.outbox().clear();
   link_.outbox().set_estop();
-  enter(Phase::kStopping, kStopAgain);
+  enter(Phase::kStopping, kStopAgainUnheard);
   return Progress::kPending;
 }
 

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace topo::pioneer {
 namespace {
 
 constexpr int kWatchdogMax_ms = 2000;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// The lower of the table's and the firmware's limit; a firmware that says 0 says nothing.
 double lower(double table, double firmware) { return firmware > 0.0 ? std::min(table, firmware) : table; }
@@ -27,7 +25,7 @@ void add_config(RobotInfo& info, const ConfigPacket& config) {
   constexpr int kCycleMin_ms = 20;  // anything faster is no status cycle of a Pioneer
   if (config.sip_cycle_ms >= kCycleMin_ms) info.sip_cycle_ms = config.sip_cycle_ms;
   info.v_top_mps = lower(info.v_top_mps, config.velocity_top_mmps * 1e-3);
-  info.omega_top_radps = lower(info.omega_top_radps, config.rot_velocity_top_degps * kDegree);
+  info.omega_top_radps = lower(info.omega_top_radps, config.rot_velocity_top_degps * types::kDegree_rad);
   info.low_battery_v = config.low_battery_decivolt * 0.1;
   if (!config.robot_class.empty()) info.robot_class = config.robot_class;
 }
@@ -75,8 +73,8 @@ DriveLimits drive_limits(const SessionConfig& wanted, const RobotInfo& info,
           .omega_radps = bounded(wanted.omega_max_radps, info.omega_top_radps),
           .acceleration_mmps2 = at_least_one(wanted.acceleration_mps2 * 1e3, top.acceleration_top_mmps2),
           .deceleration_mmps2 = at_least_one(wanted.deceleration_mps2 * 1e3, top.acceleration_top_mmps2),
-          .angular_acceleration_degps2 =
-              at_least_one(wanted.angular_acceleration_radps2 / kDegree, top.rot_acceleration_top_degps2)};
+          .angular_acceleration_degps2 = at_least_one(wanted.angular_acceleration_radps2 / types::kDegree_rad,
+                                                      top.rot_acceleration_top_degps2)};
 }
 
 }  // namespace topo::pioneer

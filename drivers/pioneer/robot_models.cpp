@@ -9,8 +9,6 @@
 namespace topo::pioneer {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
 struct SonarMm {
   double x, y, degrees;
 };
@@ -20,7 +18,7 @@ using Sonars = std::array<types::Se2, RobotModel::kSonars>;
 Sonars to_metres(const std::array<SonarMm, RobotModel::kSonars>& table) {
   Sonars out;
   std::transform(table.begin(), table.end(), out.begin(), [](const SonarMm& s) {
-    return types::Se2{s.x * 1e-3, s.y * 1e-3, s.degrees * kDegree};
+    return types::Se2{s.x * 1e-3, s.y * 1e-3, s.degrees * types::kDegree_rad};
   });
   return out;
 }
@@ -68,7 +66,7 @@ RobotModel make_dx(std::string_view subclass, double mm_per_count) {
           .mm_per_count = mm_per_count,
           .radps_per_mmps = 0.0056,
           .v_max_mps = 1.2,
-          .omega_max_radps = 300 * kDegree,
+          .omega_max_radps = 300 * types::kDegree_rad,
           .swing_radius_m = 0.267,
           .length_front_m = 0.210,
           .length_rear_m = 0.301,
@@ -81,7 +79,7 @@ RobotModel make_at(std::string_view subclass, double mm_per_count) {
           .mm_per_count = mm_per_count,
           .radps_per_mmps = 0.0034,
           .v_max_mps = 0.7,
-          .omega_max_radps = 140 * kDegree,
+          .omega_max_radps = 140 * types::kDegree_rad,
           .swing_radius_m = 0.340,
           .length_front_m = 0.313,
           .length_rear_m = 0.313,

@@ -16,9 +16,9 @@
 
 namespace {
 
-class Bytes final : public topo::daemon::ByteSource {
+class FuzzedSource final : public topo::daemon::ByteSource {
  public:
-  Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
+  FuzzedSource(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
   topo::types::Result<std::size_t> read(std::span<char> buffer) override {
     const std::size_t n = std::min(buffer.size(), rest_.size());
     if (n > 0) std::memcpy(buffer.data(), rest_.data(), n);
@@ -38,7 +38,7 @@ void require(bool held) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto graph = topo::bench::read_graph(
-      topo::daemon::LineSource::over("fuzz.g2o", std::make_unique<Bytes>(data, size)));
+      topo::daemon::LineSource::over("fuzz.g2o", std::make_unique<FuzzedSource>(data, size)));
   if (!graph) {
     require(graph.error().message.starts_with("fuzz.g2o:"));
     require(graph.error().message.find("expected") != std::string::npos);

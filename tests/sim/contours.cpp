@@ -103,13 +103,13 @@ std::vector<std::size_t> break_points(const Polygon& outline, double tolerance_m
   return kept;
 }
 
-struct Line {
+struct FittedLine {
   Vector2 point, direction;
 };
 
 // Least squares through the points between two break points, without the ones at the corners, which are cut
 // there.
-Line fit_line(const Polygon& outline, std::size_t from, std::size_t to) {
+FittedLine fit_line(const Polygon& outline, std::size_t from, std::size_t to) {
   const std::size_t trim = to - from >= 8 ? 2 : 0;
   Vector2 mean(0.0, 0.0);
   double count = 0.0;
@@ -131,14 +131,14 @@ Line fit_line(const Polygon& outline, std::size_t from, std::size_t to) {
 
 // Where two neighbouring lines meet, if that is near the break point between them; else what both say of that
 // point.
-Vector2 corner(const Line& a, const Line& b, const Vector2& at, double tolerance_m) {
+Vector2 corner(const FittedLine& a, const FittedLine& b, const Vector2& at, double tolerance_m) {
   const double turn = a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x();
   if (std::abs(turn) > 0.2) {
     const Vector2 r = b.point - a.point;
     const Vector2 meet = a.point + a.direction * ((r.x() * b.direction.y() - r.y() * b.direction.x()) / turn);
     if ((meet - at).norm() < 1.5 * tolerance_m) return meet;
   }
-  const auto onto = [&at](const Line& l) {
+  const auto onto = [&at](const FittedLine& l) {
     return Vector2(l.point + l.direction * l.direction.dot(at - l.point));
   };
   return 0.5 * (onto(a) + onto(b));
@@ -187,7 +187,7 @@ Polygon straighten(const Polygon& outline, double tolerance_m) {
   if (outline.size() < 8) return outline;
   const std::vector<std::size_t> kept = break_points(outline, tolerance_m);
   if (kept.size() < 3) return outline;
-  std::vector<Line> lines;
+  std::vector<FittedLine> lines;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t to = k + 1 < kept.size() ? kept[k + 1] : kept[0] + outline.size();
     lines.push_back(fit_line(outline, kept[k], to));

@@ -16,7 +16,6 @@ namespace {
 
 using types::Errc;
 
-constexpr double kFar_m = 1000.0;
 constexpr double kHigh_m = 20.0;
 
 class SceneParser {

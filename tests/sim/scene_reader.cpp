@@ -11,8 +11,6 @@ namespace topo::sim {
 
 namespace {
 
-constexpr double kFar_m = 1000.0;  // a building's size
-
 std::string shown(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return "'" + *text + "'";
   if (const auto value = node.value<double>()) return fmt::format("{:g}", *value);

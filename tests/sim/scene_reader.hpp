@@ -12,6 +12,8 @@
 
 namespace topo::sim {
 
+constexpr double kFar_m = 1000.0;  ///< no coordinate of a building is larger
+
 /// Collects every fault of one file with its place.
 class Faults {
  public:

@@ -10,7 +10,7 @@ namespace topo::sim {
 
 namespace {
 
-constexpr double kHalfCone_rad = 12.5 * std::numbers::pi / 180.0;
+constexpr double kHalfCone_rad = 12.5 * types::kDegree_rad;
 constexpr int kAcross = 2;               // rays to each side of the axis
 constexpr double kSpecularCosine = 0.5;  // flatter than 60 degrees off the normal: the echo goes elsewhere
 

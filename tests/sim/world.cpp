@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <limits>
 #include <sstream>
 
 #include "tests/sim/static_world.hpp"
@@ -13,8 +12,6 @@
 namespace topo::sim {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The part of the edge inside the convex outline (Cyrus and Beck 1978), as its middle.
 Touch clip_edge(const Polygon& convex, const Vector2& a, const Vector2& b) {
@@ -101,7 +98,7 @@ RayHit World::cast(const Ray& ray, const RayOptions& options) const {
   }
   building_->index.cast(ray, options.glass_draw, building_->prisms, best);
   cast_movables(ray, options, best);
-  if (best.surface == Surface::kNone) best.range_m = kInfinity;
+  if (best.surface == Surface::kNone) best.range_m = HUGE_VAL;
   return best;
 }
 

@@ -3,7 +3,7 @@
 # One CMake target a folder. Includes are written from the top of the tree: "core/types/scan.hpp".
 
 # What the ThreadSanitizer and the fuzzing builds need, so that they need not build everything.
-add_custom_target(thread_tests COMMENT "Tests with label thread, and all programs")
+add_custom_target(thread_tests COMMENT "Tests with label thread")
 add_custom_target(fuzzers COMMENT "What topo_fuzz() made")
 
 # topo_library(NAME [SOURCES a.cpp ...] [DEPS target ...])
@@ -21,39 +21,75 @@ function(topo_library name)
   target_link_libraries(topo_${name} ${scope} ${ARG_DEPS})
 endfunction()
 
-# topo_program(NAME SOURCES a.cpp ... DEPS target ...): an executable in the build's bin/ folder.
+# What a program or a test itself is made of runs once: a third of its compile time is worth more. Libraries keep
+# the build type's optimisation.
+function(topo_runs_once target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# topo_program(NAME [MEASURED] SOURCES a.cpp ... DEPS target ...): an executable in the build's bin/ folder;
+# MEASURED: a benchmark, whose own code is what is timed.
 function(topo_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "MEASURED" "" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-  add_dependencies(thread_tests ${name})
+  if(NOT ARG_MEASURED)
+    topo_runs_once(${name})
+  endif()
 endfunction()
 
-# topo_test(NAME SOURCES a_test.cpp ... DEPS target ... [LABELS unit ...] [TIMEOUT s] [ENVIRONMENT k=v ...]
-#           [COMMAND program arguments ...])
-# One GoogleTest executable a folder, one ctest entry an executable. Label `thread` puts it into the
-# ThreadSanitizer run.
-function(topo_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPS;LABELS;ENVIRONMENT;COMMAND" ${ARGN})
+# topo_entry(NAME [REAL_TIME [TRIES n]] [TIMEOUT s] [LABELS integration ...] [ENVIRONMENT k=v ...]
+#            COMMAND program arguments...)
+# One ctest entry. REAL_TIME: it keeps to the real clock, so on_time.py judges it only on a machine that keeps time,
+# in up to TRIES (3) of at most TIMEOUT, and nothing else of its kind runs beside it.
+set(TOPO_ON_TIME ${CMAKE_CURRENT_LIST_DIR}/../../tests/integration/on_time.py)
+function(topo_entry name)
+  cmake_parse_arguments(ARG "REAL_TIME" "TIMEOUT;TRIES" "LABELS;ENVIRONMENT;COMMAND" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
-  if(NOT ARG_LABELS)
-    set(ARG_LABELS unit)
+  if(NOT ARG_TRIES)
+    set(ARG_TRIES 3)
   endif()
-  add_executable(${name} ${ARG_SOURCES})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
-  # What a test is made of runs once: a third of its compile time is worth more. The libraries stay as packaged.
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-  if(NOT ARG_COMMAND)
-    set(ARG_COMMAND ${name})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS integration)
+  endif()
+  if(ARG_REAL_TIME)
+    list(PREPEND ARG_COMMAND ${Python3_EXECUTABLE} -B ${TOPO_ON_TIME} --tries ${ARG_TRIES} --limit ${ARG_TIMEOUT})
+    math(EXPR ARG_TIMEOUT "${ARG_TRIES} * ${ARG_TIMEOUT} + 30")
   endif()
   add_test(NAME ${name} COMMAND ${ARG_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
                        ENVIRONMENT "${ARG_ENVIRONMENT}")
+  if(ARG_REAL_TIME)
+    set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 RESOURCE_LOCK clock)
+  endif()
+endfunction()
+
+# topo_test(NAME SOURCES a_test.cpp ... DEPS target ... [LABELS unit ...] [COMMAND program arguments ...]
+#           [what topo_entry takes])
+# One GoogleTest executable a folder, one ctest entry an executable. Label `thread` puts it into the
+# ThreadSanitizer run.
+function(topo_test name)
+  cmake_parse_arguments(ARG "REAL_TIME" "TIMEOUT;TRIES" "SOURCES;DEPS;LABELS;ENVIRONMENT;COMMAND" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  if(NOT ARG_COMMAND)
+    set(ARG_COMMAND $<TARGET_FILE:${name}>)
+  endif()
+  set(real_time)
+  if(ARG_REAL_TIME)
+    set(real_time REAL_TIME)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS} GTest::gmock GTest::gtest_main)
+  topo_runs_once(${name})
+  topo_entry(${name} ${real_time} TIMEOUT ${ARG_TIMEOUT} TRIES ${ARG_TRIES} LABELS ${ARG_LABELS}
+             ENVIRONMENT ${ARG_ENVIRONMENT} COMMAND ${ARG_COMMAND})
   if("thread" IN_LIST ARG_LABELS)
     add_dependencies(thread_tests ${name})
   endif()

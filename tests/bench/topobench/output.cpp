@@ -4,6 +4,7 @@
 #include "tests/bench/topobench/output.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <system_error>
@@ -28,6 +29,12 @@ std::string trajectory_text(const MappingRun& run) {
 }
 
 }  // namespace
+
+double peak_rss_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
 
 types::Status make_folder(const std::filesystem::path& folder) {
   std::error_code error;

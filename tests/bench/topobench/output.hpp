@@ -10,6 +10,9 @@
 
 namespace topo::bench {
 
+/// The most memory this process ever held, in MiB (getrusage(2)).
+double peak_rss_mb();
+
 /// Makes the folder for results if it is missing.
 types::Status make_folder(const std::filesystem::path& folder);
 

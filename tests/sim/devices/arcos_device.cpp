@@ -10,7 +10,7 @@
 namespace topo::sim {
 namespace {
 
-constexpr std::size_t kOutputLimit = 4096;
+constexpr std::size_t kSerialOutputLimit = 4096;
 constexpr std::size_t kSonarMost = 32;
 constexpr double kPi = std::numbers::pi;
 
@@ -21,7 +21,7 @@ int to_mm_s(double mps) { return static_cast<int>(mps * 1e3); }
 ArcosDevice::ArcosDevice(arcos::Parameters parameters, std::uint64_t seed)
     : parameters_(std::move(parameters)),
       drive_(parameters_),
-      output_(kOutputLimit),
+      output_(kSerialOutputLimit),
       random_(seed),
       baud_code_(parameters_.host_baud_code) {}
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/types/se2.hpp"
 
 namespace topo::sim::arcos {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// One step of a ramp: faster with acc, slower (also when the sign changes) with decel.
 double ramp(double now, double target, double acc, double decel, double dt_s) {
@@ -42,7 +41,7 @@ void Drive::set_wheels(int left_counts, int right_counts) {
   const double left = left_counts * kVel2Unit;
   const double right = right_counts * kVel2Unit;
   velocity_setpoint_ = (left + right) / 2.0;
-  rotation_setpoint_ = (right - left) / working_.track_mm / kDegree;
+  rotation_setpoint_ = (right - left) / working_.track_mm / topo::types::kDegree_rad;
 }
 
 void Drive::stop() {
@@ -92,7 +91,7 @@ WheelTargets Drive::step(double dt_s, bool hold) {
   velocity_mm_s_ = ramp(velocity_mm_s_, velocity_goal, working_.trans_acc, decel, dt_s);
   rotation_deg_s_ = ramp(rotation_deg_s_, rotation_goal, working_.rot_acc, rot_decel, dt_s);
   if (!moving()) emergency_ = false;
-  const double turn_mm_s = rotation_deg_s_ * kDegree * working_.track_mm / 2.0;
+  const double turn_mm_s = rotation_deg_s_ * topo::types::kDegree_rad * working_.track_mm / 2.0;
   return {(velocity_mm_s_ - turn_mm_s) * 1e-3, (velocity_mm_s_ + turn_mm_s) * 1e-3};
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 128;
 constexpr std::size_t kInputLimit = 4096;
-constexpr std::size_t kOutputLimit =
+constexpr std::size_t kScanOutputLimit =
     std::size_t{256} * 1024;  // about ten ME scans: more means a client that sleeps
 constexpr SimTime kSendTick =
     std::chrono::milliseconds{1};                   // data leave on the next 1 ms tick (PROTOCOLS 12)
@@ -25,7 +25,7 @@ ScipDevice::ScipDevice(ScipOptions options)
     : options_(std::move(options)),
       model_(scip_model(options_.model)),
       clock_(options_.clock_offset_ms, options_.clock_drift_ppm),
-      output_(kOutputLimit),
+      output_(kScanOutputLimit),
       scip11_(model_.boots_in_scip11) {}
 
 void ScipDevice::receive(std::span<const std::uint8_t> bytes, SimTime now) {

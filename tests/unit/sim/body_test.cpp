@@ -13,7 +13,7 @@
 namespace topo::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 void drive(RobotBody& body, double seconds, double left, double right) {
   for (int i = 0; i < static_cast<int>(std::lround(seconds * 1e3)); ++i) body.step(1e-3, left, right);
@@ -25,9 +25,9 @@ TEST(RobotBody, DrivesStraightAndTurnsOnTheSpotWithoutErrors) {
   drive(body, 2.0, 0.5, 0.5);
   EXPECT_NEAR(body.truth().x_m, 3.0, 1e-9);
   EXPECT_NEAR(body.encoder_left_m(), 1.0, 1e-9);
-  const double quarter_s = 0.25 * kPi * body.model().track_m / 0.2;  // each wheel at 0.2 m/s
+  const double quarter_s = 0.25 * pi * body.model().track_m / 0.2;  // each wheel at 0.2 m/s
   drive(body, quarter_s, -0.2, 0.2);
-  EXPECT_NEAR(body.truth().theta_rad, 0.5 * kPi, 2e-3);
+  EXPECT_NEAR(body.truth().theta_rad, 0.5 * pi, 2e-3);
   EXPECT_NEAR(body.truth().x_m, 3.0, 1e-9);
   EXPECT_EQ(body.collisions(), 0U);
 }
@@ -37,7 +37,7 @@ TEST(RobotBody, FollowsTheArcOfItsWheels) {
   RobotBody body(world, RobotModel::p3dx(), {4.0, 1.5, 0.0}, Difficulty::none(), 1);
   const double radius = 1.0;
   const double track = body.model().track_m;
-  drive(body, 0.5 * kPi / 0.5, 0.5 * (radius - 0.5 * track), 0.5 * (radius + 0.5 * track));  // 0.5 rad/s
+  drive(body, 0.5 * pi / 0.5, 0.5 * (radius - 0.5 * track), 0.5 * (radius + 0.5 * track));  // 0.5 rad/s
   EXPECT_NEAR(body.truth().x_m, 5.0, 2e-3);
   EXPECT_NEAR(body.truth().y_m, 2.5, 2e-3);
   EXPECT_NEAR(body.true_twist().omega_radps, 0.5, 1e-9);
@@ -182,10 +182,10 @@ z_max_m = 0.2
   const World empty = scene(
       "[[start]]\nx_m = 1.0\ny_m = 1.0\n[[wall]]\npoints_m = [[0.0, 0.0], [9.0, 0.0]]\n[[wall]]\npoints_m = "
       "[[0.0, 20.0], [9.0, 20.0]]\n");
-  EXPECT_EQ(measure_sonar(empty, model, {5.0, 6.0, 0.5 * kPi}, 3, SimTime{0}, Difficulty::none(), random,
-                          kNoMovable)
-                .range_m,
-            5.0);
+  EXPECT_EQ(
+      measure_sonar(empty, model, {5.0, 6.0, 0.5 * pi}, 3, SimTime{0}, Difficulty::none(), random, kNoMovable)
+          .range_m,
+      5.0);
 }
 
 }  // namespace

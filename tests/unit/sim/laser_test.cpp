@@ -13,7 +13,7 @@
 namespace topo::sim {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Long and straight, 40 m apart.
 constexpr const char* kTwoWalls = R"(
@@ -34,14 +34,14 @@ TEST(LaserModel, HasTheStepsAnglesAndTimesOfTheDataSheets) {
   const LaserModel utm = LaserModel::utm_30lx();
   EXPECT_EQ(utm.steps(), 1081);
   EXPECT_EQ(utm.period(), SimTime{25'000'000});
-  EXPECT_NEAR(utm.angle_rad(0), -0.75 * kPi, 1e-12);
-  EXPECT_NEAR(utm.angle_rad(1080), 0.75 * kPi, 1e-12);
+  EXPECT_NEAR(utm.angle_rad(0), -0.75 * pi, 1e-12);
+  EXPECT_NEAR(utm.angle_rad(1080), 0.75 * pi, 1e-12);
   EXPECT_EQ(utm.step_time(1080), SimTime{18'750'000});
   const LaserModel urg = LaserModel::urg_04lx();
   EXPECT_EQ(urg.steps(), 682);
   EXPECT_EQ(urg.period(), SimTime{100'000'000});
-  EXPECT_NEAR(urg.angle_rad(44) * 180.0 / kPi, -119.53, 0.005);
-  EXPECT_NEAR(urg.angle_rad(725) * 180.0 / kPi, 119.88, 0.005);
+  EXPECT_NEAR(urg.angle_rad(44) * 180.0 / pi, -119.53, 0.005);
+  EXPECT_NEAR(urg.angle_rad(725) * 180.0 / pi, 119.88, 0.005);
 }
 
 TEST(Laser, MeasuresARoomFromItsMount) {
@@ -49,7 +49,7 @@ TEST(Laser, MeasuresARoomFromItsMount) {
   LaserSimulator laser(world, LaserModel::utm_30lx(), {0.5, 0.25, 0.3, 0.0, ScanPlane::kLevel},
                        Difficulty::none(), 1);
   // Facing +y: the mount's 0.5 m ahead are y, its 0.25 m to the left are -x.
-  const Sweep sweep = laser.measure(SimTime{0}, 0, standing({4.0, 3.0, 0.5 * kPi}));
+  const Sweep sweep = laser.measure(SimTime{0}, 0, standing({4.0, 3.0, 0.5 * pi}));
   ASSERT_EQ(sweep.range_mm.size(), 1081U);
   EXPECT_EQ(sweep.range_mm[540], 2500U);        // ahead: 6.0 - 3.5
   EXPECT_EQ(sweep.range_mm[540 + 360], 3750U);  // left: 4.0 - 0.25
@@ -63,12 +63,12 @@ TEST(Laser, SaysWithCodesThatNothingCameBackOrTooNear) {
   for (const LaserModel& model :
        {LaserModel::utm_30lx(), LaserModel::utm_30lx_ew(), LaserModel::ust_10lx(), LaserModel::urg_04lx()}) {
     LaserSimulator laser(world, model, {}, Difficulty::none(), 1);
-    const Sweep away = laser.measure(SimTime{0}, 0, standing({50.0, 5.0, 0.5 * kPi}));
+    const Sweep away = laser.measure(SimTime{0}, 0, standing({50.0, 5.0, 0.5 * pi}));
     EXPECT_EQ(away.range_mm[static_cast<std::size_t>(model.step_front - model.step_min)],
               model.code_no_return)
         << model.name;
     EXPECT_EQ(away.intensity[static_cast<std::size_t>(model.step_front - model.step_min)], 0) << model.name;
-    const Sweep close = laser.measure(SimTime{0}, 0, standing({50.0, 0.07, -0.5 * kPi}));
+    const Sweep close = laser.measure(SimTime{0}, 0, standing({50.0, 0.07, -0.5 * pi}));
     EXPECT_EQ(close.range_mm[static_cast<std::size_t>(model.step_front - model.step_min)],
               model.code_too_near)
         << model.name;
@@ -110,7 +110,7 @@ TEST(Laser, TheCoronalPlaneIsAcrossTheDrivingDirection) {
   EXPECT_EQ(sweep.range_mm[1080],
             static_cast<std::uint32_t>(std::lround(400.0 * std::sqrt(2.0))));  // floor, 45 degrees down
   // Turned to +y, left is -x.
-  const Sweep turned = laser.measure(SimTime{0}, 0, standing({3.0, 2.0, 0.5 * kPi}));
+  const Sweep turned = laser.measure(SimTime{0}, 0, standing({3.0, 2.0, 0.5 * pi}));
   EXPECT_EQ(turned.range_mm[540 + 360], 3000U);
   EXPECT_EQ(turned.range_mm[540 - 360], 5000U);
 }
@@ -125,7 +125,7 @@ Statistics noise(double low_m, double high_m, int& dropouts, int& beams) {
   const World world = scene(kTwoWalls);
   LaserSimulator clean(world, LaserModel::utm_30lx(), {}, Difficulty::none(), 1);
   LaserSimulator noisy(world, LaserModel::utm_30lx(), {}, Difficulty{}, 1);
-  const auto pose = standing({50.0, 6.0, -0.5 * kPi});
+  const auto pose = standing({50.0, 6.0, -0.5 * pi});
   const Sweep truth = clean.measure(SimTime{0}, 0, pose);
   double sum = 0.0, squares = 0.0;
   Statistics s;

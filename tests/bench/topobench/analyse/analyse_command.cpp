@@ -3,7 +3,6 @@
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -53,12 +52,6 @@ json rejected_by_reason(const pipeline::Analysis& analysis) {
     reasons[why] = reasons.value(why, 0) + 1;
   }
   return reasons;
-}
-
-double peak_rss_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 json report(const AnalyseCommand& command, const MapInput& input, const TimedAnalysis& timed) {

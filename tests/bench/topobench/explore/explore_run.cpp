@@ -18,7 +18,6 @@ constexpr sim::SimTime kControlPeriod = std::chrono::milliseconds(50);
 constexpr sim::SimTime kPlanningPeriod = std::chrono::milliseconds(400);
 constexpr sim::SimTime kSparsePlanningPeriod = std::chrono::milliseconds(800);  // a plan is good for a second
 constexpr sim::SimTime kMeasurePeriod = std::chrono::seconds(1);
-constexpr double kHome_m = 0.5;
 
 /// Adds the time since its making to a sum.
 class Stopwatch {

@@ -15,6 +15,8 @@
 
 namespace topo::bench {
 
+constexpr double kHome_m = 0.5;  ///< so near to its start a robot is back
+
 enum class Fidelity { kFull, kPlan };
 
 struct RunSetup {

@@ -10,7 +10,6 @@
 namespace topo::bench {
 namespace {
 
-constexpr double kFrontHeight_m = 0.30;                                  // config/simulation.toml
 constexpr sim::SimTime kCoronalPhase = std::chrono::microseconds(9300);  // two mirrors do not turn in step
 constexpr types::Duration kStatusDelay = std::chrono::milliseconds(40);  // 20 to 60 ms on the wire
 

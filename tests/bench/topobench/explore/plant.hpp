@@ -13,6 +13,8 @@
 
 namespace topo::bench {
 
+constexpr double kFrontHeight_m = 0.30;  ///< of the level laser, as config/simulation.toml has it
+
 struct PlantSetup {
   sim::Se2 start;
   slam::MapperParams mapping;  ///< where the scanners are

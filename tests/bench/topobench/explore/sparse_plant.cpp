@@ -11,8 +11,6 @@
 namespace topo::bench {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kFrontHeight_m = 0.30;  // config/simulation.toml
 constexpr sim::SimTime kScanPeriod = std::chrono::milliseconds(200);
 constexpr std::uint16_t kBeams = 270;
 constexpr double kRangeMax_m = 30.0;
@@ -29,7 +27,7 @@ class PoseNoise {
     }
   }
   [[nodiscard]] sim::Se2 at(double t_s) const {
-    constexpr double kOffset_m = 0.02 / std::numbers::sqrt2, kTurn_rad = 0.3 * kDegree;
+    constexpr double kOffset_m = 0.02 / std::numbers::sqrt2, kTurn_rad = 0.3 * types::kDegree_rad;
     return {kOffset_m * waves_[0].at(t_s), kOffset_m * waves_[1].at(t_s), kTurn_rad * waves_[2].at(t_s)};
   }
 
@@ -99,8 +97,8 @@ class SparsePlant final : public Plant {
     out.first_beam = out.arrival = types::Stamp{now_};
     out.sequence = static_cast<std::uint64_t>(now_ / kScanPeriod);
     // A period just below a fifth of a second: control calls longer ones a fault.
-    out.geometry = {static_cast<float>(-0.5 * (kBeams - 1) * kDegree),
-                    static_cast<float>(kDegree),
+    out.geometry = {static_cast<float>(-0.5 * (kBeams - 1) * types::kDegree_rad),
+                    static_cast<float>(types::kDegree_rad),
                     0.0F,
                     0.199F,
                     static_cast<float>(kRangeMin_m),

@@ -3,14 +3,12 @@
 #include "tests/bench/topobench/explore/virtual_base.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "drivers/pioneer/setpoints.hpp"
 
 namespace topo::bench {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr float kBattery_v = 12.7F;
 constexpr double kStands_mps = 0.005;  // as the driver's session has it
 constexpr double kStands_radps = 0.01;
@@ -26,11 +24,11 @@ VirtualBase::VirtualBase(const motion::RobotLimits& limits, types::Duration watc
       omega_max_radps_(limits.omega_max_radps),
       watchdog_(watchdog) {
   drive_.set_max_velocity(whole(limits.v_max_mps * 1e3));
-  drive_.set_max_rotation(whole(limits.omega_max_radps * kDegrees));
+  drive_.set_max_rotation(whole(limits.omega_max_radps / types::kDegree_rad));
   drive_.set_acceleration(whole(limits.acceleration_mps2 * 1e3));
   drive_.set_acceleration(-whole(limits.deceleration_mps2 * 1e3));
-  drive_.set_rotation_acceleration(whole(limits.angular_acceleration_radps2 * kDegrees));
-  drive_.set_rotation_acceleration(-whole(limits.angular_acceleration_radps2 * kDegrees));
+  drive_.set_rotation_acceleration(whole(limits.angular_acceleration_radps2 / types::kDegree_rad));
+  drive_.set_rotation_acceleration(-whole(limits.angular_acceleration_radps2 / types::kDegree_rad));
 }
 
 void VirtualBase::command(const types::BaseCommand& command, sim::SimTime now) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/mapfile/map_image.hpp"
+#include "tests/bench/topobench/explore/explore_run.hpp"
 #include "tests/bench/topobench/judge/path_error.hpp"
 #include "tests/bench/topobench/judge/pose_file.hpp"
 #include "tests/bench/topobench/overview.hpp"
@@ -18,8 +19,6 @@ namespace {
 
 using daemon::TimedPose;
 using nlohmann::json;
-
-constexpr double kHome_m = 0.5;
 
 struct Covered {
   sim::Raster free;  ///< 1 where a cell of the area is known as free

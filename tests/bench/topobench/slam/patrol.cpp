@@ -16,7 +16,7 @@ using sim::Vector2;
 
 constexpr double kCell_m = 0.1;         ///< of the planning grid
 constexpr double kRoomy_m = 0.8;        ///< beyond, more room is worth nothing
-constexpr double kPlace_m = 4.0;        ///< how near counts as visited
+constexpr double kVisited_m = 4.0;      ///< how near counts as visited
 constexpr int kCandidates = 24;         ///< places drawn for each decision
 constexpr std::size_t kStraight = 300;  ///< cells that one straight way may span
 constexpr float kUnreached = 1e30F;
@@ -138,14 +138,14 @@ class Ways {
 /// How long ago the way passed near a place, in points back; a place never visited counts as oldest.
 std::size_t age(const std::vector<Vector2>& passed, const Vector2& place) {
   for (std::size_t back = 0; back < passed.size(); ++back) {
-    if ((passed[passed.size() - 1 - back] - place).norm() < kPlace_m) return back;
+    if ((passed[passed.size() - 1 - back] - place).norm() < kVisited_m) return back;
   }
   return passed.size();
 }
 
 /// Points along a straight piece of the way, for age().
 void pass(std::vector<Vector2>& passed, const Vector2& from, const Vector2& to) {
-  const int parts = std::max(1, static_cast<int>((to - from).norm() / (0.5 * kPlace_m)));
+  const int parts = std::max(1, static_cast<int>((to - from).norm() / (0.5 * kVisited_m)));
   for (int i = 1; i <= parts; ++i) passed.push_back(from + (static_cast<double>(i) / parts) * (to - from));
 }
 

@@ -14,9 +14,9 @@ using types::Vector2;
 
 constexpr double kStretch_m = 2.5;
 constexpr double kGap_m = 15.0;
-constexpr double kDetour = 2.0;   ///< way to distance between two visits
-constexpr double kPlace_m = 0.5;  ///< around a point: its place
-constexpr double kEnd_m = 0.15;   ///< of a beam: there it goes through nothing
+constexpr double kDetour = 2.0;         ///< way to distance between two visits
+constexpr double kPlaceRadius_m = 0.5;  ///< around a point: its place
+constexpr double kEnd_m = 0.15;         ///< of a beam: there it goes through nothing
 
 /// The path in stretches, and for each the others that belong to another visit.
 class Visits {
@@ -130,7 +130,7 @@ class Counter {
   }
 
   [[nodiscard]] bool seen(const Vector2& p, const std::uint64_t* others) const {
-    return passed_->any(map_.cell_at(p), others) || near(p, kPlace_m, others, false);
+    return passed_->any(map_.cell_at(p), others) || near(p, kPlaceRadius_m, others, false);
   }
 
   /// Is there a cell within the distance that one of the stretches hit (and that the map calls occupied)?

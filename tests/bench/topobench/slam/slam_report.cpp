@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/slam/slam_report.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
+
+#include "tests/bench/topobench/output.hpp"
 
 namespace topo::bench {
 namespace {
@@ -32,12 +32,6 @@ nlohmann::json stage(const StageTimes& times) {
 double sum_s(const std::vector<double>& ms) { return 1e-3 * std::accumulate(ms.begin(), ms.end(), 0.0); }
 
 }  // namespace
-
-double peak_rss_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
 
 double path_length_m(const MappingRun& run) {
   double length = 0.0;

@@ -18,6 +18,4 @@ nlohmann::json error_report(std::span<const PosePair> pairs);
 /// Length of the path, as the map has it.
 double path_length_m(const MappingRun& run);
 
-double peak_rss_mb();
-
 }  // namespace topo::bench

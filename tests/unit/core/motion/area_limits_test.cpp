@@ -3,9 +3,10 @@
 #include "core/motion/area_limits.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <cmath>
+
+#include "tests/unit/core/motion/generators.hpp"
 
 namespace topo::motion {
 namespace {
@@ -53,8 +54,6 @@ TEST(AreaLimits, StopsBeforeTheEdgeAndComesBackIn) {
   EXPECT_LT(area_free_time_s(limits, out, {0.5, 0.0}, robot, 5.0), 0.1);
   EXPECT_EQ(area_free_time_s(limits, out, {-0.1, 0.0}, robot, 5.0), HUGE_VAL);
 }
-
-double uniform(double low, double high) { return low + (high - low) * (*rc::gen::inRange(0, 100001) * 1e-5); }
 
 TEST(AreaLimits, WithinTheFreeTimeTheHullStaysInside) {
   EXPECT_TRUE(rc::check([] {

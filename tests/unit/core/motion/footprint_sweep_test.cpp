@@ -3,9 +3,10 @@
 #include "core/motion/footprint_sweep.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <numbers>
+
+#include "tests/unit/core/motion/generators.hpp"
 
 namespace topo::motion {
 namespace {
@@ -14,8 +15,6 @@ using types::Twist2;
 using types::Vector2;
 
 constexpr Footprint kRobot{0.2, 0.3, 0.25};
-
-double uniform(double low, double high) { return low + (high - low) * (*rc::gen::inRange(0, 100001) * 1e-5); }
 
 /// The same by small steps.
 double contact_by_steps_s(const Vector2& p, const Twist2& t, const Footprint& f, double limit_s) {

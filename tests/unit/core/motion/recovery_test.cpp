@@ -10,13 +10,13 @@ namespace {
 
 using std::chrono::milliseconds;
 
-struct Scene {
+struct StuckRobot {
   RobotLimits limits;
   Trail trail;
   Recovery recovery;
   RecoveryInput in;
 
-  Scene() {
+  StuckRobot() {
     for (double x = -1.0; x <= 0.0; x += 0.01) trail.update({x, 0.0, 0.0});
     in.now = types::stamp_from_seconds(50.0);
     in.goal_id = 1;
@@ -36,7 +36,7 @@ struct Scene {
 };
 
 TEST(Recovery, WaitsForAPersonWhoGoes) {
-  Scene s;
+  StuckRobot s;
   s.in.blocked = true;
   for (int i = 0; i < 40; ++i) EXPECT_EQ(s.step().twist, types::Twist2{});
   EXPECT_EQ(s.step().phase, RecoveryPhase::kWaiting);
@@ -46,7 +46,7 @@ TEST(Recovery, WaitsForAPersonWhoGoes) {
 }
 
 TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
-  Scene s;
+  StuckRobot s;
   s.in.blocked = true;
   s.in.turn_rad = 1.0;
   bool turned = false;
@@ -63,7 +63,7 @@ TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
 
 TEST(Recovery, WhateverHappensToABlockedRobotItIsStuckWithinAMinuteAndStaysSo) {
   EXPECT_TRUE(rc::check([] {
-    Scene s;
+    StuckRobot s;
     s.in.blocked = true;
     double seconds = 0.0;
     while (s.step().phase != RecoveryPhase::kStuck && seconds < 100.0) {

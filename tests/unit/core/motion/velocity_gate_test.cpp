@@ -3,11 +3,11 @@
 #include "core/motion/velocity_gate.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <functional>
 #include <limits>
 
+#include "tests/unit/core/motion/generators.hpp"
 #include "tests/unit/core/motion/surroundings.hpp"
 
 namespace topo::motion {
@@ -20,8 +20,6 @@ using types::Twist2;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr Duration kPeriod = milliseconds(50);
-
-double uniform(double low, double high) { return low + (high - low) * (*rc::gen::inRange(0, 100001) * 1e-5); }
 
 /// A robot, its fresh data, and the gate's state.
 struct Scene {

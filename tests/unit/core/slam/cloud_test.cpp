@@ -13,7 +13,7 @@ namespace {
 
 using testing::View;
 
-const CloudParams kParams;
+const CloudParams kCloudParams;
 
 TEST(MakeCloud, LeavesOutWhatIsNoDistance) {
   types::Scan scan;
@@ -26,7 +26,7 @@ TEST(MakeCloud, LeavesOutWhatIsNoDistance) {
   scan.range_m[4] = 10.0F;  // the range's end is no measurement
   scan.range_m[5] = 0.05F;  // below the minimum
   Cloud cloud;
-  make_cloud(scan, {0.2, 0.0, 0.0}, {}, kParams, cloud);
+  make_cloud(scan, {0.2, 0.0, 0.0}, {}, kCloudParams, cloud);
   ASSERT_EQ(cloud.points.size(), 1U);
   EXPECT_NEAR(cloud.points[0].x(), 1.2, 1e-6);
   EXPECT_NEAR(cloud.sensor.x(), 0.2, 1e-6);
@@ -47,7 +47,7 @@ TEST(MakeCloud, UnbendsTheSweep) {
     scan.range_m[i] = r < 30.0 ? static_cast<float>(r) : types::kNoReturn;
   }
   Cloud cloud;
-  make_cloud(scan, {}, {last.inverse() * first, {}}, kParams, cloud);
+  make_cloud(scan, {}, {last.inverse() * first, {}}, kCloudParams, cloud);
   ASSERT_GT(cloud.points.size(), 400U);
   for (const Point& p : cloud.points) {
     const types::Vector2 world_point = last * types::Vector2(p.cast<double>());
@@ -63,14 +63,14 @@ TEST(SelectPoints, KeepsTheSweepAndTheLimit) {
   }
   std::mt19937 random(1);
   Cloud cloud;
-  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.0}, random), {}, {}, kParams, cloud);
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.0}, random), {}, {}, kCloudParams, cloud);
   std::vector<Point> points;
-  select_points(cloud, kParams, points);
+  select_points(cloud, kCloudParams, points);
   // Beams are 0.0218 m apart on the wall: every second one makes up 0.04 m.
   EXPECT_NEAR(static_cast<double>(points.size()), 1081.0 / 2.0,
-              2.0 + (1081.0 / 2.0 - kParams.match_points_max));
-  EXPECT_LE(points.size(), static_cast<std::size_t>(kParams.match_points_max));
-  CloudParams few = kParams;
+              2.0 + (1081.0 / 2.0 - kCloudParams.match_points_max));
+  EXPECT_LE(points.size(), static_cast<std::size_t>(kCloudParams.match_points_max));
+  CloudParams few = kCloudParams;
   few.match_points_max = 50;
   select_points(cloud, few, points);
   EXPECT_EQ(points.size(), 50U);
@@ -81,10 +81,10 @@ View slanted_view(std::mt19937& random, double sigma_m) {
   mocks::FlatWorld world;
   world.walls.push_back({{1.0, -1.0}, {4.0, -1.0}});
   View view;
-  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, sigma_m}, random), {}, {}, kParams,
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, sigma_m}, random), {}, {}, kCloudParams,
              view.cloud);
-  select_points(view.cloud, kParams, view.points);
-  view.surfels = make_surfels(view.cloud, kParams);
+  select_points(view.cloud, kCloudParams, view.points);
+  view.surfels = make_surfels(view.cloud, kCloudParams);
   return view;
 }
 
@@ -124,8 +124,8 @@ TEST(MakeSurfels, NormalsStandOnTheWallAndFaceTheSensor) {
   world.box(-4.0, -2.0, 4.0, 3.0);
   std::mt19937 random(2);
   Cloud cloud;
-  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.01}, random), {}, {}, kParams, cloud);
-  const std::vector<Surfel> surfels = make_surfels(cloud, kParams);
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.01}, random), {}, {}, kCloudParams, cloud);
+  const std::vector<Surfel> surfels = make_surfels(cloud, kCloudParams);
   ASSERT_GT(surfels.size(), 100U);
   int planar = 0, off = 0;
   for (const Surfel& s : surfels) {
@@ -144,7 +144,7 @@ TEST(MakeSurfels, AveragesTheNoiseAcrossTheSurface) {
   world.walls.push_back({{2.0, -5.0}, {2.0, 5.0}});
   std::mt19937 random(3);
   Cloud cloud;
-  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.03}, random), {}, {}, kParams, cloud);
+  make_cloud(mocks::take_scan(world, {}, {}, {1081, 4.7, 30.0, 0.03}, random), {}, {}, kCloudParams, cloud);
   double raw = 0.0, fitted = 0.0;
   int count = 0;
   for (const Point& p : cloud.points) {
@@ -152,7 +152,7 @@ TEST(MakeSurfels, AveragesTheNoiseAcrossTheSurface) {
   }
   raw /= count;
   count = 0;
-  for (const Surfel& s : make_surfels(cloud, kParams)) {
+  for (const Surfel& s : make_surfels(cloud, kCloudParams)) {
     if (std::abs(s.position.y()) < 1.0F)
       fitted += std::pow(static_cast<double>(s.position.x()) - 2.0, 2), ++count;
   }

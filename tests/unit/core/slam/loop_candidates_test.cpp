@@ -28,12 +28,12 @@ struct Path {
   }
 };
 
-const LoopParams kParams;
+const LoopParams kLoopParams;
 
 TEST(FindLoopRuns, TheRecentPathIsNoOtherVisit) {
   Path path;
   path.go(10.0, 0.0);
-  EXPECT_TRUE(find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams).empty());
+  EXPECT_TRUE(find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams).empty());
 }
 
 TEST(FindLoopRuns, ComingBackAfterALoopFindsTheBeginning) {
@@ -42,10 +42,10 @@ TEST(FindLoopRuns, ComingBackAfterALoopFindsTheBeginning) {
   path.go(15.0, 15.0);
   path.go(0.0, 15.0);
   path.go(0.0, 1.0);
-  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams);
+  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams);
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_EQ(runs[0].nearest, 0U);
-  EXPECT_NEAR(runs[0].window.half_m, kParams.search_floor_m + kParams.drift_per_m * 59.0 * 1.1, 0.15);
+  EXPECT_NEAR(runs[0].window.half_m, kLoopParams.search_floor_m + kLoopParams.drift_per_m * 59.0 * 1.1, 0.15);
 }
 
 TEST(FindLoopRuns, AClosureShortensTheWayAndNarrowsTheSearch) {
@@ -59,7 +59,7 @@ TEST(FindLoopRuns, AClosureShortensTheWayAndNarrowsTheSearch) {
   closure.to = path.poses.size() - 2;
   closure.T_from_to = path.poses[closure.from].inverse() * path.poses[closure.to];
   path.edges.push_back(closure);
-  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams);
+  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams);
   ASSERT_FALSE(runs.empty());
   EXPECT_LT(runs[0].window.half_m, 0.4);
 }
@@ -72,7 +72,7 @@ TEST(FindLoopRuns, SeparateVisitsAreSeparateRunsNearestFirst) {
   path.go(0.0, 20.0);
   path.go(10.0, 20.0);
   path.go(10.0, 1.9);
-  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kParams);
+  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams);
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_NEAR(path.poses[runs[0].nearest].y_m, 3.0, 1e-9);
   EXPECT_NEAR(path.poses[runs[1].nearest].y_m, 0.0, 1e-9);

@@ -18,7 +18,7 @@ namespace {
 
 using types::Se2;
 
-const GraphParams kParams;
+const GraphParams kGraphParams;
 
 std::vector<Se2> circle(std::size_t nodes, double radius_m) {
   std::vector<Se2> poses;
@@ -124,7 +124,7 @@ TEST(Solve, OneFalseClosureAmongTrueOnesDoesNotTearTheMap) {
   }
   edges.push_back(between(truth, 30, 10, {3.0, -2.0, 0.4}));
   edges.back().robust = true;
-  (void)solve(poses, edges, kParams);
+  (void)solve(poses, edges, kGraphParams);
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_LT((poses[i].translation() - truth[i].translation()).norm(), 0.25) << i;
   }
@@ -175,7 +175,7 @@ TEST(Solve, ChiSquareOfASmallGraphIsWhatIsReckonedByHand) {
   edges[0].T_from_to = {1.0, 0.0, 0.0};
   edges[1].T_from_to = {1.2, 0.0, 0.0};
   edges[0].information = edges[1].information = 100.0 * Eigen::Matrix3d::Identity();
-  const SolveReport report = solve(poses, edges, kParams);
+  const SolveReport report = solve(poses, edges, kGraphParams);
   EXPECT_NEAR(report.chi2_start, 4.0, 1e-12);
   EXPECT_NEAR(report.chi2_end, 2.0, 1e-12);
   EXPECT_NEAR(poses[1].x_m, 1.1, 1e-12);
@@ -226,7 +226,7 @@ TEST(Solve, ADisconnectedNodeIsSaidNotInvented) {
   std::vector<Se2> poses = circle(4, 1.0);
   const std::vector<Se2> before = poses;
   const std::vector<Edge> edges{between(poses, 0, 1)};
-  const SolveReport report = solve(poses, edges, kParams);
+  const SolveReport report = solve(poses, edges, kGraphParams);
   EXPECT_FALSE(report.solved);
   EXPECT_EQ(poses, before);
 }

@@ -11,7 +11,7 @@
 namespace topo::slam {
 namespace {
 
-const RefineParams kParams;
+const RefineParams kRefineParams;
 const types::Se2 kTruth{3.5, 3.0, 0.4};
 
 TEST(Refine, FindsTheTruePoseFromNearby) {
@@ -23,7 +23,7 @@ TEST(Refine, FindsTheTruePoseFromNearby) {
   EXPECT_TRUE(rc::check("from any start within 15 cm and 5 degrees", [&] {
     const auto off = [](int range) { return *rc::gen::inRange(-range, range) / 1000.0; };
     const types::Se2 start{kTruth.x_m + off(150), kTruth.y_m + off(150), kTruth.theta_rad + off(87)};
-    const Match match = refine(map, view.points, view.cloud.sensor, start, std::nullopt, kParams);
+    const Match match = refine(map, view.points, view.cloud.sensor, start, std::nullopt, kRefineParams);
     RC_ASSERT(std::abs(match.T_map_base.x_m - kTruth.x_m) < 0.01);
     RC_ASSERT(std::abs(match.T_map_base.y_m - kTruth.y_m) < 0.01);
     RC_ASSERT(std::abs(match.T_map_base.theta_rad - kTruth.theta_rad) < 0.004);
@@ -40,7 +40,7 @@ TEST(Refine, TellsThatACorridorDoesNotFixThePlaceAlongIt) {
   const SurfelMap map = testing::map_of(corridor, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, 0.01, random);
   const testing::View view = testing::view_of(corridor, {0.5, 0.1, 0.0}, 0.01, random);
   Prior prior{{0.62, 0.0, 0.02}, Eigen::Matrix3d::Identity() * 1e3};
-  const Match match = refine(map, view.points, view.cloud.sensor, prior.T_map_base, prior, kParams);
+  const Match match = refine(map, view.points, view.cloud.sensor, prior.T_map_base, prior, kRefineParams);
   EXPECT_TRUE(match.degenerate);
   EXPECT_NEAR(match.T_map_base.y_m, 0.1, 0.01) << "across, the scan decides";
   EXPECT_NEAR(match.T_map_base.theta_rad, 0.0, 0.005);
@@ -54,14 +54,15 @@ TEST(Refine, TheOtherFaceOfAThinWallIsAnotherSurface) {
   const SurfelMap map = testing::map_of(wall, {{0.0, 0.0, 0.0}}, 0.0, random);
   const types::Se2 behind{4.0, 0.0, std::numbers::pi};
   const testing::View view = testing::view_of(wall, behind, 0.0, random);
-  EXPECT_EQ(evaluate(map, view.points, view.cloud.sensor, behind, kParams).overlap, 0.0);
+  EXPECT_EQ(evaluate(map, view.points, view.cloud.sensor, behind, kRefineParams).overlap, 0.0);
 }
 
 TEST(Refine, WithoutAnyOverlapThePriorStays) {
   SurfelMap map(0.35);
   map.reset({0.0F, 0.0F}, 5.0);
   const Prior prior{{1.0, 2.0, 0.3}, Eigen::Matrix3d::Identity()};
-  const Match match = refine(map, std::vector<Point>{{1.0F, 0.0F}}, {}, prior.T_map_base, prior, kParams);
+  const Match match =
+      refine(map, std::vector<Point>{{1.0F, 0.0F}}, {}, prior.T_map_base, prior, kRefineParams);
   EXPECT_EQ(match.T_map_base, prior.T_map_base);
   EXPECT_EQ(match.response, 0.0);
   EXPECT_EQ(match.fit(), 0.0);

@@ -14,19 +14,18 @@
 namespace topo::walls {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
 double apart_deg(double a_rad, double b_rad) {
-  return std::abs(std::remainder(a_rad - b_rad, kQuarterTurn)) / kDegree;
+  return std::abs(std::remainder(a_rad - b_rad, kQuarterTurn)) / types::kDegree_rad;
 }
 
 TEST(Compass, TurnsWithTheBuilding) {
   const Points plan = building();
   for (int a = 0; a < 90; a += 7) {
-    const Compass compass = entropy_compass(cell_centres(turned(plan, a * kDegree)));
+    const Compass compass = entropy_compass(cell_centres(turned(plan, a * types::kDegree_rad)));
     ASSERT_TRUE(compass.angle_rad) << a;
-    EXPECT_LT(apart_deg(*compass.angle_rad, a * kDegree), 0.1) << a;
+    EXPECT_LT(apart_deg(*compass.angle_rad, a * types::kDegree_rad), 0.1) << a;
     EXPECT_GE(*compass.angle_rad, 0.0);
     EXPECT_LT(*compass.angle_rad, kQuarterTurn);
     EXPECT_EQ(compass.entropy.size(), 90U);
@@ -37,15 +36,15 @@ TEST(Compass, IsNotTurnedByFurniture) {
   Points plan = cell_centres(building());
   furnish(plan, 3);
   for (const int a : {0, 7, 23, 45, 47, 61, 89}) {
-    const Compass compass = entropy_compass(cell_centres(turned(plan, a * kDegree)));
+    const Compass compass = entropy_compass(cell_centres(turned(plan, a * types::kDegree_rad)));
     ASSERT_TRUE(compass.angle_rad) << a;
-    EXPECT_LT(apart_deg(*compass.angle_rad, a * kDegree), 0.3) << a;
+    EXPECT_LT(apart_deg(*compass.angle_rad, a * types::kDegree_rad), 0.3) << a;
   }
 }
 
 TEST(Compass, IsTheSameInAnyOrderOfThePoints) {
   EXPECT_TRUE(rc::check("order", [] {
-    Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * kDegree));
+    Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * types::kDegree_rad));
     furnish(plan, 1);
     CompassParams params;
     params.points_max = static_cast<std::size_t>(*rc::gen::element(3000, 20000));

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/types/scan.hpp"
 #include "tests/unit/daemon/carmen/sample_log.hpp"
@@ -78,9 +77,8 @@ TEST_F(CarmenLogTest, KnowsTheAnglesOfTheUsualBeamCounts) {
     for (int i = 0; i < c.beams; ++i) line += " 1.0";
     const auto log = read_carmen_log(dir_.write("a.clf", line + " 0 0 0 0 0 0 1.0 h 1.0\n"));
     ASSERT_TRUE(log.has_value()) << log.error().message;
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    EXPECT_NEAR(log->scans[0].angle_min_rad, c.start_deg * kDegree, 1e-6) << c.beams;
-    EXPECT_NEAR(log->scans[0].angle_increment_rad, c.step_deg * kDegree, 1e-6) << c.beams;
+    EXPECT_NEAR(log->scans[0].angle_min_rad, c.start_deg * types::kDegree_rad, 1e-6) << c.beams;
+    EXPECT_NEAR(log->scans[0].angle_increment_rad, c.step_deg * types::kDegree_rad, 1e-6) << c.beams;
   }
 }
 

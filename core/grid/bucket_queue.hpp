@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace topo::grid {
+
+/// Cells in the order of their cost, to within one bucket. No step costs less than a bucket is wide, so the
+/// cells of one bucket cannot make each other cheaper, and each is final when its bucket's turn comes (Dial
+/// 1969; Denardo and Fox 1979). No step costs more than the ring is long.
+class BucketQueue {
+ public:
+  struct Entry {
+    std::uint32_t index;
+    float cost_m;
+  };
+
+  /// For another search; what was allocated stays.
+  void reset(float step_min_m, float step_max_m) {
+    for (auto& bucket : ring_) bucket.clear();
+    turn_ = empty_ = 0;
+    buckets_per_m_ = 1.0F / step_min_m;
+    ring_.resize(std::bit_ceil(static_cast<std::size_t>(std::ceil(step_max_m / step_min_m)) + 2));
+  }
+
+  void push(std::uint32_t index, float cost_m) {
+    ring_[static_cast<std::size_t>(cost_m * buckets_per_m_) & (ring_.size() - 1)].push_back({index, cost_m});
+  }
+
+  /// Calls f(Entry) until the queue is empty or what comes costs at least `bound_m`; f may push. True when it
+  /// was seen to be empty below the bound. May be called again to go on.
+  template <class F>
+  bool drain(float bound_m, F&& f) {
+    for (; empty_ < ring_.size() && next_m() < bound_m; ++turn_) {
+      std::vector<Entry>& bucket = ring_[turn_ & (ring_.size() - 1)];
+      empty_ = bucket.empty() ? empty_ + 1 : 0;
+      // Rounding may put a new entry into the bucket at hand: it grows while it is read.
+      for (std::size_t i = 0; i < bucket.size(); ++i) f(Entry(bucket[i]));
+      bucket.clear();
+    }
+    return empty_ >= ring_.size();
+  }
+  /// Whatever costs less has been called.
+  [[nodiscard]] float next_m() const { return static_cast<float>(turn_) / buckets_per_m_; }
+
+  template <class F>
+  void for_each(F&& f) const {
+    for (const auto& bucket : ring_)
+      for (const Entry& entry : bucket) f(entry);
+  }
+
+ private:
+  float buckets_per_m_ = 1.0F;
+  std::vector<std::vector<Entry>> ring_;
+  std::size_t turn_ = 0;   ///< number of the bucket whose turn it is
+  std::size_t empty_ = 0;  ///< how many before it had nothing
+};
+
+}  // namespace topo::grid
