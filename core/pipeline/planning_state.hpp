@@ -116,8 +116,9 @@ struct PlanningState::Impl {
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;
   std::vector<types::Vector2> route;  ///< to the target, in map
-  types::Stamp thought{};  ///< when it was found; zero: something happened that it does not know of
-  types::Transform2<types::Map, types::Odom> thought_in;
+  types::Stamp thought{};         ///< when it was found; zero: something happened that it does not know of
+  KeyframePose newest;            ///< of the map it was made on
+  std::size_t newest_number = 0;  ///< among its keyframes
   int clusters = 0;
   std::uint64_t goals_issued = 0, decisions_made = 0, clusters_sum = 0, goals_sum = 0;
 };

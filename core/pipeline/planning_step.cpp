@@ -28,9 +28,11 @@ constexpr double kLookAhead_m = 3.0;
 /// Farther than that along its path no robot gets between two looks at it.
 constexpr auto kNearPoints = static_cast<std::size_t>(kLookAhead_m / kPathSpacing_m);
 
-bool corrected(const types::Transform2<types::Map, types::Odom>& before,
-               const types::Transform2<types::Map, types::Odom>& now) {
-  const types::Se2 change = before.se2().inverse() * now.se2();
+/// Was the map bent where the robot is since a decision whose newest keyframe this was? Odometry that drifts
+/// moves the robot on the map, and the route not at all.
+bool corrected(const KeyframePose& newest, std::size_t number, const MapSnapshot& map) {
+  if (number >= map.keyframes.size() || map.keyframes[number].stamp != newest.stamp) return true;
+  const types::Se2 change = newest.T_map_base.se2().inverse() * map.keyframes[number].T_map_base.se2();
   return change.translation().norm() > kCorrection_m || std::abs(change.theta_rad) > kCorrection_rad;
 }
 
@@ -128,7 +130,7 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
   if (!has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds) return false;
   if (battery_low && !returning) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
-  if (corrected(thought_in, T_map_odom)) return false;
+  if (corrected(newest, newest_number, *in.map)) return false;
   const types::Vector2 here = T_map_base.se2().translation();
   if ((route.back() - here).norm() <= params.goal_reached_m) return false;
   const std::size_t from = nearest_point(route, here);
@@ -160,7 +162,8 @@ void PlanningState::Impl::find_route() {
 /// Everything anew: map, analysis, goal, route.
 void PlanningState::Impl::think(const PlanningInput& in) {
   thought = in.now;
-  thought_in = T_map_odom;
+  newest_number = in.map->keyframes.size() - 1;
+  newest = in.map->keyframes.back();
   refresh_map(in);
   refresh_analysis(in);
   if (ended || mission.paused) return;
