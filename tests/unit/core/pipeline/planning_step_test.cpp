@@ -255,6 +255,38 @@ TEST(PlanningStep, standsWhileItIsLostAndGoesOnWhenAScanMatches) {
   }
 }
 
+TEST(PlanningStep, aDecisionHoldsWhileTheOdometryDriftsAndNotOnABentMap) {
+  using MapOdom = types::Transform2<types::Map, types::Odom>;
+  const types::Se2 change{0.3, -0.2, 0.1};
+  for (const bool bent : {false, true}) {
+    ToyBuilding building(kFloor);
+    PlanningState state({});
+    const Mission mission{1, Order::kExplore, false, kNowhere};
+    PlanningOutput out;
+    for (int i = 0; i < 4; ++i) out = building.run_period(state, mission);
+    const std::uint64_t decisions = out.report->decisions_made;
+    MapSnapshot map = building.snapshot();
+    TrackedPose tracked = building.tracked();
+    ControlReport control = building.control();
+    if (bent) {
+      for (KeyframePose& keyframe : map.keyframes)
+        keyframe.T_map_base = types::Transform2<types::Map, types::Base>(change * keyframe.T_map_base.se2());
+    } else {  // the robot is where it was; only the wheels tell it otherwise
+      const types::Se2 wheels = change * control.odometry.T_odom_base.se2();
+      control.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(wheels);
+      tracked.T_map_odom = MapOdom(tracked.T_map_odom.se2() * change.inverse());
+    }
+    control.stamp = control.odometry.stamp = tracked.stamp = building.now();
+    PlanningInput input;
+    input.now = building.now();
+    input.map = &map;
+    input.tracked = &tracked;
+    input.control = &control;
+    input.mission = mission;
+    EXPECT_EQ(planning_step(state, input).report->decisions_made, decisions + (bent ? 1 : 0));
+  }
+}
+
 /// Least distance of the plan's way to a point.
 double distance_to_plan_m(const Plan& plan, const types::Vector2& p) {
   double least_m = HUGE_VAL;
