@@ -43,7 +43,8 @@ endfunction()
 # topo_entry(NAME [REAL_TIME [TRIES n]] [TIMEOUT s] [LABELS integration ...] [ENVIRONMENT k=v ...]
 #            COMMAND program arguments...)
 # One ctest entry. REAL_TIME: it keeps to the real clock, so on_time.py judges it only on a machine that keeps time,
-# in up to TRIES (3) of at most TIMEOUT, and nothing else of its kind runs beside it.
+# in up to TRIES (3) of at most TIMEOUT, and nothing else of its kind runs beside it. Under a sanitizer it runs once,
+# and what the sanitizer finds is what counts.
 set(TOPO_ON_TIME ${CMAKE_CURRENT_LIST_DIR}/../../tests/integration/on_time.py)
 function(topo_entry name)
   cmake_parse_arguments(ARG "REAL_TIME" "TIMEOUT;TRIES" "LABELS;ENVIRONMENT;COMMAND" ${ARGN})
@@ -57,7 +58,13 @@ function(topo_entry name)
     set(ARG_LABELS integration)
   endif()
   if(ARG_REAL_TIME)
-    list(PREPEND ARG_COMMAND ${Python3_EXECUTABLE} -B ${TOPO_ON_TIME} --tries ${ARG_TRIES} --limit ${ARG_TIMEOUT})
+    set(findings)
+    if(TOPO_SANITIZE)
+      set(ARG_TRIES 1)
+      set(findings --findings)
+    endif()
+    list(PREPEND ARG_COMMAND ${Python3_EXECUTABLE} -B ${TOPO_ON_TIME} --tries ${ARG_TRIES} --limit ${ARG_TIMEOUT}
+         ${findings})
     math(EXPR ARG_TIMEOUT "${ARG_TRIES} * ${ARG_TIMEOUT} + 30")
   endif()
   add_test(NAME ${name} COMMAND ${ARG_COMMAND})

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace topo::pioneer {
 namespace {
@@ -134,7 +135,9 @@ TEST_F(PioneerSession, ARobotThatIsNotHeardHearsNothingButTheStop) {
   // The base thread drives until it sees that nothing is heard, and then asks for a standstill.
   constexpr milliseconds kSeen(350);
   const Stamp bites = silent + kSeen + milliseconds(robot.config.watchdog_ms);
-  robot.loses = [&](int command) { return robot.now < bites && (command == kEStop || command == kVel); };
+  robot.loses = [this, bites](int command) {
+    return robot.now < bites && (command == kEStop || command == kVel);
+  };
   drive(move(0.6), kSeen);
   drive(move(0.0), bites - robot.now);
   const auto feeds = [&](const Received& r) { return r.stamp > silent + kSeen; };
@@ -150,11 +153,11 @@ TEST_F(PioneerSession, TheFirstThatArrivesOnALossyLineIsTheStop) {
   robot.open = robot.motors = true;
   robot.setpoint_mmps = 600;
   robot.sends_status = false;
-  int sent = 0;
-  robot.loses = [&](int) { return ++sent <= 5; };
+  const auto sent = std::make_shared<int>(0);
+  robot.loses = [sent](int) { return ++*sent <= 5; };
   start();
   run(milliseconds(1000));
-  ASSERT_GT(sent, 5);
+  ASSERT_GT(*sent, 5);
   EXPECT_EQ(robot.received.front().command, kEStop);
   EXPECT_EQ(robot.largest_motion_mmps, 0);
 }
