@@ -66,7 +66,7 @@ CommandPacket encode(Command command, int argument) {
 std::optional<PacketView> PacketParser::next(std::span<const std::byte>& input, types::Stamp stamp) {
   drop(delivered_);
   delivered_ = 0;
-  if (size_ > 0 && !input.empty() && stamp - stamps_[size_ - 1] > kGapMax) gap_ = true;
+  if (size_ > 0 && stamp - stamps_[size_ - 1] > kGapMax) gap_ = true;
   for (;;) {
     if (seek_packet()) {
       delivered_ = wanted();

@@ -96,7 +96,9 @@ struct ParserCounters {
 class PacketParser {
  public:
   /// Takes bytes from the front of `input` until a packet is complete or `input` is used up; `stamp` is when
-  /// they were read. Call again with what is left until there is no packet.
+  /// they were read, or with an empty `input` until when nothing came: a controller that is reset in the
+  /// middle of a packet says so behind its beginning, and then nothing any more. Call again with what is left
+  /// until there is no packet.
   std::optional<PacketView> next(std::span<const std::byte>& input, types::Stamp stamp);
   void reset();
   [[nodiscard]] const ParserCounters& counters() const { return counters_; }

@@ -167,6 +167,22 @@ TEST(ArcosParser, RejectsCountsOutOfRange) {
   EXPECT_EQ(parse_once(longest), payloads_of({longest}));
 }
 
+TEST(ArcosParser, AResetInTheMiddleOfAPacketIsFoundWhenNothingMoreComes) {
+  // The beginning of a SIP, then the controller's 0xFF.
+  const Bytes bytes = from_hex("fa fb 28 33 fe 7f 05 00 fa fb 03 ff 00 ff");
+  PacketParser parser;
+  std::span<const std::byte> input(bytes);
+  EXPECT_FALSE(parser.next(input, Stamp{milliseconds(1000)}));
+  EXPECT_TRUE(input.empty());
+  EXPECT_FALSE(parser.next(input, Stamp{milliseconds(1100)}));  // may still go on
+  const auto packet = parser.next(input, Stamp{milliseconds(1101)});
+  ASSERT_TRUE(packet);
+  EXPECT_TRUE(packet->is(PacketType::kReset));
+  EXPECT_EQ(packet->last_byte, Stamp{milliseconds(1000)});
+  EXPECT_FALSE(parser.next(input, Stamp{milliseconds(2000)}));
+  EXPECT_EQ(parser.counters().abandoned, 1U);
+}
+
 TEST(ArcosParser, AbandonsAPacketAfterAGap) {
   PacketParser parser;
   const auto head = std::span(kStatusVector).first(10);
