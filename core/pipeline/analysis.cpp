@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/analysis.hpp"
 
-#include "core/grid/distance.hpp"
 #include "core/places/furniture.hpp"
 
 namespace topo::pipeline {
 
 Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
                  std::span<const types::Vector2> visited, const AnalysisParams& params,
-                 const StageWatch& done) {
+                 AnalysisMemory& memory, const StageWatch& done) {
   const auto tell = [&](Stage stage) {
     if (done) done(stage);
   };
@@ -30,9 +29,9 @@ Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<fl
   a.walls = walls::extract_walls(points, compass_rad, params.walls);
   tell(Stage::kWalls);
   const grid::DenseMap open = places::without_furniture(a.map, a.walls, params.places.furniture_m);
-  std::vector<float> without_m;
-  if (open.cells != a.map.cells) without_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
-  const std::vector<float>& open_m = without_m.empty() ? a.clearance_m : without_m;
+  const bool furnished = open.cells != a.map.cells;
+  if (furnished) memory.without_furniture.take(open);
+  const std::vector<float>& open_m = furnished ? memory.without_furniture.clearance_m() : a.clearance_m;
   tell(Stage::kFurniture);
   a.skeleton = places::skeletonise(open, open_m);
   tell(Stage::kSkeleton);

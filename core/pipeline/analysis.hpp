@@ -9,6 +9,7 @@
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
+#include "core/grid/distance.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
@@ -40,10 +41,15 @@ enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabe
 /// Told after each stage, in the order of the enumeration: who measures brings the clock.
 using StageWatch = std::function<void(Stage)>;
 
+/// What one analysis leaves to the next, so that less is done again; what is found does not depend on it.
+struct AnalysisMemory {
+  grid::ClearanceUpdate without_furniture;
+};
+
 /// All stages on one snapshot. `map` is made of it (prepared_map.hpp), `clearance_m` is its distance map with
 /// kOccupiedOrUnknown; `visited` are the corrected paths of all robots, in map.
 Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
                  std::span<const types::Vector2> visited, const AnalysisParams& params,
-                 const StageWatch& done = {});
+                 AnalysisMemory& memory, const StageWatch& done = {});
 
 }  // namespace topo::pipeline

@@ -101,7 +101,7 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   if (analysis != nullptr && goal && in.now - analysed < period) return;
   analysed = in.now;
   analysis = std::make_shared<const Analysis>(
-      analyse(*in.map, map, clearance.clearance_m(), visited(*in.map), params.analysis));
+      analyse(*in.map, map, clearance.clearance_m(), visited(*in.map), params.analysis, analysis_memory));
 }
 
 std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {
