@@ -88,7 +88,7 @@ struct PlanningState::Impl {
   // The map.
   std::uint64_t map_revision = 0;
   grid::DenseMap map;
-  grid::ClearanceUpdate clearance;        ///< of the map alone
+  grid::ClearanceUpdate clearance;  ///< of the map alone
   AnalysisMemory analysis_memory;
   std::vector<float> travel_clearance_m;  ///< and of what stands there now
   double known_m2 = 0.0;
