@@ -31,13 +31,15 @@ std::string device_cure(const DoctorFacts::Device& d) {
         d.address, key);
   }
   if (d.state == "unsafe") return "see the check \"firmware watchdog\"";
-  if (d.state == "silent") {
+  const bool on_can = d.address.starts_with("can:");
+  if (d.state == "silent" && !on_can) {
     return "the port is there and nothing sensible comes: switch the device on, look at its cable, and at "
            "what else may hold the port";
   }
   if (d.state == "fault")
     return "the sensor reports a fault of its own: switch it off and on; if it stays, "
            "it has to be repaired";
+  if (on_can) return "see the check \"can\"; if that is good, switch the robot on";
   if (mentions(d.message, EACCES)) {
     return fmt::format(
         "the daemon's user may not open {}: add it to the group that owns the device "
@@ -62,6 +64,23 @@ Check check_device(const DoctorFacts::Device& d) {
   const std::string found =
       fmt::format("{}{}{}", d.state.empty() ? "starting" : d.state, d.message.empty() ? "" : ": ", d.message);
   return d.working ? good(d.name, found) : bad(d.name, found, device_cure(d));
+}
+
+Check check_can(const DoctorFacts::Can& can) {
+  if (!can.unknown.empty())
+    return bad("can", can.unknown,
+               "look yourself (ip -details link show " + can.name +
+                   "); a service needs AF_NETLINK among its RestrictAddressFamilies");
+  if (const auto complaint = io::complaint_about(can.interface, can.name))
+    return bad("can", complaint->found, complaint->cure);
+  if (const std::string lately = io::to_text(can.faults_lately); !lately.empty())
+    return bad(
+        "can", fmt::format("{} is up; in the last seconds: {}", can.name, lately),
+        "look at plug, CAN-H and CAN-L, 120 Ohm at both ends, the robot's CAN side, and what else sends on "
+        "the bus; topoctl status --json counts on");
+  if (can.interface.is_virtual()) return good("can", fmt::format("{} is up, a virtual bus", can.name));
+  return good("can",
+              fmt::format("{} is up, {} kbit/s", can.name, can.interface.bit_rate_bps.value_or(0) / 1000));
 }
 
 Check check_estop(const DoctorFacts& f) {
@@ -200,6 +219,7 @@ Check check_disk(const DoctorFacts& f) {
 std::vector<Check> examine(const DoctorFacts& facts) {
   std::vector<Check> checks;
   for (const auto& device : facts.devices) checks.push_back(check_device(device));
+  if (facts.can) checks.push_back(check_can(*facts.can));
   checks.push_back(check_watchdog(facts));
   checks.push_back(check_estop(facts));
   checks.push_back(check_motors(facts));

@@ -8,6 +8,8 @@
 
 #include "daemon/config/configuration.hpp"
 #include "daemon/threads/hand_overs.hpp"
+#include "drivers/io/bus_faults.hpp"
+#include "drivers/io/can_interface.hpp"
 
 namespace topo::daemon {
 
@@ -18,6 +20,13 @@ struct DoctorFacts {
     bool working = false;
   };
   std::vector<Device> devices;
+  struct Can {
+    std::string name;
+    io::CanInterface interface;
+    std::string unknown{};          ///< why the kernel does not tell of it; empty: it does
+    io::BusFaults faults_lately{};  ///< of the last seconds
+  };
+  std::optional<Can> can;  ///< when the base is on a CAN bus
   BaseReport base;
   bool estop_by_operator = false;
   std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the robot was asked

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "drivers/pioneer/base_connector.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -37,6 +39,21 @@ Json histogram_json(const sync::Histogram& histogram) {
           {"p99_ms", static_cast<double>(s.p99_ns) * kMs},
           {"p999_ms", static_cast<double>(s.p999_ns) * kMs},
           {"max_ms", static_cast<double>(s.max_ns) * kMs}};
+}
+
+/// Nothing when the base is not on a CAN bus.
+std::optional<DoctorFacts::Can> can_facts(const std::string& base_address) {
+  const auto address = pioneer::parse_can_address(base_address);
+  if (!address || !*address) return std::nullopt;
+  const auto known = io::query_can_interface((*address)->interface);
+  if (!known) return DoctorFacts::Can{(*address)->interface, {}, known.error().message};
+  return DoctorFacts::Can{(*address)->interface, *known};
+}
+
+Json bus_json(const io::BusFaults& faults) {
+  Json json = Json::object();
+  for (const auto& [fault, key, words] : io::bus_fault_names()) json[std::string(key)] = faults[fault];
+  return json;
 }
 
 }  // namespace
@@ -72,7 +89,7 @@ void Monitor::update_tallies(types::Stamp now) {
   constexpr types::Duration kApart = std::chrono::seconds(1);
   constexpr std::size_t kKept = 10;
   if (!tallies_.empty() && now - tallies_.back().stamp < kApart) return;
-  tallies_.push_back({now, mapping_.matched, mapping_.lost});
+  tallies_.push_back({now, mapping_.matched, mapping_.lost, devices_.front().report.bus});
   if (tallies_.size() > kKept) tallies_.pop_front();
 }
 
@@ -92,6 +109,11 @@ DoctorFacts Monitor::facts() const {
                              device.report.message.str(), device.report.working});
     if (device.name == "base" && device.report.watchdog_ms >= 0)
       facts.watchdog_ms = device.report.watchdog_ms;
+  }
+  facts.can = can_facts(c.base.address);
+  if (facts.can && !tallies_.empty()) {
+    facts.can->faults_lately = devices_.front().report.bus;
+    facts.can->faults_lately -= tallies_.front().bus;
   }
   facts.base = base_;
   facts.battery_home_v = c.exploration.battery_home_v;
@@ -201,6 +223,8 @@ Json Monitor::devices() const {
                                {"reconnects", c[3]},     {"commands", c[4]},    {"bytes", c[5]}}
                         : Json{{"scans", c[0]},      {"checksum_errors", c[1]}, {"resyncs", c[2]},
                                {"reconnects", c[3]}, {"lost_scans", c[4]},      {"bytes", c[5]}};
+    if (device.name == "base" && configuration_.base.address.starts_with("can:"))
+      counters["bus"] = bus_json(device.report.bus);
     json[std::string(device.name)] = {{"state", device.report.state.view()},
                                       {"message", device.report.message.view()},
                                       {"identity", device.report.identity.view()},

@@ -49,6 +49,7 @@ class Monitor {
   struct Tally {
     types::Stamp stamp{};
     std::uint64_t matched = 0, lost = 0;
+    io::BusFaults bus;
   };
   struct Pulse {
     const Vitals* vitals = nullptr;

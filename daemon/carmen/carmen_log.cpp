@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "core/types/scan.hpp"
 #include "daemon/carmen/fields.hpp"

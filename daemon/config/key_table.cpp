@@ -84,8 +84,8 @@ void add_robot(std::vector<KeySpec>& t) {
 void add_base(std::vector<KeySpec>& t) {
   constexpr auto kS = &Configuration::base;
   using C = BaseConfig;
-  t.push_back(
-      {"base.address", "", true, AddressKey{&at<kS, &C::address>}, "where the Pioneer's controller answers"});
+  t.push_back({"base.address", "", true, AddressKey{&at<kS, &C::address>, true},
+               "where the Pioneer's controller answers"});
   t.push_back({"base.v_max_mps", "m/s", false, RealKey{&at<kS, &C::v_max_mps>, 0.05, 2.0},
                "forward speed never exceeded"});
   t.push_back({"base.omega_max_radps", "rad/s", false, RealKey{&at<kS, &C::omega_max_radps>, 0.1, 5.0},
@@ -300,7 +300,10 @@ struct ExpectedText {
     for (const auto name : k.names) text += (text.size() == 6 ? " " : ", ") + quoted(name);
     return text;
   }
-  std::string operator()(const AddressKey&) const { return "\"serial:/dev/NAME\" or \"tcp:HOST:PORT\""; }
+  std::string operator()(const AddressKey& k) const {
+    return k.may_be_can ? "\"serial:/dev/NAME\", \"tcp:HOST:PORT\" or \"can:INTERFACE:UNIT\""
+                        : "\"serial:/dev/NAME\" or \"tcp:HOST:PORT\"";
+  }
   std::string operator()(const IntegerListKey& k) const {
     return fmt::format("a list of whole numbers from {} to {}", k.min, k.max);
   }

@@ -42,6 +42,7 @@ struct ChoiceKey {
 };
 struct AddressKey {
   std::string& (*field)(Configuration&);
+  bool may_be_can = false;  ///< the base; a scanner's data do not fit on a CAN bus
 };
 struct IntegerListKey {
   std::vector<int>& (*field)(Configuration&);

@@ -18,6 +18,7 @@
 #include "daemon/config/suggest.hpp"
 #include "daemon/config/syntax.hpp"
 #include "drivers/io/make_connector.hpp"
+#include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -82,7 +83,8 @@ struct Store {
   }
   Outcome operator()(const AddressKey& k) const {
     if (!node.is_string()) return "";
-    const auto connector = io::make_connector(node.as_string()->get());
+    const std::string& address = node.as_string()->get();
+    const auto connector = k.may_be_can ? pioneer::make_base_connector(address) : io::make_connector(address);
     if (!connector) return connector.error().message;
     k.field(c) = node.as_string()->get();
     return {};

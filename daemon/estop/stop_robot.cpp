@@ -65,7 +65,7 @@ Status Stopping::stop_at(int speed) {
     if (auto set = link_.set_baud(speed); !set) return set;
   }
   pioneer::Outbox& out = link_.outbox();
-  out.push(encode(Command::kEStop));
+  out.set_estop();
   out.push(encode(Command::kVel, 0));
   out.push(encode(Command::kRvel, 0));
   const Stamp braked = deadline_ - kClosing;

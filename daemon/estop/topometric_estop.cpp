@@ -8,7 +8,7 @@
 #include "daemon/config/load.hpp"
 #include "daemon/control/unix_socket.hpp"
 #include "daemon/estop/stop_robot.hpp"
-#include "drivers/io/make_connector.hpp"
+#include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -28,7 +28,7 @@ int complain(const std::string& message, int status) {
 }
 
 int stop(const std::string& address) {
-  auto connector = io::make_connector(address);
+  auto connector = pioneer::make_base_connector(address);
   if (!connector) return complain(connector.error().message, kUsersFault);
   const auto outcome = stop_robot(**connector);
   if (!outcome) return complain(outcome.error().message, kFailed);
@@ -66,7 +66,8 @@ int start(int argc, char** argv) {
       "daemon is running.");
   std::string config, address;
   auto* from_file = cli.add_option("--config", config, "the daemon's configuration file");
-  cli.add_option("--address", address, "the base's address: serial:/dev/NAME or tcp:HOST:PORT")
+  cli.add_option("--address", address,
+                 "the base's address: serial:/dev/NAME, tcp:HOST:PORT or can:INTERFACE:UNIT")
       ->excludes(from_file);
   if (const auto ended = parse_command_line(cli, "topometric-estop", argc, argv)) return *ended;
   if (config.empty() && address.empty())

@@ -77,6 +77,7 @@ void fill_report(DeviceReport& report, const pioneer::Session& session) {
   if (session.info()) report.watchdog_ms = session.info()->watchdog_ms;
   const pioneer::Counters& c = session.counters();
   report.counters = {c.status_packets, c.bad_packets, c.lost_packets, c.reconnects, c.commands, c.bytes};
+  report.bus = c.bus;
 }
 
 }  // namespace topo::daemon

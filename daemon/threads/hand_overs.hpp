@@ -21,6 +21,7 @@
 #include "daemon/threads/fixed_text.hpp"
 #include "daemon/threads/session_desk.hpp"
 #include "daemon/threads/wakeup.hpp"
+#include "drivers/io/bus_faults.hpp"
 
 namespace topo::daemon {
 
@@ -32,6 +33,7 @@ struct DeviceReport {
   bool working = false;
   int watchdog_ms = -1;                     ///< of the base's firmware; negative: not known yet
   std::array<std::uint64_t, 6> counters{};  ///< as the driver's Counters
+  io::BusFaults bus;                        ///< of the base, when it is on one
 };
 
 /// What the base thread tells main; planning gets `control` alone.

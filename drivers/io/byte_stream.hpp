@@ -9,6 +9,7 @@
 
 #include "core/types/result.hpp"
 #include "core/types/stamp.hpp"
+#include "drivers/io/bus_faults.hpp"
 
 namespace topo::io {
 
@@ -24,7 +25,7 @@ struct ReadResult {
 };
 
 /// The one seam between the sessions and the outside world: an open, ordered stream of bytes to a device.
-/// Serial ports, TCP sockets, CAN (one packet a message, later), recordings and test doubles are byte
+/// Serial ports, TCP sockets, CAN (one packet a message), recordings and test doubles are byte
 /// streams. One thread uses a stream; nothing here is thread-safe. No call allocates.
 class ByteStream {
  public:
@@ -36,6 +37,13 @@ class ByteStream {
 
   /// Writes everything or fails: kTimeout when it did not go out in time, kClosed, kIo.
   virtual Status write(std::span<const std::byte> bytes, Duration timeout) = 0;
+
+  /// False while what was written last is still under way on a transport that carries one packet at a time.
+  /// Only a stop may be written then, which ends the other; read() returns with 0 bytes when it is over.
+  [[nodiscard]] virtual bool ready() const { return true; }
+
+  /// Since the stream was opened; none on a transport that is no bus.
+  [[nodiscard]] virtual BusFaults faults() const { return {}; }
 
   /// Line speed of a serial port; other transports have none and succeed without doing anything.
   virtual Status set_baud(int baud) = 0;

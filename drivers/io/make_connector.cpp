@@ -56,6 +56,8 @@ Result<std::unique_ptr<Connector>> make_connector(std::string_view address) {
   if (address.starts_with(kSerial)) return make_serial(address, address.substr(kSerial.size()));
   if (address.starts_with(kTcp)) return make_tcp(address, address.substr(kTcp.size()));
   if (address.starts_with("/")) return make_serial(address, address);
+  if (address.starts_with("can:"))
+    return fail_address(address, "a CAN bus carries the base and nothing else");
   return fail_address(address, "unknown kind");
 }
 

@@ -30,6 +30,8 @@ class TappedStream final : public ByteStream {
     return result;
   }
 
+  [[nodiscard]] bool ready() const override { return inner_->ready(); }
+  [[nodiscard]] BusFaults faults() const override { return inner_->faults(); }
   Status set_baud(int baud) override { return inner_->set_baud(baud); }
   [[nodiscard]] bool has_baud() const override { return inner_->has_baud(); }
   [[nodiscard]] Stamp now() const override { return inner_->now(); }

@@ -59,6 +59,9 @@ class CommandPacket {
  public:
   CommandPacket() = default;
   [[nodiscard]] std::span<const std::byte> bytes() const { return {bytes_.data(), size_}; }
+  /// VEL or RVEL.
+  [[nodiscard]] bool is_setpoint() const;
+  [[nodiscard]] bool is_emergency_stop() const;
 
  private:
   friend class CommandWriter;

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/types/se2.hpp"
 
 namespace topo::pioneer {
 namespace {
@@ -13,8 +14,8 @@ using std::chrono::milliseconds;
 
 constexpr types::Duration kCallerSilence = milliseconds(200);
 constexpr types::Duration kUnheard = milliseconds(300);  // three cycles; the base thread's limit too
-constexpr types::Duration kStopAgainUnacknowledged =
-    milliseconds(200);  // no acknowledgement: until the robot stands
+// A stop is not acknowledged: it is sent again until the robot stands.
+constexpr types::Duration kStopAgain = milliseconds(200);
 constexpr types::Duration kPulse = milliseconds(500);
 constexpr types::Duration kSwitchAgain = milliseconds(500);
 constexpr double kStands_mps = 0.005;
@@ -28,13 +29,12 @@ bool asks_for_motion(const types::BaseCommand& c) {
 
 Drive::Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move, types::Stamp now)
     : outbox_(outbox), limits_(limits), may_move_(may_move), last_heard_(now) {
-  constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
   outbox_.set_velocity({});
   outbox_.push(encode(Command::kSetV, std::max(1, static_cast<int>(limits.v_mps * 1e3))));
   outbox_.push(encode(Command::kSetA, limits.acceleration_mmps2));
   outbox_.push(encode(Command::kSetA, -limits.deceleration_mmps2));
   outbox_.push(
-      encode(Command::kSetRv, std::max(1, static_cast<int>(limits.omega_radps * kDegreesPerRadian))));
+      encode(Command::kSetRv, std::max(1, static_cast<int>(limits.omega_radps / types::kDegree_rad))));
   outbox_.push(encode(Command::kSetRa, limits.angular_acceleration_degps2));
   outbox_.push(encode(Command::kSetRa, -limits.angular_acceleration_degps2));
   outbox_.push(encode(Command::kSonar, sonar ? 1 : 0));
@@ -92,7 +92,7 @@ void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
     stopping_ = true;
     stop(now);
   }
-  if (stopping_ && now - last_stop_ >= kStopAgainUnacknowledged) {
+  if (stopping_ && now - last_stop_ >= kStopAgain) {
     stop(now);
     stopping_ = !stands_;
   }
@@ -102,7 +102,7 @@ void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
 types::Stamp Drive::next_due(types::Stamp last_send) const {
   types::Stamp due = last_send + kPulse;
   if (commanded_) due = std::min(due, last_command_ + kCallerSilence);
-  if (stopping_) due = std::min(due, last_stop_ + kStopAgainUnacknowledged);
+  if (stopping_) due = std::min(due, last_stop_ + kStopAgain);
   return due;
 }
 

@@ -67,7 +67,7 @@ void Handshake::enter(Phase phase, types::Duration wait) {
 /// VEL 0 or SYNC0 that arrive where E_STOP was lost would wake a robot up instead of stopping it.
 Handshake::Progress Handshake::begin_stopping() {
   if (link_.now() >= may_drive_until_) return begin_quiet();
-  link_.outbox().clear();
+  link_.clear();
   link_.outbox().set_estop();
   enter(Phase::kStopping, kStopAgainUnheard);
   return Progress::kPending;
@@ -75,8 +75,8 @@ Handshake::Progress Handshake::begin_stopping() {
 
 Handshake::Progress Handshake::begin_quiet() {
   Outbox& out = link_.outbox();
-  out.clear();
-  out.push(encode(Command::kEStop));
+  link_.clear();
+  out.set_estop();
   out.push(encode(Command::kVel, 0));
   out.push(encode(Command::kRvel, 0));
   out.push(encode(Command::kClose, 1));  // with its argument: without it, it is SYNC2 to a robot that waits
@@ -92,7 +92,7 @@ Handshake::Progress Handshake::restart(const char* why) {
 }
 
 Handshake::Progress Handshake::on_time() {
-  if (!link_.outbox().empty()) {  // the time runs from the last byte sent
+  if (!link_.all_sent()) {  // the time runs from the last byte sent
     deadline_ = link_.now() + wait_;
     return Progress::kPending;
   }

@@ -15,23 +15,72 @@ Link::Link(std::unique_ptr<io::ByteStream> stream, Counters& counters)
       last_read_(last_send_) {}
 
 types::Status Link::pump() {
-  if (outbox_.empty() || now() < send_after_) return {};
-  return send_at_once(outbox_.pop());
+  if (outbox_.empty()) return {};
+  if (stream_->ready()) return now() >= send_after_ ? send_next() : types::Status{};
+  if (outbox_.stop_waits()) return interrupt_with(outbox_.pop());
+  // Nobody may answer the transfer under way for 100 ms; the robot would drive on as long.
+  if (last_ && last_->is_setpoint() && outbox_.standstill_waits())
+    return interrupt_with(encode(Command::kStop));
+  return {};
+}
+
+types::Status Link::interrupt_with(const CommandPacket& stop) {
+  const auto given_up = std::exchange(last_, std::nullopt);
+  auto sent = send(stop);
+  // Limits and switches still count after a stop; a setpoint of before does not.
+  if (given_up && !given_up->is_setpoint()) outbox_.give_back(*given_up);
+  return sent;
+}
+
+types::Status Link::send_next() {
+  last_.reset();
+  if (outbox_.stop_waits()) return send(outbox_.pop());
+  last_ = outbox_.pop();
+  return send(*last_);
 }
 
 types::Status Link::send_at_once(const CommandPacket& packet) {
+  if (!packet.is_emergency_stop()) {
+    if (auto finished = finish_transfer(); !finished) return finished;
+  }
+  return send(packet);
+}
+
+/// And keeps the spacing behind it.
+types::Status Link::finish_transfer() {
+  if (stream_->ready()) return {};
+  for (const types::Stamp end = now() + kFinishTime; now() < end;) {
+    if (stream_->ready() && now() >= send_after_) break;
+    pending_ = {};
+    if (auto read = receive((stream_->ready() ? send_after_ : end) - now()); !read) return read;
+  }
+  return {};
+}
+
+void Link::clear() {
+  outbox_.clear();
+  last_.reset();
+}
+
+types::Status Link::send(const CommandPacket& packet) {
   last_send_ = now();
   send_after_ = last_send_ + kSpacing + wire_time(packet.bytes().size());
   ++counters_.commands;
   return stream_->write(packet.bytes(), kWriteTimeout);
 }
 
-types::Stamp Link::next_send() const { return outbox_.empty() ? types::Stamp::max() : send_after_; }
+types::Stamp Link::next_send() const {
+  return outbox_.empty() || !stream_->ready() ? types::Stamp::max() : send_after_;
+}
 
 types::Status Link::receive(types::Duration timeout) {
   if (!pending_.empty()) return {};
   last_read_ = now();
+  const bool under_way = !stream_->ready();
   const auto got = stream_->read(buffer_, std::max(timeout, types::Duration::zero()));
+  // The controller has a command when its last byte is there: only then the spacing begins.
+  if (under_way && stream_->ready()) send_after_ = now() + kSpacing;
+  count_bus_faults();
   if (!got) return tl::unexpected(got.error());
   pending_ = std::span<const std::byte>(buffer_).first(std::min(got->bytes, buffer_.size()));
   pending_stamp_ = got->stamp;
@@ -52,6 +101,12 @@ void Link::count_bad_packets() {
   const ParserCounters& c = parser_.counters();
   const std::uint64_t bad = c.bad_checksums + c.bad_counts + c.abandoned;
   counters_.bad_packets += bad - std::exchange(bad_before_, bad);
+}
+
+void Link::count_bus_faults() {
+  const io::BusFaults now = stream_->faults();
+  counters_.bus -= std::exchange(bus_before_, now);
+  counters_.bus += now;
 }
 
 types::Status Link::set_baud(int baud) {

@@ -25,11 +25,19 @@ class Link {
   [[nodiscard]] Outbox& outbox() { return outbox_; }
   [[nodiscard]] bool has_baud() const { return stream_->has_baud(); }
 
-  /// Sends the next command if one waits and its time has come.
+  /// Sends the next command if one waits and its time has come. While another is still under way only a stop
+  /// is sent, and at once: that one is given up, so the controller gets no two commands within the spacing.
+  /// STOP goes out in this way where a setpoint is under way and a standstill waits, which follows it.
   types::Status pump();
-  /// Past the queue and the spacing: for a last word before the line is given up.
+  /// Past the queue and the spacing: for a last word before the line is given up. E_STOP waits for nothing,
+  /// others for what is under way, 100 ms at most; what comes meanwhile is not heard.
   types::Status send_at_once(const CommandPacket& packet);
-  /// When pump() has something to do; far in the future when nothing waits.
+  /// Forgets what waits, and what is under way: a stop that ends it does not bring it back.
+  void clear();
+  /// All that was to be sent is out.
+  [[nodiscard]] bool all_sent() const { return outbox_.empty() && stream_->ready(); }
+  /// When pump() has something to do; far in the future when nothing waits, or while a command is still under
+  /// way: receive() returns at its end.
   [[nodiscard]] types::Stamp next_send() const;
   /// When the last command went out; the connection's start before the first.
   [[nodiscard]] types::Stamp last_send() const { return last_send_; }
@@ -51,12 +59,19 @@ class Link {
  private:
   static constexpr types::Duration kSpacing = std::chrono::milliseconds(4);
   static constexpr types::Duration kWriteTimeout = std::chrono::milliseconds(50);
+  static constexpr types::Duration kFinishTime = std::chrono::milliseconds(100);
 
+  types::Status send_next();
+  types::Status send(const CommandPacket& packet);
+  types::Status interrupt_with(const CommandPacket& stop);
+  types::Status finish_transfer();
   void count_bad_packets();
+  void count_bus_faults();
 
   std::unique_ptr<io::ByteStream> stream_;
   Counters& counters_;
   Outbox outbox_;
+  std::optional<CommandPacket> last_;  ///< that was taken out of it, unless it was a stop
   PacketParser parser_;
   int baud_ = 0;  ///< 0: the line has no speed
   types::Stamp last_send_;
@@ -68,6 +83,7 @@ class Link {
   std::array<std::byte, 24> heard_{};
   std::size_t heard_size_ = 0;
   std::uint64_t bad_before_ = 0;
+  io::BusFaults bus_before_;
 };
 
 }  // namespace topo::pioneer

@@ -13,6 +13,13 @@ bool Outbox::push(const CommandPacket& packet) {
   return true;
 }
 
+void Outbox::give_back(const CommandPacket& packet) {
+  if (count_ == kCapacity) return;
+  first_ = (first_ + kCapacity - 1) % kCapacity;
+  queue_[first_] = packet;
+  ++count_;
+}
+
 void Outbox::set_velocity(const Setpoints& setpoints) {
   v_mmps_ = setpoints.v_mmps;
   omega_degps_ = setpoints.omega_degps;

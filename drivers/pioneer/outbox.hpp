@@ -19,11 +19,17 @@ class Outbox {
 
   /// In order. False, and nothing kept, when full.
   bool push(const CommandPacket& packet);
+  /// Before all that was pushed, after stop and setpoints: what was taken out and did not get through.
+  void give_back(const CommandPacket& packet);
   void set_estop() { estop_ = true; }
   void set_velocity(const Setpoints& setpoints);
   void clear();
 
   [[nodiscard]] bool empty() const { return !estop_ && !v_mmps_ && !omega_degps_ && count_ == 0; }
+  /// The next that pop() gives is E_STOP.
+  [[nodiscard]] bool stop_waits() const { return estop_; }
+  /// VEL 0 and RVEL 0 are among them.
+  [[nodiscard]] bool standstill_waits() const { return v_mmps_ == 0 && omega_degps_ == 0; }
   /// E_STOP, then VEL, then RVEL, then what was pushed. Only when not empty.
   CommandPacket pop();
 

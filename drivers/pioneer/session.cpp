@@ -247,7 +247,7 @@ types::Status Session::Impl::command(const types::BaseCommand& command) {
 void Session::Impl::drain(Stamp until, bool until_standstill) {
   types::BaseState ignored;
   while (link && drive && now() < until) {
-    if (link->outbox().empty() && (!until_standstill || drive->stands())) return;
+    if (link->all_sent() && (!until_standstill || drive->stands())) return;
     if (const auto packet = link->next_packet())
       on_packet(*packet, ignored);
     else
@@ -261,8 +261,8 @@ void Session::Impl::close(Duration timeout) {
   if (link && drive) {
     Outbox& out = link->outbox();
     drive->shut_down();
-    out.clear();
-    out.push(encode(Command::kEStop));
+    link->clear();
+    out.set_estop();
     out.push(encode(Command::kVel, 0));
     out.push(encode(Command::kRvel, 0));
     drain(end - timeout / 3, true);  // a robot without motors does not brake: it stands first

@@ -48,6 +48,7 @@ struct RobotInfo {
 struct Counters {
   std::uint64_t status_packets = 0, bad_packets = 0, lost_packets = 0, reconnects = 0, commands = 0,
                 bytes = 0;
+  io::BusFaults bus;  ///< of all connections; none where the base is not on a bus
 };
 
 enum class StepOutcome {

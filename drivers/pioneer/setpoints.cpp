@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/types/se2.hpp"
 
 namespace topo::pioneer {
 namespace {
@@ -20,7 +21,7 @@ int to_units(double value, double limit, double units) {
 Setpoints quantise(const types::Twist2& twist, double v_limit_mps, double omega_limit_radps) {
   if (!std::isfinite(twist.v_mps) || !std::isfinite(twist.omega_radps)) return {};
   return {to_units(twist.v_mps, v_limit_mps, 1000.0),
-          to_units(twist.omega_radps, omega_limit_radps, 180.0 / std::numbers::pi)};
+          to_units(twist.omega_radps, omega_limit_radps, 1.0 / types::kDegree_rad)};
 }
 
 }  // namespace topo::pioneer

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <string>
 
+#include "core/types/se2.hpp"
 #include "drivers/hokuyo/session.hpp"
 #include "drivers/io/make_connector.hpp"
 #include "drivers/io/posix.hpp"
@@ -91,7 +91,7 @@ class HokuyoSim : public testing::Test {
   }
 
   [[nodiscard]] double range_at_deg(double degrees) const {
-    const double rad = degrees * std::numbers::pi / 180.0;
+    const double rad = degrees * types::kDegree_rad;
     const double beam = (rad - static_cast<double>(scan->geometry.angle_min_rad)) /
                         static_cast<double>(scan->geometry.angle_increment_rad);
     return static_cast<double>(scan->range_m[static_cast<std::size_t>(std::lround(beam))]);

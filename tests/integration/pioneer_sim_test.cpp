@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The Pioneer session on true wires (TCP, pseudo terminal) against the simulated robot's firmware.
+// The Pioneer session on true wires (TCP, pseudo terminal, CAN where there is a bus) against the simulated
+// robot's firmware.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <tuple>
+#include <vector>
 
-#include "drivers/io/make_connector.hpp"
+#include "drivers/pioneer/base_connector.hpp"
 #include "drivers/pioneer/session.hpp"
+#include "tests/integration/can_bus.hpp"
 #include "tests/integration/room_harness.hpp"
 
 namespace topo::pioneer {
@@ -34,6 +38,8 @@ class MortalStream final : public io::ByteStream {
     if (dead_) return {};
     return inner_->write(bytes, timeout);
   }
+  [[nodiscard]] bool ready() const override { return inner_->ready(); }
+  [[nodiscard]] io::BusFaults faults() const override { return inner_->faults(); }
   types::Status set_baud(int baud) override { return inner_->set_baud(baud); }
   [[nodiscard]] bool has_baud() const override { return inner_->has_baud(); }
   [[nodiscard]] Stamp now() const override { return inner_->now(); }
@@ -59,7 +65,26 @@ class MortalConnector final : public io::Connector {
   const bool& dead_;
 };
 
-enum class Wire { kTcp, kPty };
+enum class Kind { kTcp, kPty, kCan };
+struct Wire {
+  Kind kind;
+  test::CanPair can{};  ///< when it is CAN
+};
+
+std::vector<Wire> wires() {
+  std::vector<Wire> all{{Kind::kTcp}, {Kind::kPty}};
+  for (const auto& pair : test::can_pairs()) all.push_back({Kind::kCan, pair});
+  return all;
+}
+std::vector<Wire> wires(Kind kind) {
+  std::vector<Wire> all = wires();
+  std::erase_if(all, [kind](const Wire& wire) { return wire.kind != kind; });
+  return all;
+}
+std::string name_of(const Wire& wire) {
+  if (wire.kind == Kind::kCan) return "Can_" + wire.can.name();
+  return wire.kind == Kind::kTcp ? "Tcp" : "Pty";
+}
 
 class PioneerOnWire : public testing::TestWithParam<Wire> {
  protected:
@@ -73,11 +98,26 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
   }
 
   void start(int watchdog_ms = 2000) {
-    sim::RobotConfig robot = GetParam() == Wire::kTcp ? sim::tcp_robot() : sim::pty_robot(make_folder());
+    sim::RobotConfig robot = make_robot();
     robot.watchdog_ms = watchdog_ms;
     harness_ = sim::start_in_room(std::move(robot), sim::Difficulty::none());
     ASSERT_NE(harness_, nullptr);
     open_session();
+  }
+  sim::RobotConfig make_robot() {
+    switch (GetParam().kind) {
+      case Kind::kCan:
+        return test::light_can_robot(GetParam().can.robot);
+      case Kind::kPty:
+        return sim::pty_robot(make_folder());
+      default:
+        return sim::tcp_robot();
+    }
+  }
+  /// As the driver's configuration would have it.
+  [[nodiscard]] std::string address() const {
+    if (GetParam().kind == Kind::kCan) return "can:" + GetParam().can.driver + ":0";
+    return text_of(harness_->address(0, kBase));
   }
   std::filesystem::path make_folder() {
     folder_ = testing::TempDir() + "pioneer_sim_XXXXXX";
@@ -86,7 +126,7 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
     return folder_;
   }
   void open_session() {
-    auto connector = io::make_connector(text_of(harness_->address(0, kBase)));
+    auto connector = make_base_connector(address());
     ASSERT_TRUE(connector) << connector.error().message;
     dead_ = false;
     session_ = std::make_unique<Session>(SessionConfig{},
@@ -217,6 +257,58 @@ TEST_P(PioneerOnWire, SurvivesGarbageAndLostBytes) {
   EXPECT_EQ(session_->health(), Health::kReady) << session_->message();
 }
 
+TEST_P(PioneerOnWire, StopsAtOnceAtWhateverMomentItIsTold) {
+  start();
+  ASSERT_TRUE(reach(Health::kReady)) << session_->message();
+  for (int round = 0; round < 5; ++round) {
+    drive(0.3, 0.3, milliseconds(600 + 7 * round));
+    const auto e_stops = [&] {
+      return harness_->with_rig([](sim::SimRig& rig) { return rig.robot(0).base().e_stops(); });
+    };
+    const auto before = e_stops();
+    const double path_before_m = path_m();
+    std::ignore = session_->command({.twist = {}, .enable_motors = true, .estop = true});
+    EXPECT_TRUE(run_until([&] { return e_stops() > before; }, milliseconds(500)));
+    EXPECT_TRUE(run_until([&] { return state_.odometry.twist.v_mps == 0.0; }, seconds(3)));
+    EXPECT_LT(path_m() - path_before_m, 0.25);
+  }
+}
+
+/// Where a packet has a length.
+class PioneerOnCan : public PioneerOnWire {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(PioneerOnCan);
+
+/// Nobody answers the packet under way with flow control, so it blocks the bus's one transfer for 100 ms.
+TEST_P(PioneerOnCan, AStopNeverWaitsForATransfer) {
+  constexpr std::uint32_t kStopId = 0x688, kExact = 0x7FF;
+  start();
+  ASSERT_TRUE(reach(Health::kReady)) << session_->message();
+  test::CanBus bus(GetParam().can.driver, kStopId, kExact);
+  ASSERT_TRUE(bus.valid());
+  double worst_s = 0.0;
+  for (int round = 0; round < 20; ++round) {
+    // Two packets later the robot is back from the round before.
+    const auto heard = session_->counters().status_packets;
+    ASSERT_TRUE(run_until([&] { return session_->counters().status_packets > heard + 1; }, seconds(15)));
+    drive(0.2, 0.0, milliseconds(100));
+    harness_->cut(0, kBase, 0.15);
+    drive(0.3, 0.1, milliseconds(20));  // one turn of 50 ms: VEL is under way, RVEL waits behind it
+    bus.forget();
+    const auto interrupted = session_->counters().bus[io::BusFault::kInterrupted];
+    const double order_s = test::realtime_s();
+    std::ignore = session_->command({.twist = {}, .enable_motors = true, .estop = true});
+    std::ignore = session_->step(state_, milliseconds(20));
+    const auto stop = bus.hear(0.5);
+    ASSERT_TRUE(stop);
+    EXPECT_EQ(stop->data, std::vector<std::uint8_t>{0x37});
+    // Else nothing was under way that it could have waited for.
+    EXPECT_EQ(session_->counters().bus[io::BusFault::kInterrupted], interrupted + 1) << "round " << round;
+    worst_s = std::max(worst_s, stop->realtime_s - order_s);
+  }
+  RecordProperty("worst_us", static_cast<int>(worst_s * 1e6));
+  EXPECT_LE(worst_s, 0.005);
+}
+
 TEST_P(PioneerOnWire, WithoutAWatchdogItDoesNotDrive) {
   start(0);
   ASSERT_TRUE(reach(Health::kUnsafe)) << session_->message();
@@ -224,8 +316,10 @@ TEST_P(PioneerOnWire, WithoutAWatchdogItDoesNotDrive) {
   EXPECT_EQ(path_m(), 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Wires, PioneerOnWire, testing::Values(Wire::kTcp, Wire::kPty),
-                         [](const auto& wire) { return wire.param == Wire::kTcp ? "Tcp" : "Pty"; });
+INSTANTIATE_TEST_SUITE_P(Wires, PioneerOnCan, testing::ValuesIn(wires(Kind::kCan)),
+                         [](const auto& wire) { return name_of(wire.param); });
+INSTANTIATE_TEST_SUITE_P(Wires, PioneerOnWire, testing::ValuesIn(wires()),
+                         [](const auto& wire) { return name_of(wire.param); });
 
 }  // namespace
 }  // namespace topo::pioneer

@@ -26,6 +26,7 @@ inline std::unique_ptr<SimHarness> start_in_room(RobotConfig robot, const Diffic
 
 /// A device's address as the drivers and the configuration spell it.
 inline std::string text_of(const DeviceAddress& address) {
+  if (!address.interface.empty()) return "can:" + address.interface + ":" + std::to_string(address.unit);
   if (!address.tcp) return "serial:" + address.path.string();
   return "tcp:" + address.host + ":" + std::to_string(address.port);
 }

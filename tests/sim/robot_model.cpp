@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/types/se2.hpp"
 
 namespace topo::sim {
 
@@ -17,7 +18,7 @@ struct SonarPlace {
 std::array<SonarMount, 16> in_metres(const std::array<SonarPlace, 16>& places) {
   std::array<SonarMount, 16> mounts{};
   std::transform(places.begin(), places.end(), mounts.begin(), [](const SonarPlace& p) {
-    return SonarMount{p.x_mm * 1e-3, p.y_mm * 1e-3, p.degrees * std::numbers::pi / 180.0};
+    return SonarMount{p.x_mm * 1e-3, p.y_mm * 1e-3, p.degrees * types::kDegree_rad};
   });
   return mounts;
 }

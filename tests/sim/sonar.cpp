@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/types/se2.hpp"
 
 namespace topo::sim {
 

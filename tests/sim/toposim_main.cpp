@@ -34,6 +34,7 @@ struct Options {
   std::uint64_t seed = 1;
   bool tcp = false;
   std::string pty_folder;
+  std::string can_interface;
   std::string ports = "any";
   std::string laser;
   std::vector<double> starts;
@@ -115,6 +116,9 @@ void add_options(CLI::App& app, Options& o) {
          "than one in DIR/robot0, DIR/robot1, ...")
       ->type_name("DIR")
       ->excludes(tcp);
+  app.add_option("--can", o.can_interface,
+                 "the bases on a CAN interface, robot 0 as unit 0, robot 1 as unit 1, ...; the scanners stay")
+      ->type_name("IFACE");
   app.add_option("--ports", o.ports,
                  "any, or standard: 10940, 10941 and 8101 for robot 0, ten more for each further robot")
       ->check(CLI::IsMember({"any", "standard"}))
@@ -168,6 +172,11 @@ types::Result<sim::RobotConfig> robot_config(const Options& o, std::size_t i) {
     if (o.tcp_ports[d] >= 0) robot.links[d] = {static_cast<std::uint16_t>(o.tcp_ports[d]), {}};
     if (!o.pty_links[d].empty()) robot.links[d] = {std::nullopt, o.pty_links[d]};
   }
+  if (!o.can_interface.empty()) {
+    sim::LinkConfig& link = robot.links[static_cast<std::size_t>(sim::DeviceId::kBase)];
+    link.can_interface = o.can_interface;
+    link.can_unit = static_cast<int>(i);
+  }
   // Over a terminal the sensor is the USB one.
   const auto usual = [&robot](std::size_t d) {
     return robot.links[d].tcp_port ? sim::ScipModel::kUtm30LxEw : sim::ScipModel::kUtm30Lx;
@@ -189,7 +198,7 @@ types::Status make_pty_folders(const sim::RobotConfig& robot) {
   for (const sim::LinkConfig& link : robot.links) {
     const auto folder = link.pty_link.parent_path();
     std::error_code error;
-    if (link.tcp_port || folder.empty()) continue;
+    if (link.tcp_port || !link.can_interface.empty() || folder.empty()) continue;
     std::filesystem::create_directories(folder, error);
     if (error) {
       return types::fail(types::Errc::kInvalidInput,
@@ -215,6 +224,11 @@ types::Result<sim::RigConfig> rig_config(const Options& o) {
 }
 
 json address_json(const sim::DeviceAddress& address) {
+  if (!address.interface.empty())
+    return {{"transport", "can"},
+            {"interface", address.interface},
+            {"unit", address.unit},
+            {"address", "can:" + address.interface + ":" + std::to_string(address.unit)}};
   if (!address.tcp)
     return {{"transport", "pty"},
             {"path", address.path.string()},
@@ -288,6 +302,9 @@ int run_simulation(const Options& o) {
   if (o.starts.size() > 3 * static_cast<std::size_t>(o.robots)) {
     return complain("more --start than --robots", kUserFault);
   }
+  constexpr int kCanUnits = 8;
+  if (!o.can_interface.empty() && o.robots > kCanUnits)
+    return complain("--can: a bus has 8 units, and no more robots", kUserFault);
   install_signals();
   const pid_t parent = ::getppid();
   if (o.die_with_parent && (::prctl(PR_SET_PDEATHSIG, SIGTERM) != 0 || ::getppid() != parent))

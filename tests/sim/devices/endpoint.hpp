@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,8 @@ struct DeviceAddress {
   std::string host;            ///< TCP
   std::uint16_t port = 0;      ///< TCP
   std::filesystem::path path;  ///< pty: the link to the terminal
+  std::string interface {};    ///< CAN; empty on other wires
+  int unit = 0;                ///< CAN
 };
 
 /// The device's end of a wire. Nothing in it blocks. Not thread-safe.
@@ -58,5 +61,8 @@ class Endpoint {
 [[nodiscard]] std::unique_ptr<Endpoint> make_tcp_endpoint(std::uint16_t port);
 /// A pseudo terminal with a symbolic link to it at `link`; an old link there is replaced, a file is not.
 [[nodiscard]] std::unique_ptr<Endpoint> make_pty_endpoint(std::filesystem::path link);
+/// A gateway on a CAN bus, as unit 0 to 7; `state` for its heartbeat: 0 wait, 1 synced, 2 open.
+[[nodiscard]] std::unique_ptr<Endpoint> make_can_endpoint(std::string interface, int unit,
+                                                          std::function<int()> state);
 
 }  // namespace topo::sim

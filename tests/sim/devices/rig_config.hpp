@@ -26,6 +26,8 @@ inline constexpr std::array<std::string_view, kDeviceCount> kDeviceNames{"front"
 struct LinkConfig {
   std::optional<std::uint16_t> tcp_port;  ///< 0: any
   std::filesystem::path pty_link;         ///< used when there is no port
+  std::string can_interface{};            ///< used when it is not empty; the base only
+  int can_unit = 0;
 };
 
 struct RobotConfig {
@@ -48,6 +50,8 @@ struct RigConfig {
 
 /// A robot with all its devices on TCP ports of the system's choice.
 [[nodiscard]] RobotConfig tcp_robot();
+/// The same with its base on a CAN bus, as unit 0.
+[[nodiscard]] RobotConfig can_robot(const std::string& interface);
 /// A robot with all its devices on pseudo terminals: links laser_front, laser_coronal and base in `folder`.
 [[nodiscard]] RobotConfig pty_robot(const std::filesystem::path& folder);
 

@@ -57,7 +57,11 @@ ScipOptions laser_options(ScipModel model, std::string serial, std::uint64_t see
           .scans_behind_quit = static_cast<int>(random.next() % 3)};
 }
 
-std::unique_ptr<Endpoint> make_endpoint(const LinkConfig& link) {
+std::unique_ptr<Endpoint> make_endpoint(const LinkConfig& link, const ArcosDevice& base) {
+  if (!link.can_interface.empty()) {
+    return make_can_endpoint(link.can_interface, link.can_unit,
+                             [&base] { return static_cast<int>(base.state()); });
+  }
   return link.tcp_port ? make_tcp_endpoint(*link.tcp_port) : make_pty_endpoint(link.pty_link);
 }
 
@@ -66,6 +70,12 @@ std::unique_ptr<Endpoint> make_endpoint(const LinkConfig& link) {
 RobotConfig tcp_robot() {
   RobotConfig config;
   for (LinkConfig& link : config.links) link.tcp_port = 0;
+  return config;
+}
+
+RobotConfig can_robot(const std::string& interface) {
+  RobotConfig config = tcp_robot();
+  config.links[static_cast<std::size_t>(DeviceId::kBase)].can_interface = interface;
   return config;
 }
 
@@ -87,7 +97,8 @@ RobotRig::RobotRig(const RobotConfig& config, std::size_t number, std::uint64_t 
   }
   const std::array<WireDevice*, kDeviceCount> devices{lasers_[0].get(), lasers_[1].get(), &base_};
   for (std::size_t i = 0; i < kDeviceCount; ++i) {
-    wires_[i] = std::make_unique<Wire>(*devices[i], make_endpoint(config.links[i]), derive_seed(seed, 3, i));
+    wires_[i] =
+        std::make_unique<Wire>(*devices[i], make_endpoint(config.links[i], base_), derive_seed(seed, 3, i));
   }
 }
 

@@ -40,8 +40,8 @@ TEST(LaserModel, HasTheStepsAnglesAndTimesOfTheDataSheets) {
   const LaserModel urg = LaserModel::urg_04lx();
   EXPECT_EQ(urg.steps(), 682);
   EXPECT_EQ(urg.period(), SimTime{100'000'000});
-  EXPECT_NEAR(urg.angle_rad(44) * 180.0 / pi, -119.53, 0.005);
-  EXPECT_NEAR(urg.angle_rad(725) * 180.0 / pi, 119.88, 0.005);
+  EXPECT_NEAR(urg.angle_rad(44) / types::kDegree_rad, -119.53, 0.005);
+  EXPECT_NEAR(urg.angle_rad(725) / types::kDegree_rad, 119.88, 0.005);
 }
 
 TEST(Laser, MeasuresARoomFromItsMount) {

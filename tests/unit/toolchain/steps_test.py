@@ -48,6 +48,16 @@ class Steps(unittest.TestCase):
         done = bash("step three sh -c 'exit 3'; echo status $?")
         self.assertIn("status 3", done.stdout)
 
+    def test_tests_that_judged_nothing_are_named(self):
+        log = ("1/3 Test #4: grid_test .......   Passed    0.10 sec\n"
+               " 2/3 Test #12: kill_test ......***Skipped   9.31 sec\n"
+               "3/3 Test #5: odd_test ....***Failed   0.10 sec\n")
+        with tempfile.TemporaryDirectory() as name:
+            (pathlib.Path(name) / "build/release").mkdir(parents=True)
+            (pathlib.Path(name) / "build/release/tests.log").write_text(log)
+            done = bash(f"cd '{name}'; say_skipped release; say_skipped tsan")
+        self.assertEqual(done.stdout, "skipped (release): kill_test\n")
+        self.assertEqual(done.stderr, "")
 
     def test_the_deadline_ends_a_step_with_all_that_it_started_and_begins_no_other(self):
         with tempfile.TemporaryDirectory() as name:

@@ -49,6 +49,58 @@ TEST(Doctor, FindsNothingWrongWithAHealthyRobot) {
   }
 }
 
+TEST(Doctor, TheBusOfABaseOnCan) {
+  DoctorFacts facts = healthy();
+  facts.can.emplace().name = "can0";
+  io::CanInterface& can = facts.can->interface;
+  can.exists = can.is_can = can.up = true;
+  can.queue_length = 128;
+  for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
+  can.state = io::CanState::kActive;
+  can.bit_rate_bps = 500'000;
+  for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
+  can.up = false;
+  const Check down = the_bad_one(facts);
+  EXPECT_EQ(down.name, "can");
+  EXPECT_THAT(down.found, HasSubstr("switched off"));
+  EXPECT_THAT(down.cure, HasSubstr("ip link set can0"));
+}
+
+TEST(Doctor, WhatWentWrongOnTheBusLately) {
+  DoctorFacts facts = healthy();
+  auto& can = facts.can.emplace();
+  can.name = "can0";
+  can.interface.exists = can.interface.is_can = can.interface.up = true;
+  can.faults_lately[io::BusFault::kInterrupted] = 5;  // stops are no fault
+  for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
+  can.faults_lately[io::BusFault::kPassive] = 3;
+  can.faults_lately[io::BusFault::kDropped] = 40;
+  const Check check = the_bad_one(facts);
+  EXPECT_EQ(check.name, "can");
+  EXPECT_THAT(check.found, HasSubstr("40 x a frame dropped"));
+  EXPECT_THAT(check.found, HasSubstr("3 x error passive: most frames fail"));
+  EXPECT_THAT(check.cure, HasSubstr("CAN-H and CAN-L"));
+}
+
+TEST(Doctor, AKernelThatDoesNotTellOfTheBusIsReported) {
+  DoctorFacts facts = healthy();
+  facts.can.emplace().name = "can0";
+  facts.can->unknown = "can0: asking the kernel: Operation not permitted";
+  const Check check = the_bad_one(facts);
+  EXPECT_EQ(check.name, "can");
+  EXPECT_THAT(check.found, HasSubstr("asking the kernel"));
+  EXPECT_THAT(check.cure, HasSubstr("AF_NETLINK"));
+}
+
+TEST(Doctor, ASilentBaseOnCanIsNoSerialPort) {
+  DoctorFacts facts = healthy();
+  auto& base = facts.devices.front();
+  base = {"base", "can:can0:0", "silent", "no status", false};
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("see the check \"can\""));
+  base.address = "serial:/dev/ttyUSB0";
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("cable"));
+}
+
 TEST(Doctor, DevicesByTheirStateAndTheSystemsWords) {
   DoctorFacts facts = healthy();
   auto& device = facts.devices[1];

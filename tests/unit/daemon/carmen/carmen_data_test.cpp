@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <numbers>
 
 #include "daemon/carmen/carmen_log.hpp"
 #include "daemon/carmen/relations.hpp"
@@ -45,11 +44,10 @@ TEST_F(CarmenDataTest, RawOdometryHasTheKnownErrors) {
     const RelationErrors errors = evaluate_relations(*relations, robot);
     EXPECT_EQ(errors.used, e.relations);
     EXPECT_EQ(errors.skipped, 0);
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
     EXPECT_NEAR(errors.trans_mean_m, e.trans_mean_m, 5e-5) << e.name;
     EXPECT_NEAR(errors.trans_std_m, e.trans_std_m, 5e-5) << e.name;
-    EXPECT_NEAR(errors.rot_mean_rad * kDegrees, e.rot_mean_deg, 5e-4) << e.name;
-    EXPECT_NEAR(errors.rot_std_rad * kDegrees, e.rot_std_deg, 5e-4) << e.name;
+    EXPECT_NEAR(errors.rot_mean_rad / types::kDegree_rad, e.rot_mean_deg, 5e-4) << e.name;
+    EXPECT_NEAR(errors.rot_std_rad / types::kDegree_rad, e.rot_std_deg, 5e-4) << e.name;
   }
 }
 

@@ -73,6 +73,23 @@ TEST_P(Example, EffectiveTextReadsBackTheSame) {
   }
 }
 
+/// It leaves out what p3dx.toml says already.
+TEST(ExampleOnCan, HasNoFault) {
+  const auto loaded = load_configuration(example_path("p3dx-can.toml"));
+  ASSERT_TRUE(loaded.has_value()) << loaded.error().message;
+  EXPECT_EQ(faults_text(*loaded), "");
+  EXPECT_EQ(loaded->values.base.address, "can:can0:0");
+}
+
+TEST(ExampleOnCan, AScannerThereIsRefused) {
+  std::string text = read_all(example_path("p3dx-can.toml"));
+  const std::string tcp = "tcp:192.168.0.10:10940";
+  text.replace(text.find(tcp), tcp.size(), "can:can0:1");
+  EXPECT_NE(faults_text(parse_configuration(text, "wrong.toml"))
+                .find("a CAN bus carries the base and nothing else"),
+            std::string::npos);
+}
+
 INSTANTIATE_TEST_SUITE_P(Config, Example, ::testing::Values("p3dx.toml", "p3at.toml", "simulation.toml"));
 
 TEST(KeyTable, IsDocumentedAndItsDefaultsAreAccepted) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/types/se2.hpp"
 #include "tests/unit/drivers/hokuyo/session_fixture.hpp"
 
 namespace topo::hokuyo {
@@ -48,8 +49,8 @@ TEST_F(SessionConnect, EveryModelStreams) {
 TEST_F(SessionConnect, AnglesAreThoseOfTheSteps) {
   start(urg());
   ASSERT_TRUE(run_scans(1, 5s));
-  EXPECT_NEAR(static_cast<double>(scan.angle_rad(0)) * 180 / std::numbers::pi, -119.53, 0.01);
-  EXPECT_NEAR(static_cast<double>(scan.angle_rad(681)) * 180 / std::numbers::pi, 119.88, 0.01);
+  EXPECT_NEAR(static_cast<double>(scan.angle_rad(0)) / types::kDegree_rad, -119.53, 0.01);
+  EXPECT_NEAR(static_cast<double>(scan.angle_rad(681)) / types::kDegree_rad, 119.88, 0.01);
   EXPECT_NEAR(scan.angle_rad(340), 0.0, 1e-5);
 }
 

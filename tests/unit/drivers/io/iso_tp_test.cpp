@@ -9,28 +9,22 @@
 #include <string>
 #include <vector>
 
+#include "tests/unit/support/hex.hpp"
+
 namespace topo::io {
 namespace {
 
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
+using test::Bytes;
+using test::from_hex;
+using test::to_bytes;
 using types::Duration;
 using types::Stamp;
-using Bytes = std::vector<std::byte>;
 
 constexpr Stamp kStart{std::chrono::seconds(100)};
 
-/// "10 2b fa" as bytes.
-Bytes hex(const std::string& text) {
-  Bytes bytes;
-  for (std::size_t i = 0; i + 1 < text.size(); i += 3)
-    bytes.push_back(static_cast<std::byte>(std::stoi(text.substr(i, 2), nullptr, 16)));
-  return bytes;
-}
-
-Bytes bytes_of(const std::optional<CanData>& frame) {
-  return frame ? Bytes(frame->view().begin(), frame->view().end()) : Bytes{};
-}
+Bytes bytes_of(const std::optional<CanData>& frame) { return frame ? to_bytes(frame->view()) : Bytes{}; }
 
 Bytes any_pdu(std::size_t size) {
   return *rc::gen::container<Bytes>(
@@ -77,32 +71,33 @@ struct Wire {
 // PROTOCOLS section 16.
 TEST(IsoTp, SendsTheVectors) {
   IsoTpSender sender;
-  ASSERT_TRUE(sender.begin(hex("fa fb 03 37 00 37")));
-  EXPECT_EQ(bytes_of(sender.next(kStart)), hex("06 fa fb 03 37 00 37 cc"));
+  ASSERT_TRUE(sender.begin(from_hex("fa fb 03 37 00 37")));
+  EXPECT_EQ(bytes_of(sender.next(kStart)), from_hex("06 fa fb 03 37 00 37 cc"));
   EXPECT_TRUE(sender.idle());
 
-  ASSERT_TRUE(sender.begin(hex("fa fb 06 0b 3b fa 00 05 3b")));
-  EXPECT_EQ(bytes_of(sender.next(kStart)), hex("10 09 fa fb 06 0b 3b fa"));
+  ASSERT_TRUE(sender.begin(from_hex("fa fb 06 0b 3b fa 00 05 3b")));
+  EXPECT_EQ(bytes_of(sender.next(kStart)), from_hex("10 09 fa fb 06 0b 3b fa"));
   EXPECT_EQ(sender.next(kStart), std::nullopt);
-  EXPECT_EQ(sender.take_flow(hex("30 00 00 cc cc cc cc cc"), kStart), IsoTpFault::kNone);
-  EXPECT_EQ(bytes_of(sender.next(kStart)), hex("21 00 05 3b cc cc cc cc"));
+  EXPECT_EQ(sender.take_flow(from_hex("30 00 00 cc cc cc cc cc"), kStart), IsoTpFault::kNone);
+  EXPECT_EQ(bytes_of(sender.next(kStart)), from_hex("21 00 05 3b cc cc cc cc"));
   EXPECT_TRUE(sender.idle());
 }
 
 TEST(IsoTp, ReceivesTheVectorPaddedOrNot) {
   for (const char* last : {"26 55 85 cc cc cc cc cc", "26 55 85 00 00 00 00 00", "26 55 85"}) {
     IsoTpReceiver receiver;
-    const auto first = receiver.take(hex("10 2b fa fb 28 33 fe 7f"), kStart);
-    EXPECT_EQ(bytes_of(first.reply), hex("30 00 00 cc cc cc cc cc"));
+    const auto first = receiver.take(from_hex("10 2b fa fb 28 33 fe 7f"), kStart);
+    EXPECT_EQ(bytes_of(first.reply), from_hex("30 00 00 cc cc cc cc cc"));
     for (const char* frame : {"21 05 00 00 fc c3 00 cd", "22 00 7f 00 00 00 00 07", "23 00 00 02 03 dc 05 04",
                               "24 83 13 00 00 00 ff 00", "25 7f 00 00 10 00 00 00"}) {
-      const auto taken = receiver.take(hex(frame), kStart);
+      const auto taken = receiver.take(from_hex(frame), kStart);
       EXPECT_TRUE(taken.pdu.empty() && !taken.reply && taken.fault == IsoTpFault::kNone);
     }
-    const auto done = receiver.take(hex(last), kStart);
+    const auto done = receiver.take(from_hex(last), kStart);
     EXPECT_EQ(
-        Bytes(done.pdu.begin(), done.pdu.end()),
-        hex("fa fb 28 33 fe 7f 05 00 00 fc c3 00 cd 00 7f 00 00 00 00 07 00 00 02 03 dc 05 04 83 13 00 00 "
+        to_bytes(done.pdu),
+        from_hex(
+            "fa fb 28 33 fe 7f 05 00 00 fc c3 00 cd 00 7f 00 00 00 00 07 00 00 02 03 dc 05 04 83 13 00 00 "
             "00 ff 00 7f 00 00 10 00 00 00 55 85"));
     EXPECT_EQ(receiver.deadline(), Stamp::max());
   }
@@ -168,19 +163,19 @@ TEST(IsoTp, NobodyListens) {
 
 TEST(IsoTp, ASenderThatFallsSilentIsGivenUp) {
   IsoTpReceiver receiver;
-  (void)receiver.take(hex("10 14 00 00 00 00 00 00"), kStart);
+  (void)receiver.take(from_hex("10 14 00 00 00 00 00 00"), kStart);
   EXPECT_EQ(receiver.deadline(), kStart + milliseconds(100));
   EXPECT_EQ(receiver.expire(kStart + milliseconds(99)), IsoTpFault::kNone);
   EXPECT_EQ(receiver.expire(kStart + milliseconds(100)), IsoTpFault::kGap);
   EXPECT_EQ(receiver.expire(kStart + milliseconds(200)), IsoTpFault::kNone);
-  EXPECT_EQ(receiver.take(hex("21 00 00 00 00 00 00 00"), kStart).fault, IsoTpFault::kUnexpected);
+  EXPECT_EQ(receiver.take(from_hex("21 00 00 00 00 00 00 00"), kStart).fault, IsoTpFault::kUnexpected);
 }
 
 TEST(IsoTp, WrongSequenceEndsTheTransfer) {
   for (const char* second : {"22 00 00 00 00 00 00 00", "20 00 00 00 00 00 00 00"}) {
     IsoTpReceiver receiver;
-    (void)receiver.take(hex("10 20 00 00 00 00 00 00"), kStart);
-    EXPECT_EQ(receiver.take(hex(second), kStart).fault, IsoTpFault::kSequence);
+    (void)receiver.take(from_hex("10 20 00 00 00 00 00 00"), kStart);
+    EXPECT_EQ(receiver.take(from_hex(second), kStart).fault, IsoTpFault::kSequence);
     EXPECT_EQ(receiver.deadline(), Stamp::max());
   }
 }
@@ -189,24 +184,24 @@ TEST(IsoTp, ImpossibleLengthsAreRefused) {
   for (const char* frame : {"00 01 02", "08 01 02 03 04 05 06 07", "03 01 02", "10 07 00 00 00 00 00 00",
                             "10 20 00 00 00 00 00", "10"}) {
     IsoTpReceiver receiver;
-    const auto taken = receiver.take(hex(frame), kStart);
+    const auto taken = receiver.take(from_hex(frame), kStart);
     EXPECT_EQ(taken.fault, IsoTpFault::kLength) << frame;
     EXPECT_FALSE(taken.reply.has_value());
     EXPECT_TRUE(taken.pdu.empty());
   }
   IsoTpReceiver receiver;
   EXPECT_EQ(receiver.take({}, kStart).fault, IsoTpFault::kLength);
-  (void)receiver.take(hex("10 20 00 00 00 00 00 00"), kStart);
-  EXPECT_EQ(receiver.take(hex("21 00 00"), kStart).fault, IsoTpFault::kLength);  // not the last: 7 bytes
+  (void)receiver.take(from_hex("10 20 00 00 00 00 00 00"), kStart);
+  EXPECT_EQ(receiver.take(from_hex("21 00 00"), kStart).fault, IsoTpFault::kLength);  // not the last: 7 bytes
 }
 
 TEST(IsoTp, TooLongAPduIsAnsweredWithOverflow) {
   // 257 bytes, and a length of 32 bits.
   for (const char* frame : {"11 01 00 00 00 00 00 00", "10 00 00 00 10 00 00 00"}) {
     IsoTpReceiver receiver;
-    const auto taken = receiver.take(hex(frame), kStart);
+    const auto taken = receiver.take(from_hex(frame), kStart);
     EXPECT_EQ(taken.fault, IsoTpFault::kTooLong);
-    EXPECT_EQ(bytes_of(taken.reply), hex("32 00 00 cc cc cc cc cc"));
+    EXPECT_EQ(bytes_of(taken.reply), from_hex("32 00 00 cc cc cc cc cc"));
     EXPECT_EQ(receiver.deadline(), Stamp::max());
   }
   IsoTpSender sender;
@@ -220,22 +215,22 @@ TEST(IsoTp, AReceiverMayRefuse) {
                                                                 {"33 00 00", IsoTpFault::kFlowStatus}};
   for (const auto& [answer, fault] : answers) {
     IsoTpSender sender;
-    EXPECT_EQ(sender.take_flow(hex("30 00 00"), kStart), IsoTpFault::kUnexpected);
+    EXPECT_EQ(sender.take_flow(from_hex("30 00 00"), kStart), IsoTpFault::kUnexpected);
     ASSERT_TRUE(sender.begin(Bytes(20)));
     (void)sender.next(kStart);
-    EXPECT_EQ(sender.take_flow(hex("30 00"), kStart), IsoTpFault::kLength);
+    EXPECT_EQ(sender.take_flow(from_hex("30 00"), kStart), IsoTpFault::kLength);
     EXPECT_FALSE(sender.idle());
-    EXPECT_EQ(sender.take_flow(hex(answer), kStart), fault) << answer;
+    EXPECT_EQ(sender.take_flow(from_hex(answer), kStart), fault) << answer;
     EXPECT_TRUE(sender.idle());
   }
 }
 
 TEST(IsoTp, AnotherStartInTheMiddleTakesTheOldOnesPlace) {
   IsoTpReceiver receiver;
-  (void)receiver.take(hex("10 20 00 00 00 00 00 00"), kStart);
-  const auto taken = receiver.take(hex("02 aa bb"), kStart);
+  (void)receiver.take(from_hex("10 20 00 00 00 00 00 00"), kStart);
+  const auto taken = receiver.take(from_hex("02 aa bb"), kStart);
   EXPECT_EQ(taken.fault, IsoTpFault::kUnexpected);
-  EXPECT_EQ(Bytes(taken.pdu.begin(), taken.pdu.end()), hex("aa bb"));
+  EXPECT_EQ(to_bytes(taken.pdu), from_hex("aa bb"));
   EXPECT_EQ(receiver.deadline(), Stamp::max());
 }
 
@@ -248,7 +243,7 @@ TEST(IsoTp, GapsOfTheStandardsTable) {
     IsoTpSender sender;
     ASSERT_TRUE(sender.begin(Bytes(30)));
     (void)sender.next(kStart);
-    ASSERT_EQ(sender.take_flow(hex(flow), kStart), IsoTpFault::kNone);
+    ASSERT_EQ(sender.take_flow(from_hex(flow), kStart), IsoTpFault::kNone);
     ASSERT_TRUE(sender.next(kStart).has_value());
     EXPECT_EQ(sender.due(), kStart + gap) << flow;
   }
@@ -259,9 +254,9 @@ TEST(IsoTp, AnAbortedTransferLeavesRoomForTheNext) {
   ASSERT_TRUE(wire.sender.begin(Bytes(100)));
   (void)wire.sender.next(kStart);
   wire.sender.abort();
-  ASSERT_TRUE(wire.sender.begin(hex("01 02 03")));
+  ASSERT_TRUE(wire.sender.begin(from_hex("01 02 03")));
   wire.run();
-  EXPECT_EQ(wire.arrived, std::vector<Bytes>{hex("01 02 03")});
+  EXPECT_EQ(wire.arrived, std::vector<Bytes>{from_hex("01 02 03")});
 }
 
 }  // namespace

@@ -54,6 +54,37 @@ TEST(TappedConnector, ReportsEveryByteInOrderWithItsStamp) {
   EXPECT_THAT(tap.stamps, testing::ElementsAre(start, start, start + 5ms, start + 5ms, start + 15ms));
 }
 
+/// A bus with a transfer under way and two faults behind it.
+class BusyBus final : public ByteStream, public Connector {
+ public:
+  Result<std::unique_ptr<ByteStream>> connect(Duration /*timeout*/) override {
+    return std::make_unique<BusyBus>();
+  }
+  [[nodiscard]] std::string_view name() const override { return "bus"; }
+  Result<ReadResult> read(std::span<std::byte> /*buffer*/, Duration /*timeout*/) override {
+    return ReadResult{};
+  }
+  Status write(std::span<const std::byte> /*bytes*/, Duration /*timeout*/) override { return {}; }
+  [[nodiscard]] bool ready() const override { return false; }
+  [[nodiscard]] BusFaults faults() const override {
+    BusFaults faults;
+    faults[BusFault::kPassive] = 2;
+    return faults;
+  }
+  Status set_baud(int /*baud*/) override { return {}; }
+  [[nodiscard]] bool has_baud() const override { return false; }
+  [[nodiscard]] Stamp now() const override { return {}; }
+};
+
+TEST(TappedConnector, HidesNothingOfABus) {
+  NotingTap tap;
+  TappedConnector connector(std::make_unique<BusyBus>(), &tap);
+  const auto stream = connector.connect(1s);
+  ASSERT_TRUE(stream);
+  EXPECT_FALSE((*stream)->ready());
+  EXPECT_EQ((*stream)->faults()[BusFault::kPassive], 2U);
+}
+
 TEST(TappedConnector, AFailedConnectionIsNotReported) {
   mocks::ScriptedLine line;
   line.refuse = true;

@@ -2,26 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-#include <initializer_list>
-#include <span>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "tests/unit/support/hex.hpp"
 
 namespace topo::pioneer {
 
-using Bytes = std::vector<std::byte>;
-
-/// "fa fb 03": the notation of PROTOCOLS section 16.
-inline Bytes from_hex(const std::string& text) {
-  Bytes out;
-  std::istringstream in(text);
-  for (std::string word; in >> word;) out.push_back(static_cast<std::byte>(std::stoul(word, nullptr, 16)));
-  return out;
-}
-
-inline Bytes to_bytes(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
+using test::Bytes;
+using test::from_hex;
+using test::to_bytes;
 
 inline Bytes operator+(Bytes a, const Bytes& b) {
   a.insert(a.end(), b.begin(), b.end());

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "core/types/se2.hpp"
 #include "tests/unit/drivers/pioneer/hex.hpp"
 
 namespace topo::pioneer {
@@ -56,7 +55,7 @@ TEST(Sip, ConvertsTheVectorToSi) {
   EXPECT_EQ(state.sonar[0].stamp, Stamp{});
   const auto twist = measured_twist(*p, dx());
   EXPECT_DOUBLE_EQ(twist.v_mps, 0.2);
-  EXPECT_NEAR(twist.omega_radps, 1.6 * std::numbers::pi / 180, 1e-4);  // what ROTVEL says
+  EXPECT_NEAR(twist.omega_radps, 1.6 * types::kDegree_rad, 1e-4);  // what ROTVEL says
 }
 
 TEST(Sip, EveryFieldAfterTheSonarIsOptional) {
