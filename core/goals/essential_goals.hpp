@@ -30,13 +30,13 @@ struct GoalInput {
   std::span<const float> clearance_m;  ///< with kOccupiedOrUnknown
   const places::Skeleton& skeleton;
   const places::PlaceMap& places;
-  std::span<const types::Vector2> visited;  ///< corrected paths of all robots, in map
+  std::span<const std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map
 };
 
 /// The handful of paper section II-E: candidates on the sides of every place's box, then the stack of
 /// filters, each a function of its own (filters.hpp). The candidate of a side stands not at its midpoint but
 /// at the openings there (openings.hpp); a side without any has one at its midpoint, which is rejected.
-/// Goals in the order of places and sides. Does not depend on the order of `visited` but for its steps.
+/// Goals in the order of places and sides. Does not depend on the order of the paths.
 GoalSet essential_goals(const GoalInput& input, const GoalParams& params = {});
 
 }  // namespace topo::goals

@@ -123,15 +123,18 @@ void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const Goa
   }
 }
 
-bool is_visited(const Goal& goal, std::span<const types::Vector2> visited, const GoalParams& params) {
+bool is_visited(const Goal& goal, std::span<const std::vector<types::Vector2>> visited,
+                const GoalParams& params) {
   const bool wide = goal.opening_m >= 2.0 * params.opening_min_m;
   double travelled_m = 0.0;
-  bool was_near = false;
-  for (std::size_t k = 0; k < visited.size(); ++k) {
-    const bool near = (visited[k] - goal.p_map).norm() < params.visited_radius_m;
-    if (near && !wide) return true;
-    if (near && was_near) travelled_m += (visited[k] - visited[k - 1]).norm();
-    was_near = near;
+  for (const std::vector<types::Vector2>& way : visited) {
+    bool was_near = false;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      const bool near = (way[k] - goal.p_map).norm() < params.visited_radius_m;
+      if (near && !wide) return true;
+      if (near && was_near) travelled_m += (way[k] - way[k - 1]).norm();
+      was_near = near;
+    }
   }
   return travelled_m >= 1.2 * params.visited_radius_m;
 }

@@ -41,8 +41,9 @@ bool sees(const grid::DenseMap& map, grid::CellIndex a, grid::CellIndex b);
 
 /// Pose-history filter: has a robot been there? For an opening of less than twice the least width one pose
 /// within visited_radius_m is enough (paper: partial views through openings that a robot cannot enter). For
-/// a wider one the path must go 1.2 times that far within it: a start with unknown space in the scanner's
-/// blind sector behind the robot must not count as a visit.
-bool is_visited(const Goal& goal, std::span<const types::Vector2> visited, const GoalParams& params);
+/// a wider one the paths, a robot's each, must go 1.2 times that far within it: a start with unknown space in
+/// the scanner's blind sector behind the robot must not count as a visit.
+bool is_visited(const Goal& goal, std::span<const std::vector<types::Vector2>> visited,
+                const GoalParams& params);
 
 }  // namespace topo::goals

@@ -10,6 +10,17 @@ namespace {
 constexpr std::int32_t tile_of(std::int32_t cell) { return cell >> 5; }
 static_assert(Tile::kSide == 1 << 5);
 
+/// Null: a tile of which nothing is known.
+std::size_t differing_cells(const TileRef* one, const TileRef* other) {
+  static constexpr Tile kUnknown;
+  const Tile& a = one != nullptr ? one->read() : kUnknown;
+  const Tile& b = other != nullptr ? other->read() : kUnknown;
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < a.cells.size(); ++i)
+    differing += state_of(a.cells[i]) != state_of(b.cells[i]) ? 1U : 0U;
+  return differing;
+}
+
 }  // namespace
 
 OccupancyGrid::OccupancyGrid(patricia::Arena<TileRef>& arena, double resolution_m)
@@ -26,6 +37,14 @@ CellBox OccupancyGrid::known_box() const {
   CellBox box;
   for_each_known([&](CellIndex cell, CellState) { box.extend(cell); });
   return box;
+}
+
+std::size_t differing_cells(const OccupancyGrid& one, const OccupancyGrid& other) {
+  std::size_t differing = 0;
+  OccupancyGrid::Tiles::difference(
+      one.tiles(), other.tiles(),
+      [&](patricia::Key, const TileRef* a, const TileRef* b) { differing += differing_cells(a, b); });
+  return differing;
 }
 
 }  // namespace topo::grid

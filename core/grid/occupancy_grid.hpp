@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/grid/tile.hpp"
@@ -82,5 +83,9 @@ class OccupancyGrid {
   Tiles tiles_;
   double resolution_m_;
 };
+
+/// How many cells are in another state in the one version of a grid than in the other. Costs the tiles that
+/// they do not share. Any thread.
+std::size_t differing_cells(const OccupancyGrid& one, const OccupancyGrid& other);
 
 }  // namespace topo::grid

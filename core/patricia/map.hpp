@@ -50,7 +50,7 @@ class Map {
   }
   Map(Map&& other) noexcept : arena_(other.arena_), root_(std::exchange(other.root_, NodeRef<V>())) {}
   Map& operator=(const Map& other) {
-    Map(other).swap(*this);
+    if (this != &other) Map(other).swap(*this);
     return *this;
   }
   Map& operator=(Map&& other) noexcept {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -9,8 +10,6 @@
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/grid/distance.hpp"
-#include "core/pipeline/map_snapshot.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
 #include "core/walls/wall_extraction.hpp"
@@ -18,6 +17,7 @@
 namespace topo::pipeline {
 
 struct AnalysisParams {
+  bool wall_store = true;  ///< false, an ablation: walls of what is occupied, as without a coronal scanner
   walls::CompassParams compass;
   walls::WallParams walls;
   places::PlaceParams places;
@@ -41,15 +41,25 @@ enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabe
 /// Told after each stage, in the order of the enumeration: who measures brings the clock.
 using StageWatch = std::function<void(Stage)>;
 
-/// What one analysis leaves to the next, so that less is done again; what is found does not depend on it.
-struct AnalysisMemory {
-  grid::ClearanceUpdate without_furniture;
+/// A map and its distance map with kOccupiedOrUnknown.
+struct ClearMap {
+  grid::DenseMap map;
+  std::vector<float> clearance_m;
 };
 
-/// All stages on one snapshot. `map` is made of it (prepared_map.hpp), `clearance_m` is its distance map with
-/// kOccupiedOrUnknown; `visited` are the corrected paths of all robots, in map.
-Analysis analyse(const MapSnapshot& snapshot, grid::DenseMap map, std::vector<float> clearance_m,
-                 std::span<const types::Vector2> visited, const AnalysisParams& params,
-                 AnalysisMemory& memory, const StageWatch& done = {});
+/// The same in cells twice as wide: occupied when one of the four is, else free when one is. A free cell's
+/// clearance is the most of the four, so that a way is as wide as it was.
+ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m);
+
+/// What is analysed, a value of its own: whoever analyses it needs no snapshot.
+struct AnalysisInput {
+  std::uint64_t revision = 0;
+  ClearMap free;                                     ///< made of a snapshot (prepared_map.hpp)
+  std::vector<types::Vector2> wall_points;           ///< of the wall store; none without a coronal scanner
+  std::vector<std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map
+};
+
+/// All stages on one map.
+Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done = {});
 
 }  // namespace topo::pipeline

@@ -213,7 +213,9 @@ motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom
   f.obstacles_base = {obstacles.data(), count};
   f.blind_s = motion::blind_time_s(gate_in);
   f.alive_s = motion::alive_time_s(gate_in);
-  f.limits = &gate_in.limits;
+  motion::RobotLimits limits = gate_in.limits;
+  limits.v_max_mps = std::min(limits.v_max_mps, plan.v_max_mps);
+  f.limits = &limits;
   return follower.step(f);
 }
 

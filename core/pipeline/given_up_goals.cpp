@@ -24,6 +24,14 @@ bool GivenUpGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
   });
 }
 
+std::vector<types::Vector2> GivenUpGoals::held_for(const std::string& why, types::Stamp now) const {
+  std::vector<types::Vector2> held;
+  for (const GivenUp& g : list_) {
+    if (g.why == why && (g.times >= kTimesMax || now < g.until)) held.push_back(g.p_map);
+  }
+  return held;
+}
+
 bool GivenUpGoals::call_back(types::Stamp now) {
   bool any = false;
   for (GivenUp& g : list_) {

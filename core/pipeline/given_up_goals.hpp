@@ -24,10 +24,14 @@ class GivenUpGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
   static constexpr int kTimesMax = 2;
+  /// Why a goal is put off that a robot was at: what is still open cannot be seen from there.
+  static constexpr const char* kVisited = "visited";
 
   void add(const types::Vector2& p_map, types::Stamp until, std::string why);
   /// Is a goal here put off at this time?
   [[nodiscard]] bool hold(const types::Vector2& p_map, types::Stamp now) const;
+  /// Those put off at this time, for this reason.
+  [[nodiscard]] std::vector<types::Vector2> held_for(const std::string& why, types::Stamp now) const;
   /// Lets all come back that may; false when there is none.
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }

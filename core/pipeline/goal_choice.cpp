@@ -85,14 +85,20 @@ const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate
   return best;
 }
 
+double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain,
+                      std::uint16_t home_place) {
+  double cost_m = candidate.cost_m;
+  if (&candidate == present) cost_m *= switch_gain;
+  if (home_place != 0 && candidate.goal.place == home_place) cost_m *= kHomePlaceShare;
+  return cost_m;
+}
+
 const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain,
                         std::uint16_t home_place) {
   const Candidate* best = nullptr;
   double best_m = HUGE_VAL;
   for (const Candidate& c : candidates) {
-    double cost_m = c.cost_m;
-    if (&c == present) cost_m *= switch_gain;
-    if (home_place != 0 && c.goal.place == home_place) cost_m *= kHomePlaceShare;
+    const double cost_m = weighed_cost_m(c, present, switch_gain, home_place);
     if (cost_m >= best_m) continue;
     best_m = cost_m;
     best = &c;

@@ -46,6 +46,11 @@ inline constexpr double kLongWay_m = 16.0;
 /// What of its cost a candidate in the home place counts: gaps are filled place by place.
 inline constexpr double kHomePlaceShare = 0.5;
 
+/// What a candidate costs all in all: the present goal's successor counts `switch_gain` of its cost, and
+/// candidates in `home_place` (0: none) kHomePlaceShare of theirs.
+double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain,
+                      std::uint16_t home_place);
+
 /// The cheapest candidate; the present goal's successor stays unless another costs less than `switch_gain` of
 /// it. Candidates in `home_place` (0: none) cost kHomePlaceShare. Null when there is none.
 const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain,

@@ -23,12 +23,14 @@ struct KeyframePose {
 /// pin it in a sync::SnapshotCell. Making one costs O(1) in the map's size and O(keyframes) in the poses.
 struct MapSnapshot {
   std::uint64_t revision = 0;
-  types::Stamp stamp{};  ///< of the last scan used
+  std::uint64_t changed_cells = 0;  ///< of the grid, into another state, from snapshot to snapshot
+  types::Stamp stamp{};             ///< of the last scan used
   types::Transform2<types::Map, types::Odom> T_map_odom;
   types::Transform2<types::Map, types::Base> T_map_base;  ///< at `stamp`
   grid::OccupancyGrid grid;
   walls::WallStore walls;
-  std::vector<KeyframePose> keyframes;
+  std::vector<KeyframePose> keyframes;                ///< the robot's own
+  std::vector<std::vector<KeyframePose>> mates = {};  ///< those of its team-mates in this map, a list each
 };
 
 }  // namespace topo::pipeline

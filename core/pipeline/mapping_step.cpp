@@ -12,7 +12,9 @@
 namespace topo::pipeline {
 namespace {
 
-constexpr std::size_t kWaiting = 16;  ///< scans that may wait for odometry: 0.4 s at 40 Hz
+constexpr types::Duration kNewsWait = std::chrono::seconds(1);  ///< each change costs an analysis
+constexpr std::size_t kMateQueries = 2;  ///< about team-mates' keyframes, at one keyframe boundary
+constexpr std::size_t kWaiting = 16;     ///< scans that may wait for odometry: 0.4 s at 40 Hz
 
 types::Stamp end_of(const types::Scan& scan) {
   return scan.first_beam + types::from_seconds(static_cast<double>(scan.geometry.time_increment_s) *
@@ -27,8 +29,8 @@ struct SweepPoses {
 }  // namespace
 
 struct MappingState::Impl {
-  explicit Impl(const slam::MapperParams& given)
-      : params(given), mapper(given), builder(given.grid), columns(given.coronal) {}
+  Impl(const slam::MapperParams& given, const slam::Maker& maker, const types::Se2& start)
+      : params(given), mapper(given, maker, start), builder(given.grid), columns(given.coronal) {}
 
   void take(const MappingInput& input);
   void push(std::deque<types::Scan>& waiting, const types::Scan& scan);
@@ -36,18 +38,30 @@ struct MappingState::Impl {
   std::optional<SweepPoses> sweep_poses(const types::Scan& scan) const;
   void run(MappingOutput& output, bool flush);
   void place_front(const types::Scan& scan, MappingOutput& output);
-  void keyframe_boundary(MappingOutput& output);
+  void boundary(MappingOutput& output);
+  [[nodiscard]] bool has_news() const {
+    return !mates_keyframes.empty() || !mates_relations.empty() || !known.empty() || has_mates_answer ||
+           mapper.has_mates_to_ask_about();
+  }
+  void join_news(MappingOutput& output);
 
   slam::MapperParams params;
   OdometryBuffer odometry;
   slam::Mapper mapper;
   slam::MapBuilder builder;
+  std::optional<grid::OccupancyGrid> published;  ///< of the newest snapshot
+  std::uint64_t changed_cells = 0;               ///< from the first snapshot to that one
   walls::ColumnCollector columns;
   std::deque<types::Scan> front, coronal;
   std::vector<slam::LoopAnswer> answers;
+  bool has_mates_answer = false;  ///< one of them is about a team-mate's keyframe
+  std::vector<slam::KeyframePtr> mates_keyframes;
+  std::vector<slam::FoundRelation> mates_relations;
+  std::vector<std::pair<slam::RelationKey, slam::Relation>> known;  ///< of where team-mates are
   slam::Cloud cloud;
   types::Stamp newest{};  ///< stamp of the newest scan heard of, either laser
   types::Stamp placed{};  ///< stamp of the newest front scan placed
+  types::Stamp drawn{};   ///< the same, when the map was drawn last
   std::uint64_t revision = 0;
   MappingLosses losses;
 };
@@ -103,22 +117,39 @@ void MappingState::Impl::place_front(const types::Scan& scan, MappingOutput& out
   cloud.stamp = end_of(scan);
   placed = cloud.stamp;
   output.matches.push_back(mapper.add(cloud, poses->last, columns));
-  if (output.matches.back().keyframe) keyframe_boundary(output);
+  // A robot that stands makes no keyframes, but its map grows by what others see.
+  if (output.matches.back().keyframe || (has_news() && placed - drawn >= kNewsWait)) boundary(output);
 }
 
-void MappingState::Impl::keyframe_boundary(MappingOutput& output) {
+void MappingState::Impl::join_news(MappingOutput& output) {
+  for (const auto& [key, relation] : known) output.joined += mapper.relate(key, relation);
+  output.joined += mapper.join(mates_keyframes, mates_relations);
+  known.clear();
+  mates_keyframes.clear();
+  mates_relations.clear();
+}
+
+void MappingState::Impl::boundary(MappingOutput& output) {
   if (auto query = mapper.take_query()) output.loop_queries.push_back(std::move(*query));
   for (const slam::LoopAnswer& answer : answers) output.loop_verdicts.push_back(mapper.apply(answer));
   answers.clear();
+  has_mates_answer = false;
+  if (has_news()) join_news(output);
+  for (slam::LoopQuery& query : mapper.take_mate_queries(kMateQueries))
+    output.loop_queries.push_back(std::move(query));
+  output.alignment_query = mapper.take_alignment_query();
+  drawn = placed;
   builder.update(mapper.keyframes(), mapper.poses());
   ++revision;
   output.keyframe_added = true;
 }
 
-MappingState::MappingState(const slam::MapperParams& params) : impl_(std::make_unique<Impl>(params)) {}
+MappingState::MappingState(const slam::MapperParams& params, const slam::Maker& maker,
+                           const types::Se2& start)
+    : impl_(std::make_unique<Impl>(params, maker, start)) {}
 MappingState::MappingState(const slam::MapperParams& params, const slam::Session& session,
-                           const slam::Arrival& arrival)
-    : MappingState(params) {
+                           const slam::Arrival& arrival, const slam::Maker& maker)
+    : MappingState(params, maker) {
   impl_->mapper.resume(session, arrival);
   impl_->cloud = arrival.cloud;
   impl_->placed = arrival.cloud.stamp;
@@ -130,7 +161,26 @@ void MappingState::follow(std::uint64_t revision) { impl_->revision = revision +
 
 void MappingState::adopt() { impl_->builder.adopt(); }
 
-void MappingState::offer(slam::LoopAnswer answer) { impl_->answers.push_back(std::move(answer)); }
+void MappingState::offer(slam::LoopAnswer answer) {
+  const slam::Keyframe& asked = *impl_->mapper.keyframes()[answer.node];
+  impl_->has_mates_answer = impl_->has_mates_answer || asked.id.robot != impl_->mapper.maker().robot;
+  impl_->answers.push_back(std::move(answer));
+}
+
+void MappingState::offer(const slam::Alignment& alignment) {
+  if (!alignment.found()) return;
+  impl_->known.insert(impl_->known.end(), alignment.closures.begin(), alignment.closures.end());
+}
+
+void MappingState::join(std::span<const slam::KeyframePtr> keyframes,
+                        std::span<const slam::FoundRelation> relations) {
+  impl_->mates_keyframes.insert(impl_->mates_keyframes.end(), keyframes.begin(), keyframes.end());
+  impl_->mates_relations.insert(impl_->mates_relations.end(), relations.begin(), relations.end());
+}
+
+void MappingState::relate(const slam::RelationKey& key, const slam::Relation& relation) {
+  impl_->known.emplace_back(key, relation);
+}
 
 MappingOutput MappingState::finish() {
   MappingOutput output;
@@ -139,6 +189,7 @@ MappingOutput MappingState::finish() {
     output.loop_verdicts.push_back(impl_->mapper.apply(answer));
   impl_->answers.clear();
   if (impl_->mapper.keyframes().empty()) return output;
+  if (impl_->has_news()) impl_->join_news(output);
   (void)impl_->mapper.optimise();
   impl_->builder.update(impl_->mapper.keyframes(), impl_->mapper.poses());
   ++impl_->revision;
@@ -148,19 +199,29 @@ MappingOutput MappingState::finish() {
 
 std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {
   const slam::Mapper& mapper = impl_->mapper;
+  // Against what readers had before: the tiles that differ have been copied for them anyway.
+  if (impl_->published)
+    impl_->changed_cells += grid::differing_cells(*impl_->published, impl_->builder.grid());
+  impl_->published = impl_->builder.grid();
   auto snapshot = std::make_unique<MapSnapshot>(
       MapSnapshot{impl_->revision,
+                  impl_->changed_cells,
                   impl_->placed,
                   types::Transform2<types::Map, types::Odom>(mapper.T_map_odom()),
                   types::Transform2<types::Map, types::Base>(mapper.T_map_base()),
                   impl_->builder.grid(),
                   impl_->builder.walls(),
                   {}});
-  snapshot->keyframes.reserve(mapper.poses().size());
-  for (std::size_t i = 0; i < mapper.poses().size(); ++i) {
-    snapshot->keyframes.push_back(
-        {mapper.keyframes()[i]->stamp, types::Transform2<types::Map, types::Base>(mapper.poses()[i])});
-  }
+  const auto stations = [&](std::span<const std::size_t> way) {
+    std::vector<KeyframePose> out;
+    out.reserve(way.size());
+    for (const std::size_t i : way)
+      out.push_back(
+          {mapper.keyframes()[i]->stamp, types::Transform2<types::Map, types::Base>(mapper.poses()[i])});
+    return out;
+  };
+  snapshot->keyframes = stations(mapper.own_way());
+  for (const auto& [maker, way] : mapper.mates_ways()) snapshot->mates.push_back(stations(way));
   return snapshot;
 }
 

@@ -24,10 +24,12 @@ struct MappingInput {
 
 /// What one step did. Scans wait for odometry, so that a step may place none or several.
 struct MappingOutput {
-  std::vector<slam::MatchReport> matches;        ///< of the front scans placed in this step
-  std::vector<slam::LoopQuery> loop_queries;     ///< for the loop closure thread
-  std::vector<slam::LoopVerdict> loop_verdicts;  ///< of answers that were applied in this step
-  bool keyframe_added = false;                   ///< the map changed: publish a snapshot
+  std::vector<slam::MatchReport> matches;               ///< of the front scans placed in this step
+  std::vector<slam::LoopQuery> loop_queries;            ///< for the loop closure thread
+  std::optional<slam::AlignmentQuery> alignment_query;  ///< for the same thread
+  std::vector<slam::LoopVerdict> loop_verdicts;         ///< of answers that were applied in this step
+  slam::JoinVerdict joined;                             ///< what became of what team-mates sent
+  bool keyframe_added = false;                          ///< the map changed: publish a snapshot
 };
 
 /// Scans that never reached the map, and why.
@@ -39,9 +41,12 @@ struct MappingLosses {
 /// The mapping thread's whole state: keyframes, local map, pose graph, grid, wall store. Used by one thread.
 class MappingState {
  public:
-  explicit MappingState(const slam::MapperParams& params);
+  /// `start`: where the map has the robot at its first scan.
+  explicit MappingState(const slam::MapperParams& params, const slam::Maker& maker = {},
+                        const types::Se2& start = {});
   /// Goes on with a session that was checked, from where a scan was found in its map. Draws the whole map.
-  MappingState(const slam::MapperParams& params, const slam::Session& session, const slam::Arrival& arrival);
+  MappingState(const slam::MapperParams& params, const slam::Session& session, const slam::Arrival& arrival,
+               const slam::Maker& maker = {});
   ~MappingState();
   MappingState(const MappingState&) = delete;
   MappingState& operator=(const MappingState&) = delete;
@@ -55,6 +60,13 @@ class MappingState {
 
   /// Hands over what the loop closure thread found; it is applied at the next keyframe boundary.
   void offer(slam::LoopAnswer answer);
+  /// The same of a team-mate's map; one that is not believed changes nothing.
+  void offer(const slam::Alignment& alignment);
+
+  /// Hands over what team-mates saw and found (Mapper::join), and what the robot knows of its own about where
+  /// they are (Mapper::relate); taken in at the next keyframe boundary, or after a second without one.
+  void join(std::span<const slam::KeyframePtr> keyframes, std::span<const slam::FoundRelation> relations);
+  void relate(const slam::RelationKey& key, const slam::Relation& relation);
 
   /// Places the scans that still wait for odometry, applies the answers that still wait for a keyframe, and
   /// solves the pose graph once more: the end of a log.

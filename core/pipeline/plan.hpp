@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -41,6 +42,7 @@ struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is fi
   /// Planning knew the robot's place when it made the plan. False: T_map_odom is an old one or none at all,
   /// and nobody may take the place of the robot in map from it.
   bool located = false;
+  double v_max_mps = HUGE_VAL;  ///< no faster for now, whatever the base could
   std::uint16_t points = 0;
   std::array<types::Vector2, kMaxPoints> path_odom;  ///< as path.hpp makes it, from the robot on
 };

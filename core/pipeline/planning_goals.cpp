@@ -17,9 +17,10 @@ constexpr types::Duration kStandstill = std::chrono::seconds(25);
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
 constexpr types::Duration kPatience = std::chrono::seconds(6);
-constexpr int kResumesMax = 8;            // an exploration ends
-constexpr double kResumeFor_m = 1.2;      // a narrower gap does not turn a robot round on its way home
-constexpr double kBlockedAhead_m = 0.45;  // from the centre of the robot to what it got stuck on
+constexpr int kResumesMax = 8;             // an exploration ends
+constexpr double kResumeFor_m = 1.2;       // a narrower gap does not turn a robot round on its way home
+constexpr double kBlockedAhead_m = 0.45;   // from the centre of the robot to what it got stuck on
+constexpr double kHomeWhenStuck_m = 0.45;  // of what is home, half a metre: who gets no nearer is there
 constexpr types::Duration kBlockedFor =
     std::chrono::minutes(5);  // what no laser sees is glass more often than a person
 
@@ -66,9 +67,28 @@ void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
 
 /// The robot did not get on here: whatever stands ahead, the next route goes round it.
 void PlanningState::Impl::block_ahead(const PlanningInput& in) {
+  if (is_going_mate(T_map_base.se2() * types::Vector2(2.0 * kBlockedAhead_m, 0.0))) return;
   blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
   thought = {};  // this period's costs do not know of it yet
 }
+
+void PlanningState::Impl::set_out(const PlanningInput& in, const goals::Goal& to) {
+  goal = to;
+  ++goal_id;
+  goal_taken = last_progress = in.now;
+  progress_at = T_map_base.se2().translation();
+}
+
+types::Duration PlanningState::Impl::standing_for(const PlanningInput& in) {
+  const types::Vector2 here = T_map_base.se2().translation();
+  if ((here - progress_at).norm() > kProgress_m) {
+    progress_at = here;
+    last_progress = in.now;
+  }
+  return in.now - last_progress;
+}
+
+bool PlanningState::Impl::is_getting_on(const PlanningInput& in) { return standing_for(in) <= kStandstill; }
 
 /// Is the present goal done with: reached, stuck on the way, no progress?
 void PlanningState::Impl::settle_goal(const PlanningInput& in) {
@@ -82,20 +102,34 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    given_up.add(goal->p_map, in.now + types::from_seconds(params.give_up_s), "visited");
+    given_up.add(goal->p_map, in.now + types::from_seconds(params.give_up_s), GivenUpGoals::kVisited);
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
   }
-  if ((here - progress_at).norm() > kProgress_m) {
-    progress_at = here;
-    last_progress = in.now;
-  }
-  if (in.now - last_progress > kStandstill) {
+  if (!is_getting_on(in)) {
     block_ahead(in);
     return give_up(in, "no progress");
   }
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
+}
+
+std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput& in,
+                                                             std::span<const goals::Goal> goals,
+                                                             bool& cut_off) const {
+  std::vector<Candidate> found =
+      candidates_of(goals, map, field, given_up, T_map_base.se2(), in.now, cut_off);
+  if (in.team != nullptr) std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c); });
+  return found;
+}
+
+std::vector<Candidate> PlanningState::Impl::gap_candidates(const PlanningInput& in,
+                                                           std::span<const goals::Frontier> frontiers,
+                                                           bool& cut_off) const {
+  std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers);
+  // The places may be those of an older map.
+  for (goals::Goal& opening : openings) opening.place = place_at(*analysis, opening.p_map);
+  return candidates_among(in, openings, cut_off);
 }
 
 /// Candidates by what is settled of their costs. Gaps are worth a look only when it is known that nothing
@@ -104,23 +138,25 @@ std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput&
                                                             std::span<const goals::Frontier> frontiers,
                                                             bool& cut_off) {
   const bool essential = params.strategy == Strategy::kTopometric;
-  const auto among = [&](const std::vector<goals::Goal>& goals) {
-    return candidates_of(goals, map, field, given_up, T_map_base.se2(), in.now, cut_off);
-  };
   second_phase = false;
   std::vector<Candidate> candidates;
-  if (essential) candidates = among(analysis->goals.goals);
+  if (essential) candidates = candidates_among(in, analysis->goals.goals, cut_off);
   const bool fills_gaps = !essential || params.finish == Finish::kComplete;
   if (!fills_gaps || !is_far_from_all(candidates)) return candidates;
   if (essential && search.settled_m() < kLongWay_m) return candidates;
-  std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers);
-  // The places may be those of an older map.
-  for (goals::Goal& opening : openings) opening.place = place_at(*analysis, opening.p_map);
-  std::vector<Candidate> gaps = among(openings);
+  std::vector<Candidate> gaps = gap_candidates(in, frontiers, cut_off);
   second_phase = essential && candidates.empty();
   if (candidates.empty()) return gaps;
   add_gaps_at_hand(gaps, candidates);
   return candidates;
+}
+
+/// Gaps for who would wait, since others are nearer to every essential goal: they are to be filled in anyway.
+std::vector<Candidate> PlanningState::Impl::spare_candidates(const PlanningInput& in) {
+  if (params.strategy != Strategy::kTopometric || params.finish != Finish::kComplete) return {};
+  search.settle(HUGE_VAL);
+  bool cut_off = false;
+  return gap_candidates(in, goals::find_frontiers(map, params.frontier_min_m), cut_off);
 }
 
 /// Candidates with all costs that the choice can depend on: what is farther than the search has come is not
@@ -133,20 +169,24 @@ std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInp
     search.settle(bound_m);
     cut_off = false;
     std::vector<Candidate> candidates = find_candidates(in, frontiers, cut_off);
-    double nearest_m = HUGE_VAL;
-    for (const Candidate& c : candidates) nearest_m = std::min(nearest_m, c.cost_m);
+    const auto [nearest, farthest] =
+        std::minmax_element(candidates.begin(), candidates.end(),
+                            [](const Candidate& a, const Candidate& b) { return a.cost_m < b.cost_m; });
+    // In a team the nearest goal may be another's: all costs are wanted.
     const double least_share = params.switch_gain * (second_phase ? kHomePlaceShare : 1.0);
-    if (std::isinf(search.settled_m()) || nearest_m < least_share * search.settled_m()) return candidates;
+    const double settled_m = search.settled_m();
+    const bool is_enough =
+        !candidates.empty() &&
+        (in.team != nullptr ? farthest->cost_m < settled_m : nearest->cost_m < least_share * settled_m);
+    if (std::isinf(settled_m) || is_enough) return candidates;
   }
 }
 
 void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& candidate) {
-  goal = candidate.goal;
+  set_out(in, candidate.goal);
   target = candidate.cell;
-  ++goal_id;
+  claimed_m = weighed_cost_m(candidate, &candidate, params.switch_gain, 0);
   ++goals_issued;
-  goal_taken = last_progress = in.now;
-  progress_at = T_map_base.se2().translation();
   note(in, goal->p_map, "taken: " + description(*goal) + ", " + metres(candidate.cost_m) + " to go");
 }
 
@@ -161,6 +201,8 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
     reason = "no way to the goals left just now";
   } else if (given_up.call_back(in.now)) {
     reason = "only goals given up before are left: they are tried again";
+  } else if (in.team != nullptr && (others_have_goals(in) || in.now - nothing_since < kPatience)) {
+    wait_for_goal(in, "waits: no goal is in reach, but others have some");
   } else {
     returning = true;
     return_reason = "explored: no goal is left in reach";
@@ -170,6 +212,7 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
 }
 
 void PlanningState::Impl::explore(const PlanningInput& in) {
+  if (!returning && in.team != nullptr && seek_contact(in)) return;
   if (!returning) settle_goal(in);
   bool cut_off = false;
   const std::vector<Candidate> candidates = settled_candidates(in, cut_off);
@@ -178,21 +221,33 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   if (returning) {
     const bool worth_it = std::any_of(candidates.begin(), candidates.end(),
                                       [](const Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
-    if (!worth_it || resumed == kResumesMax) return go_home(in, return_reason);
+    if (!worth_it || resumed == kResumesMax || pick(in, candidates, nullptr) == nullptr)
+      return go_home(in, return_reason);
     ++resumed;  // a way has opened
     returning = false;
     goal.reset();
   }
   const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;
+  const Candidate* best = pick(in, candidates, present);
+  std::vector<Candidate> spare;
+  if (best == nullptr && !candidates.empty()) {
+    if (present != nullptr) {
+      note(in, goal->p_map, "left to another");
+      goal.reset();
+    }
+    const std::vector<team::Bid> essential = bids;
+    spare = spare_candidates(in);
+    present = goal ? successor_of(*goal, spare) : nullptr;
+    best = pick(in, spare, present);
+    bids.insert(bids.end(), essential.begin(), essential.end());  // it would go there as well
+  }
   if (goal && present == nullptr) {
     note(in, goal->p_map, "dropped: seen, or no longer a goal");
     goal.reset();
   }
-  const std::uint16_t here = goal ? goal->place : std::uint16_t{0};
-  const Candidate* best =
-      choose(candidates, present, params.switch_gain, second_phase ? here : std::uint16_t{0});
-  if (best == nullptr) return run_dry(in, cut_off);
+  if (best == nullptr && candidates.empty()) return run_dry(in, cut_off);
   nothing_since = {};
+  if (best == nullptr) return wait_for_goal(in, "waits: others are nearer to every goal");
   ++decisions_made;
   clusters_sum += static_cast<std::uint64_t>(clusters);
   goals_sum += candidates.size();
@@ -223,11 +278,9 @@ std::optional<grid::CellIndex> PlanningState::Impl::settled_cell(const types::Ve
 void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_map, double reached_m,
                               Activity underway) {
   if (!goal) {
-    goal = goals::Goal{};
-    goal->p_map = p_map;
-    ++goal_id;
-    goal_taken = last_progress = in.now;
-    progress_at = T_map_base.se2().translation();
+    goals::Goal place;
+    place.p_map = p_map;
+    set_out(in, place);
   }
   const types::Vector2 here = T_map_base.se2().translation();
   const bool arrived = in.control->goal_id == goal_id && in.control->mode == ControlMode::kArrived;
@@ -237,11 +290,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
     block_ahead(in);
     ++goal_id;  // another way, and control begins anew
   }
-  if ((here - progress_at).norm() > kProgress_m) {
-    progress_at = here;
-    last_progress = in.now;
-  }
-  if (in.now - last_progress > 4 * kStandstill) return end(Activity::kFailed, "no progress for 100 s");
+  if (standing_for(in) > 4 * kStandstill) return end(Activity::kFailed, "no progress for 100 s");
   const auto cell = settled_cell(p_map);
   has_target = cell.has_value();
   if (cell) target = *cell;
@@ -252,7 +301,12 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
 
 void PlanningState::Impl::go_home(const PlanningInput& in, std::string why) {
   reason = std::move(why);
-  aim(in, T_map_start.se2().translation(), params.home_reached_m, Activity::kReturning);
+  const bool with_others = comes_home_with_others(in);
+  const bool stuck = in.control->goal_id == goal_id && in.control->mode == ControlMode::kStuck;
+  const double usual_m = with_others ? params.team_home_reached_m : params.home_reached_m;
+  const double reached_m = stuck ? std::max(usual_m, kHomeWhenStuck_m) : usual_m;
+  aim(in, home_of(in), reached_m, Activity::kReturning);
+  if (activity == Activity::kDone && with_others) return wait_at_home(in);
   if (activity != Activity::kDone || !returning) return;
   if (cut_short)
     end(Activity::kFailed, return_reason + ": came home");

@@ -11,6 +11,11 @@ namespace {
 
 constexpr types::Duration kAnalysisPeriod = std::chrono::milliseconds(3200);
 constexpr types::Duration kBaselineAnalysisPeriod = std::chrono::seconds(5);
+// Two thirds of an exploration's way lead through what is known, and then little changes. What closes a goal
+// is little, too.
+constexpr double kChanged_m2 = 0.25;
+constexpr double kAroundGoal_m = 1.5;
+constexpr double kChangedAtGoal_m2 = 0.025;
 constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
 constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again before it matters
 constexpr double kBlockedRadius_m = 0.25;
@@ -20,13 +25,17 @@ double free_area_m2(const grid::DenseMap& map) {
   return static_cast<double>(cells) * map.resolution_m * map.resolution_m;
 }
 
-/// Where a robot was: corrected poses of its keyframes.
-std::vector<types::Vector2> visited(const MapSnapshot& snapshot) {
-  std::vector<types::Vector2> points;
-  points.reserve(snapshot.keyframes.size());
-  for (const KeyframePose& keyframe : snapshot.keyframes)
-    points.push_back(keyframe.T_map_base.se2().translation());
-  return points;
+/// Where robots were, each by itself: corrected poses of its keyframes.
+std::vector<std::vector<types::Vector2>> visited(const MapSnapshot& snapshot) {
+  std::vector<std::vector<types::Vector2>> ways;
+  const auto add = [&](const std::vector<KeyframePose>& poses) {
+    std::vector<types::Vector2>& way = ways.emplace_back();
+    way.reserve(poses.size());
+    for (const KeyframePose& keyframe : poses) way.push_back(keyframe.T_map_base.se2().translation());
+  };
+  add(snapshot.keyframes);
+  for (const std::vector<KeyframePose>& poses : snapshot.mates) add(poses);
+  return ways;
 }
 
 /// A ring of points that stands for something unseen.
@@ -36,6 +45,21 @@ void add_disc(const types::Vector2& centre, std::vector<types::Vector2>& points)
     points.push_back(centre + types::Vector2(dx, 0.0));
     points.push_back(centre + types::Vector2(0.0, dx));
   }
+}
+
+/// Area within a square of half side `reach_m` that was unknown then and is known now.
+double newly_known_m2(const grid::DenseMap& then, const grid::OccupancyGrid& now,
+                      const types::Vector2& centre, double reach_m) {
+  const types::Vector2 reach(reach_m, reach_m);
+  const grid::CellIndex low = then.cell_at(centre - reach), high = then.cell_at(centre + reach);
+  std::size_t cells = 0;
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      using grid::CellState;
+      if (then.state({x, y}) == CellState::kUnknown && now.state({x, y}) != CellState::kUnknown) ++cells;
+    }
+  }
+  return static_cast<double>(cells) * then.resolution_m * then.resolution_m;
 }
 
 constexpr double kSameEcho_m = 0.15;
@@ -63,6 +87,7 @@ void PlanningState::Impl::remember_touches(const PlanningInput& in) {
   if (in.control->touches == touches) return;
   touches = in.control->touches;
   const types::Vector2 p_map = T_map_odom.se2() * in.control->touched_odom;
+  if (is_going_mate(p_map)) return;
   remember_unseen(p_map, kEchoTimes, in.now + kEchoFor);  // a touch is no reflection
   note(in, p_map, "touched something here");
   thought = {};
@@ -73,7 +98,8 @@ void PlanningState::Impl::remember_echoes(const PlanningInput& in) {
   std::erase_if(echoes, expired);
   for (std::size_t i = 0; i < std::min<std::size_t>(in.control->unseen, in.control->unseen_odom.size());
        ++i) {
-    remember_unseen(T_map_odom.se2() * in.control->unseen_odom[i], 1, in.now + kEchoFor);
+    const types::Vector2 p_map = T_map_odom.se2() * in.control->unseen_odom[i];
+    if (!is_going_mate(p_map)) remember_unseen(p_map, 1, in.now + kEchoFor);
   }
 }
 
@@ -93,20 +119,35 @@ void PlanningState::Impl::refresh_map(const PlanningInput& in) {
   known_m2 = free_area_m2(map);
 }
 
+bool PlanningState::Impl::has_changed(const PlanningInput& in) const {
+  const double cell_m2 = map.resolution_m * map.resolution_m;
+  return static_cast<double>(in.map->changed_cells - thought_cells) * cell_m2 >= kChanged_m2 ||
+         newly_known_m2(map, in.map->grid, goal->p_map, kAroundGoal_m) >= kChangedAtGoal_m2;
+}
+
 void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   if (analysis != nullptr && analysis->revision == map_revision) return;
   // On the way to a goal the map changes with every keyframe; the goal does not need to be looked at as
   // often. The baseline decides nothing by places: they are for whoever looks on.
   const auto period = params.strategy == Strategy::kTopometric ? kAnalysisPeriod : kBaselineAnalysisPeriod;
-  if (analysis != nullptr && goal && in.now - analysed < period) return;
+  if (goal) idle_since = {};
+  if (!goal && idle_since == types::Stamp{}) idle_since = in.now;
+  // In a team who has no goal waits, for one or at home: once it has looked, it looks no oftener either.
+  const bool waits = in.team != nullptr && !goal && analysed >= idle_since;
+  if (analysis != nullptr && (goal || waits) && in.now - analysed < period) return;
   analysed = in.now;
-  analysis = std::make_shared<const Analysis>(
-      analyse(*in.map, map, clearance.clearance_m(), visited(*in.map), params.analysis, analysis_memory));
+  ClearMap free =
+      params.coarse_analysis ? coarser(map, clearance.clearance_m()) : ClearMap{map, clearance.clearance_m()};
+  analysis = std::make_shared<const Analysis>(analyse(
+      {map_revision, std::move(free), walls::wall_points(in.map->walls), visited(*in.map)}, params.analysis));
 }
 
 std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {
   if (in.front == nullptr || in.now - in.front->arrival > kLiveAgeMax) return {};
-  return confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
+  std::vector<types::Vector2> points =
+      confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
+  if (!going_at.empty()) std::erase_if(points, [&](const auto& p) { return is_going_mate(p); });
+  return points;
 }
 
 std::vector<types::Vector2> PlanningState::Impl::unseen() const {
@@ -123,7 +164,10 @@ void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   travel_clearance_m = clearance.clearance_m();
   lower_clearance(map, unseen(), params.travel.preferred_m, travel_clearance_m);
   keep_trail_open(map, in.map->keyframes, params.travel.radius_m, travel_clearance_m);
+  for (const std::vector<KeyframePose>& way : in.map->mates)
+    keep_trail_open(map, way, params.travel.radius_m, travel_clearance_m);
   lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
+  crowd_mates();
   const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
   search.begin(map, travel_clearance_m, start, params.travel, field);
 }

@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/grid/distance.hpp"
 #include "core/pipeline/goal_choice.hpp"
 #include "core/pipeline/planning_step.hpp"
+#include "core/team/homes.hpp"
+#include "core/team/last_contact.hpp"
 
 namespace topo::pipeline {
 
 /// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
 struct PlanningState::Impl {
-  explicit Impl(const PlannerParams& given) : params(given) {}
+  explicit Impl(const PlannerParams& given)
+      : params(given), roster(given.roster), contact(given.contact_lost_s) {}
 
   // The step, in the order in which it goes (planning_step.cpp).
   PlanningOutput step(const PlanningInput& in);
@@ -31,6 +36,9 @@ struct PlanningState::Impl {
 
   // The map as it is for travelling (planning_map.cpp).
   void refresh_map(const PlanningInput& in);
+  /// Is there more to know than when the last decision was made: in all, or around the goal, where a glance
+  /// through a door closes it?
+  [[nodiscard]] bool has_changed(const PlanningInput& in) const;
   void refresh_analysis(const PlanningInput& in);
   void refresh_travel(const PlanningInput& in);
   void remember_unseen(const types::Vector2& p_map, int times, types::Stamp until);
@@ -51,8 +59,19 @@ struct PlanningState::Impl {
   [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in,
                                                        std::span<const goals::Frontier> frontiers,
                                                        bool& cut_off);
+  [[nodiscard]] std::vector<Candidate> candidates_among(const PlanningInput& in,
+                                                        std::span<const goals::Goal> goals,
+                                                        bool& cut_off) const;
+  [[nodiscard]] std::vector<Candidate> gap_candidates(const PlanningInput& in,
+                                                      std::span<const goals::Frontier> frontiers,
+                                                      bool& cut_off) const;
+  [[nodiscard]] std::vector<Candidate> spare_candidates(const PlanningInput& in);
   [[nodiscard]] std::vector<Candidate> settled_candidates(const PlanningInput& in, bool& cut_off);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
+  void set_out(const PlanningInput& in, const goals::Goal& to);
+  /// For how long it has not got on.
+  [[nodiscard]] types::Duration standing_for(const PlanningInput& in);
+  [[nodiscard]] bool is_getting_on(const PlanningInput& in);
   void go_home(const PlanningInput& in, std::string why);
   void go_to(const PlanningInput& in);
   [[nodiscard]] std::optional<grid::CellIndex> settled_cell(const types::Vector2& p_map);
@@ -60,7 +79,46 @@ struct PlanningState::Impl {
   void give_up(const PlanningInput& in, std::string why);
   void block_ahead(const PlanningInput& in);
   void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
+
+  // With others (planning_team.cpp).
+  /// Who counts, and what it claims.
+  using Claims = std::vector<std::pair<std::uint16_t, std::optional<types::Vector2>>>;
+  void hear(const PlanningInput& in);
+  /// The candidate to go for, by what the team knows; null: none, or others have them.
+  const Candidate* pick(const PlanningInput& in, std::span<const Candidate> candidates,
+                        const Candidate* present);
+  [[nodiscard]] bool mate_was_at(const PlanningInput& in, const Candidate& candidate) const;
+  [[nodiscard]] bool others_have_goals(const PlanningInput& in) const;
+  [[nodiscard]] Claims claims_of_mates(const PlanningInput& in) const;
+  [[nodiscard]] bool mates_claim_the_same(const PlanningInput& in) const;
+  void wait_for_goal(const PlanningInput& in, const char* why);
+  /// Is it time to make room for a mate, or to stop doing so?
+  [[nodiscard]] bool precedence_changed(const PlanningInput& in) const;
+  /// Does it, at home, go on to where a mate that wants to pass is bound for (core/team/homes.hpp)?
+  [[nodiscard]] bool moves_up_for(const PlanningInput& in, const team::Word& mate) const;
+  /// Goes out of a mate's way; false when nobody needs it.
+  bool make_room(const PlanningInput& in);
+  void wait_at_home(const PlanningInput& in);
+  /// At the end of a team's exploration; not when the operator sends this robot home.
+  [[nodiscard]] bool comes_home_with_others(const PlanningInput& in) const;
+  /// Where this robot comes home to: its start, or another's when it comes with others (core/team/homes.hpp).
+  [[nodiscard]] types::Vector2 home_of(const PlanningInput& in);
+  [[nodiscard]] const team::Word* who_needs_room(const PlanningInput& in) const;
+  [[nodiscard]] team::Word make_word(const PlanningInput& in) const;
+  /// Is what is there a mate that will go on? One that stands for good is an obstacle like any other.
+  [[nodiscard]] bool is_going_mate(const types::Vector2& p_map) const;
+  /// Two robots see each other where they were: what is free of one when it is looked at is not when it gets
+  /// there. Is a mate that moves so near that it matters?
+  [[nodiscard]] bool is_beside_moving_mate(const PlanningInput& in) const;
+  /// Routes lead round mates that are going where there is room, and through where they stand where there is
+  /// none.
+  void crowd_mates();
   void end(Activity how, std::string why);
+
+  // Out of contact (planning_contact.cpp).
+  /// Goes back to where a mate was last heard; false when there is no need, or no way.
+  bool seek_contact(const PlanningInput& in);
+  void end_seeking(const PlanningInput& in, const char* how);
 
   PlannerParams params;
   std::uint64_t sequence = 0;
@@ -88,12 +146,12 @@ struct PlanningState::Impl {
   // The map.
   std::uint64_t map_revision = 0;
   grid::DenseMap map;
-  grid::ClearanceUpdate clearance;  ///< of the map alone
-  AnalysisMemory analysis_memory;
+  grid::ClearanceUpdate clearance;        ///< of the map alone
   std::vector<float> travel_clearance_m;  ///< and of what stands there now
   double known_m2 = 0.0;
   std::shared_ptr<const Analysis> analysis;
   types::Stamp analysed{};
+  types::Stamp idle_since{};  ///< without a goal; zero: with one
   grid::TravelSearch search;
   grid::TravelField field;  ///< as far as the search has come
 
@@ -117,10 +175,31 @@ struct PlanningState::Impl {
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;
   std::vector<types::Vector2> route;  ///< to the target, in map
-  types::Stamp thought{};         ///< when it was found; zero: something happened that it does not know of
-  KeyframePose newest;            ///< of the map it was made on
-  std::size_t newest_number = 0;  ///< among its keyframes
+  types::Stamp thought{};           ///< when it was found; zero: something happened that it does not know of
+  std::uint64_t thought_cells = 0;  ///< MapSnapshot::changed_cells of the map then
+  KeyframePose newest;              ///< of the map it was made on
+  std::size_t newest_number = 0;    ///< among its keyframes
   int clusters = 0;
+
+  // The team.
+  team::Roster roster;
+  team::LastContact contact;
+  bool seeks_contact = false;
+  std::vector<types::Vector2> going_at;  ///< Roster::going_at() of this period
+  std::uint64_t words = 0;
+  std::vector<team::Bid> bids;
+  Claims claims_then;              ///< when the last decision was made
+  double claimed_m = 0.0;          ///< what the goal's way counted when the goal was taken
+  bool at_home = false;            ///< and the others are not yet
+  std::optional<team::Home> home;  ///< the start that it comes home to
+  struct Room {
+    std::uint16_t mate = 0;
+    types::Vector2 asked_at{0.0, 0.0};
+    types::Stamp since{};
+    grid::CellIndex goal_target;  ///< where the robot was bound to, and is again afterwards
+  };
+  std::optional<Room> room;          ///< made for a mate now
+  types::Stamp ignore_room_until{};  ///< making room did not help: for a while each goes its way
   std::uint64_t goals_issued = 0, decisions_made = 0, clusters_sum = 0, goals_sum = 0;
 };
 

@@ -20,6 +20,7 @@ constexpr types::Duration kControlAgeMax = std::chrono::milliseconds(500);
 constexpr types::Duration kReckonedMax = std::chrono::seconds(2);
 constexpr types::Duration kBatteryLowFor = std::chrono::seconds(10);
 // A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
+constexpr double kBesideMate_mps = 0.25;  // two of them, closing for a scan's age, are still apart
 constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
@@ -71,7 +72,13 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   ended = mission.order == Order::kStand;
   activity = Activity::kIdle;
   reason = ended ? "standing, as told" : "";
-  second_phase = returning = cut_short = false;
+  second_phase = returning = cut_short = at_home = seeks_contact = false;
+  contact.forget();
+  idle_since = {};
+  room.reset();
+  ignore_room_until = {};
+  home.reset();
+  bids.clear();
   resumed = 0;
   nothing_since = {};
   battery_low = false;
@@ -106,6 +113,9 @@ void PlanningState::Impl::watch_battery(const PlanningInput& in) {
 }
 
 void PlanningState::Impl::decide(const PlanningInput& in) {
+  if (!returning) home.reset();
+  at_home = false;
+  if (in.team != nullptr && make_room(in)) return;
   if (battery_low && mission.order != Order::kHome && !returning) {
     returning = cut_short = true;
     return_reason = "the battery is low";
@@ -127,8 +137,14 @@ void PlanningState::Impl::decide(const PlanningInput& in) {
 
 /// Is the last decision still good: nothing happened, and nothing stands in the way?
 bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
-  if (!has_target || !goal || route.size() < 2 || in.now - thought >= kDecisionHolds) return false;
+  if (!has_target || !goal || route.size() < 2) return false;
+  const types::Duration since = in.now - thought;
+  const bool may_be_quiet = since < params.quiet_decision_holds;
+  if (since >= kDecisionHolds && (!may_be_quiet || has_changed(in) || !mates_claim_the_same(in)))
+    return false;
   if (battery_low && !returning) return false;
+  if (in.team != nullptr && precedence_changed(in)) return false;
+  if (seeks_contact && !contact.lost_at(in.now)) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
   if (corrected(newest, newest_number, *in.map)) return false;
   const types::Vector2 here = T_map_base.se2().translation();
@@ -162,14 +178,24 @@ void PlanningState::Impl::find_route() {
 /// Everything anew: map, analysis, goal, route.
 void PlanningState::Impl::think(const PlanningInput& in) {
   thought = in.now;
+  thought_cells = in.map->changed_cells;
+  claims_then = claims_of_mates(in);
   newest_number = in.map->keyframes.size() - 1;
   newest = in.map->keyframes.back();
+  const auto told = [&](PlanningStage stage) {
+    if (in.done) in.done(stage);
+  };
   refresh_map(in);
+  told(PlanningStage::kMap);
   refresh_analysis(in);
+  told(PlanningStage::kAnalysis);
   if (ended || mission.paused) return;
   refresh_travel(in);
+  told(PlanningStage::kTravel);
   decide(in);
+  told(PlanningStage::kDecision);
   find_route();
+  told(PlanningStage::kRoute);
 }
 
 void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) const {
@@ -181,6 +207,7 @@ void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) const {
   plan.located = located;
   if (ended || mission.paused || !has_target || route.size() < 2) return;
   plan.moving = true;
+  if (in.team != nullptr && is_beside_moving_mate(in)) plan.v_max_mps = kBesideMate_mps;
   put_path(route, T_map_odom, plan);
 }
 
@@ -221,6 +248,7 @@ void PlanningState::Impl::stand(const PlanningInput& in, const char* why) {
 PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   ++sequence;
   take_mission(in);
+  if (in.team != nullptr) hear(in);
   if (in.tracked != nullptr && in.tracked->matched) matched = in.tracked->stamp;
   const char* unknown = place_missing(in, matched);
   located = unknown == nullptr;
@@ -247,6 +275,10 @@ PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   PlanningOutput out;
   make_plan(in, out.plan);
   out.report = make_report(in);
+  if (in.team != nullptr) {
+    ++words;
+    out.word = make_word(in);
+  }
   return out;
 }
 
@@ -274,10 +306,6 @@ types::Status check_target(const Analysis& analysis, const PlannerParams& params
   if (!grid::nearest_reachable(map, field, cell, 0.25))
     return types::fail(Errc::kInvalidInput, "no way that is wide enough for the robot leads to the target");
   return {};
-}
-
-std::string_view to_text(Strategy strategy) {
-  return strategy == Strategy::kTopometric ? "topometric" : "nearest_frontier";
 }
 
 std::string_view to_text(Finish finish) { return finish == Finish::kEssential ? "essential" : "complete"; }

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,15 +18,11 @@
 #include "core/pipeline/given_up_goals.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/plan.hpp"
+#include "core/pipeline/strategy.hpp"
+#include "core/team/roster.hpp"
 #include "core/types/result.hpp"
 
 namespace topo::pipeline {
-
-enum class Strategy : std::uint8_t {
-  kTopometric,       ///< the paper's: a handful of essential goals from the place map
-  kNearestFrontier,  ///< Yamauchi 1997: always the nearest frontier; the baseline
-};
-std::string_view to_text(Strategy strategy);
 
 enum class Finish : std::uint8_t {
   kEssential,  ///< home when no essential goal is left
@@ -35,6 +33,7 @@ std::string_view to_text(Finish finish);
 struct PlannerParams {
   Strategy strategy = Strategy::kTopometric;
   Finish finish = Finish::kComplete;
+  bool k_means = true;  ///< false, an ablation: a team shares out single goals, not clusters of them
   AnalysisParams analysis;
   grid::TravelRules travel;
   motion::AreaLimits area;
@@ -46,6 +45,14 @@ struct PlannerParams {
   double switch_gain = 0.8;      ///< another goal must cost less than this share of the present one's
   double battery_home_v = 11.6;  ///< below for 10 s: home
   double charge_home = 0.2;      ///< the same for a reported state of charge
+  bool coarse_analysis = false;  ///< of cells twice as wide: places and goals, not ways
+  /// A decision holds this long while the map hardly changes, and not around the goal. Not under 1.5 s, which
+  /// every decision holds; with more, gaps are passed by that would have been on the way.
+  types::Duration quiet_decision_holds{0};
+  team::RosterParams roster;
+  /// Out of contact with all mates at work for longer: back to where one was last heard, then on. 0: never.
+  double contact_lost_s = 240.0;
+  double team_home_reached_m = 0.35;  ///< with others around: who is so near does not push them about
 };
 
 /// What the operator wants.
@@ -66,6 +73,23 @@ struct TrackedPose {
   bool matched = false;  ///< false: by the odometry from the last scan that did
 };
 
+/// What a robot of a team hears of the others.
+struct TeamInput {
+  std::uint16_t robot = 0;            ///< this one
+  std::span<const team::Word> words;  ///< that came since the last period, in any order
+};
+
+/// What thinking a plan over consists of.
+enum class PlanningStage : std::uint8_t {
+  kMap,       ///< the mapper's grid made ready
+  kAnalysis,  ///< places and goals, when it is time to
+  kTravel,    ///< clearance and what stands there now
+  kDecision,  ///< what there is to go for, what that costs, and whose it is
+  kRoute,
+};
+/// Told after each stage: who measures brings the clock.
+using PlanningWatch = std::function<void(PlanningStage)>;
+
 /// What one planning period looks at. Pointers: null when never heard of.
 struct PlanningInput {
   types::Stamp now{};
@@ -73,7 +97,9 @@ struct PlanningInput {
   const TrackedPose* tracked = nullptr;
   const ControlReport* control = nullptr;
   const types::Scan* front = nullptr;  ///< newest, for obstacles that no keyframe holds yet
+  const TeamInput* team = nullptr;     ///< null: a robot alone
   Mission mission;
+  PlanningWatch done;  ///< may be empty
 };
 
 /// A decision that an operator can read ("topoctl goals --why").
@@ -111,6 +137,7 @@ struct PlanningReport {
 struct PlanningOutput {
   Plan plan;
   std::unique_ptr<const PlanningReport> report;  ///< never null
+  std::optional<team::Word> word;                ///< for the others; of a robot in a team only
 };
 
 /// The planning thread's whole state. Used by one thread.

@@ -184,11 +184,15 @@ DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limi
   close_gaps(map, reach);
   constexpr double kInner =
       0.7;  // of the route's disc: the part that the robot's outline fills whichever way it faces
-  for (const KeyframePose& keyframe : snapshot.keyframes) {
-    const Vector2 centre = keyframe.T_map_base.se2().translation();
-    free_disc(map, centre, route_radius_m);
-    free_trail(map, snapshot.grid, centre, kInner * route_radius_m);
-  }
+  const auto free_way = [&](const std::vector<KeyframePose>& way) {
+    for (const KeyframePose& keyframe : way) {
+      const Vector2 centre = keyframe.T_map_base.se2().translation();
+      free_disc(map, centre, route_radius_m);
+      free_trail(map, snapshot.grid, centre, kInner * route_radius_m);
+    }
+  };
+  free_way(snapshot.keyframes);
+  for (const std::vector<KeyframePose>& way : snapshot.mates) free_way(way);
   apply_limits(map, limits);
   return map;
 }

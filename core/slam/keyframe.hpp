@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "core/slam/cloud.hpp"
@@ -12,11 +13,25 @@
 
 namespace topo::slam {
 
-/// Who made a keyframe and as which of his: the key of the grow-only set (DESIGN "Team").
+/// Who makes keyframes: a robot in one run of its program. A robot that begins to count anew has another run
+/// number, so that nothing of two runs has one key.
+struct Maker {
+  std::uint16_t robot = 0;
+  std::uint32_t run = 0;
+  friend auto operator<=>(const Maker&, const Maker&) = default;
+};
+
+/// Who made a keyframe and as which of his: the key of the grow-only set (DESIGN "Team"). Ordered by robot,
+/// run and sequence.
 struct KeyframeId {
   std::uint16_t robot = 0;
   std::uint32_t sequence = 0;
-  friend auto operator<=>(const KeyframeId&, const KeyframeId&) = default;
+  std::uint32_t run = 0;
+  [[nodiscard]] Maker maker() const { return {robot, run}; }
+  friend bool operator==(const KeyframeId&, const KeyframeId&) = default;
+  friend auto operator<=>(const KeyframeId& a, const KeyframeId& b) {
+    return std::tie(a.robot, a.run, a.sequence) <=> std::tie(b.robot, b.run, b.sequence);
+  }
 };
 
 /// Everything that a place of the path adds to the map, frozen: nothing else enters the map. All in base_link

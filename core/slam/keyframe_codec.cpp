@@ -162,8 +162,9 @@ bool read_columns(ByteReader& in, std::vector<walls::ColumnPoint>& columns) {
   return in.ok();
 }
 
-bool read_head(ByteReader& in, Keyframe& keyframe) {
+bool read_head(ByteReader& in, bool with_run, Keyframe& keyframe) {
   keyframe.id.robot = in.integer<std::uint16_t>();
+  if (with_run) keyframe.id.run = in.integer<std::uint32_t>();
   keyframe.id.sequence = in.integer<std::uint32_t>();
   keyframe.stamp = types::Stamp{types::Duration{in.integer<std::int64_t>()}};
   types::Se2& pose = keyframe.T_odom_base;
@@ -196,8 +197,10 @@ std::vector<std::byte> encode_keyframe(const Keyframe& given) {
   Keyframe keyframe = given;
   quantise(keyframe);
   ByteWriter out;
-  out.integer(kKeyframeVersion);
+  const bool with_run = keyframe.id.run != 0;
+  out.integer(with_run ? kKeyframeVersionWithRun : kKeyframeVersion);
   out.integer(keyframe.id.robot);
+  if (with_run) out.integer(keyframe.id.run);
   out.integer(keyframe.id.sequence);
   out.integer(static_cast<std::int64_t>(keyframe.stamp.time_since_epoch().count()));
   out.real(keyframe.T_odom_base.x_m);
@@ -218,12 +221,14 @@ std::vector<std::byte> encode_keyframe(const Keyframe& given) {
 Result<Keyframe> decode_keyframe(std::span<const std::byte> bytes) {
   ByteReader in(bytes);
   const auto version = in.integer<std::uint8_t>();
-  if (in.ok() && version != kKeyframeVersion) {
+  const bool with_run = version == kKeyframeVersionWithRun;
+  if (in.ok() && version != kKeyframeVersion && !with_run) {
     return types::fail(Errc::kUnsupported, "keyframe: found version " + std::to_string(version) +
-                                               ", expected " + std::to_string(kKeyframeVersion));
+                                               ", expected " + std::to_string(kKeyframeVersion) + " or " +
+                                               std::to_string(kKeyframeVersionWithRun));
   }
   Keyframe keyframe;
-  if (!read_head(in, keyframe) || !read_body(in, keyframe))
+  if (!read_head(in, with_run, keyframe) || !read_body(in, keyframe))
     return types::fail(Errc::kProtocol, "keyframe: cut, too long or out of range");
   // Longer forms of the same numbers and the like: two files of one map would differ.
   if (!std::ranges::equal(encode_keyframe(keyframe), bytes))

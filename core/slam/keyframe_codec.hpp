@@ -9,9 +9,10 @@
 #include "core/slam/keyframe.hpp"
 #include "core/types/result.hpp"
 
-// A keyframe as bytes, little-endian; the one form of it in files and on the team's wire. Version 1:
+// A keyframe as bytes, little-endian; the one form of it in files and on the team's wire:
 //
 //   u8 version, u16 robot, u32 sequence, i64 stamp (ns), 3 f64 T_odom_base, 2 f32 sensor
+//                 version 1: of run 0; version 2: u32 run after the robot, not 0
 //   hits          count, positions
 //   match points  count, u8 1: gaps from one to the next among the hits; u8 0: positions
 //   surfels       count, positions, low bytes of the normals, high bytes, one bit each: planar (8 a byte)
@@ -23,6 +24,7 @@
 namespace topo::slam {
 
 inline constexpr std::uint8_t kKeyframeVersion = 1;
+inline constexpr std::uint8_t kKeyframeVersionWithRun = 2;
 
 /// Positions are whole multiples, which a float holds exactly; rounding is off by at most half of it, 0.49 mm
 /// an axis, where the sensors' noise is 10 to 30 mm.

@@ -8,6 +8,7 @@
 #include "core/slam/refine.hpp"
 #include "core/slam/search.hpp"
 #include "core/slam/session.hpp"
+#include "core/slam/whole_map.hpp"
 
 namespace topo::slam {
 
@@ -19,11 +20,7 @@ struct LocaliseParams {
   double response_min = 0.55;  ///< share of the points that fit; a building changes a little in a night
   double overlap_min = 0.60;
   double rival_ratio = 0.90;  ///< another place that fits this well against the best: ambiguous
-  int rivals_max = 4;
-  double apart_m = 0.7;  ///< nearer poses are one place
-  double apart_rad = 0.3;
-  double width_max_m = 300.0;               ///< of a map that is searched as a whole
-  SearchParams search{0.10, 0.15, 100, 6};  ///< of the whole map
+  WholeSearch whole;          ///< of all places
 };
 
 enum class LocaliseRefusal { kNone, kNoMap, kTooLarge, kNothingFits, kDegenerate, kAmbiguous };

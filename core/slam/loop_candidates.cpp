@@ -12,7 +12,22 @@ namespace {
 
 double distance(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
-/// Metres of the shortest way through the graph from a node to every other (Dijkstra): what drift grows with.
+SearchWindow window_for(double graph_distance, const LoopParams& params) {
+  return {std::min(params.search_max_m, params.search_floor_m + params.drift_per_m * graph_distance),
+          std::min(params.search_max_rad, params.search_floor_rad + params.drift_per_m_rad * graph_distance)};
+}
+
+LoopRun around(std::size_t nearest, std::size_t end, const LoopParams& params) {
+  const auto half = static_cast<std::size_t>(params.group_half);
+  LoopRun run;
+  run.nearest = nearest;
+  run.first = nearest > half ? nearest - half : 0;
+  run.last = std::min(nearest + half, end - 1);
+  return run;
+}
+
+}  // namespace
+
 std::vector<double> graph_distances(std::size_t nodes, std::span<const Edge> edges, std::size_t from) {
   std::vector<std::vector<std::pair<std::size_t, double>>> links(nodes);
   for (const Edge& edge : edges) {
@@ -20,7 +35,7 @@ std::vector<double> graph_distances(std::size_t nodes, std::span<const Edge> edg
     links[edge.from].emplace_back(edge.to, length);
     links[edge.to].emplace_back(edge.from, length);
   }
-  std::vector<double> best(nodes, HUGE_VAL);
+  std::vector<double> best(nodes, HUGE_VAL);  // Dijkstra
   using Item = std::pair<double, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   best[from] = 0.0;
@@ -39,61 +54,40 @@ std::vector<double> graph_distances(std::size_t nodes, std::span<const Edge> edg
   return best;
 }
 
-SearchWindow window_for(double graph_distance, const LoopParams& params) {
-  return {std::min(params.search_max_m, params.search_floor_m + params.drift_per_m * graph_distance),
-          std::min(params.search_max_rad, params.search_floor_rad + params.drift_per_m_rad * graph_distance)};
-}
-
-LoopRun around(std::size_t nearest, std::size_t last_allowed, const LoopParams& params) {
-  const auto half = static_cast<std::size_t>(params.group_half);
-  LoopRun run;
-  run.nearest = nearest;
-  run.first = nearest > half ? nearest - half : 0;
-  run.last = std::min(nearest + half, last_allowed);
-  return run;
-}
-
-}  // namespace
-
-std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span<const Edge> edges,
-                                    std::size_t node, const LoopParams& params) {
-  // The last node of "another visit": the path since is longer than the gap.
+std::size_t end_of_other_visits(std::span<const types::Se2> poses, Way way, std::size_t at,
+                                const LoopParams& params) {
   double travelled = 0.0;
-  std::size_t last = node;
+  std::size_t last = at;
   while (last > 0 && travelled < params.chain_gap_m) {
-    travelled += distance(poses[last], poses[last - 1]);
+    travelled += distance(poses[way[last]], poses[way[last - 1]]);
     --last;
   }
-  if (travelled < params.chain_gap_m) return {};
+  return travelled < params.chain_gap_m ? 0 : last + 1;
+}
 
-  const std::vector<double> graph = graph_distances(poses.size(), edges, node);
-  struct Near {
-    double distance_m;
-    LoopRun run;
-  };
-  std::vector<Near> runs;
+std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span<const double> distances_m,
+                                    std::size_t node, Way way, std::size_t end, const LoopParams& params) {
+  std::vector<LoopRun> runs;
   std::size_t previous = 0;
   bool open = false;
-  for (std::size_t i = 0; i <= last; ++i) {
-    const double d = distance(poses[i], poses[node]);
-    const SearchWindow window = window_for(graph[i], params);
+  for (std::size_t i = 0; i < end; ++i) {
+    const double d = distance(poses[way[i]], poses[node]);
+    const SearchWindow window = window_for(distances_m[way[i]], params);
     if (d > params.radius_m + window.half_m) continue;
-    if (!open || i > previous + 3) runs.push_back({HUGE_VAL, {}});
+    const bool next = !open || i > previous + 3;
     open = true;
     previous = i;
-    if (d < runs.back().distance_m) {
-      runs.back() = {d, around(i, last, params)};
-      runs.back().run.window = window;
-    }
+    if (next) runs.emplace_back();
+    if (!next && d >= runs.back().distance_m) continue;
+    runs.back() = around(i, end, params);
+    runs.back().distance_m = d;
+    runs.back().window = window;
   }
   std::stable_sort(runs.begin(), runs.end(),
-                   [](const Near& a, const Near& b) { return a.distance_m < b.distance_m; });
-  std::vector<LoopRun> out;
-  for (const Near& near : runs) {
-    if (out.size() == static_cast<std::size_t>(params.groups_max)) break;
-    out.push_back(near.run);
-  }
-  return out;
+                   [](const LoopRun& a, const LoopRun& b) { return a.distance_m < b.distance_m; });
+  if (runs.size() > static_cast<std::size_t>(params.groups_max))
+    runs.resize(static_cast<std::size_t>(params.groups_max));
+  return runs;
 }
 
 }  // namespace topo::slam

@@ -10,17 +10,29 @@
 
 namespace topo::slam {
 
+/// The nodes that one robot made, in the order of its way.
+using Way = std::span<const std::size_t>;
+
 /// A run of keyframes of another visit near a node.
 struct LoopRun {
-  std::size_t first = 0, last = 0;  ///< nodes, inclusive
+  std::size_t first = 0, last = 0;  ///< places on the way, inclusive
   std::size_t nearest = 0;
   SearchWindow window;
+  double distance_m = 0.0;  ///< of the nearest
 };
 
-/// Where a node may have been before: runs of consecutive nodes that are near, given how far the estimate may
-/// have drifted along the shortest way through the graph, and that the path left in between.
-/// Nearest first, at most `groups_max`. Pure.
-std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span<const Edge> edges,
-                                    std::size_t node, const LoopParams& params);
+/// Metres of the shortest way through the graph from a node to every other: what drift grows with.
+std::vector<double> graph_distances(std::size_t nodes, std::span<const Edge> edges, std::size_t from);
+
+/// Places [0, end) of a way are of another visit than the place `at`: the path left in between is longer than
+/// the gap.
+std::size_t end_of_other_visits(std::span<const types::Se2> poses, Way way, std::size_t at,
+                                const LoopParams& params);
+
+/// Where on the places [0, end) of a way a node may have been: runs of places that are near, given how far
+/// the estimate may have drifted (`distances_m`: graph_distances from the node). Nearest first, at most
+/// `groups_max`. Pure.
+std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span<const double> distances_m,
+                                    std::size_t node, Way way, std::size_t end, const LoopParams& params);
 
 }  // namespace topo::slam

@@ -21,15 +21,15 @@ double travel(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_
 
 }  // namespace
 
-Mapper::Mapper(const MapperParams& params, std::uint16_t robot)
-    : params_(params), robot_(robot), local_map_(params.refine.reach_m) {}
+Mapper::Mapper(const MapperParams& params, const Maker& maker, const types::Se2& start)
+    : params_(params), maker_(maker), start_(start), local_map_(params.refine.reach_m) {}
 
 MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns) {
   MatchReport report;
   report.stamp = cloud.stamp;
   select_points(cloud, params_.cloud, points_);
   if (keyframes_.empty()) {
-    T_map_base_ = {};
+    T_map_base_ = report.T_map_base = start_;
     T_odom_base_ = T_odom_base;
     report.matched = true;
     add_keyframe(cloud, report, {}, columns);
@@ -48,8 +48,8 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
     add_keyframe(cloud, report, prior, columns);
     report.keyframe = true;
   }
-  report.node = keyframes_.size() - 1;
-  report.T_node_base = poses_.back().inverse() * T_map_base_;
+  report.node = own_.back();
+  report.T_node_base = poses_[report.node].inverse() * T_map_base_;
   return report;
 }
 
@@ -70,46 +70,60 @@ Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point
 }
 
 bool Mapper::due(const types::Se2& T_map_base) const {
-  const types::Se2& last = poses_.back();
+  const types::Se2& last = poses_[own_.back()];
   return travel(last, T_map_base) > params_.keyframe.travel_m ||
          std::abs(types::wrap_angle(T_map_base.theta_rad - last.theta_rad)) > params_.keyframe.turn_rad;
 }
 
 void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                           walls::ColumnCollector& columns) {
-  auto keyframe = make_keyframe({robot_, next_sequence_++}, cloud, points_, T_odom_base_,
+  auto keyframe = make_keyframe({maker_.robot, next_sequence_++, maker_.run}, cloud, points_, T_odom_base_,
                                 columns.take(T_odom_base_.inverse()), params_.cloud);
-  if (!keyframes_.empty()) {
+  const bool first = own_.empty();
+  const std::size_t before = first ? 0 : own_.back();
+  const std::size_t node = add_own_node(std::move(keyframe), T_map_base_);
+  if (!first) {
     Edge edge;
-    edge.from = keyframes_.size() - 1;
-    edge.to = keyframes_.size();
-    edge.T_from_to = poses_.back().inverse() * T_map_base_;
+    edge.from = before;
+    edge.to = node;
+    edge.T_from_to = poses_[before].inverse() * T_map_base_;
     Eigen::Matrix3d information = report.matched ? report.match.scan_information : Eigen::Matrix3d::Zero();
     information +=
         report.matched
             ? prior.information
-            : motion_information(keyframes_.back()->T_odom_base.inverse() * T_odom_base_, params_.motion);
+            : motion_information(keyframes_[before]->T_odom_base.inverse() * T_odom_base_, params_.motion);
     edge.information =
         edge_information(information, T_map_base_.theta_rad, params_.graph.odometry_trans_floor_m,
                          params_.graph.odometry_rot_floor_rad);
-    edges_.push_back(edge);
+    add_found_edge(edge);
   }
-  keyframes_.push_back(std::move(keyframe));
-  poses_.push_back(T_map_base_);
   extend_local_map();
-  ask(keyframes_.size() - 1);
+  ask(node);
+}
+
+std::size_t Mapper::add_node(KeyframePtr keyframe, const types::Se2& pose) {
+  const std::size_t node = keyframes_.size();
+  nodes_[keyframe->id] = node;
+  keyframes_.push_back(std::move(keyframe));
+  poses_.push_back(pose);
+  return node;
+}
+
+std::size_t Mapper::add_own_node(KeyframePtr keyframe, const types::Se2& pose) {
+  own_.push_back(add_node(std::move(keyframe), pose));
+  return own_.back();
 }
 
 void Mapper::extend_local_map() {
   const Point here = T_map_base_.translation().cast<float>();
-  const std::size_t held = keyframes_.size() - window_first_;
-  const bool first = keyframes_.size() == 1;
+  const std::size_t held = own_.size() - window_first_;
+  const bool first = own_.size() == 1;
   // Dropping one keyframe means building the map again: let a few gather.
   if (first || (here - local_centre_).norm() > static_cast<float>(kRecentre_m) ||
       held > static_cast<std::size_t>(2 * params_.keyframe.window_travel_m / params_.keyframe.travel_m)) {
     rebuild_local_map();
   } else {
-    local_map_.add(keyframes_.back()->surfels, poses_.back());
+    local_map_.add(keyframes_[own_.back()]->surfels, poses_[own_.back()]);
   }
 }
 
@@ -117,20 +131,20 @@ void Mapper::rebuild_local_map() {
   local_centre_ = T_map_base_.translation().cast<float>();
   local_map_.reset(local_centre_, kLocalHalfWidth_m);
   double travelled = 0.0;
-  window_first_ = keyframes_.size() - 1;
+  window_first_ = own_.size() - 1;
   while (window_first_ > 0 &&
          (travelled < params_.keyframe.window_travel_m ||
-          keyframes_.size() - window_first_ < static_cast<std::size_t>(params_.keyframe.window_min))) {
-    travelled += travel(poses_[window_first_], poses_[window_first_ - 1]);
+          own_.size() - window_first_ < static_cast<std::size_t>(params_.keyframe.window_min))) {
+    travelled += travel(poses_[own_[window_first_]], poses_[own_[window_first_ - 1]]);
     --window_first_;
   }
-  for (std::size_t i = window_first_; i < keyframes_.size(); ++i)
-    local_map_.add(keyframes_[i]->surfels, poses_[i]);
+  for (std::size_t k = window_first_; k < own_.size(); ++k)
+    local_map_.add(keyframes_[own_[k]]->surfels, poses_[own_[k]]);
   // A resumed path is short at first: what was mapped here before helps, until the window has left that
   // place.
   if (window_first_ > resumed_at_) neighbours_.clear();
   for (const std::size_t i : neighbours_) {
-    if (i < window_first_) local_map_.add(keyframes_[i]->surfels, poses_[i]);
+    if (i < own_[window_first_]) local_map_.add(keyframes_[i]->surfels, poses_[i]);
   }
 }
 

@@ -2,14 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
+#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
 #include "core/slam/keyframe.hpp"
+#include "core/slam/loop_candidates.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/slam/refine.hpp"
+#include "core/slam/relation_set.hpp"
 #include "core/slam/session.hpp"
+#include "core/slam/team_alignment.hpp"
+#include "core/slam/unplaced.hpp"
 #include "core/walls/column_collector.hpp"
 
 namespace topo::slam {
@@ -26,11 +33,27 @@ struct MatchReport {
   types::Se2 T_node_base;
 };
 
+/// What became of what was joined.
+struct JoinVerdict {
+  int placed = 0;       ///< keyframes of team-mates that entered the map
+  int tied = 0;         ///< relations that entered the graph
+  bool solved = false;  ///< the pose graph was solved again
+  JoinVerdict& operator+=(const JoinVerdict& other) {
+    placed += other.placed;
+    tied += other.tied;
+    solved = solved || other.solved;
+    return *this;
+  }
+};
+
 /// Tracks the robot against the keyframes of its recent path and keeps the pose graph (front and back end
-/// without the loop search, which is find_closures). State of the mapping thread; not thread-safe.
+/// without the loop search, which is find_closures). Takes in what team-mates saw and found: one graph holds
+/// all of it, while tracking keeps to what the robot saw itself, whose frame is not in question.
+/// State of the mapping thread; not thread-safe.
 class Mapper {
  public:
-  explicit Mapper(const MapperParams& params, std::uint16_t robot = 0);
+  /// `start`: where the map has the robot at its first scan.
+  explicit Mapper(const MapperParams& params, const Maker& maker = {}, const types::Se2& start = {});
 
   /// Goes on with a session that was checked, from where a scan was found in its map: the scan becomes the
   /// next keyframe, hung on the nearest one. Of a new mapper only.
@@ -43,6 +66,27 @@ class Mapper {
   /// The question that the newest keyframe raised, once.
   [[nodiscard]] std::optional<LoopQuery> take_query();
 
+  /// Takes in keyframes and relations of team-mates, in any order and with any repetition. A keyframe enters
+  /// the map when relations tie it to one that is in it; what nothing ties waits. Relations passed
+  /// check_relation.
+  JoinVerdict join(std::span<const KeyframePtr> keyframes, std::span<const FoundRelation> relations);
+
+  /// A relation that this robot knows from elsewhere (where a team-mate started, where it was recognised):
+  /// joined, and told as found.
+  JoinVerdict relate(const RelationKey& key, const Relation& relation);
+
+  /// Where on the robot's own way a team-mate's keyframes may have been seen, for those that came since and
+  /// that nothing ties to it: at most `count_max` questions, the oldest first.
+  std::vector<LoopQuery> take_mate_queries(std::size_t count_max);
+  [[nodiscard]] bool has_mates_to_ask_about() const { return !unasked_.empty(); }
+
+  /// Whether a team-mate's map, of which nothing ties anything to this one, lies on it: asked when enough has
+  /// come, and again when both have grown.
+  std::optional<AlignmentQuery> take_alignment_query();
+
+  /// What this robot found itself, from a number on: odometry, closures, and what relate() said.
+  [[nodiscard]] std::span<const FoundRelation> found_since(std::uint32_t number) const;
+
   /// Puts closures into the graph and solves it when they say something new.
   LoopVerdict apply(const LoopAnswer& answer);
 
@@ -52,6 +96,12 @@ class Mapper {
   [[nodiscard]] std::span<const KeyframePtr> keyframes() const { return keyframes_; }
   [[nodiscard]] std::span<const types::Se2> poses() const { return poses_; }
   [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
+  /// A keyframe's place in these lists; nothing when it is not in the map.
+  [[nodiscard]] std::optional<std::size_t> node_of(const KeyframeId& id) const;
+  [[nodiscard]] const Maker& maker() const { return maker_; }
+  /// Nodes of the robot's own way, in its order, and of each other maker in the order of the keys.
+  [[nodiscard]] std::span<const std::size_t> own_way() const { return own_; }
+  [[nodiscard]] const std::map<Maker, std::vector<std::size_t>>& mates_ways() const { return mates_; }
   [[nodiscard]] Session session() const { return {keyframes_, poses_, edges_}; }
   [[nodiscard]] types::Se2 T_map_odom() const { return T_map_base_ * T_odom_base_.inverse(); }
   [[nodiscard]] const types::Se2& T_map_base() const { return T_map_base_; }
@@ -67,10 +117,27 @@ class Mapper {
   void extend_local_map();
   void rebuild_local_map();
 
+  std::size_t add_node(KeyframePtr keyframe, const types::Se2& pose);
+  std::size_t add_own_node(KeyframePtr keyframe, const types::Se2& pose);
+  std::size_t add_mates_node(KeyframePtr keyframe, const types::Se2& pose);
+  [[nodiscard]] bool is_own(std::size_t node) const;
+  void add_found_edge(const Edge& edge);
+  void add_edge(const Edge& edge);
+  [[nodiscard]] bool is_as_sure_as_a_match(const Edge& edge) const;
+  LoopGroup group_of(const LoopRun& run, Way way) const;
+  LoopQuery query_about(std::size_t node) const;
+  std::vector<LoopGroup> groups_of_mates(std::size_t node, std::span<const double> distances_m) const;
+  [[nodiscard]] bool is_tied_to_own_way(std::size_t node) const;
+  struct Joining;
+
+  static constexpr int kClosuresBeforeSolve = 10;  ///< closures that agree with the graph wait for company
+  static constexpr double kTensionChi2 = 1.0;      ///< what is further off than this is solved for at once
+
   MapperParams params_;
-  std::uint16_t robot_;
-  std::vector<KeyframePtr> keyframes_;
-  std::vector<types::Se2> poses_;  ///< of base_link at each keyframe, in map
+  Maker maker_;
+  types::Se2 start_;
+  std::vector<KeyframePtr> keyframes_;  ///< in the order in which they came, the first one holds the map
+  std::vector<types::Se2> poses_;       ///< of base_link at each keyframe, in map
   std::vector<Edge> edges_;
   std::uint32_t next_sequence_ = 0;
   types::Se2 T_map_base_, T_odom_base_;
@@ -80,8 +147,18 @@ class Mapper {
   std::optional<LoopQuery> query_;
   std::vector<Point> points_;  ///< scratch
   int closures_since_solve_ = 0;
-  std::size_t resumed_at_ = 0;           ///< first keyframe since resume()
+  std::size_t resumed_at_ = 0;           ///< place on the own way of the first keyframe since resume()
   std::vector<std::size_t> neighbours_;  ///< older keyframes around it
+
+  std::vector<std::size_t> own_;                     ///< the robot's own nodes, in the order of its way
+  std::map<Maker, std::vector<std::size_t>> mates_;  ///< others' nodes in the order of their keys
+  std::map<KeyframeId, std::size_t> nodes_;
+  std::set<RelationKey> known_;       ///< relations in the graph or waiting
+  std::vector<FoundRelation> found_;  ///< by this robot
+  Unplaced unplaced_;
+  std::deque<std::size_t> unasked_;          ///< nodes of team-mates
+  std::set<std::size_t> tied_;               ///< nodes of team-mates with an edge to the own way
+  std::map<Maker, std::size_t> aligned_at_;  ///< keyframes, own and theirs, at the last question about them
 };
 
 }  // namespace topo::slam

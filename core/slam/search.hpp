@@ -11,6 +11,7 @@
 
 namespace topo::slam {
 
+/// A point's cell, relative to that of the pose which is tried.
 struct CellOffset {
   int x, y;
 };

@@ -49,9 +49,16 @@ types::Status check_session(const Session& session) {
 }
 
 void Mapper::resume(const Session& session, const Arrival& arrival) {
-  keyframes_ = session.keyframes;
-  poses_ = session.poses;
-  edges_ = session.edges;
+  // Keyframes are numbered on: the key of the grow-only set never comes twice.
+  for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
+    const KeyframeId& id = session.keyframes[i]->id;
+    if (id.maker() == maker_) next_sequence_ = std::max(next_sequence_, id.sequence + 1);
+    if (id.robot == maker_.robot)
+      add_own_node(session.keyframes[i], session.poses[i]);
+    else
+      add_mates_node(session.keyframes[i], session.poses[i]);
+  }
+  for (const Edge& edge : session.edges) add_found_edge(edge);  // told once more under this run
   T_map_base_ = arrival.T_map_base;
   T_odom_base_ = arrival.T_odom_base;
   const std::size_t node = keyframes_.size();
@@ -65,16 +72,12 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
   edge.T_from_to = poses_[edge.from].inverse() * T_map_base_;
   edge.information = edge_information(arrival.information, T_map_base_.theta_rad,
                                       params_.graph.loop_trans_floor_m, params_.graph.loop_rot_floor_rad);
-  edges_.push_back(edge);
-  // Keyframes are numbered on: the key of the grow-only set never comes twice.
-  for (const KeyframePtr& keyframe : keyframes_) {
-    if (keyframe->id.robot == robot_) next_sequence_ = std::max(next_sequence_, keyframe->id.sequence + 1);
-  }
   select_points(arrival.cloud, params_.cloud, points_);
-  keyframes_.push_back(
-      make_keyframe({robot_, next_sequence_++}, arrival.cloud, points_, T_odom_base_, {}, params_.cloud));
-  poses_.push_back(T_map_base_);
-  resumed_at_ = node;
+  add_own_node(make_keyframe({maker_.robot, next_sequence_++, maker_.run}, arrival.cloud, points_,
+                             T_odom_base_, {}, params_.cloud),
+               T_map_base_);
+  add_found_edge(edge);
+  resumed_at_ = own_.size() - 1;
   rebuild_local_map();
 }
 

@@ -26,9 +26,9 @@ std::vector<std::vector<std::size_t>> edges_at_nodes(std::size_t nodes, std::spa
 }  // namespace
 
 std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::span<const Edge> edges,
-                                                      const types::Se2& first) {
-  // Prim's algorithm; the weight of an edge is its kind, then its place in the list.
-  using Weight = std::pair<bool, std::size_t>;
+                                                      std::span<const int> ranks, const types::Se2& first) {
+  // Prim's algorithm; the weight of an edge is its rank, then its place in the list.
+  using Weight = std::pair<int, std::size_t>;
   std::priority_queue<Weight, std::vector<Weight>, std::greater<>> open;
   const auto at_nodes = edges_at_nodes(nodes, edges);
   std::vector<types::Se2> poses(nodes);
@@ -38,7 +38,7 @@ std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::sp
     poses[node] = pose;
     placed[node] = true;
     ++count;
-    for (const std::size_t i : at_nodes[node]) open.emplace(!successive(edges[i]), i);
+    for (const std::size_t i : at_nodes[node]) open.emplace(ranks[i], i);
   };
   if (nodes > 0) place(0, first);
   while (!open.empty() && count < nodes) {
@@ -52,6 +52,14 @@ std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::sp
   }
   if (count < nodes) return std::nullopt;
   return poses;
+}
+
+std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::span<const Edge> edges,
+                                                      const types::Se2& first) {
+  std::vector<int> ranks;
+  ranks.reserve(edges.size());
+  for (const Edge& edge : edges) ranks.push_back(successive(edge) ? 0 : 1);
+  return spanning_start(nodes, edges, ranks, first);
 }
 
 }  // namespace topo::slam

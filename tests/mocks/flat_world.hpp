@@ -79,4 +79,16 @@ inline FlatWorld two_rooms() {
   return world;
 }
 
+/// A ring corridor round a block, with niches that tell the places apart.
+inline FlatWorld ring_corridor() {
+  FlatWorld world;
+  world.box(0.0, 0.0, 24.0, 18.0);
+  world.box(2.5, 2.5, 21.5, 15.5);
+  for (const double x : {4.0, 9.0, 11.5, 19.0}) world.box(x, 0.0, x + 0.6, 0.4);
+  for (const double y : {3.0, 8.5, 10.0}) world.box(23.5, y, 24.0, y + 0.7);
+  for (const double x : {5.0, 13.0, 16.0}) world.box(x, 17.5, x + 0.8, 18.0);
+  for (const double y : {5.0, 12.0}) world.box(0.0, y, 0.5, y + 0.5);
+  return world;
+}
+
 }  // namespace topo::mocks

@@ -25,10 +25,10 @@ struct Scene {
         skeleton(places::skeletonise(map, clearance_m)),
         places(places::segment_places(map, clearance_m, skeleton, {}, 0.0)) {}
 
-  [[nodiscard]] GoalInput input(std::span<const types::Vector2> visited = {}) const {
+  [[nodiscard]] GoalInput input(std::span<const std::vector<types::Vector2>> visited = {}) const {
     return {map, clearance_m, skeleton, places, visited};
   }
-  [[nodiscard]] GoalSet goals(std::span<const types::Vector2> visited = {}) const {
+  [[nodiscard]] GoalSet goals(std::span<const std::vector<types::Vector2>> visited = {}) const {
     return essential_goals(input(visited));
   }
 
@@ -79,9 +79,9 @@ TEST(EssentialGoals, OfARoomSeenThroughItsDoorAreNotLost) {
 }
 
 TEST(EssentialGoals, OfARoomWhoseCorridorWasDrivenAreNotVisited) {
-  std::vector<types::Vector2> path;
-  for (double x = 2.0; x < 14.5; x += 0.3) path.emplace_back(x, 2.0);
-  const GoalSet set = Scene(corridor_with_glimpse()).goals(path);
+  std::vector<std::vector<types::Vector2>> paths(1);
+  for (double x = 2.0; x < 14.5; x += 0.3) paths[0].emplace_back(x, 2.0);
+  const GoalSet set = Scene(corridor_with_glimpse()).goals(paths);
   EXPECT_TRUE(
       std::any_of(set.goals.begin(), set.goals.end(), [](const Goal& g) { return g.opening.y() > 3.1; }));
 }
@@ -209,12 +209,15 @@ TEST(Filters, APlaceIsVisitedByWhoWasThere) {
   Goal goal;
   goal.p_map = {5.0, 5.0};
   goal.opening_m = 0.8;
-  const std::vector<types::Vector2> start = {{5.0, 5.0}, {5.5, 5.0}, {6.5, 5.0}, {7.5, 5.0}};
-  const std::vector<types::Vector2> past = {{3.5, 5.1}, {4.2, 5.1}, {5.0, 5.1}, {5.7, 5.1}, {6.5, 5.1}};
+  using Ways = std::vector<std::vector<types::Vector2>>;
+  const Ways start = {{{5.0, 5.0}, {5.5, 5.0}, {6.5, 5.0}, {7.5, 5.0}}};
+  const Ways past = {{{3.5, 5.1}, {4.2, 5.1}, {5.0, 5.1}, {5.7, 5.1}, {6.5, 5.1}}};
+  const Ways either_side = {{{2.5, 5.0}, {4.2, 5.0}}, {{5.8, 5.0}, {7.5, 5.0}}};
   EXPECT_TRUE(is_visited(goal, start, {}));
   goal.opening_m = 2.0;
   EXPECT_FALSE(is_visited(goal, start, {})) << "behind the robot's back when it started";
   EXPECT_TRUE(is_visited(goal, past, {}));
+  EXPECT_FALSE(is_visited(goal, either_side, {})) << "two robots, and nobody went from the one to the other";
   EXPECT_FALSE(is_visited(goal, {}, {}));
 }
 

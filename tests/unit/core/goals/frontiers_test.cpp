@@ -126,8 +126,12 @@ TEST(Frontiers, OfTheMirroredMapAreTheMirroredFrontiers) {
   EXPECT_TRUE(rc::check("mirrored", [] {
     const DenseMap map = grid::random_map(40);
     const double axis_m = (map.box.min.x + map.box.max.x + 1) * map.resolution_m;
-    const auto key = [](double x, const Frontier& f) {
-      return std::tuple(std::lround(x * 1e6), std::lround(f.centroid.y() * 1e6), std::lround(f.width_m * 1e6),
+    // In half cells, summed over the frontier, a centroid is a whole number: nothing to round up or down.
+    const auto halves = [&](double p_m, const Frontier& f) {
+      return std::lround(2.0 * p_m * static_cast<double>(f.cells.size()) / map.resolution_m);
+    };
+    const auto key = [&](double x, const Frontier& f) {
+      return std::tuple(halves(x, f), halves(f.centroid.y(), f), std::lround(f.width_m / map.resolution_m),
                         f.cells.size());
     };
     std::vector<std::tuple<long, long, long, std::size_t>> here, there;

@@ -4,6 +4,7 @@
 #include "core/grid/occupancy_grid.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 namespace topo::grid {
 namespace {
@@ -47,6 +48,30 @@ TEST(OccupancyGrid, ACopyIsASnapshot) {
   EXPECT_EQ(before.state({0, 0}), CellState::kFree);
   EXPECT_EQ(before.tiles().size(), 1U);
   EXPECT_EQ(grid.state({0, 0}), CellState::kOccupied);
+}
+
+TEST(OccupancyGrid, TwoVersionsDifferByTheCellsInAnotherState) {
+  EXPECT_TRUE(rc::check([] {
+    patricia::Arena<TileRef> arena;
+    OccupancyGrid grid(arena, 0.05);
+    const auto change = [&](int times) {
+      for (int i = 0; i < times; ++i) {
+        const auto at = [] { return *rc::gen::inRange(-40, 40); };
+        const int x = at(), y = at();
+        auto& counts = grid.tile_to_change(x >> 5, y >> 5).cells[Tile::index(x & 31, y & 31)];
+        counts = {static_cast<std::uint16_t>(*rc::gen::inRange(0, 3)),
+                  static_cast<std::uint16_t>(*rc::gen::inRange(0, 9))};
+      }
+    };
+    change(*rc::gen::inRange(0, 30));
+    const OccupancyGrid before = grid;
+    change(*rc::gen::inRange(0, 30));
+    std::size_t differing = 0;
+    for (int y = -40; y < 40; ++y)
+      for (int x = -40; x < 40; ++x) differing += before.state({x, y}) != grid.state({x, y}) ? 1U : 0U;
+    RC_ASSERT(differing_cells(before, grid) == differing);
+    RC_ASSERT(differing_cells(grid, before) == differing);
+  }));
 }
 
 }  // namespace

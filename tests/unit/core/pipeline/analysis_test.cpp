@@ -4,39 +4,52 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/prepared_map.hpp"
-#include "tests/unit/core/pipeline/toy_building.hpp"
+#include "core/grid/distance.hpp"
+#include "tests/unit/core/grid/maps.hpp"
 
 namespace topo::pipeline {
 namespace {
 
-const std::vector<std::string> kFurnished{
-    "########################################", "#                   #                  #",
-    "#                   #                  #", "#      ##           #        #         #",
-    "#      ##           #                  #", "#                                      #",
-    "#   S                                  #", "#                                      #",
-    "#                   #                  #", "#          #        #     ##           #",
-    "#                   #     ##           #", "#                   #                  #",
-    "#                   #                  #", "########################################"};
+using grid::CellState;
 
-TEST(Analysis, WhatItRemembersChangesNothingOnAGrowingMap) {
-  ToyBuilding building(kFurnished, 4.0);
-  PlanningState state({});
-  AnalysisMemory memory;
-  int furnished = 0;
-  for (int i = 0; i < 12; ++i) {
-    (void)building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
-    const grid::DenseMap map = prepare_map(building.snapshot(), {}, 0.3);
-    const std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    AnalysisMemory nothing;
-    const Analysis fresh = analyse(building.snapshot(), map, clearance_m, {}, {}, nothing);
-    const Analysis again = analyse(building.snapshot(), map, clearance_m, {}, {}, memory);
-    ASSERT_EQ(again.places.labels, fresh.places.labels) << i;
-    ASSERT_EQ(again.skeleton.on, fresh.skeleton.on) << i;
-    ASSERT_EQ(again.goals.goals.size(), fresh.goals.goals.size()) << i;
-    if (!nothing.without_furniture.clearance_m().empty()) ++furnished;
+TEST(Analysis, ACoarserMapHidesNoObstacleAndNarrowsNoWay) {
+  EXPECT_TRUE(rc::check([] {
+    ClearMap fine;
+    fine.map = grid::random_map(40);
+    fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
+    const ClearMap coarse = coarser(fine.map, fine.clearance_m);
+    RC_ASSERT(coarse.map.resolution_m == 2.0 * fine.map.resolution_m);
+    for (std::size_t i = 0; i < fine.map.cells.size(); ++i) {
+      const types::Vector2 centre = fine.map.centre_of(fine.map.cell(i));
+      const grid::CellIndex there = coarse.map.cell_at(centre);
+      const CellState state = coarse.map.state(there);
+      RC_ASSERT(state >= fine.map.cells[i]);  // unknown, free, occupied
+      RC_ASSERT(state != CellState::kFree ||
+                coarse.clearance_m[coarse.map.index(there)] >= fine.clearance_m[i]);
+    }
+    // ... and invents none.
+    for (std::size_t i = 0; i < coarse.map.cells.size(); ++i) {
+      const grid::CellIndex at = coarse.map.cell(i);
+      bool found = coarse.map.cells[i] == CellState::kUnknown;
+      for (int k = 0; k < 4; ++k)
+        found = found || fine.map.state({2 * at.x + k % 2, 2 * at.y + k / 2}) == coarse.map.cells[i];
+      RC_ASSERT(found);
+    }
+  }));
+}
+
+TEST(Analysis, ACoarserMapHasUnknownCellsAllAround) {
+  ClearMap fine;
+  fine.map = grid::filled_map(7, 5, CellState::kFree);
+  fine.clearance_m.assign(fine.map.cells.size(), 1.0F);
+  const ClearMap coarse = coarser(fine.map, fine.clearance_m);
+  for (std::size_t i = 0; i < coarse.map.cells.size(); ++i) {
+    const grid::CellIndex at = coarse.map.cell(i);
+    const bool outermost = at.x == coarse.map.box.min.x || at.x == coarse.map.box.max.x ||
+                           at.y == coarse.map.box.min.y || at.y == coarse.map.box.max.y;
+    EXPECT_TRUE(!outermost || coarse.map.cells[i] == CellState::kUnknown);
   }
-  EXPECT_GE(furnished, 3) << "too little furniture to show anything";
+  EXPECT_TRUE(coarser({}, {}).map.cells.empty());
 }
 
 }  // namespace

@@ -114,6 +114,9 @@ TEST(MapSnapshot, NeverChangesAndCarriesPoseWithMap) {
   EXPECT_GT(known, 1000U);
   EXPECT_EQ(still, known);
   EXPECT_NE(now, known);
+  EXPECT_EQ(late->changed_cells - early->changed_cells, grid::differing_cells(early->grid, late->grid));
+  EXPECT_GT(late->changed_cells, early->changed_cells);
+  EXPECT_EQ(state.make_snapshot()->changed_cells, late->changed_cells) << "nothing new";
   EXPECT_GT(late->revision, early->revision);
   EXPECT_GT(late->keyframes.size(), early->keyframes.size());
   EXPECT_NEAR(late->T_map_base.x_m(), 1.4, 0.03) << "0.5 m/s for 2.8 s";

@@ -179,6 +179,27 @@ TEST(PlanningStep, homeAsOrderedIsDoneWhateverTheBattery) {
   EXPECT_EQ(run.last.report->activity, Activity::kDone);
 }
 
+/// A robot on its way home gets stuck as soon as it is within `near_m` of its start.
+Activity stuck_on_the_way_home(double near_m) {
+  ToyBuilding building(kFloor);
+  const types::Vector2 start = building.robot();
+  PlanningState state({});
+  const auto away_m = [&] { return (building.robot() - start).norm(); };
+  for (int i = 0; i < 30 && away_m() <= 2.0; ++i)
+    (void)building.run_period(state, {1, Order::kExplore, false, kNowhere});
+  const Mission home{2, Order::kHome, false, kNowhere};
+  for (int i = 0; i < 200 && away_m() > near_m; ++i) (void)building.run_period(state, home, 0.1);
+  EXPECT_LE(away_m(), near_m);
+  EXPECT_GT(away_m(), near_m - 0.15);
+  building.control().mode = ControlMode::kStuck;
+  return building.run_period(state, home, 0.0).report->activity;
+}
+
+TEST(PlanningStep, whoGetsStuckBesideItsStartIsHome) {
+  EXPECT_EQ(stuck_on_the_way_home(0.44), Activity::kDone);
+  EXPECT_EQ(stuck_on_the_way_home(0.8), Activity::kReturning);
+}
+
 TEST(PlanningStep, standsWhenAnythingIsMissing) {
   ToyBuilding building(kFloor);
   PlanningState state({});
@@ -255,6 +276,20 @@ TEST(PlanningStep, standsWhileItIsLostAndGoesOnWhenAScanMatches) {
   }
 }
 
+/// One period of whoever has this map, these words and this time.
+PlanningOutput plan_at(types::Stamp now, PlanningState& state, const Mission& mission, const MapSnapshot& map,
+                       TrackedPose tracked, ControlReport control) {
+  control.stamp = control.odometry.stamp = tracked.stamp = now;
+  tracked.revision = map.revision;
+  PlanningInput input;
+  input.now = now;
+  input.map = &map;
+  input.tracked = &tracked;
+  input.control = &control;
+  input.mission = mission;
+  return planning_step(state, input);
+}
+
 TEST(PlanningStep, aDecisionHoldsWhileTheOdometryDriftsAndNotOnABentMap) {
   using MapOdom = types::Transform2<types::Map, types::Odom>;
   const types::Se2 change{0.3, -0.2, 0.1};
@@ -276,15 +311,48 @@ TEST(PlanningStep, aDecisionHoldsWhileTheOdometryDriftsAndNotOnABentMap) {
       control.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(wheels);
       tracked.T_map_odom = MapOdom(tracked.T_map_odom.se2() * change.inverse());
     }
-    control.stamp = control.odometry.stamp = tracked.stamp = building.now();
-    PlanningInput input;
-    input.now = building.now();
-    input.map = &map;
-    input.tracked = &tracked;
-    input.control = &control;
-    input.mission = mission;
-    EXPECT_EQ(planning_step(state, input).report->decisions_made, decisions + (bent ? 1 : 0));
+    const PlanningOutput next = plan_at(building.now(), state, mission, map, tracked, control);
+    EXPECT_EQ(next.report->decisions_made, decisions + (bent ? 1 : 0));
   }
+}
+
+TEST(PlanningStep, aQuietDecisionHoldsUntilEnoughChangedOrTheGoalWasLookedAt) {
+  using std::chrono::seconds;
+  ToyBuilding building(kFloor);
+  PlannerParams params;
+  params.quiet_decision_holds = seconds(8);
+  PlanningState state(params);
+  const Mission mission{1, Order::kExplore, false, kNowhere};
+  PlanningOutput out;
+  for (int i = 0; i < 8; ++i) out = building.run_period(state, mission);
+  MapSnapshot map = building.snapshot();
+  types::Stamp now = building.now();
+  const auto decisions_within = [&](types::Duration span) {
+    const std::uint64_t before = out.report->decisions_made;
+    for (const types::Stamp end = now + span; now < end; now += std::chrono::milliseconds(500)) {
+      ++map.revision;  // with each a keyframe that shows nothing new
+      out = plan_at(now, state, mission, map, building.tracked(), building.control());
+    }
+    return out.report->decisions_made - before;
+  };
+  while (decisions_within(std::chrono::milliseconds(500)) == 0) {
+  }
+  EXPECT_EQ(decisions_within(seconds(7)), 0U);
+  EXPECT_EQ(decisions_within(seconds(2)), 1U) << "once more, though nothing has changed";
+  map.changed_cells += 101;  // 0.25 m2 of cells of 0.05 m
+  EXPECT_EQ(decisions_within(seconds(3)), 1U);
+  ASSERT_TRUE(out.report->goal);
+  const grid::CellIndex goal = map.grid.cell_at(out.report->goal->p_map);
+  int seen = 0;
+  for (int y = goal.y - 20; y <= goal.y + 20; ++y) {
+    for (int x = goal.x - 20; x <= goal.x + 20; ++x) {
+      if (map.grid.state({x, y}) != grid::CellState::kUnknown) continue;
+      map.grid.tile_to_change(x >> 5, y >> 5).cells[grid::Tile::index(x & 31, y & 31)].misses = 5;
+      ++seen;
+    }
+  }
+  ASSERT_GE(seen, 10) << "the goal is at a frontier";
+  EXPECT_EQ(decisions_within(seconds(2)), 1U);
 }
 
 /// Least distance of the plan's way to a point.

@@ -12,6 +12,7 @@ namespace topo::pipeline {
 
 ToyBuilding::ToyBuilding(std::vector<std::string> rows, double range_m)
     : rows_(rows.rbegin(), rows.rend()), range_m_(range_m), snapshot_{0,
+                                                                      0,
                                                                       {},
                                                                       {},
                                                                       {},
@@ -56,6 +57,7 @@ void ToyBuilding::see(const types::Vector2& p, bool free) {
 
 void ToyBuilding::look_around() {
   constexpr int kRays = 1440;
+  const grid::OccupancyGrid before = snapshot_.grid;
   for (int i = 0; i < kRays; ++i) {
     const double angle_rad = 2.0 * std::numbers::pi * i / kRays;
     const types::Vector2 direction(std::cos(angle_rad), std::sin(angle_rad));
@@ -67,6 +69,7 @@ void ToyBuilding::look_around() {
     }
   }
   ++snapshot_.revision;
+  snapshot_.changed_cells += grid::differing_cells(before, snapshot_.grid);
   snapshot_.stamp = now_;
 }
 
@@ -90,7 +93,7 @@ void ToyBuilding::follow(const Plan& plan, double step_m) {
     left_m -= length_m;
     path_m_ += length_m;
   }
-  if (left_m > 0.0 && plan.path_ends_at_goal) control_.mode = ControlMode::kArrived;
+  if (left_m > 1e-9 && plan.path_ends_at_goal) control_.mode = ControlMode::kArrived;
 }
 
 PlanningOutput ToyBuilding::run_period(PlanningState& state, const Mission& mission, double step_m) {
@@ -106,6 +109,7 @@ PlanningOutput ToyBuilding::run_period(PlanningState& state, const Mission& miss
   input.map = &snapshot_;
   input.tracked = &tracked_;
   input.control = &control_;
+  input.team = team_;
   input.mission = mission;
   PlanningOutput out = planning_step(state, input);
   follow(out.plan, step_m);

@@ -26,6 +26,8 @@ class ToyBuilding {
   /// What a fault shall look like, before the next period.
   ControlReport& control() { return control_; }
   TrackedPose& tracked() { return tracked_; }
+  /// What the robot hears of a team from now on; borrowed. Null: it is alone.
+  void hear(const TeamInput* team) { team_ = team; }
   [[nodiscard]] types::Stamp now() const { return now_; }
   [[nodiscard]] const MapSnapshot& snapshot() const { return snapshot_; }
   /// A wall from now on, or floor.
@@ -50,6 +52,7 @@ class ToyBuilding {
   MapSnapshot snapshot_;
   ControlReport control_;
   TrackedPose tracked_;
+  const TeamInput* team_ = nullptr;
   types::Stamp now_ = types::stamp_from_seconds(100.0);
 };
 

@@ -118,11 +118,24 @@ TEST(KeyframeCodec, ACountIsNotBelieved) {
 
 TEST(KeyframeCodec, AnotherVersionIsNamed) {
   auto bytes = encode_keyframe({});
-  bytes[0] = std::byte{2};
+  bytes[0] = std::byte{3};
   const auto refused = decode_keyframe(bytes);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, types::Errc::kUnsupported);
-  EXPECT_EQ(refused.error().message, "keyframe: found version 2, expected 1");
+  EXPECT_EQ(refused.error().message, "keyframe: found version 3, expected 1 or 2");
+}
+
+// A second run of one robot has its number in a form of its own: what the first version wrote stays as it is.
+TEST(KeyframeCodec, ARunIsKept) {
+  Keyframe k;
+  k.id = {1, 2, 0x12345678};
+  auto bytes = encode_keyframe(k);
+  EXPECT_EQ(bytes[0], std::byte{2});
+  const auto back = decode_keyframe(bytes);
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->id, k.id);
+  std::fill_n(bytes.begin() + 3, 4, std::byte{0});
+  EXPECT_FALSE(decode_keyframe(bytes)) << "run 0 has one form";
 }
 
 // Version 1 stays readable: the bytes of a keyframe written down.

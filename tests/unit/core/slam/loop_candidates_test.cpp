@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace topo::slam {
 namespace {
 
@@ -30,10 +32,20 @@ struct Path {
 
 const LoopParams kLoopParams;
 
+/// Where the path's last pose may have been before.
+std::vector<LoopRun> runs_at_end(const Path& path) {
+  const std::size_t last = path.poses.size() - 1;
+  std::vector<std::size_t> way(path.poses.size());
+  std::iota(way.begin(), way.end(), 0U);
+  const auto distances = graph_distances(path.poses.size(), path.edges, last);
+  const std::size_t end = end_of_other_visits(path.poses, way, last, kLoopParams);
+  return find_loop_runs(path.poses, distances, last, way, end, kLoopParams);
+}
+
 TEST(FindLoopRuns, TheRecentPathIsNoOtherVisit) {
   Path path;
   path.go(10.0, 0.0);
-  EXPECT_TRUE(find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams).empty());
+  EXPECT_TRUE(runs_at_end(path).empty());
 }
 
 TEST(FindLoopRuns, ComingBackAfterALoopFindsTheBeginning) {
@@ -42,7 +54,7 @@ TEST(FindLoopRuns, ComingBackAfterALoopFindsTheBeginning) {
   path.go(15.0, 15.0);
   path.go(0.0, 15.0);
   path.go(0.0, 1.0);
-  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams);
+  const auto runs = runs_at_end(path);
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_EQ(runs[0].nearest, 0U);
   EXPECT_NEAR(runs[0].window.half_m, kLoopParams.search_floor_m + kLoopParams.drift_per_m * 59.0 * 1.1, 0.15);
@@ -59,7 +71,7 @@ TEST(FindLoopRuns, AClosureShortensTheWayAndNarrowsTheSearch) {
   closure.to = path.poses.size() - 2;
   closure.T_from_to = path.poses[closure.from].inverse() * path.poses[closure.to];
   path.edges.push_back(closure);
-  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams);
+  const auto runs = runs_at_end(path);
   ASSERT_FALSE(runs.empty());
   EXPECT_LT(runs[0].window.half_m, 0.4);
 }
@@ -72,7 +84,7 @@ TEST(FindLoopRuns, SeparateVisitsAreSeparateRunsNearestFirst) {
   path.go(0.0, 20.0);
   path.go(10.0, 20.0);
   path.go(10.0, 1.9);
-  const auto runs = find_loop_runs(path.poses, path.edges, path.poses.size() - 1, kLoopParams);
+  const auto runs = runs_at_end(path);
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_NEAR(path.poses[runs[0].nearest].y_m, 3.0, 1e-9);
   EXPECT_NEAR(path.poses[runs[1].nearest].y_m, 0.0, 1e-9);

@@ -6,13 +6,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <map>
-
+#include "tests/unit/core/slam/map_contents.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
 namespace topo::slam {
 namespace {
 
+using testing::columns;
+using testing::states;
 using types::Se2;
 
 KeyframePtr keyframe_at(const Se2& pose, std::uint32_t sequence, std::mt19937& random) {
@@ -22,18 +23,6 @@ KeyframePtr keyframe_at(const Se2& pose, std::uint32_t sequence, std::mt19937& r
   keyframe->hits = view.cloud.points;
   keyframe->columns = {{1.0F, 0.5F, 7U << sequence}};
   return keyframe;
-}
-
-std::map<std::pair<int, int>, grid::CellState> states(const grid::OccupancyGrid& grid) {
-  std::map<std::pair<int, int>, grid::CellState> out;
-  grid.for_each_known([&](grid::CellIndex cell, grid::CellState state) { out[{cell.x, cell.y}] = state; });
-  return out;
-}
-
-std::map<patricia::Key, walls::Slabs> columns(const walls::WallStore& walls) {
-  std::map<patricia::Key, walls::Slabs> out;
-  walls.columns().for_each([&](patricia::Key key, walls::Slabs slabs) { out[key] = slabs; });
-  return out;
 }
 
 TEST(MapBuilder, IsAFunctionOfTheKeyframesAndTheirPoses) {

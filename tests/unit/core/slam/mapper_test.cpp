@@ -12,18 +12,6 @@ namespace {
 
 using types::Se2;
 
-/// A ring corridor round a block, with niches that tell the places apart.
-mocks::FlatWorld ring() {
-  mocks::FlatWorld world;
-  world.box(0.0, 0.0, 24.0, 18.0);
-  world.box(2.5, 2.5, 21.5, 15.5);
-  for (const double x : {4.0, 9.0, 11.5, 19.0}) world.box(x, 0.0, x + 0.6, 0.4);
-  for (const double y : {3.0, 8.5, 10.0}) world.box(23.5, y, 24.0, y + 0.7);
-  for (const double x : {5.0, 13.0, 16.0}) world.box(x, 17.5, x + 0.8, 18.0);
-  for (const double y : {5.0, 12.0}) world.box(0.0, y, 0.5, y + 0.5);
-  return world;
-}
-
 /// Poses every 0.1 m or 5 degrees along straight legs with turns on the spot.
 std::vector<Se2> drive(const std::vector<types::Vector2>& corners) {
   std::vector<Se2> poses{{corners[0].x(), corners[0].y(), 0.0}};
@@ -94,7 +82,7 @@ TEST(Mapper, TracksThroughTwoRoomsToCentimetres) {
 
 TEST(Mapper, ClosesARing) {
   const auto truth = drive({{1.2, 1.2}, {22.8, 1.2}, {22.8, 16.8}, {1.2, 16.8}, {1.2, 1.2}, {12.0, 1.2}});
-  const Trial out = run(ring(), truth, {}, 2);
+  const Trial out = run(mocks::ring_corridor(), truth, {}, 2);
   EXPECT_GT(out.closures, 3);
   EXPECT_EQ(out.lost, 0);
   EXPECT_GT(end_error(out.odometry, out.truth), 2.0);
@@ -103,7 +91,7 @@ TEST(Mapper, ClosesARing) {
 
 TEST(Mapper, TheSameInputGivesTheSamePosesToTheBit) {
   const auto truth = drive({{1.2, 1.2}, {22.8, 1.2}, {22.8, 8.0}});
-  const Trial a = run(ring(), truth, {}, 3), b = run(ring(), truth, {}, 3);
+  const Trial a = run(mocks::ring_corridor(), truth, {}, 3), b = run(mocks::ring_corridor(), truth, {}, 3);
   EXPECT_EQ(a.estimate, b.estimate);
 }
 

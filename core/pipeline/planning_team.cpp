@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "core/goals/filters.hpp"
+#include "core/pipeline/planning_state.hpp"
+#include "core/team/coordination.hpp"
+#include "core/team/homes.hpp"
+#include "core/team/precedence.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using types::Vector2;
+
+constexpr double kWay_m = 6.0;          // of a route that the others are told
+constexpr double kWaySpacing_m = 0.3;   // finer than a robot is wide
+constexpr double kRoomSearch_m = 12.0;  // to the next door or junction of a corridor
+constexpr double kRoomReached_m = 0.25;
+constexpr double kCrowd_m = 1.2;                                // around a mate, where a route is dear
+constexpr double kBeside_m = 2.0;                               // of a mate, as it was when it last said so
+constexpr types::Duration kRoomFor = std::chrono::seconds(30);  // then it is of no use
+
+team::Rule rule_of(const PlannerParams& params) {
+  switch (params.strategy) {
+    case Strategy::kTopometric:
+      return params.k_means ? team::Rule::kClusters : team::Rule::kNoClusters;
+    case Strategy::kNearestFrontier:
+      return team::Rule::kAlone;
+    case Strategy::kGreedyFrontier:
+      return team::Rule::kInTurn;
+    case Strategy::kUtilityFrontier:
+      return team::Rule::kUtility;
+    case Strategy::kMinPos:
+      return team::Rule::kMinPos;
+  }
+  return team::Rule::kAlone;
+}
+
+/// The next metres of a route, spaced for the others.
+std::vector<Vector2> beginning_of(const std::vector<Vector2>& route) {
+  std::vector<Vector2> way;
+  double gone_m = 0.0, next_m = 0.0;
+  for (std::size_t i = 0; i < route.size() && gone_m <= kWay_m; ++i) {
+    if (i > 0) gone_m += (route[i] - route[i - 1]).norm();
+    if (gone_m < next_m) continue;
+    way.push_back(route[i]);
+    next_m = gone_m + kWaySpacing_m;
+  }
+  return way;
+}
+
+}  // namespace
+
+void PlanningState::Impl::hear(const PlanningInput& in) {
+  for (const team::Word& word : in.team->words) {
+    const bool newer = word.robot != in.team->robot && roster.take(word, in.now);
+    if (newer && word.duty != team::Duty::kOver) contact.heard(T_map_base.se2().translation(), in.now);
+  }
+  if (!roster.any_at_work()) contact.forget();
+  going_at = roster.going_at(in.now);
+}
+
+bool PlanningState::Impl::is_going_mate(const Vector2& p_map) const {
+  return std::any_of(going_at.begin(), going_at.end(),
+                     [&](const Vector2& mate) { return (mate - p_map).norm() <= team::kMateRadius_m; });
+}
+
+bool PlanningState::Impl::is_beside_moving_mate(const PlanningInput& in) const {
+  const Vector2 here = T_map_base.se2().translation();
+  const auto heard = roster.heard(in.now);
+  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
+    return !word->way_map.empty() && (word->T_map_base.translation() - here).norm() <= kBeside_m;
+  });
+}
+
+void PlanningState::Impl::crowd_mates() {
+  const auto reach = static_cast<std::int32_t>(std::ceil(kCrowd_m / map.resolution_m));
+  const auto least_m = static_cast<float>(params.travel.radius_m);
+  for (const Vector2& mate : going_at) {
+    const grid::CellIndex centre = map.cell_at(mate);
+    for (std::int32_t dy = -reach; dy <= reach; ++dy) {
+      for (std::int32_t dx = -reach; dx <= reach; ++dx) {
+        const grid::CellIndex cell{centre.x + dx, centre.y + dy};
+        if (!map.contains(cell) || dx * dx + dy * dy > reach * reach) continue;
+        float& room_m = travel_clearance_m[map.index(cell)];
+        room_m = std::min(room_m, least_m);
+      }
+    }
+  }
+}
+
+const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<const Candidate> candidates,
+                                           const Candidate* present) {
+  const std::uint16_t here = second_phase && present != nullptr && goal ? goal->place : std::uint16_t{0};
+  if (in.team == nullptr) return choose(candidates, present, params.switch_gain, here);
+  bids.clear();
+  for (const Candidate& c : candidates)
+    bids.push_back({c.goal.p_map, weighed_cost_m(c, present, params.switch_gain, here)});
+  team::Word self;
+  self.robot = in.team->robot;
+  self.bids = bids;
+  if (present != nullptr) self.claim = team::Bid{present->goal.p_map, claimed_m};
+  const auto in_sight = [&](const Vector2& a, const Vector2& b) {
+    return goals::sees(map, map.cell_at(a), map.cell_at(b));
+  };
+  const auto chosen = team::coordinate(rule_of(params), self, roster.counted(in.now), in_sight);
+  return chosen ? &candidates[*chosen] : nullptr;
+}
+
+bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& candidate) const {
+  const auto heard = roster.heard(in.now);
+  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
+    return std::any_of(word->visited.begin(), word->visited.end(), [&](const Vector2& p) {
+      return (p - candidate.goal.p_map).norm() <= GivenUpGoals::kSame_m;
+    });
+  });
+}
+
+bool PlanningState::Impl::others_have_goals(const PlanningInput& in) const {
+  if (rule_of(params) == team::Rule::kAlone) return false;
+  const auto counted = roster.counted(in.now);
+  return std::any_of(counted.begin(), counted.end(),
+                     [](const team::Word* word) { return word->claim || !word->bids.empty(); });
+}
+
+PlanningState::Impl::Claims PlanningState::Impl::claims_of_mates(const PlanningInput& in) const {
+  Claims claims;
+  for (const team::Word* word : roster.counted(in.now)) {
+    const auto claimed = word->claim ? std::optional(word->claim->p_map) : std::nullopt;
+    claims.emplace_back(word->robot, claimed);
+  }
+  return claims;
+}
+
+bool PlanningState::Impl::mates_claim_the_same(const PlanningInput& in) const {
+  const Claims now = claims_of_mates(in);
+  return std::equal(now.begin(), now.end(), claims_then.begin(), claims_then.end(),
+                    [](const auto& a, const auto& b) {
+                      if (a.first != b.first || a.second.has_value() != b.second.has_value()) return false;
+                      return !a.second || team::is_same_goal(*a.second, *b.second);
+                    });
+}
+
+void PlanningState::Impl::wait_for_goal(const PlanningInput& in, const char* why) {
+  if (goal) note(in, goal->p_map, "left to another");
+  goal.reset();
+  has_target = false;
+  activity = Activity::kThinking;
+  reason = why;
+  last_progress = in.now;
+}
+
+const team::Word* PlanningState::Impl::who_needs_room(const PlanningInput& in) const {
+  if (in.now < ignore_room_until) return nullptr;
+  team::Word self;
+  self.robot = in.team->robot;
+  self.T_map_base = T_map_base.se2();
+  if (has_target) self.way_map = beginning_of(route);
+  return team::who_needs_room(self, roster.heard(in.now));
+}
+
+bool PlanningState::Impl::precedence_changed(const PlanningInput& in) const {
+  return !room && who_needs_room(in) != nullptr;
+}
+
+bool PlanningState::Impl::moves_up_for(const PlanningInput& in, const team::Word& mate) const {
+  team::Word self;
+  self.T_map_base = T_map_base.se2();
+  return comes_home_with_others(in) && mate.home && home && team::is_at_home(self, *home) &&
+         !team::is_at_home(mate, {mate.robot, *mate.home});
+}
+
+bool PlanningState::Impl::make_room(const PlanningInput& in) {
+  const std::vector<const team::Word*> heard = roster.heard(in.now);
+  if (!room) {
+    const team::Word* mate = who_needs_room(in);
+    if (mate == nullptr || moves_up_for(in, *mate)) return false;
+    room = Room{mate->robot, T_map_base.se2().translation(), in.now, target};
+    ++goal_id;  // what control says of this way is not about the goal
+    note(in, room->asked_at, "makes room for robot " + std::to_string(mate->robot));
+  }
+  const auto mate = std::find_if(heard.begin(), heard.end(),
+                                 [&](const team::Word* word) { return word->robot == room->mate; });
+  const team::PrecedenceParams limits;
+  const auto in_the_way = [&](const Vector2& p) { return (p - room->asked_at).norm() < limits.room_m; };
+  const bool room_timed_out = in.now - room->since > kRoomFor;
+  if (room_timed_out) ignore_room_until = in.now + kRoomFor;
+  if (mate == heard.end() || room_timed_out ||
+      std::none_of((*mate)->way_map.begin(), (*mate)->way_map.end(), in_the_way)) {
+    target = room->goal_target;  // who stands in the room is not at the goal
+    room.reset();
+    ++goal_id;
+    return false;
+  }
+  search.settle(2.0 * kRoomSearch_m);
+  const auto cell = team::room_beside(map, field, **mate, heard, kRoomSearch_m);
+  has_target = cell && (map.centre_of(*cell) - T_map_base.se2().translation()).norm() > kRoomReached_m;
+  if (has_target) target = *cell;
+  reason = "makes room for robot " + std::to_string(room->mate);
+  last_progress = goal_taken = in.now;
+  return true;
+}
+
+bool PlanningState::Impl::comes_home_with_others(const PlanningInput& in) const {
+  return in.team != nullptr && returning && mission.order == Order::kExplore;
+}
+
+Vector2 PlanningState::Impl::home_of(const PlanningInput& in) {
+  Vector2 start = T_map_start.se2().translation();
+  if (!comes_home_with_others(in)) return start;
+  team::Word self;
+  self.robot = in.team->robot;
+  self.start = start;
+  self.T_map_base = T_map_base.se2();
+  const auto cell_at = [&](const Vector2& p) {
+    return grid::nearest_reachable(map, field, map.cell_at(p), params.home_reached_m);
+  };
+  const auto cost_m = [&](const Vector2& p) {
+    search.settle(HUGE_VAL);
+    const auto cell = cell_at(p);
+    return cell ? static_cast<double>(field.cost_m[map.index(*cell)]) : HUGE_VAL;
+  };
+  if (home && !cell_at(home->p_map)) home.reset();
+  const std::optional<team::Home> chosen =
+      team::choose_home(self, roster.heard(in.now), home, who_needs_room(in), cost_m);
+  const bool same = chosen && home ? chosen->robot == home->robot : !chosen && !home;
+  if (!same && goal) {
+    goal.reset();  // another way: what was said of the old one is not about it
+    thought = {};
+  }
+  home = chosen;
+  return home ? home->p_map : start;
+}
+
+void PlanningState::Impl::wait_at_home(const PlanningInput& in) {
+  at_home = true;
+  if (roster.all_home(in.now)) {
+    if (cut_short) return end(Activity::kFailed, return_reason + ": came home");
+    reason = return_reason;
+    return;
+  }
+  ended = false;
+  activity = Activity::kReturning;
+  reason = "home, waits for the others";
+}
+
+team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
+  team::Word word;
+  word.robot = in.team->robot;
+  word.sequence = words;
+  word.T_map_base = T_map_base.se2();
+  word.start = T_map_start.se2().translation();
+  if (returning && home) word.home = home->p_map;
+  if (ended || at_home)
+    word.duty = team::Duty::kOver;
+  else if (located && !in.control->estop_latched && !mission.paused && mission.order == Order::kExplore)
+    word.duty = team::Duty::kAble;
+  if (has_target) word.way_map = beginning_of(route);
+  word.visited = given_up.held_for(GivenUpGoals::kVisited, in.now);
+  // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
+  if (ended || at_home || returning || mission.order != Order::kExplore) return word;
+  word.bids = bids;
+  if (goal && !seeks_contact) word.claim = team::Bid{goal->p_map, claimed_m};
+  return word;
+}
+
+}  // namespace topo::pipeline

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/slam/unplaced.hpp"
+
+#include "core/slam/canonical_map.hpp"
+
+namespace topo::slam {
+
+void Unplaced::add(const RelationKey& key, const Relation& relation) {
+  if (!relations_.try_emplace(key, relation).second) return;
+  by_end_[key.first].push_back(key);
+  by_end_[key.second].push_back(key);
+}
+
+const Relation* Unplaced::find(const RelationKey& key) const {
+  const auto at = relations_.find(key);
+  return at == relations_.end() ? nullptr : &at->second;
+}
+
+const std::vector<RelationKey>& Unplaced::at(const KeyframeId& id) const {
+  static const std::vector<RelationKey> kNothing;
+  const auto at = by_end_.find(id);
+  return at == by_end_.end() ? kNothing : at->second;
+}
+
+Session Unplaced::tied_to(const KeyframeId& origin, const GraphParams& graph) const {
+  KeyframeSet keyframes;
+  RelationSet relations;
+  for (const auto& [id, keyframe] : keyframes_) keyframes.insert(keyframe);
+  for (const auto& [key, relation] : relations_) relations.insert(key, relation);
+  return canonical_session(keyframes, relations, origin, graph);
+}
+
+KeyframePtr Unplaced::take(const KeyframeId& id) { return keyframes_.extract(id).mapped(); }
+
+void Unplaced::erase(const RelationKey& key) {
+  relations_.erase(key);
+  forget(key.first, key);
+  forget(key.second, key);
+}
+
+void Unplaced::forget(const KeyframeId& end, const RelationKey& key) {
+  const auto at = by_end_.find(end);
+  if (at == by_end_.end()) return;
+  std::erase(at->second, key);
+  if (at->second.empty()) by_end_.erase(at);
+}
+
+}  // namespace topo::slam

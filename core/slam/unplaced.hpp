@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "core/slam/relation_set.hpp"
+#include "core/slam/session.hpp"
+
+namespace topo::slam {
+
+/// What team-mates sent and what nothing ties to the map yet: keyframes, and relations with an end that is
+/// not in it.
+class Unplaced {
+ public:
+  void add(const KeyframePtr& keyframe) { keyframes_.try_emplace(keyframe->id, keyframe); }
+  void add(const RelationKey& key, const Relation& relation);
+
+  [[nodiscard]] bool contains(const KeyframeId& id) const { return keyframes_.contains(id); }
+  [[nodiscard]] const Relation* find(const RelationKey& key) const;
+  /// Keys of the relations that have the keyframe at one end.
+  [[nodiscard]] const std::vector<RelationKey>& at(const KeyframeId& id) const;
+  [[nodiscard]] const std::map<KeyframeId, KeyframePtr>& keyframes() const { return keyframes_; }
+  /// What is tied to a keyframe here, as a map of its own.
+  [[nodiscard]] Session tied_to(const KeyframeId& origin, const GraphParams& graph) const;
+
+  /// What enters the map leaves here. The keyframe is here.
+  KeyframePtr take(const KeyframeId& id);
+  void erase(const RelationKey& key);
+
+ private:
+  void forget(const KeyframeId& end, const RelationKey& key);
+  std::map<KeyframeId, KeyframePtr> keyframes_;
+  std::map<RelationKey, Relation> relations_;
+  std::map<KeyframeId, std::vector<RelationKey>> by_end_;
+};
+
+}  // namespace topo::slam

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/slam/free_ground.hpp"
+#include "core/slam/global_search.hpp"
+#include "core/slam/refine.hpp"
+#include "core/slam/search.hpp"
+#include "core/slam/session.hpp"
+#include "core/types/geometry.hpp"
+
+namespace topo::slam {
+
+/// A place with what speaks for it: the share of points that fit less, weighted, the share that contradicts
+/// the map.
+struct Peak {
+  Match match;
+  double evidence = 0.0;
+};
+
+/// How a whole map is searched.
+struct WholeSearch {
+  double score_min = 0.35;  ///< least likelihood of a coarse peak: the less, the longer the search
+  int rivals_max = 4;       ///< peaks beside the best
+  double apart_m = 0.7;     ///< nearer poses are one place
+  double apart_rad = 0.3;
+  double width_max_m = 300.0;               ///< of a map that is searched
+  SearchParams search{0.10, 0.15, 100, 6};  ///< coarse
+};
+
+/// Are two poses two places?
+[[nodiscard]] bool apart(const types::Se2& a, const types::Se2& b, const WholeSearch& search);
+
+/// A session's surfels around a centre, thinned: a corridor that was driven ten times has as many as one that
+/// was driven once. In the session's map axes.
+[[nodiscard]] SurfelMap thinned_map(const Session& session, const types::Vector2& centre, double half_m,
+                                    double reach_m);
+
+/// A session's map made ready to be searched as a whole: its surfaces, where a robot can stand, and what was
+/// seen through. Answers for as many scans as one likes; one thread at a time.
+class WholeMap {
+ public:
+  /// Nothing when there is no keyframe or the map is wider than `search` allows.
+  static std::optional<WholeMap> of(const Session& session, const WholeSearch& search,
+                                    const RefineParams& refine);
+
+  /// Where points (base_link, seen from `sensor`) fit: coarse peaks by branch and bound over all places where
+  /// a robot can stand and all directions, refined, the best evidence first.
+  [[nodiscard]] std::vector<Peak> peaks(std::span<const Point> points, const Point& sensor) const;
+
+  /// Refined from a pose that is known about, with its evidence.
+  [[nodiscard]] Peak at(std::span<const Point> points, const Point& sensor, const types::Se2& pose) const;
+
+  /// Share of the points that, at the pose, stand where the map was seen through.
+  [[nodiscard]] double contradiction(std::span<const Point> points, const types::Se2& pose) const {
+    return ground_.contradiction(map_, points, pose);
+  }
+
+ private:
+  WholeMap(const Session& session, const types::Rectangle& box, double half_m, const WholeSearch& search,
+           const RefineParams& refine);
+  WholeSearch search_;
+  RefineParams refine_;
+  SurfelMap map_;
+  LikelihoodPyramid pyramid_;
+  StandingRoom room_;
+  FreeGround ground_;
+};
+
+}  // namespace topo::slam

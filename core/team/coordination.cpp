@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/team/coordination.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/team/baselines.hpp"
+#include "core/team/k_means.hpp"
+
+namespace topo::team {
+namespace {
+
+constexpr double kScannerRange_m = 30.0;  // UTM-30LX (PROTOCOLS), of the rule that reckons with what is seen
+
+/// Everybody's goals: of all bids, in the order of their points, those that are for no goal before.
+std::vector<types::Vector2> goals_of(std::span<const Word* const> team) {
+  std::vector<types::Vector2> points, goals;
+  for (const Word* word : team) {
+    for (const Bid& bid : word->bids) points.push_back(bid.p_map);
+  }
+  std::sort(points.begin(), points.end(), comes_before);
+  for (const types::Vector2& p : points) {
+    if (std::none_of(goals.begin(), goals.end(), [&](const auto& goal) { return is_same_goal(goal, p); }))
+      goals.push_back(p);
+  }
+  return goals;
+}
+
+/// Of goals_of() the one that a bid is for: the nearest.
+std::size_t goal_of(const std::vector<types::Vector2>& goals, const Bid& bid) {
+  const auto nearest = std::min_element(goals.begin(), goals.end(), [&](const auto& a, const auto& b) {
+    return (a - bid.p_map).squaredNorm() < (b - bid.p_map).squaredNorm();
+  });
+  return static_cast<std::size_t>(nearest - goals.begin());
+}
+
+/// Who bids how much for which goal, by the order of ids; of a robot's bids for one goal the cheapest counts.
+CostTable table_of(std::span<const Word* const> team) {
+  std::vector<std::uint16_t> robots;
+  for (const Word* word : team) robots.push_back(word->robot);
+  CostTable table(std::move(robots), goals_of(team));
+  for (std::size_t row = 0; row < team.size(); ++row) {
+    for (const Bid& bid : team[row]->bids) {
+      double& cost_m = table.cost_m(row, goal_of(table.goals(), bid));
+      cost_m = std::min(cost_m, bid.cost_m);
+    }
+  }
+  return table;
+}
+
+/// The robot's cheapest bid for a goal.
+const Bid& cheapest_for(const Word& self, const CostTable& table, std::size_t goal) {
+  const Bid* best = nullptr;
+  for (const Bid& bid : self.bids) {
+    if (goal_of(table.goals(), bid) != goal) continue;
+    const bool better = best == nullptr || bid.cost_m < best->cost_m ||
+                        (bid.cost_m == best->cost_m && comes_before(bid.p_map, best->p_map));
+    if (better) best = &bid;
+  }
+  return *best;
+}
+
+Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sight) {
+  switch (rule) {
+    case Rule::kInTurn:
+      return assign_in_turn(table);
+    case Rule::kUtility:
+      return assign_by_utility(
+          table, [&](std::size_t a, std::size_t b) { return in_sight(table.goals()[a], table.goals()[b]); },
+          kScannerRange_m);
+    case Rule::kMinPos:
+      return assign_min_pos(table);
+    case Rule::kAlone:
+    case Rule::kClusters:
+    case Rule::kNoClusters:
+      break;
+  }
+  return assign_clusters(table, rule == Rule::kClusters);
+}
+
+/// Has a mate a better claim on what the robot bids for? What it claims itself counts as it was claimed.
+bool is_claimed(const Bid& bid, const Word& self, std::span<const Word* const> mates) {
+  const bool own = self.claim && self.claim->p_map == bid.p_map;
+  const Bid& said = own ? *self.claim : bid;
+  return std::any_of(mates.begin(), mates.end(), [&](const Word* mate) {
+    return mate->claim && mate->robot != self.robot && is_same_goal(mate->claim->p_map, bid.p_map) &&
+           beats(*mate->claim, mate->robot, said, self.robot);
+  });
+}
+
+/// Does a mate, after its own goal, get to the robot's no later than the robot, as far as can be seen?
+bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_t row,
+                  const PointsInSight& in_sight) {
+  const types::Vector2& wanted = table.goals()[*assigned[row]];
+  for (std::size_t mate = 0; mate < assigned.size(); ++mate) {
+    if (mate == row || !assigned[mate]) continue;
+    const types::Vector2& first = table.goals()[*assigned[mate]];
+    const double cost_m = table.cost_m(mate, *assigned[mate]) + (wanted - first).norm();
+    if (cost_m <= table.cost_m(row, *assigned[row]) && in_sight(first, wanted)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::size_t> coordinate(Rule rule, const Word& self, std::span<const Word* const> mates,
+                                      const PointsInSight& in_sight) {
+  if (rule == Rule::kAlone) mates = {};
+  const bool claims = rule == Rule::kClusters || rule == Rule::kNoClusters;
+  const auto by_id = [](const Word* a, const Word* b) { return a->robot < b->robot; };
+  std::set<const Word*, decltype(by_id)> team(by_id);
+  team.insert(&self);
+  team.insert(mates.begin(), mates.end());
+  const std::vector<const Word*> words(team.begin(), team.end());
+  const auto row = static_cast<std::size_t>(std::distance(team.begin(), team.find(&self)));
+  CostTable table = table_of(words);
+  for (;;) {  // ends: every round takes a goal out
+    const Assignment assigned = assign(rule, table, in_sight);
+    const auto goal = assigned[row];
+    if (!goal) return std::nullopt;
+    const Bid& bid = cheapest_for(self, table, *goal);
+    const bool left =
+        claims && (is_claimed(bid, self, mates) || is_passed_by(table, assigned, row, in_sight));
+    if (!left) return static_cast<std::size_t>(&bid - self.bids.data());
+    table.cost_m(row, *goal) = HUGE_VAL;
+  }
+}
+
+}  // namespace topo::team

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/team/homes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/team/k_means.hpp"
+
+namespace topo::team {
+namespace {
+
+using types::Vector2;
+
+constexpr double kThere_m = 0.6;  // of a start: nobody else has room
+
+bool is_near(const Vector2& a, const Vector2& b) { return (a - b).norm() <= kThere_m; }
+
+bool takes(const Word& mate, const Home& start, const Word& self) {
+  if (is_near(self.T_map_base.translation(), start.p_map))
+    return false;  // who is there does not go away again
+  const bool there = is_near(mate.T_map_base.translation(), start.p_map);
+  if (there && mate.way_map.empty()) return true;
+  const bool first = there || (mate.robot < self.robot && start.from != mate.robot);
+  return mate.home && is_near(*mate.home, start.p_map) && first;
+}
+
+/// Everybody's, in an order that everybody has them in.
+std::vector<Home> starts_of(const Word& self, std::span<const Word* const> mates) {
+  std::vector<Home> starts{{self.robot, self.start}};
+  for (const Word* mate : mates) starts.push_back({mate->robot, mate->start});
+  std::sort(starts.begin(), starts.end(),
+            [](const Home& a, const Home& b) { return comes_before(a.p_map, b.p_map); });
+  return starts;
+}
+
+}  // namespace
+
+bool is_at_home(const Word& self, const Home& home) {
+  return is_near(self.T_map_base.translation(), home.p_map);
+}
+
+std::optional<Home> choose_home(const Word& self, std::span<const Word* const> mates,
+                                const std::optional<Home>& present, const Word* passing,
+                                const std::function<double(const Vector2&)>& cost_m) {
+  const auto is_open = [&](const Home& start) {
+    return std::none_of(mates.begin(), mates.end(),
+                        [&](const Word* mate) { return takes(*mate, start, self); });
+  };
+  const std::vector<Home> starts = starts_of(self, mates);
+  if (passing != nullptr && passing->home && present && is_at_home(self, *present)) {
+    for (Home start : starts) {
+      start.from = passing->robot;
+      if (is_near(*passing->home, start.p_map) && is_open(start) && std::isfinite(cost_m(start.p_map)))
+        return start;
+    }
+  }
+  if (present) {
+    const auto now = std::find_if(starts.begin(), starts.end(),
+                                  [&](const Home& start) { return start.robot == present->robot; });
+    const Home kept{present->robot, now != starts.end() ? now->p_map : present->p_map, present->from};
+    if (is_open(kept)) return kept;
+  }
+  std::optional<Home> best;
+  double best_m = -1.0;
+  for (const Home& start : starts) {
+    const double cost = cost_m(start.p_map);
+    if (!is_open(start) || std::isinf(cost) || cost <= best_m) continue;
+    best_m = cost;
+    best = start;
+  }
+  return best;
+}
+
+}  // namespace topo::team

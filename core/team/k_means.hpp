@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/types/se2.hpp"
+
+namespace topo::team {
+
+/// Lower x first, then lower y: an order of points that is the same whatever order they came in.
+bool comes_before(const types::Vector2& a, const types::Vector2& b);
+
+/// The cluster of each point, 0 to k - 1 (paper section II-F): k-means (Lloyd 1982) from a farthest-point
+/// start (Gonzalez 1985), which begins with the point farthest from the mean. Depends on the set of points
+/// alone, not on their order; clusters are numbered by their first points (comes_before). With no more
+/// different points than k each is a cluster of its own. Precondition: k > 0, coordinates finite. Costs
+/// points times k, a bounded number of times.
+std::vector<std::size_t> k_means(std::span<const types::Vector2> points, std::size_t k);
+
+}  // namespace topo::team

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/grid/wavefront.hpp"
+#include "core/team/word.hpp"
+
+// Two robots that meet where only one can pass: which of them makes room is decided by their words alone, so
+// that both come to the same end.
+namespace topo::team {
+
+struct PrecedenceParams {
+  double near_m = 3.0;  ///< mates further away are no matter yet
+  double room_m = 0.9;  ///< between the centres of two robots that pass each other: two discs and a little
+};
+
+/// The mate that this robot has to make room for: near, with a way that leads through where this robot is;
+/// and either this one stands, or their ways lead through each other and the mate's id is lower. Null when
+/// there is none. Of several the lowest id.
+const Word* who_needs_room(const Word& self, std::span<const Word* const> mates,
+                           const PrecedenceParams& params = {});
+
+/// Where to make room: the cheapest cell to get to that is room_m off the mate's way and off every mate, at
+/// most `search_m` away; nothing when there is none. Looks at every fourth cell each way.
+std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid::TravelField& field,
+                                           const Word& mate, std::span<const Word* const> mates,
+                                           double search_m, const PrecedenceParams& params = {});
+
+}  // namespace topo::team

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/team/roster.hpp"
+
+#include <algorithm>
+
+namespace topo::team {
+
+bool Roster::take(const Word& word, types::Stamp now) {
+  const auto [at, added] = mates_.try_emplace(word.robot);
+  Mate& mate = at->second;
+  const bool anew = added || (is_silent(mate, now) && word.sequence != mate.word.sequence);
+  if (!anew && word.sequence <= mate.word.sequence) return false;
+  const types::Vector2 here = word.T_map_base.translation();
+  if (anew || word.duty != Duty::kUnable) mate.able_at = now;
+  if (anew || !word.claim || (here - mate.stood).norm() > params_.progress_m) {
+    mate.progress_at = now;
+    mate.stood = here;
+  }
+  mate.word = word;
+  mate.heard = now;
+  return true;
+}
+
+bool Roster::is_silent(const Mate& mate, types::Stamp now) const {
+  return now - mate.heard > types::from_seconds(params_.silent_s);
+}
+
+std::vector<const Word*> Roster::heard(types::Stamp now) const {
+  std::vector<const Word*> words;
+  for (const auto& [id, mate] : mates_) {
+    if (!is_silent(mate, now)) words.push_back(&mate.word);
+  }
+  return words;
+}
+
+bool Roster::counts(const Mate& mate, types::Stamp now) const {
+  const bool unable = now - mate.able_at > types::from_seconds(params_.unable_s);
+  const bool stuck = now - mate.progress_at > types::from_seconds(params_.stuck_s);
+  return !is_silent(mate, now) && mate.word.duty != Duty::kOver && !unable && !stuck;
+}
+
+std::vector<const Word*> Roster::counted(types::Stamp now) const {
+  std::vector<const Word*> words;
+  for (const auto& [id, mate] : mates_) {
+    if (counts(mate, now)) words.push_back(&mate.word);
+  }
+  return words;
+}
+
+std::vector<types::Vector2> Roster::going_at(types::Stamp now) const {
+  std::vector<types::Vector2> places;
+  for (const auto& [id, mate] : mates_) {
+    if (counts(mate, now) && mate.word.duty == Duty::kAble && now - mate.heard <= kPlaceAgeMax)
+      places.push_back(mate.word.T_map_base.translation());
+  }
+  return places;
+}
+
+bool Roster::any_at_work() const {
+  return std::any_of(mates_.begin(), mates_.end(),
+                     [](const auto& entry) { return entry.second.word.duty != Duty::kOver; });
+}
+
+bool Roster::all_home(types::Stamp now) const {
+  return std::all_of(mates_.begin(), mates_.end(), [&](const auto& entry) {
+    return entry.second.word.duty == Duty::kOver || is_silent(entry.second, now);
+  });
+}
+
+}  // namespace topo::team

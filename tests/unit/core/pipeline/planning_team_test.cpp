@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "core/pipeline/planning_step.hpp"
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+using types::Vector2;
+
+/// A corridor with a niche, and a room at either end.
+const std::vector<std::string> kTwoRooms = {
+    "####################################################",
+    "#                 #     ####     #                 #",
+    "#                 #     ####     #                 #",
+    "#                 #     ####     #                 #",
+    "#                 ######    ######                 #",
+    "#                                                  #",
+    "#                                                  #",
+    "#                          S                       #",
+    "#                                                  #",
+    "#                                                  #",
+    "#                 ################                 #",
+    "#                 #              #                 #",
+    "#                 #              #                 #",
+    "####################################################",
+};
+const Mission kExplore{1, Order::kExplore, false, {0.0, 0.0}};
+
+/// A robot with id 5 that explores, and what its only mate, id 2, says.
+class WithAMate : public ::testing::Test {
+ protected:
+  WithAMate() : building_(kTwoRooms, 4.0), state_(PlannerParams{}) {
+    mate_.robot = 2;
+    mate_.duty = team::Duty::kAble;
+    mate_.T_map_base = {200.0, 0.0, 0.0};  // far away
+    input_.robot = 5;
+    building_.hear(&input_);
+  }
+
+  /// One period; the mate says its word before when it speaks.
+  const PlanningOutput& period(bool speaks = true) {
+    ++mate_.sequence;
+    input_.words = speaks ? std::span<const team::Word>(&mate_, 1) : std::span<const team::Word>();
+    out_ = building_.run_period(state_, kExplore);
+    return out_;
+  }
+
+  ToyBuilding building_;
+  PlanningState state_;
+  team::Word mate_;
+  TeamInput input_;
+  PlanningOutput out_;
+};
+
+TEST_F(WithAMate, claimsOneOfItsBids) {
+  for (int i = 0; i < 4; ++i) (void)period();
+  ASSERT_TRUE(out_.word.has_value());
+  EXPECT_EQ(out_.word->robot, 5);
+  EXPECT_EQ(out_.word->duty, team::Duty::kAble);
+  ASSERT_TRUE(out_.word->claim.has_value());
+  EXPECT_GE(out_.word->bids.size(), 2U) << "a room at either end";
+  EXPECT_TRUE(std::any_of(out_.word->bids.begin(), out_.word->bids.end(),
+                          [&](const team::Bid& bid) { return bid.p_map == out_.word->claim->p_map; }));
+  EXPECT_FALSE(out_.word->way_map.empty());
+}
+
+TEST_F(WithAMate, leavesAGoalToWhoIsNearerTakesTheOtherThenWaitsUntilTheMateIsSilent) {
+  for (int i = 0; i < 2; ++i) (void)period();
+  const Vector2 first = out_.word->claim->p_map;
+  mate_.claim = team::Bid{first, 0.5};
+  mate_.bids = {
+      team::Bid{first, 4.0}};  // the way is longer than it was thought: it is no sooner at the other end
+  for (int i = 0; i < 2; ++i) (void)period();
+  ASSERT_TRUE(out_.word->claim.has_value());
+  EXPECT_GT((out_.word->claim->p_map - first).norm(), 3.0) << "the other end of the corridor";
+
+  const auto waits = [&] { return out_.report->reason == "waits: others are nearer to every goal"; };
+  for (int i = 0; i < 20 && !waits(); ++i) (void)period();
+  ASSERT_TRUE(waits()) << out_.report->reason;
+  EXPECT_FALSE(out_.plan.moving);
+  EXPECT_FALSE(out_.word->claim.has_value());
+  EXPECT_FALSE(out_.word->bids.empty()) << "it would go";
+
+  int silent = 0;
+  std::set<std::uint64_t> analysed;
+  for (; waits() && silent < 60; ++silent) analysed.insert(period(false).report->analysis->revision);
+  EXPECT_LE(analysed.size(), 5U) << "who waits does not look at the map oftener than who goes";
+  EXPECT_GE(silent, 18) << "not after the first word that is missing";
+  EXPECT_LE(silent, 24) << "ten seconds";
+  EXPECT_TRUE(out_.plan.moving);
+  ASSERT_TRUE(out_.word->claim.has_value());
+  EXPECT_LT((out_.word->claim->p_map - first).norm(), 1.5) << "the goal that was the mate's";
+}
+
+TEST_F(WithAMate, aMateThatIsLostFreesItsGoal) {
+  for (int i = 0; i < 2; ++i) (void)period();
+  const Vector2 first = out_.word->claim->p_map;
+  mate_.claim = team::Bid{first, 0.5};
+  mate_.bids = {*mate_.claim};
+  (void)period();
+  mate_.duty = team::Duty::kUnable;  // and goes on claiming
+  bool taken = false;
+  for (int i = 0; i < 60 && !taken; ++i) {
+    (void)period();
+    taken = out_.word->claim && (out_.word->claim->p_map - first).norm() < 1.5;
+    EXPECT_TRUE(i >= 16 || !taken) << "lost for " << i << " periods only";
+  }
+  EXPECT_TRUE(taken) << out_.report->reason;
+}
+
+TEST_F(WithAMate, whoIsPausedSaysOnWhatItClaims) {
+  for (int i = 0; i < 2; ++i) (void)period();
+  ASSERT_TRUE(out_.word->claim.has_value());
+  const Vector2 claimed = out_.word->claim->p_map;
+  Mission paused = kExplore;
+  paused.paused = true;
+  for (int i = 0; i < 3; ++i) out_ = building_.run_period(state_, paused);
+  EXPECT_EQ(out_.word->duty, team::Duty::kUnable) << "the others judge by that, and by for how long";
+  ASSERT_TRUE(out_.word->claim.has_value());
+  EXPECT_EQ(out_.word->claim->p_map, claimed);
+  EXPECT_FALSE(out_.word->bids.empty());
+  out_ = building_.run_period(state_, {2, Order::kHome, false, {0.0, 0.0}});
+  EXPECT_FALSE(out_.word->claim.has_value()) << "home is no goal that another could want";
+}
+
+TEST_F(WithAMate, comesToItsOwnStartWhenTheOperatorSendsItHome) {
+  const Vector2 start = building_.robot();
+  mate_.start = start - Vector2(1.0, 0.0);
+  for (int i = 0; i < 12; ++i) (void)period();
+  ASSERT_GT((building_.robot() - start).norm(), 1.0);
+  const Mission go_home{2, Order::kHome, false, {0.0, 0.0}};
+  for (int i = 0; i < 60 && out_.report->activity != Activity::kDone; ++i) {
+    ++mate_.sequence;
+    input_.words = {&mate_, 1};
+    out_ = building_.run_period(state_, go_home);
+  }
+  EXPECT_TRUE(out_.report->mission_ended) << "whoever is out: " << out_.report->reason;
+  EXPECT_LT((building_.robot() - start).norm(), 0.3);
+}
+
+TEST_F(WithAMate, comesHomeOnlyWhenNobodyHasAGoalLeftAndEndsWhenAllAreHome) {
+  mate_.bids = {{{200.0, 1.0}, 3.0}};  // in a part of the building that this robot cannot see
+  mate_.claim = mate_.bids.front();
+  const Vector2 start = building_.robot();
+  int periods = 0;
+  do {
+    mate_.T_map_base.x_m += 0.3;  // it gets on
+    (void)period();
+  } while (out_.report->reason.find("waits") == std::string::npos && ++periods < 600);
+  EXPECT_GE(building_.coverage(), 0.97);
+  EXPECT_EQ(out_.report->activity, Activity::kThinking) << out_.report->reason;
+  const Vector2 waits_at = building_.robot();
+  for (int i = 0; i < 60; ++i) {
+    mate_.T_map_base.x_m += 0.3;
+    (void)period();
+  }
+  EXPECT_LT((building_.robot() - waits_at).norm(), 0.5) << out_.report->reason;
+  mate_.bids.clear();
+  mate_.claim.reset();
+  for (int i = 0; i < 200 && out_.word->duty != team::Duty::kOver; ++i) (void)period();
+  EXPECT_EQ(out_.word->duty, team::Duty::kOver) << out_.report->reason;
+  EXPECT_LT((building_.robot() - start).norm(), 0.3);
+  EXPECT_FALSE(out_.report->mission_ended) << "the mate is still out";
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(period().plan.moving);
+  mate_.duty = team::Duty::kOver;
+  for (int i = 0; i < 3; ++i) (void)period();
+  EXPECT_TRUE(out_.report->mission_ended);
+  EXPECT_EQ(out_.report->activity, Activity::kDone) << out_.report->reason;
+}
+
+/// A robot that goes back after 15 s without a word.
+class OutOfContact : public WithAMate {
+ protected:
+  static PlannerParams params() {
+    PlannerParams params;
+    params.contact_lost_s = 15.0;
+    return params;
+  }
+  const PlanningOutput& explore(bool mate_speaks) {
+    ++mate_.sequence;
+    input_.words = mate_speaks ? std::span<const team::Word>(&mate_, 1) : std::span<const team::Word>();
+    out_ = building_.run_period(impatient_, kExplore);
+    return out_;
+  }
+  [[nodiscard]] bool goes_back() const {
+    return out_.report->reason == "goes back to where another was last heard";
+  }
+  /// Until it goes back, at most 20 s.
+  void lose_contact() {
+    for (int i = 0; i < 40 && !goes_back(); ++i) (void)explore(false);
+  }
+  PlanningState impatient_{params()};
+};
+
+TEST_F(OutOfContact, goesBackToWhereItLastHeardOfAMateThenOn) {
+  for (int i = 0; i < 6; ++i) (void)explore(true);
+  const Vector2 heard_at = building_.robot();
+  lose_contact();
+  ASSERT_TRUE(goes_back()) << out_.report->reason;
+  EXPECT_GT((building_.robot() - heard_at).norm(), 3.0);
+  EXPECT_FALSE(out_.word->claim.has_value()) << "that place is no goal that another could want";
+  for (int i = 0; i < 60 && goes_back(); ++i) (void)explore(false);
+  EXPECT_LT((building_.robot() - heard_at).norm(), 1.3) << "half a metre, and a plan further";
+  EXPECT_EQ(out_.report->activity, Activity::kExploring) << out_.report->reason;
+  EXPECT_TRUE(out_.word->claim.has_value());
+  for (int i = 0; i < 28; ++i) EXPECT_FALSE((explore(false), goes_back())) << "in vain is not again soon";
+}
+
+TEST_F(OutOfContact, goesOnAsSoonAsItHearsOfOne) {
+  for (int i = 0; i < 6; ++i) (void)explore(true);
+  lose_contact();
+  ASSERT_TRUE(goes_back()) << out_.report->reason;
+  for (int i = 0; i < 2; ++i) (void)explore(true);
+  EXPECT_FALSE(goes_back());
+  EXPECT_TRUE(out_.word->claim.has_value()) << out_.report->reason;
+}
+
+TEST_F(OutOfContact, nobodyLooksForWhoIsHome) {
+  for (int i = 0; i < 6; ++i) (void)explore(true);
+  mate_.duty = team::Duty::kOver;
+  (void)explore(true);
+  lose_contact();
+  EXPECT_FALSE(goes_back());
+}
+
+TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
+  for (int i = 0; i < 3; ++i) (void)period();
+  ASSERT_TRUE(out_.word->claim.has_value());
+  const Vector2 bound_to = out_.word->claim->p_map;
+  // Head on, in the middle of the corridor, from where the robot is bound to.
+  const Vector2 here = building_.robot();
+  const Vector2 there = out_.word->way_map[std::min<std::size_t>(6, out_.word->way_map.size() - 1)];
+  mate_.T_map_base = {there.x(), there.y(), 0.0};
+  mate_.way_map.clear();
+  for (int i = 0; i <= 20; ++i) mate_.way_map.push_back(there + (here - there) * (i / 10.0));
+  (void)period();
+  EXPECT_THAT(out_.report->reason, HasSubstr("makes room for robot 2"));
+  for (int i = 0; i < 20; ++i) (void)period();
+  const Vector2 aside = building_.robot();
+  for (const Vector2& p : mate_.way_map) EXPECT_GT((p - aside).norm(), 0.85);
+  // The mate has passed, and goes on to the west.
+  mate_.claim = team::Bid{{1.5, 1.7}, 0.5};
+  mate_.bids = {*mate_.claim};
+  mate_.T_map_base = {200.0, 0.0, 0.0};
+  mate_.way_map.clear();
+  for (int i = 0; i < 4; ++i) (void)period();
+  EXPECT_EQ(out_.report->activity, Activity::kExploring) << out_.report->reason;
+  EXPECT_TRUE(out_.plan.moving);
+  EXPECT_TRUE(out_.word->visited.empty()) << "being in the room is not being at the goal";
+  ASSERT_TRUE(out_.word->claim.has_value());
+  EXPECT_TRUE(team::is_same_goal(out_.word->claim->p_map, bound_to));
+}
+
+TEST_F(WithAMate, aMateThatStandsForGoodIsAnObstacle) {
+  mate_.T_map_base = {7.0, 2.5, 0.0};
+  (void)period();
+  const auto touches_of_the_mate = [&] {
+    ++building_.control().touches;
+    building_.control().touched_odom = {7.0, 2.5};
+    const auto& decisions = period().report->decisions;
+    return std::count_if(decisions.begin(), decisions.end(),
+                         [](const Decision& d) { return d.text == "touched something here"; });
+  };
+  EXPECT_EQ(touches_of_the_mate(), 0) << "it will go on";
+  mate_.duty = team::Duty::kUnable;
+  EXPECT_EQ(touches_of_the_mate(), 1);
+  mate_.duty = team::Duty::kOver;
+  EXPECT_EQ(touches_of_the_mate(), 2);
+}
+
+/// A corridor with one way on, in its middle; robots start at its ends.
+std::vector<std::string> side_way(std::size_t start_column) {
+  std::vector<std::string> rows(12, "###############      ###############");
+  rows.insert(rows.end(), 6, "#                                  #");
+  rows.insert(rows.end(), 1, "####################################");
+  rows.insert(rows.begin(), 1, "####################################");
+  rows[16][start_column] = 'S';
+  return rows;
+}
+
+TEST(TwoRobots, thatHearOfEachOtherAPeriodLateDoNotBothKeepTheOnlyGoal) {
+  std::array<ToyBuilding, 2> building{ToyBuilding(side_way(3)), ToyBuilding(side_way(32))};
+  std::array<PlanningState, 2> state{PlanningState(PlannerParams{}), PlanningState(PlannerParams{})};
+  std::array<std::vector<team::Word>, 2> said;
+  for (int i = 0; i < 9; ++i) {
+    std::array<std::vector<team::Word>, 2> says;
+    for (std::size_t r = 0; r < 2; ++r) {
+      const TeamInput input{static_cast<std::uint16_t>(r), said[1 - r]};
+      building[r].hear(&input);
+      const PlanningOutput out = building[r].run_period(state[r], kExplore);
+      building[r].hear(nullptr);
+      says[r] = {*out.word};
+    }
+    said = says;
+    if (i < 4) continue;
+    EXPECT_NE(said[0][0].claim.has_value(), said[1][0].claim.has_value()) << "after " << i << " periods";
+  }
+}
+
+TEST_F(WithAMate, aRobotAloneSaysNothing) {
+  building_.hear(nullptr);
+  EXPECT_FALSE(period().word.has_value());
+}
+
+}  // namespace
+}  // namespace topo::pipeline
