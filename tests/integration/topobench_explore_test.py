@@ -41,7 +41,7 @@ KEYS = {"world": str, "strategy": str, "robots": int, "seed": int, "fidelity": s
         "t99_s": (float, int, None), "t_home_s": (float, int, None), "limit_s": (float, int), "distance_m": list,
         "goals_issued": int, "clusters_sum": int, "goals_sum": int, "decision_ms": dict, "collisions": int, "home": list,
         "speedup_over_real_time": float, "coverage": list}
-TIMES = ("decision_ms", "wall_s", "cpu_s", "speedup_over_real_time", "speedup_by_cpu_time")
+TIMES = ("decision_ms", "planning_ms", "wall_s", "cpu_s", "speedup_over_real_time", "speedup_by_cpu_time")
 
 
 def is_of(value, kinds):
@@ -124,8 +124,61 @@ class Explore(unittest.TestCase):
         for word in words:
             self.assertIn(word, done.stderr)
 
-    def test_more_robots_are_refused(self):
-        self.refused("--robots", 2, words=("--robots", "found 2", "expected 1"))
+    def explore_together(self, *arguments):
+        return self.explore("--fidelity", "plan", "--robots", 2, *arguments)
+
+    def test_two_robots_explore_and_come_home_by_every_strategy(self):
+        for strategy in ("topometric", "nearest_frontier", "greedy_frontier", "utility_frontier", "min_pos"):
+            with self.subTest(strategy):
+                found = self.explore_together("--strategy", strategy, "--limit", 600)
+                self.assertEqual((found["strategy"], found["robots"], found["radio"]), (strategy, 2, "perfect"))
+                self.assertEqual(found["home"], [True, True], found["reason"])
+                self.assertGreaterEqual(found["coverage"][-1][1], 0.95)
+                self.assertEqual(found["collisions"], 0)
+                self.assertIsNotNone(found["t_home_s"])
+                self.assertEqual(len(found["distance_m"]), 2)
+                self.assertTrue(0.0 <= found["overlap"] <= 1.0)
+
+    def test_two_robots_at_full_fidelity_join_what_they_see(self):
+        found = self.explore("--fidelity", "full", "--robots", 2, "--radio", "loss:0.3", "--limit", 600)
+        self.assertEqual(found["home"], [True, True], found["reason"])
+        self.assertEqual(found["collisions"], 0)
+        self.assertEqual(len(found["maps"]), 2)
+        for joined in found["maps"]:
+            self.assertGreater(joined["mates_keyframes"], 10, joined)
+            self.assertLess(joined["joined_s"], 10.0, joined)
+            self.assertLess(joined["rmse_m"], 0.06, joined)
+            self.assertLess(joined["mates_rmse_m"], 0.08, joined)
+
+    def test_a_bad_radio_costs_time_and_not_the_building(self):
+        for radio in ("loss:0.5", "range:5", "none"):
+            with self.subTest(radio):
+                found = self.explore_together("--radio", radio, "--limit", 600)
+                self.assertEqual(found["radio"], radio)
+                self.assertEqual(found["home"], [True, True], found["reason"])
+                self.assertGreaterEqual(found["coverage"][-1][1], 0.95)
+                self.assertEqual(found["collisions"], 0)
+
+    def test_a_team_gives_the_same_report_again_and_writes_its_files(self):
+        out = self.folder / "out"
+        reports = [self.explore_together("--limit", 30, "--radio", "loss:0.3", "--out", out) for _ in range(2)]
+        for report in reports:
+            for key, kinds in KEYS.items():
+                self.assertTrue(is_of(report[key], kinds), (key, report[key]))
+            for key in TIMES:
+                report.pop(key)
+        self.assertEqual(reports[0], reports[1])
+        for robot in (0, 1):
+            self.assertEqual(len((out / f"poses-{robot}.tsv").read_text().splitlines()), 1 + 30)
+            self.assertTrue((out / f"decisions-{robot}.txt").exists())
+        self.assertTrue((out / "explore.png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_a_team_that_cannot_be_is_refused(self):
+        self.refused("--robots", 0, words=("--robots", "found 0", "expected 1 to 8"))
+        self.refused("--robots", 2, "--fidelity", "plan", "--starts", "unknown",
+                     words=("--starts", "fidelity plan", "expected fidelity full"))
+        for radio in ("range:0", "loss:1", "loss:x", "carrier pigeon"):
+            self.refused("--robots", 2, "--fidelity", "plan", "--radio", radio, words=("--radio", radio, "range:M"))
 
     def test_an_unknown_strategy_is_refused(self):
         self.refused("--strategy", "random_walk", words=("--strategy", "random_walk"))

@@ -7,11 +7,13 @@
 
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
+#include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
 #include "tests/bench/topobench/posegraph/posegraph_command.hpp"
 #include "tests/bench/topobench/session_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
+#include "tests/bench/topobench/table/table_command.hpp"
 
 namespace {
 
@@ -39,6 +41,10 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
                    "A building (map_server YAML or scene .toml): a UTM-30LX on a patrol by a seeded route");
   app.add_option("--relations", slam.relations, "True relations (Kuemmerle et al. 2009) to measure against")
       ->needs("--log");
+  app.add_option("--split", slam.split,
+                 "The log's halves as two robots that join their maps, beside the whole log as one: whether "
+                 "they know where they start")
+      ->check(CLI::IsMember({"known", "unknown"}));
   app.add_option("--minutes", slam.minutes, "Of the simulated patrol")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 600.0));
@@ -56,23 +62,103 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
 void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
   app.add_option("--world", explore.world, "The building: a map_server YAML file or a drawn scene (.toml)")
       ->required();
-  app.add_option("--robots", explore.robots, "How many robots: 1 for the time being")->capture_default_str();
-  app.add_option("--strategy", explore.strategy)
-      ->check(CLI::IsMember({"topometric", "nearest_frontier"}))
+  app.add_option("--robots", explore.robots, "How many robots enter at the start, 1 to 8")
+      ->capture_default_str();
+  app.add_option(
+         "--strategy", explore.strategy,
+         "topometric_no_walls: without the wall store; topometric_no_kmeans: a team shares out single "
+         "goals;\n"
+         "topometric_no_places: the free space is not divided, every opening is a goal")
+      ->check(CLI::IsMember(topo::bench::contender_names()))
       ->capture_default_str();
   app.add_option("--seed", explore.seed, "Of noise, slip and wheel errors")->capture_default_str();
   app.add_option("--fidelity", explore.fidelity,
-                 "full: every scan, and SLAM; plan: 5 Hz, 270 beams, the true pose with a bounded error")
+                 "full: every scan, and SLAM; plan: 5 Hz, 270 beams, the true pose with a bounded error, "
+                 "control at 10 Hz,\n"
+                 "places in cells of 0.1 m, and a quiet way thought over every 4 s")
       ->check(CLI::IsMember({"full", "plan"}))
       ->capture_default_str();
   app.add_option("--finish", explore.finish, "essential: home when the paper's goals are visited")
       ->check(CLI::IsMember({"essential", "complete"}))
       ->capture_default_str();
   app.add_option("--limit", explore.limit_s, "Seconds of the robot's time")->capture_default_str();
+  app.add_option("--radio", explore.radio,
+                 "Of several robots: perfect, none, range:M (metres) or loss:P (share of letters)")
+      ->capture_default_str();
+  app.add_option(
+         "--contact", explore.contact_lost_s,
+         "Of several robots: who has heard of no other for so many seconds goes back to where it last "
+         "did, then on; 0: never")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app.add_option("--entry-delay", explore.entry_delay_s,
+                 "Of several robots: seconds from one's beginning to the next one's")
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--starts", [&](const std::string& word) { explore.starts_known = word == "known"; },
+         "Of several robots, to themselves: unknown (fidelity full) has them find each other in their maps")
+      ->check(CLI::IsMember({"known", "unknown"}))
+      ->default_str("known");
   app.add_option("--start", explore.start, "X,Y,THETA in metres and radians; else the world's first")
       ->delimiter(',');
   app.add_option("--out", explore.out, "Folder for pictures, decisions, path and map");
   app.add_flag("--json", explore.json, "One JSON object on one line");
+}
+
+void add_options(CLI::App& app, topo::bench::TableCommand& table) {
+  app.add_option("--worlds", table.worlds,
+                 "Buildings: files as explore --world has them, and folders of them")
+      ->required()
+      ->delimiter(',');
+  app.add_option("--strategies", table.strategies,
+                 "As explore --strategy; the first is held against the others")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_option("--robots", table.robots, "Numbers of robots")->delimiter(',')->capture_default_str();
+  app.add_option("--seeds", table.seeds, "Seeds 1 to N, each in every world")->capture_default_str();
+  app.add_option("--starts", table.starts,
+                 "drawn: seed 1 from the world's own start, every other from one that it draws where three "
+                 "robots have room;\n"
+                 "own: all from the world's own. That is the one in a WORLDS.tsv beside the world (name, "
+                 "start_x_m, start_y_m),\nelse the world's first")
+      ->check(CLI::IsMember({"drawn", "own"}))
+      ->capture_default_str();
+  app.add_option("--fidelity", table.fidelity)->check(CLI::IsMember({"full", "plan"}))->capture_default_str();
+  app.add_option("--finish", table.finish)
+      ->check(CLI::IsMember({"essential", "complete"}))
+      ->capture_default_str();
+  app.add_option("--radio", table.radios, "As explore --radio has it; several: each")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_option("--limit", table.limit_s, "Seconds of the robots' time, and what a failure counts as")
+      ->capture_default_str();
+  app.add_option("--min-area", table.area_min_m2, "m2 that can be reached, of worlds that take part")
+      ->capture_default_str();
+  app.add_option("--max-area", table.area_max_m2, "m2")->capture_default_str();
+  app.add_option(
+         "--share", table.share,
+         "A run that does not get there has failed; else t99 with --finish complete, t95 with essential")
+      ->check(CLI::IsMember({"t50", "t90", "t95", "t99"}));
+  app.add_option("--compare", table.compare,
+                 "STRATEGY:ROBOTS[:RADIO]/STRATEGY:ROBOTS[:RADIO], several; best_baseline is in every world "
+                 "the best of "
+                 "those that\nare not topometric. Else the first strategy against the others and the best "
+                 "baseline with "
+                 "as many robots, against\nall with one robot, and against itself with the first radio")
+      ->delimiter(',');
+  app.add_option("--jobs", table.jobs, "Runs at once; 0: as many as there are processors")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--wall-limit", table.wall_limit_s,
+                 "Seconds by the clock; a run that takes longer has failed")
+      ->capture_default_str();
+  app.add_flag("--no-runs", table.no_runs,
+               "The table of the runs that are there already, of whatever program they are");
+  app.add_option("--program", table.program,
+                 "Takes a name in place of this program's fingerprint: whoever gives the same name to two "
+                 "programs says\nthat both decide the same");
+  app.add_option("--out", table.out, "Folder for runs.jsonl, table.md, table.json and pictures")->required();
+  app.add_flag("--json", table.json, "One JSON object on one line");
 }
 
 void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
@@ -150,11 +236,20 @@ int main(int argc, char** argv) {
   CLI::App* explore_app =
       app.add_subcommand("explore", "Explore a simulated building in lock-step, faster than real time");
   explore_app->footer(
-      "Coverage, covered and t50_s to t99_s: share of the reachable area that the map has as free. known "
-      "and\n"
-      "t_known_s: as free or occupied; the difference is the rim of walls, which no map has as free. The\n"
-      "reachable area is what a scanner sees from wherever the robot's disc can get to from its start.");
+      "Coverage, covered and t50_s to t99_s: share of the reachable area that the map knows, as free or as\n"
+      "occupied. free and t_free_s: as free, which the rim of the walls, where hits fall, never is. The\n"
+      "reachable area is what a scanner sees from wherever the robot's disc can get to from its start.\n"
+      "decision_ms: finding goals, their costs and whose they are; planning_ms: all of a period that "
+      "decides,\n"
+      "from the map to the route. CPU time.");
   add_options(*explore_app, explore);
+  topo::bench::TableCommand table;
+  CLI::App* table_app = app.add_subcommand(
+      "explore-table", "Explore many buildings in many ways, and hold the ways against each other");
+  table_app->footer(
+      "Can be stopped at any time: the same command goes on where it was. A run that crashed is tried "
+      "again.");
+  add_options(*table_app, table);
   topo::bench::SessionCommand session;
   CLI::App* session_app = app.add_subcommand(
       "session", "Size of a log's session on the disk, and how its scans are found in its whole map");
@@ -180,6 +275,7 @@ int main(int argc, char** argv) {
   if (*analyse_app) return finish(topo::bench::run_analyse(analyse));
   if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
+  if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));
 }

@@ -5,22 +5,26 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <numbers>
+#include <optional>
+#include <span>
 
+#include "core/types/se2.hpp"
 #include "tests/bench/topobench/log_run.hpp"
 #include "tests/bench/topobench/output.hpp"
 #include "tests/bench/topobench/slam/revisit.hpp"
 #include "tests/bench/topobench/slam/slam_report.hpp"
+#include "tests/bench/topobench/slam/split_run.hpp"
 
 namespace topo::bench {
 namespace {
 
-double degrees(double rad) { return rad * 180.0 / std::numbers::pi; }
+double degrees(double rad) { return rad / types::kDegree_rad; }
 
-types::Result<nlohmann::json> relation_errors(const std::string& path, const MappingRun& run) {
+types::Result<nlohmann::json> relation_errors(const std::string& path,
+                                              std::span<const daemon::TimedPose> trajectory) {
   const auto relations = daemon::read_relations(path);
   if (!relations) return tl::unexpected(relations.error());
-  const daemon::RelationErrors errors = daemon::evaluate_relations(*relations, run.trajectory);
+  const daemon::RelationErrors errors = daemon::evaluate_relations(*relations, trajectory);
   return nlohmann::json{{"used", errors.used},
                         {"skipped", errors.skipped},
                         {"trans_mean_m", errors.trans_mean_m},
@@ -29,6 +33,25 @@ types::Result<nlohmann::json> relation_errors(const std::string& path, const Map
                         {"rot_mean_deg", degrees(errors.rot_mean_rad)},
                         {"rot_std_deg", degrees(errors.rot_std_rad)},
                         {"rot_max_deg", degrees(errors.rot_max_rad)}};
+}
+
+types::Result<nlohmann::json> split_report(const SlamCommand& command, const daemon::CarmenLog& log,
+                                           const MappingRun& alone) {
+  std::optional<types::Se2> second_start;
+  if (command.split == "known") second_start = alone.trajectory[log.scans.size() / 2].pose;
+  const SplitRun run = run_split(log, second_start);
+  nlohmann::json json{{"starts", command.split},
+                      {"keyframes", run.keyframes},
+                      {"mates_keyframes", run.mates_keyframes},
+                      {"ties", run.ties},
+                      {"alignments", run.alignments}};
+  json["joined_share"] = run.joined_share ? nlohmann::json(*run.joined_share) : nlohmann::json(nullptr);
+  if (!command.relations.empty()) {
+    auto errors = relation_errors(command.relations, run.trajectory);
+    if (!errors) return tl::unexpected(errors.error());
+    json["relations"] = std::move(*errors);
+  }
+  return json;
 }
 
 types::Status finish(const SlamCommand& command, nlohmann::json& json, pipeline::MappingState& state,
@@ -55,9 +78,14 @@ types::Status map_log(const SlamCommand& command) {
   json["stamp_inversions"] = log->stamp_inversions;
   json["read_cpu_s"] = 1e-3 * reading.cpu_ms.front();
   if (!command.relations.empty()) {
-    auto errors = relation_errors(command.relations, run);
+    auto errors = relation_errors(command.relations, run.trajectory);
     if (!errors) return tl::unexpected(errors.error());
     json["relations"] = std::move(*errors);
+  }
+  if (!command.split.empty()) {
+    auto split = split_report(command, *log, run);
+    if (!split) return tl::unexpected(split.error());
+    json["split"] = std::move(*split);
   }
   const RevisitShare revisits =
       revisit_share(state.mapper().keyframes(), state.mapper().poses(), state.make_snapshot()->grid);

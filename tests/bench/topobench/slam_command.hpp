@@ -13,6 +13,7 @@ namespace topo::bench {
 struct SlamCommand {
   std::string log;                 ///< empty: simulate
   std::string relations;           ///< empty: none
+  std::string split;               ///< of a log in halves: "known" or "unknown" starts; empty: not at all
   std::filesystem::path simulate;  ///< the building; empty: a log is read
   double minutes = 30.0;
   std::uint64_t seed = 1;

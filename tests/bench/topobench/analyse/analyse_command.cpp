@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/goals/frontiers.hpp"
+#include "core/types/se2.hpp"
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/picture.hpp"
@@ -58,7 +58,7 @@ json report(const AnalyseCommand& command, const MapInput& input, const TimedAna
   const pipeline::Analysis& a = timed.analysis;
   const auto unknown = std::count(a.map.cells.begin(), a.map.cells.end(), grid::CellState::kUnknown);
   json compass = nullptr;
-  if (a.compass.angle_rad) compass = *a.compass.angle_rad * 180.0 / std::numbers::pi;
+  if (a.compass.angle_rad) compass = *a.compass.angle_rad / types::kDegree_rad;
   return {{"map", command.map},
           {"cells", static_cast<std::int64_t>(input.width) * input.height},
           {"known_cells", static_cast<std::int64_t>(a.map.cells.size()) - unknown},

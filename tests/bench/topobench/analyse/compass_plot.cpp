@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/types/se2.hpp"
 
 namespace topo::bench {
 namespace {
@@ -22,7 +23,7 @@ daemon::Picture compass_plot(const walls::Compass& compass) {
   for (int degrees = 0; degrees <= kHalfTurn; degrees += 10)
     plot.line(column(degrees), kCurveMargin, column(degrees), kCurveMargin + kCurveHeight, kGrid);
   if (compass.angle_rad) {
-    const double degrees = *compass.angle_rad * 180.0 / std::numbers::pi;
+    const double degrees = *compass.angle_rad / types::kDegree_rad;
     for (const double at : {degrees, degrees + 90.0})
       plot.line(column(at), kCurveMargin, column(at), kCurveMargin + kCurveHeight, kFound);
   }

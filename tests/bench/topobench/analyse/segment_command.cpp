@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "core/types/se2.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/picture.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
@@ -63,7 +63,7 @@ Result<SegmentScore> score_one(const fs::path& labels, const fs::path& truth, do
   if (!segments) return tl::unexpected(segments.error());
   const auto rooms = read_labels(truth.string());
   if (!rooms) return tl::unexpected(rooms.error());
-  auto scored = score(*segments, rooms_of(*rooms), turn_deg * std::numbers::pi / 180.0);
+  auto scored = score(*segments, rooms_of(*rooms), turn_deg * types::kDegree_rad);
   if (!scored) {
     return types::fail(scored.error().code, fmt::format("{}: {}", labels.string(), scored.error().message));
   }

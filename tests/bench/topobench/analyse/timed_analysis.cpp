@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "core/grid/distance.hpp"
-#include "core/pipeline/map_snapshot.hpp"
 
 namespace topo::bench {
 namespace {
@@ -20,20 +19,10 @@ double ms_between(Clock::time_point from, Clock::time_point to) {
 }  // namespace
 
 TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
-  // A picture has no height columns and nobody was anywhere.
-  patricia::Arena<grid::TileRef> tiles;
-  patricia::Arena<walls::Slabs> columns;
-  const pipeline::MapSnapshot snapshot{1,
-                                       {},
-                                       {},
-                                       {},
-                                       grid::OccupancyGrid(tiles, map.resolution_m),
-                                       walls::WallStore(columns, map.resolution_m),
-                                       {}};
   TimedAnalysis timed;
   for (int run = 0; run < std::max(repeat, 1); ++run) {
-    grid::DenseMap copy = map;
-    pipeline::AnalysisMemory memory;  // new: the whole of it is timed
+    // A picture has no height columns and nobody was anywhere.
+    pipeline::AnalysisInput input{1, {map, {}}, {}, {}};
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
     const auto note = [&](std::size_t stage) {
@@ -41,11 +30,10 @@ TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
       timed.ms[stage].push_back(ms_between(before, now));
       before = now;
     };
-    std::vector<float> clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    input.free.clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
     note(0);
-    timed.analysis =
-        pipeline::analyse(snapshot, std::move(copy), std::move(clearance), {}, {}, memory,
-                          [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
+    timed.analysis = pipeline::analyse(
+        std::move(input), {}, [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
     timed.ms.back().push_back(ms_between(start, before));
   }
   for (auto& of_stage : timed.ms) std::sort(of_stage.begin(), of_stage.end());

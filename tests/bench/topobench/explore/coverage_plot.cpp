@@ -3,43 +3,24 @@
 #include "tests/bench/topobench/explore/coverage_plot.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <string>
+
+#include "tests/bench/topobench/explore/plot_text.hpp"
 
 namespace topo::bench {
 namespace {
 
 // The picture's "metres" are its pixels.
 constexpr double kWidth = 800.0, kHeight = 400.0, kMargin = 40.0;
+constexpr double kLegendWidth = 300.0, kLegendLine = 18.0;
 constexpr sim::Colour kLine{215, 215, 215};
 constexpr sim::Colour kInk{60, 60, 60};
 
-/// Digits of 3 x 5 pixels, rows from above, the left pixel in the highest bit.
-constexpr std::array<std::array<unsigned, 5>, 10> kDigits{{{7, 5, 5, 5, 7},
-                                                           {2, 6, 2, 2, 7},
-                                                           {7, 1, 7, 4, 7},
-                                                           {7, 1, 7, 1, 7},
-                                                           {5, 5, 7, 1, 1},
-                                                           {7, 4, 7, 1, 7},
-                                                           {7, 4, 7, 5, 7},
-                                                           {7, 1, 1, 1, 1},
-                                                           {7, 5, 7, 5, 7},
-                                                           {7, 5, 7, 1, 7}}};
-
-void number(sim::Picture& picture, double x, double y, int value) {
-  for (const char digit : std::to_string(value)) {
-    const auto& rows = kDigits[static_cast<std::size_t>(digit - '0')];
-    for (int row = 0; row < 5; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        if ((rows[static_cast<std::size_t>(row)] >> static_cast<unsigned>(2 - column) & 1U) == 0) continue;
-        for (const double dx : {0.5, 1.5}) {
-          for (const double dy : {0.5, 1.5}) picture.dot({x + 2 * column + dx, y - 2 * row - dy}, kInk);
-        }
-      }
-    }
-    x += 8.0;
-  }
+sim::Picture empty_picture() {
+  types::Rectangle area;
+  area.extend({0.0, 0.0});
+  area.extend({kWidth, kHeight});
+  return {area, 1.0};
 }
 
 double time_step(double end_s) {
@@ -51,32 +32,42 @@ double time_step(double end_s) {
 
 }  // namespace
 
-sim::Picture coverage_plot(const RunResult& result) {
-  types::Rectangle area;
-  area.extend({0.0, 0.0});
-  area.extend({kWidth, kHeight});
-  sim::Picture picture(area, 1.0);
-  const double end_s = std::max(result.end_s, 1.0);
-  const auto place = [&](double t_s, double share) {
-    return types::Vector2(kMargin + (kWidth - 2 * kMargin) * t_s / end_s,
-                          kMargin + (kHeight - 2 * kMargin) * share);
-  };
+CoveragePlot::CoveragePlot(double end_s) : end_s_(std::max(end_s, 1.0)), picture_(empty_picture()) {
+  draw_axes();
+}
+
+types::Vector2 CoveragePlot::place(double t_s, double share) const {
+  return {kMargin + (kWidth - 2 * kMargin) * t_s / end_s_, kMargin + (kHeight - 2 * kMargin) * share};
+}
+
+void CoveragePlot::draw_axes() {
   for (const double share : {0.0, 0.5, 0.9, 0.95, 0.99, 1.0}) {
-    picture.line(place(0.0, share), place(end_s, share), kLine);
+    picture_.line(place(0.0, share), place(end_s_, share), kLine);
     if (share != 0.95 && share != 0.99)
-      number(picture, 8.0, place(0.0, share).y() + 5.0, static_cast<int>(100 * share));
+      write_text(picture_, 8.0, place(0.0, share).y() + 5.0, std::to_string(static_cast<int>(100 * share)),
+                 kInk);
   }
-  for (double t_s = 0.0; t_s <= end_s; t_s += time_step(end_s)) {
-    picture.line(place(t_s, 0.0), place(t_s, 1.0), kLine);
-    number(picture, place(t_s, 0.0).x() - 8.0, kMargin - 10.0, static_cast<int>(t_s));
+  for (double t_s = 0.0; t_s <= end_s_; t_s += time_step(end_s_)) {
+    picture_.line(place(t_s, 0.0), place(t_s, 1.0), kLine);
+    write_text(picture_, place(t_s, 0.0).x() - 8.0, kMargin - 10.0, std::to_string(static_cast<int>(t_s)),
+               kInk);
   }
+}
+
+void CoveragePlot::curve(std::span<const std::pair<double, double>> coverage, sim::Colour colour) {
   types::Vector2 before = place(0.0, 0.0);
-  for (const auto& [t_s, share] : result.coverage) {
+  for (const auto& [t_s, share] : coverage) {
     const types::Vector2 p = place(t_s, share);
-    picture.line(before, p, sim::kTruthInk);
+    for (const double dy : {0.0, 1.0})
+      picture_.line({before.x(), before.y() + dy}, {p.x(), p.y() + dy}, colour);
     before = p;
   }
-  return picture;
+}
+
+void CoveragePlot::legend(std::string_view text, sim::Colour colour) {
+  const double x = kWidth - kMargin - kLegendWidth, y = kMargin + 160.0 - kLegendLine * legends_++;
+  for (const double dy : {-1.0, 0.0, 1.0}) picture_.line({x, y + dy}, {x + 22.0, y + dy}, colour);
+  write_text(picture_, x + 30.0, y + 5.0, text, kInk);
 }
 
 }  // namespace topo::bench

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_report.hpp"
 #include "tests/bench/topobench/explore/explore_run.hpp"
 #include "tests/bench/topobench/output.hpp"
@@ -12,6 +15,8 @@ namespace topo::bench {
 namespace {
 
 using types::Errc;
+
+constexpr int kRobotsMax = 8;
 
 /// Says now and then on standard error how it goes.
 class Progress final : public RunHooks {
@@ -30,11 +35,18 @@ class Progress final : public RunHooks {
 };
 
 types::Status check(const ExploreCommand& command) {
-  if (command.robots != 1) {
+  if (command.robots < 1 || command.robots > kRobotsMax)
+    return types::fail(Errc::kInvalidInput,
+                       fmt::format("--robots: found {}, expected 1 to {}", command.robots, kRobotsMax));
+  if (!command.starts_known && command.fidelity != "full")
     return types::fail(
         Errc::kInvalidInput,
-        fmt::format("--robots: found {}, expected 1: robots do not work as a team yet", command.robots));
-  }
+        fmt::format("--starts: found unknown in fidelity {}, expected fidelity full: without a "
+                    "mapper all poses are known",
+                    command.fidelity));
+  if (!(command.entry_delay_s >= 0.0))
+    return types::fail(Errc::kInvalidInput, fmt::format("--entry-delay: found {}, expected seconds from 0 up",
+                                                        command.entry_delay_s));
   if (!command.start.empty() && command.start.size() != 3)
     return types::fail(Errc::kInvalidInput, "--start: expected X,Y,THETA in metres and radians");
   if (!(command.limit_s > 0.0))
@@ -43,41 +55,74 @@ types::Status check(const ExploreCommand& command) {
   return {};
 }
 
-RunSetup setup_of(const ExploreCommand& command, const sim::World& world) {
+types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World& world) {
   const auto& s = command.start;
   const sim::Se2 start = s.empty() ? world.start_poses().front() : sim::Se2{s[0], s[1], s[2]};
   RunSetup setup =
       default_setup(start, command.seed, command.fidelity == "full" ? Fidelity::kFull : Fidelity::kPlan);
   setup.limit_s = command.limit_s;
-  setup.mind.planner.strategy = command.strategy == "topometric" ? pipeline::Strategy::kTopometric
-                                                                 : pipeline::Strategy::kNearestFrontier;
+  if (auto set = set_contender(command.strategy, setup.mind.planner); !set)
+    return tl::unexpected(set.error());
+  setup.mind.planner.contact_lost_s = command.contact_lost_s;
   setup.mind.planner.finish =
       command.finish == "complete" ? pipeline::Finish::kComplete : pipeline::Finish::kEssential;
   return setup;
 }
 
-}  // namespace
-
-types::Status run_explore(const ExploreCommand& command) {
-  if (auto status = check(command); !status) return status;
-  auto world = sim::World::load(command.world);
-  if (!world) return tl::unexpected(world.error());
-  const RunSetup setup = setup_of(command, *world);
-  const RunTitle title{command.world.stem().string(), command.strategy, command.finish, command.seed};
-  const sim::Raster visible =
-      reachable_area(*world, setup.plant.start.translation(), sim::RobotModel::p3dx().swing_radius_m).visible;
-  auto plant = make_plant(std::move(*world), setup);
+types::Result<nlohmann::json> run_alone(const ExploreCommand& command, sim::World world,
+                                        const RunTitle& title, const RunSetup& setup,
+                                        const sim::Raster& visible, RunHooks& hooks) {
+  auto plant = make_plant(std::move(world), setup);
   if (!plant) return tl::unexpected(plant.error());
   const auto mind = make_mind(setup);
-  Progress progress;
-  const RunResult result = run_exploration(**plant, *mind, setup, visible, &progress);
+  const RunResult result = run_exploration(**plant, *mind, setup, visible, &hooks);
   if (!command.out.empty()) {
     if (auto written = write_run_files(command.out, (*plant)->world(), setup, result, visible); !written)
-      return written;
-    if (auto written = write_map(command.out, mind->source().map()); !written) return written;
+      return tl::unexpected(written.error());
+    if (auto written = write_map(command.out, mind->source().map()); !written)
+      return tl::unexpected(written.error());
   }
-  const nlohmann::json json = report_of(title, setup, result, visible.area_m2());
-  fmt::print("{}\n", command.json ? json.dump() : json.dump(2));
+  return report_of(title, setup, result, visible.area_m2());
+}
+
+types::Result<nlohmann::json> run_together(const ExploreCommand& command, sim::World world, RunTitle title,
+                                           RunSetup setup, const sim::Raster& visible, RunHooks& hooks) {
+  const auto radio = parse_radio(command.radio);
+  if (!radio) return tl::unexpected(radio.error());
+  title.radio = command.radio;
+  const auto shared = std::make_shared<sim::World>(std::move(world));
+  const TeamSetup team{std::move(setup), command.robots, *radio, command.entry_delay_s, command.starts_known};
+  const std::array<RunHooks*, 1> first{&hooks};  // it speaks for all
+  const auto result = run_team(shared, team, visible, first);
+  if (!result) return tl::unexpected(result.error());
+  if (!command.out.empty()) {
+    if (auto written = write_team_files(command.out, *shared, team, *result, visible); !written)
+      return tl::unexpected(written.error());
+  }
+  return team_report_of(title, team, *result, visible.area_m2());
+}
+
+}  // namespace
+
+types::Result<nlohmann::json> explore(const ExploreCommand& command, RunHooks& hooks) {
+  if (auto status = check(command); !status) return tl::unexpected(status.error());
+  auto world = sim::World::load(command.world);
+  if (!world) return tl::unexpected(world.error());
+  const auto setup = setup_of(command, *world);
+  if (!setup) return tl::unexpected(setup.error());
+  const RunTitle title{command.world.stem().string(), command.strategy, command.finish, command.seed};
+  const sim::Raster visible =
+      reachable_area(*world, setup->plant.start.translation(), sim::RobotModel::p3dx().swing_radius_m)
+          .visible;
+  return command.robots == 1 ? run_alone(command, std::move(*world), title, *setup, visible, hooks)
+                             : run_together(command, std::move(*world), title, *setup, visible, hooks);
+}
+
+types::Status run_explore(const ExploreCommand& command) {
+  Progress progress;
+  const auto report = explore(command, progress);
+  if (!report) return tl::unexpected(report.error());
+  fmt::print("{}\n", command.json ? report->dump() : report->dump(2));
   return {};
 }
 

@@ -45,6 +45,12 @@ json coverage_list(const RunResult& result) {
   return list;
 }
 
+sim::Picture coverage_picture(const RunResult& result) {
+  CoveragePlot plot(result.end_s);
+  plot.curve(result.coverage, sim::kTruthInk);
+  return plot.picture();
+}
+
 std::string decisions_text(const RunResult& result) {
   std::string text;
   for (const pipeline::Decision& decision : result.decisions) {
@@ -54,13 +60,14 @@ std::string decisions_text(const RunResult& result) {
   return text;
 }
 
-std::string poses_text(const RunSetup& setup, const RunResult& result) {
+/// `team`: whose coverage tells the times.
+std::string poses_text(const RunSetup& setup, const RunResult& result, const RunResult& team) {
   std::string text = "# t_s x_m y_m theta_rad (true, in the building), the same as the robot believed it\n";
   for (std::size_t i = 0; i < result.truth.size(); ++i) {
     const sim::Se2& a = result.truth[i];
     const sim::Se2 b = setup.plant.start * result.estimate[i];
     fmt::format_to(std::back_inserter(text), "{:.3f}\t{:.4f}\t{:.4f}\t{:.5f}\t{:.4f}\t{:.4f}\t{:.5f}\n",
-                   result.coverage[i].first, a.x_m, a.y_m, a.theta_rad, b.x_m, b.y_m, b.theta_rad);
+                   team.coverage[i].first, a.x_m, a.y_m, a.theta_rad, b.x_m, b.y_m, b.theta_rad);
   }
   return text;
 }
@@ -69,6 +76,12 @@ std::vector<types::Vector2> goals_in_building(const RunSetup& setup, const RunRe
   std::vector<types::Vector2> goals;
   for (const IssuedGoal& goal : result.goals) goals.push_back(setup.plant.start * goal.p_map);
   return goals;
+}
+
+json report_of(const JoinedMap& map) {
+  return {{"keyframes", map.keyframes},        {"mates_keyframes", map.mates_keyframes},
+          {"joined_s", or_null(map.joined_s)}, {"rmse_m", map.error.rmse_m},
+          {"worst_m", map.error.worst_m},      {"mates_rmse_m", map.mates_error.rmse_m}};
 }
 
 }  // namespace
@@ -80,7 +93,7 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"seed", title.seed},
           {"fidelity", setup.fidelity == Fidelity::kFull ? "full" : "plan"},
           {"finish", title.finish},
-          {"radio", "none"},
+          {"radio", title.radio},
           {"reachable_m2", rounded(reachable_m2, 1e-3)},
           {"t50_s", or_null(result.reached_s[0])},
           {"t90_s", or_null(result.reached_s[1])},
@@ -94,6 +107,7 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"goals_sum", result.goals_sum},
           {"decisions", result.decisions_made},
           {"decision_ms", quantiles_ms(result.decision_ms)},
+          {"planning_ms", quantiles_ms(result.planning_ms)},
           {"collisions", result.collisions},
           {"home", {result.home}},
           {"home_distance_m", result.home_distance_m},
@@ -101,10 +115,10 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"ended_as", std::string(to_text(result.activity))},
           {"reason", result.reason},
           {"covered", result.coverage.empty() ? 0.0 : result.coverage.back().second},
-          {"known", result.known_fraction},
-          {"t_known_s",
-           {or_null(result.known_s[0]), or_null(result.known_s[1]), or_null(result.known_s[2]),
-            or_null(result.known_s[3])}},
+          {"free", result.free_fraction},
+          {"t_free_s",
+           {or_null(result.free_s[0]), or_null(result.free_s[1]), or_null(result.free_s[2]),
+            or_null(result.free_s[3])}},
           {"ate_rmse_m", ate_rmse_m(setup, result)},
           {"speedup_over_real_time", result.end_s / std::max(result.wall_s, 1e-9)},
           {"speedup_by_cpu_time", result.end_s / std::max(result.cpu_s, 1e-9)},
@@ -119,16 +133,53 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"coverage", coverage_list(result)}};
 }
 
+json team_report_of(const RunTitle& title, const TeamSetup& setup, const TeamResult& result,
+                    double reachable_m2) {
+  json report = report_of(title, setup.run, result.team, reachable_m2);
+  report["robots"] = setup.robots;
+  report["overlap"] = rounded(result.overlap, 1e-4);
+  report["maps"] = json::array();
+  for (const JoinedMap& map : result.maps) report["maps"].push_back(report_of(map));
+  for (const char* key : {"distance_m", "home", "ended_as", "reason"}) report[key] = json::array();
+  for (const RunResult& robot : result.robots) {
+    report["distance_m"].push_back(robot.distance_m);
+    report["home"].push_back(robot.home);
+    report["ended_as"].push_back(std::string(to_text(robot.activity)));
+    report["reason"].push_back(robot.reason);
+  }
+  return report;
+}
+
 types::Status write_run_files(const std::filesystem::path& folder, const sim::World& world,
                               const RunSetup& setup, const RunResult& result, const sim::Raster& visible) {
   if (auto made = make_folder(folder); !made) return made;
   const auto goals = goals_in_building(setup, result);
   const sim::Picture picture = overview(world, {visible, result.covered, result.truth, goals});
   if (auto saved = picture.save_png(folder / "explore.png"); !saved) return saved;
-  if (auto saved = coverage_plot(result).save_png(folder / "coverage.png"); !saved) return saved;
+  if (auto saved = coverage_picture(result).save_png(folder / "coverage.png"); !saved) return saved;
   if (auto saved = daemon::write_file((folder / "decisions.txt").string(), decisions_text(result)); !saved)
     return saved;
-  return daemon::write_file((folder / "poses.tsv").string(), poses_text(setup, result));
+  return daemon::write_file((folder / "poses.tsv").string(), poses_text(setup, result, result));
+}
+
+types::Status write_team_files(const std::filesystem::path& folder, const sim::World& world,
+                               const TeamSetup& setup, const TeamResult& result, const sim::Raster& visible) {
+  if (auto made = make_folder(folder); !made) return made;
+  std::vector<std::vector<sim::Se2>> mates;
+  for (std::size_t i = 1; i < result.robots.size(); ++i) mates.push_back(result.robots[i].truth);
+  const sim::Picture picture =
+      overview(world, {visible, result.team.covered, result.robots.front().truth, {}, mates});
+  if (auto saved = picture.save_png(folder / "explore.png"); !saved) return saved;
+  if (auto saved = coverage_picture(result.team).save_png(folder / "coverage.png"); !saved) return saved;
+  for (std::size_t i = 0; i < result.robots.size(); ++i) {
+    const RunResult& robot = result.robots[i];
+    const auto decisions = folder / fmt::format("decisions-{}.txt", i);
+    const auto poses = folder / fmt::format("poses-{}.tsv", i);
+    if (auto saved = daemon::write_file(decisions.string(), decisions_text(robot)); !saved) return saved;
+    if (auto saved = daemon::write_file(poses.string(), poses_text(setup.run, robot, result.team)); !saved)
+      return saved;
+  }
+  return {};
 }
 
 }  // namespace topo::bench

@@ -55,16 +55,17 @@ struct RunResult {
   double wall_s = 0.0;
   double cpu_s = 0.0;  ///< says more than wall_s on a busy machine
   Spent spent;
-  /// When kShares of the area were known as free, and when known at all: the rim of the walls is never free.
-  std::array<std::optional<double>, kShares.size()> reached_s, known_s;
+  /// When kShares of the area were known, and when known as free, which the rim of the walls never is.
+  std::array<std::optional<double>, kShares.size()> reached_s, free_s;
   std::optional<double> home_s;  ///< the mission done and the robot home
   bool home = false;             ///< at the end, within 0.5 m of its start
   double home_distance_m = 0.0;
   double distance_m = 0.0;
   std::uint64_t collisions = 0;
   std::vector<std::pair<double, double>> coverage;  ///< every second
-  double known_fraction = 0.0;                      ///< at the end: free or occupied
-  std::vector<double> decision_ms;
+  double free_fraction = 0.0;                       ///< known as free at the end
+  std::vector<double> decision_ms;                  ///< goals and assignment of every decision, CPU time
+  std::vector<double> planning_ms;  ///< all of the periods that decided: map, analysis, decision, route
   std::uint64_t goals_issued = 0, clusters_sum = 0, goals_sum = 0, decisions_made = 0;
   pipeline::Activity activity = pipeline::Activity::kIdle;
   std::string reason;

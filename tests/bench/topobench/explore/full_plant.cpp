@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "tests/bench/topobench/explore/plant.hpp"
@@ -28,36 +29,46 @@ sim::RobotSetup robot_setup(const PlantSetup& plant) {
 
 class FullPlant final : public Plant, private sim::SensorSink {
  public:
-  FullPlant(sim::World world, const PlantSetup& setup)
+  FullPlant(std::shared_ptr<sim::Simulation> simulation, const PlantSetup& setup)
       : base_(setup.limits, setup.firmware_watchdog),
         feed_(robot_setup(setup)),
-        simulation_(std::move(world), setup.difficulty, setup.seed) {}
+        simulation_(std::move(simulation)),
+        time_(simulation_->now()) {}
+  ~FullPlant() override {
+    if (!robot_) return;
+    simulation_->set_sink(*robot_, nullptr);
+    simulation_->set_drive(*robot_, nullptr);
+  }
+  FullPlant(const FullPlant&) = delete;
+  FullPlant& operator=(const FullPlant&) = delete;
 
   types::Status place(const PlantSetup& setup) {
     sim::RobotSetup robot = robot_setup(setup);
     robot.drive = &base_;
     robot.sink = this;
-    const auto added = simulation_.add_robot(robot);
+    const auto added = simulation_->add_robot(robot);
     if (!added) return tl::unexpected(added.error());
+    robot_ = *added;
     return {};
   }
 
   void tick(Readings& out) override {
-    simulation_.advance_to(simulation_.now() + kTick);
+    time_ += kTick;
+    simulation_->advance_to(time_);  // of several robots the first one's tick moves all
     feed_.sample(body());
     while (const auto odometry = feed_.next_odometry())
       on_the_way_.push_back(base_.status(*odometry, odometry->stamp + kStatusDelay, body()));
-    const types::Stamp now{simulation_.now()};
+    const types::Stamp now{simulation_->now()};
     for (; !on_the_way_.empty() && on_the_way_.front().arrival <= now; on_the_way_.pop_front())
       out.states.push_back(on_the_way_.front());
     while (feed_.next_scan(0, scan_)) out.front.push_back(scan_);
     while (feed_.next_scan(1, scan_)) out.coronal.push_back(scan_);
   }
 
-  void command(const types::BaseCommand& command) override { base_.command(command, simulation_.now()); }
-  [[nodiscard]] sim::SimTime now() const override { return simulation_.now(); }
-  [[nodiscard]] const sim::World& world() const override { return simulation_.world(); }
-  [[nodiscard]] sim::RobotBody& body() override { return simulation_.body(0); }
+  void command(const types::BaseCommand& command) override { base_.command(command, time_); }
+  [[nodiscard]] sim::SimTime now() const override { return time_; }
+  [[nodiscard]] const sim::World& world() const override { return simulation_->world(); }
+  [[nodiscard]] sim::RobotBody& body() override { return simulation_->body(*robot_); }
 
  private:
   void on_sweep(std::size_t laser, const sim::Sweep& sweep) override { feed_.on_sweep(laser, sweep); }
@@ -67,13 +78,21 @@ class FullPlant final : public Plant, private sim::SensorSink {
   sim::ValueFeed feed_;
   std::deque<types::BaseState> on_the_way_;
   types::Scan scan_;
-  sim::Simulation simulation_;  // after what it points to: it must go first
+  std::shared_ptr<sim::Simulation> simulation_;
+  sim::SimTime time_;  ///< that this robot has lived through
+  std::optional<std::size_t> robot_;
 };
 
 }  // namespace
 
 types::Result<std::unique_ptr<Plant>> make_full_plant(sim::World world, const PlantSetup& setup) {
-  auto plant = std::make_unique<FullPlant>(std::move(world), setup);
+  return make_full_plant(std::make_shared<sim::Simulation>(std::move(world), setup.difficulty, setup.seed),
+                         setup);
+}
+
+types::Result<std::unique_ptr<Plant>> make_full_plant(std::shared_ptr<sim::Simulation> simulation,
+                                                      const PlantSetup& setup) {
+  auto plant = std::make_unique<FullPlant>(std::move(simulation), setup);
   if (auto placed = plant->place(setup); !placed) return tl::unexpected(placed.error());
   return std::unique_ptr<Plant>(std::move(plant));
 }

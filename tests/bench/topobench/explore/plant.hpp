@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/motion/robot_limits.hpp"
 #include "core/slam/params.hpp"
@@ -17,7 +18,8 @@ constexpr double kFrontHeight_m = 0.30;  ///< of the level laser, as config/simu
 
 struct PlantSetup {
   sim::Se2 start;
-  slam::MapperParams mapping;  ///< where the scanners are
+  std::optional<sim::Se2> T_building_map;  ///< where the map has its origin, if it is not the start
+  slam::MapperParams mapping;              ///< where the scanners are
   motion::RobotLimits limits;
   types::Duration firmware_watchdog = std::chrono::milliseconds(2000);
   sim::Difficulty difficulty;
@@ -45,8 +47,15 @@ class Plant {
 /// what they tell of; steps of 1 ms.
 types::Result<std::unique_ptr<Plant>> make_full_plant(sim::World world, const PlantSetup& setup);
 
+/// The same in a simulation that several robots share, which has the seed and the difficulty. Its time is
+/// everybody's: whoever ticks first moves all, and all tick before the first ticks again.
+types::Result<std::unique_ptr<Plant>> make_full_plant(std::shared_ptr<sim::Simulation> simulation,
+                                                      const PlantSetup& setup);
+
 /// The same robot with scans of 270 beams at 5 Hz that have no noise, and the true pose with a bounded error
 /// in place of a mapper; steps of 5 ms.
-types::Result<std::unique_ptr<Plant>> make_sparse_plant(sim::World world, const PlantSetup& setup);
+/// Several robots may be in one world.
+types::Result<std::unique_ptr<Plant>> make_sparse_plant(std::shared_ptr<sim::World> world,
+                                                        const PlantSetup& setup);
 
 }  // namespace topo::bench

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -86,10 +87,10 @@ class Heights {
   bool has_before_ = false;
 };
 
-class PosedSource final : public MapSource {
+class PosedSource final : public SharedMapSource {
  public:
-  explicit PosedSource(const slam::MapperParams& params)
-      : params_(params), heights_(params.coronal), builder_(params.grid) {
+  PosedSource(const slam::MapperParams& params, std::uint16_t robot)
+      : params_(params), robot_(robot), heights_(params.coronal), builder_(params.grid) {
     publish({});
   }
 
@@ -112,52 +113,87 @@ class PosedSource final : public MapSource {
   [[nodiscard]] const pipeline::MapSnapshot& map() const override { return *snapshot_; }
   [[nodiscard]] const pipeline::TrackedPose& tracked() const override { return tracked_; }
 
+  void join(const TeamNews& news) override {
+    for (const PosedKeyframe& keyframe : news.keyframes) {
+      add(keyframe);
+      ways_[keyframe.keyframe->id.robot].push_back(station(keyframe));
+    }
+  }
+  TeamNews take_new() override { return {std::exchange(new_, {}), {}}; }
+  [[nodiscard]] const types::Se2& T_map_base() const override { return T_map_base_; }
+  [[nodiscard]] const types::Se2* find_pose(const slam::KeyframeId& id) const override {
+    const auto at = places_.find(id);
+    return at == places_.end() ? nullptr : &poses_[at->second];
+  }
+  [[nodiscard]] std::optional<types::Se2> T_map_mates(std::uint16_t /*robot*/) const override {
+    return types::Se2{};
+  }
+
  private:
+  static pipeline::KeyframePose station(const PosedKeyframe& k) {
+    return {k.keyframe->stamp, types::Transform2<types::Map, types::Base>(k.T_map_base)};
+  }
+
   [[nodiscard]] bool due() const {
-    if (poses_.empty()) return true;
-    const types::Se2 moved = poses_.back().inverse() * T_map_base_;
+    if (own_.empty()) return true;
+    const types::Se2 moved = own_.back().T_map_base.se2().inverse() * T_map_base_;
     return moved.translation().norm() >= params_.keyframe.travel_m ||
            std::abs(moved.theta_rad) >= params_.keyframe.turn_rad;
   }
 
   void add_keyframe(const types::Scan& scan, const types::Se2& T_odom_base) {
     auto keyframe = std::make_shared<slam::Keyframe>();
+    keyframe->id = {robot_, static_cast<std::uint32_t>(own_.size())};
     keyframe->stamp = scan.first_beam;
     keyframe->T_odom_base = T_odom_base;
     keyframe->sensor = params_.T_base_laser.translation().cast<float>();
     dense_hits(scan, params_.T_base_laser, params_.cloud.range_max_m, keyframe->hits);
     keyframe->columns = heights_.take(T_map_base_);
-    keyframes_.push_back(std::move(keyframe));
-    poses_.push_back(T_map_base_);
+    new_.push_back({std::move(keyframe), T_map_base_});
+    add(new_.back());
+    own_.push_back(station(new_.back()));
+  }
+
+  void add(const PosedKeyframe& keyframe) {
+    places_[keyframe.keyframe->id] = keyframes_.size();
+    keyframes_.push_back(keyframe.keyframe);
+    poses_.push_back(keyframe.T_map_base);
   }
 
   void publish_when_due(types::Stamp now) {
-    if (snapshot_->keyframes.size() == keyframes_.size()) return;
-    if (keyframes_.size() > 1 && now - snapshot_->stamp < kPublishPeriod) return;
+    if (snapshot_->revision == keyframes_.size()) return;
+    if (own_.size() > 1 && now - snapshot_->stamp < kPublishPeriod) return;
     builder_.update(keyframes_, poses_);
     publish(now);
   }
 
   void publish(types::Stamp stamp) {
+    if (snapshot_ != nullptr) changed_cells_ += grid::differing_cells(snapshot_->grid, builder_.grid());
     snapshot_ = std::make_unique<pipeline::MapSnapshot>(
         pipeline::MapSnapshot{keyframes_.size(),
+                              changed_cells_,
                               stamp,
                               tracked_.T_map_odom,
                               types::Transform2<types::Map, types::Base>(T_map_base_),
                               builder_.grid(),
                               builder_.walls(),
+                              own_,
                               {}});
-    for (std::size_t i = 0; i < poses_.size(); ++i)
-      snapshot_->keyframes.push_back(
-          {keyframes_[i]->stamp, types::Transform2<types::Map, types::Base>(poses_[i])});
+    for (const auto& [robot, way] : ways_) snapshot_->mates.push_back(way);
   }
 
   slam::MapperParams params_;
+  std::uint16_t robot_;
   Heights heights_;
   pipeline::OdometryBuffer odometry_;
   slam::MapBuilder builder_;
+  std::uint64_t changed_cells_ = 0;
   std::vector<slam::KeyframePtr> keyframes_;
   std::vector<types::Se2> poses_;
+  std::map<slam::KeyframeId, std::size_t> places_;  ///< in these lists
+  std::vector<PosedKeyframe> new_;
+  std::vector<pipeline::KeyframePose> own_;
+  std::map<std::uint16_t, std::vector<pipeline::KeyframePose>> ways_;  ///< of team-mates
   types::Se2 T_map_base_;
   pipeline::TrackedPose tracked_;
   std::unique_ptr<pipeline::MapSnapshot> snapshot_;  // after builder_: it must go first
@@ -165,8 +201,8 @@ class PosedSource final : public MapSource {
 
 }  // namespace
 
-std::unique_ptr<MapSource> make_posed_source(const slam::MapperParams& params) {
-  return std::make_unique<PosedSource>(params);
+std::unique_ptr<SharedMapSource> make_posed_source(const slam::MapperParams& params, std::uint16_t robot) {
+  return std::make_unique<PosedSource>(params, robot);
 }
 
 }  // namespace topo::bench

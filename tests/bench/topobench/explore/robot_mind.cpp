@@ -7,8 +7,8 @@ namespace topo::bench {
 RobotMind::RobotMind(const MindSetup& setup, std::unique_ptr<MapSource> source)
     : setup_(setup), source_(std::move(source)), planning_(setup.planner) {}
 
-void RobotMind::take(const Readings& readings) {
-  source_->take(readings);
+void RobotMind::take(const Readings& readings, const Readings& for_map) {
+  source_->take(for_map);
   if (!readings.states.empty()) {
     state_ = readings.states.back();
     has_state_ = true;
@@ -32,14 +32,18 @@ const pipeline::ControlOutput& RobotMind::control(types::Stamp now) {
   return controlled_;
 }
 
-const pipeline::PlanningOutput& RobotMind::plan(types::Stamp now, const pipeline::Mission& mission) {
+const pipeline::PlanningOutput& RobotMind::plan(types::Stamp now, const pipeline::Mission& mission,
+                                                const pipeline::TeamInput* team,
+                                                pipeline::PlanningWatch done) {
   pipeline::PlanningInput input;
   input.now = now;
   input.map = &source_->map();
   input.tracked = source_->tracked().stamp == types::Stamp{} ? nullptr : &source_->tracked();
   input.control = has_report_ ? &controlled_.report : nullptr;
   input.front = has_front_ ? &front_ : nullptr;
+  input.team = team;
   input.mission = mission;
+  input.done = std::move(done);
   planned_ = planning_step(planning_, input);
   has_plan_ = true;
   return planned_;

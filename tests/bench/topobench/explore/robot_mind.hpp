@@ -27,14 +27,16 @@ class RobotMind {
  public:
   RobotMind(const MindSetup& setup, std::unique_ptr<MapSource> source);
 
-  /// The scan, base and mapping threads' inputs.
-  void take(const Readings& readings);
+  /// The scan, base and mapping threads' inputs. `for_map`: the same readings as mapping gets them.
+  void take(const Readings& readings, const Readings& for_map);
 
   /// One period of the base thread.
   const pipeline::ControlOutput& control(types::Stamp now);
 
   /// One period of the planning thread. The base gets the plan with its next period.
-  const pipeline::PlanningOutput& plan(types::Stamp now, const pipeline::Mission& mission);
+  const pipeline::PlanningOutput& plan(types::Stamp now, const pipeline::Mission& mission,
+                                       const pipeline::TeamInput* team = nullptr,
+                                       pipeline::PlanningWatch done = {});
 
   [[nodiscard]] const MapSource& source() const { return *source_; }
   /// Newest dead reckoning.

@@ -3,15 +3,18 @@
 #include <deque>
 #include <utility>
 
+#include "core/slam/known_starts.hpp"
 #include "tests/bench/topobench/explore/map_source.hpp"
 
 namespace topo::bench {
 namespace {
 
-class SlamSource final : public MapSource {
+class SlamSource final : public SharedMapSource {
  public:
-  SlamSource(const slam::MapperParams& params, int closure_delay_scans)
-      : delay_(static_cast<std::uint64_t>(closure_delay_scans)), state_(params) {
+  SlamSource(const slam::MapperParams& params, int closure_delay_scans, SlamTeam team)
+      : delay_(static_cast<std::uint64_t>(closure_delay_scans)),
+        team_(std::move(team)),
+        state_(params, team_.maker, start_of(team_, team_.maker.robot)) {
     snapshot_ = state_.make_snapshot();
   }
 
@@ -23,6 +26,8 @@ class SlamSource final : public MapSource {
       ++scans_;
       for (; !answers_.empty() && answers_.front().due <= scans_; answers_.pop_front())
         state_.offer(std::move(answers_.front().answer));
+      for (; !alignments_.empty() && alignments_.front().first <= scans_; alignments_.pop_front())
+        state_.offer(alignments_.front().second);
       use(mapping_step(state_, {{}, &scan, nullptr}));
     }
   }
@@ -30,11 +35,56 @@ class SlamSource final : public MapSource {
   [[nodiscard]] const pipeline::MapSnapshot& map() const override { return *snapshot_; }
   [[nodiscard]] const pipeline::TrackedPose& tracked() const override { return tracked_; }
 
+  void join(const TeamNews& news) override {
+    std::vector<slam::KeyframePtr> keyframes;
+    for (const PosedKeyframe& theirs : news.keyframes) {
+      keyframes.push_back(theirs.keyframe);
+      meet(theirs.keyframe->id);
+    }
+    state_.join(keyframes, news.relations);
+  }
+
+  TeamNews take_new() override {
+    TeamNews news;
+    const slam::Mapper& mapper = state_.mapper();
+    for (const std::size_t node : mapper.own_way().subspan(keyframes_told_))
+      news.keyframes.push_back({mapper.keyframes()[node], mapper.poses()[node]});
+    keyframes_told_ += news.keyframes.size();
+    const auto found = mapper.found_since(relations_told_);
+    news.relations.assign(found.begin(), found.end());
+    relations_told_ += static_cast<std::uint32_t>(found.size());
+    return news;
+  }
+
+  [[nodiscard]] const types::Se2& T_map_base() const override { return state_.mapper().T_map_base(); }
+  [[nodiscard]] const types::Se2* find_pose(const slam::KeyframeId& id) const override {
+    const auto node = state_.mapper().node_of(id);
+    return node ? &state_.mapper().poses()[*node] : nullptr;
+  }
+  [[nodiscard]] std::optional<types::Se2> T_map_mates(std::uint16_t robot) const override {
+    // Of every map the first keyframe stays where its maker's robot started.
+    const types::Se2* first = find_pose({robot, 0});
+    if (first != nullptr) return *first * start_of(team_, robot).inverse();
+    return team_.starts.empty() ? std::nullopt : std::optional(types::Se2{});
+  }
+
  private:
   struct Waiting {
     std::uint64_t due;
     slam::LoopAnswer answer;
   };
+
+  static types::Se2 start_of(const SlamTeam& team, std::uint16_t robot) {
+    return robot < team.starts.size() ? team.starts[robot] : types::Se2{};
+  }
+
+  /// A team-mate's first keyframe: where it is from this robot's is known.
+  void meet(const slam::KeyframeId& id) {
+    if (team_.starts.empty() || id.sequence != 0) return;
+    const slam::KeyframeId own{team_.maker.robot, 0, team_.maker.run};
+    const auto known = slam::known_starts(own, start_of(team_, own.robot), id, start_of(team_, id.robot));
+    state_.relate(known.first, known.second);
+  }
 
   void use(pipeline::MappingOutput output) {
     if (output.keyframe_added) snapshot_ = state_.make_snapshot();
@@ -46,20 +96,27 @@ class SlamSource final : public MapSource {
     }
     for (const slam::LoopQuery& query : output.loop_queries)
       answers_.push_back({scans_ + delay_, slam::find_closures(query)});
+    if (output.alignment_query)
+      alignments_.emplace_back(scans_ + delay_, slam::align_maps(*output.alignment_query));
   }
 
   std::uint64_t delay_;
   std::uint64_t scans_ = 0;
+  SlamTeam team_;
   pipeline::MappingState state_;
   std::unique_ptr<pipeline::MapSnapshot> snapshot_;  // after state_: it must go first
   pipeline::TrackedPose tracked_;
   std::deque<Waiting> answers_;
+  std::deque<std::pair<std::uint64_t, slam::Alignment>> alignments_;  ///< with when they are due
+  std::size_t keyframes_told_ = 0;
+  std::uint32_t relations_told_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<MapSource> make_slam_source(const slam::MapperParams& params, int closure_delay_scans) {
-  return std::make_unique<SlamSource>(params, closure_delay_scans);
+std::unique_ptr<SharedMapSource> make_slam_source(const slam::MapperParams& params, int closure_delay_scans,
+                                                  SlamTeam team) {
+  return std::make_unique<SlamSource>(params, closure_delay_scans, std::move(team));
 }
 
 }  // namespace topo::bench

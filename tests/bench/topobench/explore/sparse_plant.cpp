@@ -41,10 +41,10 @@ class PoseNoise {
 
 class SparsePlant final : public Plant {
  public:
-  SparsePlant(sim::World world, const PlantSetup& setup)
+  SparsePlant(std::shared_ptr<sim::World> world, const PlantSetup& setup)
       : setup_(setup),
         world_(std::move(world)),
-        body_(world_, sim::RobotModel::p3dx(), setup.start, setup.difficulty,
+        body_(*world_, sim::RobotModel::p3dx(), setup.start, setup.difficulty,
               sim::derive_seed(setup.seed, 1)),
         base_(setup.limits, setup.firmware_watchdog),
         feed_(feed_setup(setup)),
@@ -65,7 +65,7 @@ class SparsePlant final : public Plant {
 
   void command(const types::BaseCommand& command) override { base_.command(command, now_); }
   [[nodiscard]] sim::SimTime now() const override { return now_; }
-  [[nodiscard]] const sim::World& world() const override { return world_; }
+  [[nodiscard]] const sim::World& world() const override { return *world_; }
   [[nodiscard]] sim::RobotBody& body() override { return body_; }
 
  private:
@@ -77,7 +77,7 @@ class SparsePlant final : public Plant {
 
   void listen() {
     for (const int index : {sonar_turn_, sonar_turn_ + 8}) {
-      base_.on_sonar(measure_sonar(world_, body_.model(), body_.truth(), index, now_, setup_.difficulty,
+      base_.on_sonar(measure_sonar(*world_, body_.model(), body_.truth(), index, now_, setup_.difficulty,
                                    sonar_random_, body_.movable()));
     }
     sonar_turn_ = (sonar_turn_ + 1) % 8;
@@ -89,7 +89,8 @@ class SparsePlant final : public Plant {
     scan(body_.truth() * front, kFrontHeight_m, false, out.front.emplace_back());
     scan(body_.truth() * types::Se2{coronal.x_m, coronal.y_m, 0.0}, coronal.z_m, true,
          out.coronal.emplace_back());
-    const types::Se2 T_map_base = setup_.start.inverse() * body_.truth();
+    const sim::Se2& origin = setup_.T_building_map ? *setup_.T_building_map : setup_.start;
+    const types::Se2 T_map_base = origin.inverse() * body_.truth();
     out.poses.push_back({types::Stamp{now_}, T_map_base * noise_.at(types::to_seconds(now_))});
   }
 
@@ -116,13 +117,13 @@ class SparsePlant final : public Plant {
       }
       // One beam stands for four of the full scan's: it sees glass when one of the four would.
       options.glass_draw = std::sqrt(std::sqrt(glass_random_.uniform()));
-      const double range = world_.cast(ray, options).range_m;
+      const double range = world_->cast(ray, options).range_m;
       out.range_m[i] = range < kRangeMin_m ? types::kTooNear : static_cast<float>(range);
     }
   }
 
   PlantSetup setup_;
-  sim::World world_;
+  std::shared_ptr<sim::World> world_;
   sim::RobotBody body_;
   VirtualBase base_;
   sim::ValueFeed feed_;
@@ -134,13 +135,14 @@ class SparsePlant final : public Plant {
 
 }  // namespace
 
-types::Result<std::unique_ptr<Plant>> make_sparse_plant(sim::World world, const PlantSetup& setup) {
+types::Result<std::unique_ptr<Plant>> make_sparse_plant(std::shared_ptr<sim::World> world,
+                                                        const PlantSetup& setup) {
   const sim::RobotModel model = sim::RobotModel::p3dx();
-  if (world.structure().at(setup.start.translation()) == 0 ||
-      world.touch(model.footprint(), setup.start, model.clearance_m, model.height_m).touching) {
+  if (world->structure().at(setup.start.translation()) == 0 ||
+      world->touch(model.footprint(), setup.start, model.clearance_m, model.height_m).touching) {
     return types::fail(
         types::Errc::kInvalidInput,
-        "world '" + world.name() + "': the robot would stand in something; expected a free start");
+        "world '" + world->name() + "': the robot would stand in something; expected a free start");
   }
   return std::unique_ptr<Plant>(std::make_unique<SparsePlant>(std::move(world), setup));
 }

@@ -3,20 +3,11 @@
 #include "tests/bench/topobench/slam/lock_step.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
+#include "tests/bench/topobench/stopwatch.hpp"
+
 namespace topo::bench {
-namespace {
-
-double seconds_of(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
-
 StageTimer::StageTimer()
     : cpu_s_(seconds_of(CLOCK_THREAD_CPUTIME_ID)), wall_s_(seconds_of(CLOCK_MONOTONIC)) {}
 
@@ -31,6 +22,8 @@ void StageTimer::stop(std::initializer_list<StageTimes*> stages) const {
 
 void LockStep::step(const pipeline::MappingInput& input) {
   while (!answers_.empty() && answers_.front().due <= keyframes_) hand_over();
+  for (; !alignments_.empty() && alignments_.front().first <= keyframes_; alignments_.pop_front())
+    state_.offer(alignments_.front().second);
   const StageTimer timer;
   const pipeline::MappingOutput output = mapping_step(state_, input);
   if (!output.matches.empty()) {
@@ -49,19 +42,22 @@ void LockStep::step(const pipeline::MappingInput& input) {
 
 MappingRun LockStep::finish() {
   while (!answers_.empty()) hand_over();
+  for (; !alignments_.empty(); alignments_.pop_front()) state_.offer(alignments_.front().second);
   const StageTimer timer;
   const pipeline::MappingOutput output = state_.finish();
   timer.stop({&run_.end});
   collect(output);
   const std::span<const types::Se2> poses = state_.mapper().poses();
-  for (std::size_t i = 0; i < hung_.size(); ++i)
-    run_.trajectory.push_back({run_.live[i].stamp_s, poses[hung_[i].node] * hung_[i].T_node_base});
+  for (std::size_t i = 0; i < run_.hung.size(); ++i) {
+    const Hung& hung = run_.hung[i];
+    run_.trajectory.push_back({run_.live[i].stamp_s, poses[hung.node] * hung.T_node_base});
+  }
   return std::move(run_);
 }
 
 void LockStep::collect(const pipeline::MappingOutput& output) {
   for (const slam::MatchReport& match : output.matches) {
-    hung_.push_back({match.node, match.T_node_base});
+    run_.hung.push_back({match.node, match.T_node_base});
     run_.live.push_back({types::to_seconds(match.stamp.time_since_epoch()), match.T_map_base});
     keyframes_ += match.keyframe ? 1 : 0;
     run_.lost += match.matched ? 0 : 1;
@@ -79,6 +75,12 @@ void LockStep::collect(const pipeline::MappingOutput& output) {
     timer.stop({&run_.loop_search});
     answers_.push_back({keyframes_ + answer_delay_, std::move(answer)});
   }
+  if (!output.alignment_query) return;
+  const StageTimer timer;
+  slam::Alignment alignment = slam::align_maps(*output.alignment_query);
+  timer.stop({&run_.loop_search});
+  if (on_alignment) on_alignment(alignment);
+  alignments_.emplace_back(keyframes_ + answer_delay_, std::move(alignment));
 }
 
 void LockStep::hand_over() {

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/pipeline/mapping_step.hpp"
@@ -28,10 +29,17 @@ class StageTimer {
   double cpu_s_, wall_s_;
 };
 
+/// A scan's place relative to its keyframe, to be corrected at the end.
+struct Hung {
+  std::size_t node = 0;
+  types::Se2 T_node_base;
+};
+
 /// What a mapping run produced, with the time that each stage cost.
 struct MappingRun {
   std::vector<daemon::TimedPose> trajectory;  ///< every scan (its last beam), corrected by what came later
   std::vector<daemon::TimedPose> live;        ///< every scan, as it was told at once
+  std::vector<Hung> hung;                     ///< every scan, by the mapper's nodes
   StageTimes
       scan;  ///< a front scan's part of its step: odometry comes seldom, and a step places several scans
   StageTimes step;         ///< all that the mapping thread does at once; of these
@@ -56,6 +64,8 @@ class LockStep {
 
   /// Called for every scan that was placed.
   std::function<void(const slam::MatchReport&)> on_match;
+  /// Called for every search of a team-mate's map.
+  std::function<void(const slam::Alignment&)> on_alignment;
 
   void step(const pipeline::MappingInput& input);
 
@@ -67,19 +77,14 @@ class LockStep {
     std::size_t due;
     slam::LoopAnswer answer;
   };
-  /// A scan's place relative to its keyframe, to be corrected at the end.
-  struct Hung {
-    std::size_t node;
-    types::Se2 T_node_base;
-  };
   void collect(const pipeline::MappingOutput& output);
   void hand_over();
 
   pipeline::MappingState& state_;
   std::size_t answer_delay_;
   MappingRun run_;
-  std::vector<Hung> hung_;
   std::deque<Waiting> answers_;
+  std::deque<std::pair<std::size_t, slam::Alignment>> alignments_;  ///< with when they are due
   std::size_t keyframes_ = 0;
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <numeric>
 
 #include "tests/bench/topobench/output.hpp"
@@ -73,10 +72,9 @@ nlohmann::json error_report(std::span<const PosePair> pairs) {
     const double off = types::wrap_angle((fit * pair.T_map_base).theta_rad - pair.T_building_base.theta_rad);
     turn2 += off * off;
   }
-  const double degrees = 180.0 / std::numbers::pi;
   return {{"rmse_m", fitted.rmse_m},
           {"worst_m", fitted.worst_m},
-          {"heading_rmse_deg", degrees * std::sqrt(turn2 / static_cast<double>(pairs.size()))},
+          {"heading_rmse_deg", std::sqrt(turn2 / static_cast<double>(pairs.size())) / types::kDegree_rad},
           {"rmse_by_first_pose_m", anchored.rmse_m},
           {"worst_by_first_pose_m", anchored.worst_m}};
 }

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bench/topobench/explore/contender.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+
+namespace topo::bench {
+namespace {
+
+using pipeline::PlannerParams;
+using pipeline::Strategy;
+
+void drop_walls(PlannerParams& planner) { planner.analysis.wall_store = false; }
+void drop_k_means(PlannerParams& planner) { planner.k_means = false; }
+
+/// No reason is left against any merge, so that the reduction ends with one place for what hangs together.
+void drop_places(PlannerParams& planner) {
+  places::PlaceParams& places = planner.analysis.places;
+  places.density_min = 0.0;
+  places.width_ratio_max = HUGE_VAL;
+  places.narrow_ratio = 0.0;
+  places.wall_share_max = HUGE_VAL;
+  planner.analysis.goals.centroid_ratio = 0.0;
+}
+
+constexpr std::array kStrategies{Strategy::kTopometric, Strategy::kNearestFrontier, Strategy::kGreedyFrontier,
+                                 Strategy::kUtilityFrontier, Strategy::kMinPos};
+
+struct Ablation {
+  std::string_view name;
+  void (*drop)(PlannerParams&);
+};
+constexpr std::array<Ablation, 3> kAblations{{{"topometric_no_walls", drop_walls},
+                                              {"topometric_no_kmeans", drop_k_means},
+                                              {"topometric_no_places", drop_places}}};
+
+}  // namespace
+
+std::vector<std::string> contender_names() {
+  std::vector<std::string> names;
+  for (const Strategy strategy : kStrategies) names.emplace_back(to_text(strategy));
+  for (const Ablation& ablation : kAblations) names.emplace_back(ablation.name);
+  return names;
+}
+
+types::Status set_contender(std::string_view name, PlannerParams& planner) {
+  for (const Ablation& ablation : kAblations) {
+    if (ablation.name != name) continue;
+    planner.strategy = Strategy::kTopometric;
+    ablation.drop(planner);
+    return {};
+  }
+  const auto strategy = pipeline::strategy_of(name);
+  if (!strategy)
+    return types::fail(types::Errc::kInvalidInput, fmt::format("strategy: found '{}', expected one of {}",
+                                                               name, fmt::join(contender_names(), ", ")));
+  planner.strategy = *strategy;
+  return {};
+}
+
+}  // namespace topo::bench

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/pipeline/planning_step.hpp"
+#include "core/slam/keyframe_set.hpp"
+#include "core/slam/params.hpp"
+#include "core/slam/relation_set.hpp"
+#include "tests/bench/topobench/explore/map_source.hpp"
+
+namespace topo::bench {
+
+/// What one robot sends another in one exchange; all of it may come twice, late or never.
+struct Letter {
+  std::optional<team::Word> word;
+  std::vector<slam::MakerCount> keyframe_counts, relation_counts;  ///< what the sender has
+  TeamNews news;  ///< what the receiver lacks, as far as the sender knows
+};
+
+/// A robot's end of the team's link: says what the planner says, keeps the others in keyframes and
+/// relations, and knows where they are. Keyframes and relations go until the receiver's counts say that they
+/// are there: what is lost is sent again, and one robot's reach a third by way of a second. Not thread-safe.
+class TeamNode {
+ public:
+  /// `source` is borrowed. `starts`: where the robots enter, in map; theirs is the id that is the index.
+  /// Empty when nobody knows.
+  TeamNode(std::uint16_t robot, SharedMapSource& source, const slam::MapperParams& mapping,
+           std::vector<types::Se2> starts);
+
+  /// Takes team-mates out of scans on their way to the mapper, by the pose of each scan in fidelity "plan",
+  /// else by where dead reckoning has the robot.
+  void mask_mates(Readings& readings);
+
+  /// The words that came since the last call. Good until the next one.
+  pipeline::TeamInput heard();
+  void say(const team::Word& word) { said_ = word; }
+
+  /// Before letters are written: takes the robot's new keyframes into its set, and brings its word up to
+  /// date with where it is by now.
+  void gather();
+  [[nodiscard]] Letter letter_to(std::uint16_t other) const;
+  void take(std::uint16_t from, const Letter& letter, types::Stamp now);
+
+  [[nodiscard]] const slam::KeyframeSet& keyframes() const { return set_; }
+  [[nodiscard]] const slam::RelationLog& relations() const { return log_; }
+
+ private:
+  struct Place {
+    types::Vector2 p_map{0.0, 0.0};
+    types::Stamp heard{};
+  };
+  [[nodiscard]] std::vector<types::Vector2> mates_at(types::Stamp now) const;
+
+  std::uint16_t robot_;
+  SharedMapSource& source_;
+  types::Se2 T_base_front_, T_base_coronal_;
+  std::vector<types::Se2> starts_;
+  slam::KeyframeSet set_;
+  slam::RelationLog log_;
+  struct Counts {
+    std::vector<slam::MakerCount> keyframes, relations;
+  };
+  std::map<std::uint16_t, Counts> there_;  ///< by robot, as last heard
+  std::map<std::uint16_t, Place> mates_;
+  types::Transform2<types::Odom, types::Base> T_odom_base_;  ///< newest
+  std::optional<team::Word> said_;
+  std::uint64_t words_ = 0;
+  std::vector<team::Word> inbox_, outbox_;  ///< words that came, and those handed to the planner
+};
+
+}  // namespace topo::bench
