@@ -89,8 +89,7 @@ Check check_estop(const DoctorFacts& f) {
     return bad(name, "the stop button on the robot is pressed",
                "pull or turn the button until it springs out, then topoctl clear-estop");
   }
-  if (f.estop_by_operator || f.base.control.estop_latched)
-    return bad(name, "latched", "when the way is clear: topoctl clear-estop");
+  if (f.estop_latched) return bad(name, "latched", "when the way is clear: topoctl clear-estop");
   return good(name, "clear");
 }
 
@@ -169,6 +168,8 @@ Check check_gate(const DoctorFacts& f) {
     case GateReason::kBumper:
       return bad(name, found, "see the check \"bumpers\"");
     case GateReason::kEmergencyStop:
+      // The base reports once a period: what it said before it saw the clear is not so any more.
+      if (!f.estop_latched) return good(name, "the emergency stop was cleared a moment ago");
       return bad(name, found, "see the check \"e-stop\"");
     default:
       return good(name, found);

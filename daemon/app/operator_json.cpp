@@ -67,7 +67,7 @@ Json Operator::places() const {
 
 void Operator::doctor(std::function<void(Json)> done) {
   DoctorFacts facts = monitor_.facts();
-  facts.estop_by_operator = hand_overs_.estop.load(std::memory_order_acquire);
+  facts.estop_latched = estop_latched();
   // The disk may be a slow one.
   auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {
     facts.free_bytes = free_bytes(facts.folder);

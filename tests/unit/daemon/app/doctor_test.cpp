@@ -133,11 +133,24 @@ TEST(Doctor, FirmwareWatchdog) {
 
 TEST(Doctor, StopButtonAndLatch) {
   DoctorFacts facts = healthy();
-  facts.estop_by_operator = true;
+  facts.estop_latched = true;
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("clear-estop"));
-  facts.estop_by_operator = false;
+  facts.estop_latched = false;
   facts.base.state.stop_button = true;
   EXPECT_THAT(the_bad_one(facts).found, HasSubstr("stop button"));
+}
+
+/// The base reports once a period, and an operator may ask right behind his clear-estop.
+TEST(Doctor, AReportFromBeforeTheClearIsNoComplaint) {
+  DoctorFacts facts = healthy();
+  facts.base.control.estop_latched = true;
+  facts.base.control.reason = motion::GateReason::kEmergencyStop;
+  for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
+  facts.estop_latched = true;
+  std::vector<std::string> bad;
+  for (const Check& check : examine(facts))
+    if (!check.ok) bad.push_back(check.name);
+  EXPECT_EQ(bad, (std::vector<std::string>{"e-stop", "motion"}));
 }
 
 TEST(Doctor, MotorsBumpersBattery) {
