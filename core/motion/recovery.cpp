@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace topo::motion {
 namespace {
@@ -24,6 +25,13 @@ Stamp since(bool is, Stamp before, Stamp now) {
 
 bool lasts(Stamp from, Stamp now, types::Duration time) { return from != Stamp{} && now - from >= time; }
 
+/// The same heading, reached by turning left (`sense` 1), right (-1), or by the shorter turn (0).
+double turned(double angle_rad, int sense) {
+  constexpr double kRound_rad = 2.0 * std::numbers::pi;
+  if (sense == 0 || angle_rad * sense >= 0.0) return angle_rad;
+  return angle_rad + sense * kRound_rad;
+}
+
 types::Twist2 turn_twist(double angle_rad, const RobotLimits& limits) {
   const double fastest = std::min(0.8, limits.omega_max_radps);
   const double rate = std::sqrt(limits.angular_acceleration_radps2 * std::abs(angle_rad));
@@ -36,6 +44,7 @@ void Recovery::enter(RecoveryPhase phase, const RecoveryInput& in) {
   phase_ = phase;
   since_ = in.now;
   blocked_ = refused_ = Stamp{};
+  sense_ = 0;
   progress_ = in.now;
   progress_at_ = phase_at_ = in.T_odom_base.translation();
 }
@@ -83,34 +92,43 @@ types::Twist2 Recovery::back_twist(const RecoveryInput& in) const {
   return in.trail->back_twist(speed_mps);
 }
 
+/// A robot may have no room to turn on the shorter way, and come round by the one on which it came here.
+void Recovery::turn_other_way_when_refused(double angle_rad, const RecoveryInput& in) {
+  if (sense_ != 0 || !lasts(refused_, in.now, kRefused)) return;
+  sense_ = angle_rad > 0.0 ? -1 : 1;
+  refused_ = Stamp{};
+}
+
 RecoveryOutput Recovery::back(const RecoveryInput& in) {
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
   refused_ = since(in.refused, refused_, in.now);
   const bool clear = !in.blocked && !in.touching && backed_m >= kBackedEnough_m;
-  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   if (clear) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }
-  const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
-  if (twist != types::Twist2{}) return {phase_, twist, true};
   const double aside_rad = in.trail->turn_to_back_rad();
   // The robot has turned since: first bring the trail behind it.
-  if (!over && !in.touching && backed_m < 0.05 && std::abs(aside_rad) > kAligned_rad &&
-      in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s)
-    return {phase_, turn_twist(aside_rad, *in.limits), false};
+  const bool aside = !in.touching && backed_m < 0.05 && std::abs(aside_rad) > kAligned_rad &&
+                     in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s;
+  if (aside) turn_other_way_when_refused(aside_rad, in);
+  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
+  const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
+  if (twist != types::Twist2{}) return {phase_, twist, true};
+  if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits), false};
   enter(RecoveryPhase::kTurning, in);
   return turn(in);
 }
 
 RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   refused_ = since(in.refused, refused_, in.now);
-  const bool over = lasts(since_, in.now, kPhaseMax / 2) || lasts(refused_, in.now, kRefused);
+  turn_other_way_when_refused(in.turn_rad, in);
+  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   if (over || std::abs(in.turn_rad) < kAligned_rad) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }
-  return {phase_, turn_twist(in.turn_rad, *in.limits), false};
+  return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits), false};
 }
 
 RecoveryOutput Recovery::step(const RecoveryInput& in) {

@@ -62,6 +62,7 @@ class Recovery {
   void note_progress(const RecoveryInput& in);
   RecoveryOutput back(const RecoveryInput& in);
   RecoveryOutput turn(const RecoveryInput& in);
+  void turn_other_way_when_refused(double angle_rad, const RecoveryInput& in);
   [[nodiscard]] types::Twist2 back_twist(const RecoveryInput& in) const;
 
   RecoveryRules rules_;
@@ -69,6 +70,7 @@ class Recovery {
   types::Stamp since_{};     ///< of the phase
   types::Stamp blocked_{};   ///< since when; zero: not
   types::Stamp refused_{};   ///< since when; zero: not
+  int sense_ = 0;            ///< of a turn that was refused the shorter way: 1 left, -1 right
   types::Stamp progress_{};  ///< when it last got on
   types::Vector2 progress_at_{0.0, 0.0};
   types::Vector2 phase_at_{0.0, 0.0};

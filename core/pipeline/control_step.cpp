@@ -28,6 +28,7 @@ constexpr double kObstacleSpacing_m = 0.03;
 constexpr double kExtrapolateMax_s = 0.3;
 constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wished for no longer: off
 constexpr double kSameGoal_m = 0.2;
+const motion::Trail kNoTrail;
 
 /// What the period wants, before the gate.
 struct Wish {
@@ -253,7 +254,7 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
   r.refused = recovering && !lets_move(last_reason);
   r.turn_rad = out.turn_rad;
   r.blind_s = motion::blind_time_s(gate_in);
-  r.trail = &trail;
+  r.trail = plan.mate_behind ? &kNoTrail : &trail;
   r.limits = &gate_in.limits;
   const motion::RecoveryOutput rescue = recovery.step(r);
   wish.mode = mode_of(rescue.phase);

@@ -43,6 +43,7 @@ struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is fi
   /// and nobody may take the place of the robot in map from it.
   bool located = false;
   double v_max_mps = HUGE_VAL;  ///< no faster for now, whatever the base could
+  bool mate_behind = false;     ///< on the way that it came stands a mate: no backing off
   std::uint16_t points = 0;
   std::array<types::Vector2, kMaxPoints> path_odom;  ///< as path.hpp makes it, from the robot on
 };

@@ -110,6 +110,8 @@ struct PlanningState::Impl {
   /// Two robots see each other where they were: what is free of one when it is looked at is not when it gets
   /// there. Is a mate that moves so near that it matters?
   [[nodiscard]] bool is_beside_moving_mate(const PlanningInput& in) const;
+  /// Would backing off lead towards a mate? The rear sees nothing, and the way it came is no longer free.
+  [[nodiscard]] bool is_mate_behind(const PlanningInput& in) const;
   /// Routes lead round mates that are going where there is room, and through where they stand where there is
   /// none.
   void crowd_mates();

@@ -18,8 +18,9 @@ constexpr double kWay_m = 6.0;          // of a route that the others are told
 constexpr double kWaySpacing_m = 0.3;   // finer than a robot is wide
 constexpr double kRoomSearch_m = 12.0;  // to the next door or junction of a corridor
 constexpr double kRoomReached_m = 0.25;
-constexpr double kCrowd_m = 1.2;                                // around a mate, where a route is dear
-constexpr double kBeside_m = 2.0;                               // of a mate, as it was when it last said so
+constexpr double kCrowd_m = 1.2;   // around a mate, where a route is dear
+constexpr double kBeside_m = 2.0;  // of a mate, as it was when it last said so
+constexpr double kBehind_m = 1.5;  // half a metre of backing off, and two robots' length
 constexpr types::Duration kRoomFor = std::chrono::seconds(30);  // then it is of no use
 
 team::Rule rule_of(const PlannerParams& params) {
@@ -72,6 +73,14 @@ bool PlanningState::Impl::is_beside_moving_mate(const PlanningInput& in) const {
   const auto heard = roster.heard(in.now);
   return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
     return !word->way_map.empty() && (word->T_map_base.translation() - here).norm() <= kBeside_m;
+  });
+}
+
+bool PlanningState::Impl::is_mate_behind(const PlanningInput& in) const {
+  const auto heard = roster.heard(in.now);
+  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
+    const Vector2 at = T_map_base.se2().inverse() * word->T_map_base.translation();
+    return at.x() < 0.0 && at.norm() <= kBehind_m;
   });
 }
 

@@ -28,7 +28,7 @@ struct DoctorFacts {
   };
   std::optional<Can> can;  ///< when the base is on a CAN bus
   BaseReport base;
-  bool estop_latched = false;  ///< as the operator knows it; base may tell of a moment before a clear
+  bool estop_latched = false;      ///< as the operator knows it; base may tell of before a clear
   std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the robot was asked
   double battery_home_v = 0.0;
   double charge_home = 0.0;

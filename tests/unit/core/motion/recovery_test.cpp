@@ -61,6 +61,29 @@ TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
   EXPECT_GT(s.in.T_odom_base.x_m, -0.52);
 }
 
+/// Turned aside between furniture, with something in the corner that the shorter turn back would sweep.
+TEST(Recovery, ATurnBackThatIsRefusedOneWayRoundIsMadeTheOther) {
+  StuckRobot s;
+  s.in.blocked = true;
+  for (int i = 0; i < 100; ++i) {
+    s.in.T_odom_base.theta_rad = 2.0 * i / 100.0;
+    s.trail.update(s.in.T_odom_base);
+  }
+  double turned_left_rad = 0.0;
+  bool backs_off = false;
+  for (int i = 0; i < 400 && !backs_off; ++i) {
+    const types::Se2 before = s.in.T_odom_base;
+    const RecoveryOutput out = s.step();
+    backs_off = out.backing_off;
+    s.in.refused = out.twist.omega_radps < 0.0 && !backs_off;
+    if (s.in.refused) s.in.T_odom_base = before;
+    s.trail.update(s.in.T_odom_base);
+    if (!s.in.refused && !backs_off) turned_left_rad += out.twist.omega_radps * 0.05;
+  }
+  EXPECT_TRUE(backs_off) << "the trail lies behind it again";
+  EXPECT_GT(turned_left_rad, 3.0) << "the long way round";
+}
+
 TEST(Recovery, WhateverHappensToABlockedRobotItIsStuckWithinAMinuteAndStaysSo) {
   EXPECT_TRUE(rc::check([] {
     StuckRobot s;

@@ -199,6 +199,32 @@ TEST_F(ControlStepTest, AFreshPlanWithoutAPlaceIsNoPlace) {
   EXPECT_GT(fresh().command.twist.v_mps, 0.0) << "by the plan, located";
 }
 
+TEST_F(ControlStepTest, BacksOffFromWhatBlocksItButNotIntoAMate) {
+  input.teleop = nullptr;
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  // Four seconds on its way from the start, then six in front of something.
+  const auto fastest_back_mps = [&](bool mate_behind) {
+    plan.mate_behind = mate_behind;
+    ++plan.goal_id;
+    ++plan.sequence;
+    state.odometry.T_odom_base = {0.0, 0.0, 0.0};
+    scan->range_m.fill(10.0F);
+    double slowest_mps = 0.0;
+    for (int i = 0; i < 200; ++i) {
+      if (i == 80) scan->range_m.fill(0.35F);
+      plan.stamp = now;
+      const double v_mps = run(1).command.twist.v_mps;
+      slowest_mps = std::min(slowest_mps, v_mps);
+      state.odometry.stamp = now;
+      state.odometry.T_odom_base = {state.odometry.T_odom_base.se2().x_m + 0.05 * v_mps, 0.0, 0.0};
+    }
+    return slowest_mps;
+  };
+  EXPECT_EQ(fastest_back_mps(true), 0.0);
+  EXPECT_LT(fastest_back_mps(false), -0.05);
+}
+
 TEST_F(ControlStepTest, EveryTouchIsCountedOnceWithItsPlace) {
   state.odometry.T_odom_base = {1.0, 2.0, 0.0};
   EXPECT_EQ(run(3).report.touches, 0U);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "core/pipeline/planning_step.hpp"
@@ -258,6 +259,27 @@ TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
   EXPECT_TRUE(out_.word->visited.empty()) << "being in the room is not being at the goal";
   ASSERT_TRUE(out_.word->claim.has_value());
   EXPECT_TRUE(team::is_same_goal(out_.word->claim->p_map, bound_to));
+}
+
+TEST_F(WithAMate, doesNotBackOffIntoAMateNorPassOneAtFullSpeed) {
+  for (int i = 0; i < 3; ++i) (void)period();
+  ASSERT_TRUE(out_.plan.moving);
+  EXPECT_FALSE(out_.plan.mate_behind);
+  EXPECT_TRUE(std::isinf(out_.plan.v_max_mps));
+  const auto mate_at = [&](double ahead_m) {
+    const Vector2 at = out_.report->T_map_base.se2() * Vector2(ahead_m, 0.0);
+    mate_.T_map_base = {at.x(), at.y(), 0.0};
+    mate_.way_map = {at, at + Vector2(0.1, 0.0)};
+    (void)period();
+  };
+  mate_at(-1.2);
+  EXPECT_TRUE(out_.plan.mate_behind);
+  mate_at(1.9);
+  EXPECT_FALSE(out_.plan.mate_behind);
+  EXPECT_TRUE(!out_.plan.moving || out_.plan.v_max_mps <= 0.25);
+  mate_.way_map.clear();
+  mate_at(-5.0);
+  EXPECT_FALSE(out_.plan.mate_behind);
 }
 
 TEST_F(WithAMate, aMateThatStandsForGoodIsAnObstacle) {
