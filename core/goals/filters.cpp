@@ -57,11 +57,11 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side)
   return false;
 }
 
-bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params) {
+double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
+                         std::span<const std::uint32_t> cells) {
   constexpr double kReachM = 1.2;
   const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
   const int side = 2 * reach + 1;
-  const grid::CellIndex centre = map.cell(opening.middle);
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
   std::vector<grid::CellIndex> queue;
   bool leaves = false;
@@ -82,13 +82,16 @@ bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const G
     visit({c.x - 1, c.y});
     visit({c.x, c.y - 1});
   };
-  for (const std::uint32_t i : opening.cells) {
+  for (const std::uint32_t i : cells) {
     const grid::CellIndex c = map.cell(i);
     if (std::abs(c.x - centre.x) < reach && std::abs(c.y - centre.y) < reach) visit_sides(c);
   }
-  const double least = params.pocket_m2 / (map.resolution_m * map.resolution_m);
   for (std::size_t next = 0; next < queue.size() && !leaves; ++next) visit_sides(queue[next]);
-  return leaves || static_cast<double>(queue.size()) >= least;
+  return leaves ? HUGE_VAL : static_cast<double>(queue.size()) * map.resolution_m * map.resolution_m;
+}
+
+bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params) {
+  return unknown_behind_m2(map, map.cell(opening.middle), opening.cells) >= params.pocket_m2;
 }
 
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,

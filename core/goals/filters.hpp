@@ -15,6 +15,11 @@ namespace topo::goals {
 /// Internal boundaries: is there another place right behind the middle of this side?
 bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side);
 
+/// Unknown space behind a frontier of these cells, as far as 1.2 m around `centre`: m2, or HUGE_VAL when it
+/// goes on beyond. Costs the cells of that square.
+double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
+                         std::span<const std::uint32_t> cells);
+
 /// Opening check: unknown space that goes on for more than a metre, or is a pocket of at least pocket_m2.
 /// Shadows behind furniture are less.
 bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params);

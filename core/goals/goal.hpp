@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,7 @@ struct Goal {
   types::Vector2 p_map{0.0, 0.0};    ///< where the robot shall go: free, with room for it
   types::Vector2 opening{0.0, 0.0};  ///< middle of the frontier that it is for, in map
   double opening_m = 0.0;            ///< width of that frontier
+  double behind_m2 = HUGE_VAL;       ///< enclosed unknown space behind it; HUGE_VAL: it leads on
   std::uint16_t place = 0;           ///< label in the place map, 0 without one
   Side side = Side::kNone;
   Verdict verdict = Verdict::kAccepted;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/goals/filters.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -13,7 +15,6 @@ constexpr double kGoalReach_m = 0.6;      // a goal whose own cell is closed by 
 constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
 constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
 
-constexpr double kAtHand_m = 9.0;
 constexpr double kTurnCost_m_per_rad = 1.0;  // stopping, turning on the spot and speeding up again
 constexpr std::size_t kBeginning = 20;       // cells that say in which direction a route begins: 1 m
 
@@ -57,19 +58,10 @@ std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::T
     goal.p_map = map.centre_of(*cell);
     goal.opening = frontier.centroid;
     goal.opening_m = frontier.width_m;
+    goal.behind_m2 = goals::unknown_behind_m2(map, map.cell_at(frontier.centroid), frontier.cells);
     found.push_back(goal);
   }
   return found;
-}
-
-bool is_far_from_all(std::span<const Candidate> candidates) {
-  return std::none_of(candidates.begin(), candidates.end(),
-                      [](const Candidate& c) { return c.cost_m < kLongWay_m; });
-}
-
-void add_gaps_at_hand(std::span<const Candidate> gaps, std::vector<Candidate>& candidates) {
-  std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(candidates),
-               [](const Candidate& gap) { return gap.cost_m <= kAtHand_m; });
 }
 
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates) {
@@ -85,25 +77,16 @@ const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate
   return best;
 }
 
-double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain,
-                      std::uint16_t home_place) {
-  double cost_m = candidate.cost_m;
-  if (&candidate == present) cost_m *= switch_gain;
-  if (home_place != 0 && candidate.goal.place == home_place) cost_m *= kHomePlaceShare;
-  return cost_m;
+double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain) {
+  return &candidate == present ? switch_gain * candidate.cost_m : candidate.cost_m;
 }
 
-const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain,
-                        std::uint16_t home_place) {
-  const Candidate* best = nullptr;
-  double best_m = HUGE_VAL;
-  for (const Candidate& c : candidates) {
-    const double cost_m = weighed_cost_m(c, present, switch_gain, home_place);
-    if (cost_m >= best_m) continue;
-    best_m = cost_m;
-    best = &c;
-  }
-  return best;
+const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain) {
+  const auto cheapest =
+      std::min_element(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        return weighed_cost_m(a, present, switch_gain) < weighed_cost_m(b, present, switch_gain);
+      });
+  return cheapest == candidates.end() ? nullptr : &*cheapest;
 }
 
 }  // namespace topo::pipeline

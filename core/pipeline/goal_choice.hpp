@@ -30,30 +30,14 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
                                         std::span<const goals::Frontier> frontiers);
 
-/// Is there nothing to do but after a long way? Then gaps are worth looking at.
-bool is_far_from_all(std::span<const Candidate> candidates);
-
-/// Before a long way to the next essential goal the gaps at hand come first: a robot that has to come back
-/// for one of them goes the long way twice more. Takes those into candidates that are far from all.
-void add_gaps_at_hand(std::span<const Candidate> gaps, std::vector<Candidate>& candidates);
-
 /// The candidate that a present goal has become: goals recede as the map grows (paper section III).
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);
 
-/// A goal that costs more is far: gaps at hand come first.
-inline constexpr double kLongWay_m = 16.0;
-
-/// What of its cost a candidate in the home place counts: gaps are filled place by place.
-inline constexpr double kHomePlaceShare = 0.5;
-
-/// What a candidate costs all in all: the present goal's successor counts `switch_gain` of its cost, and
-/// candidates in `home_place` (0: none) kHomePlaceShare of theirs.
-double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain,
-                      std::uint16_t home_place);
+/// What a candidate costs all in all: the present goal's successor counts `switch_gain` of its cost.
+double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain);
 
 /// The cheapest candidate; the present goal's successor stays unless another costs less than `switch_gain` of
-/// it. Candidates in `home_place` (0: none) cost kHomePlaceShare. Null when there is none.
-const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain,
-                        std::uint16_t home_place);
+/// it. Null when there is none.
+const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain);
 
 }  // namespace topo::pipeline

@@ -132,52 +132,22 @@ std::vector<Candidate> PlanningState::Impl::gap_candidates(const PlanningInput& 
   return candidates_among(in, openings, cut_off);
 }
 
-/// Candidates by what is settled of their costs. Gaps are worth a look only when it is known that nothing
-/// essential is near.
-std::vector<Candidate> PlanningState::Impl::find_candidates(const PlanningInput& in,
-                                                            std::span<const goals::Frontier> frontiers,
-                                                            bool& cut_off) {
-  const bool essential = params.strategy == Strategy::kTopometric;
-  second_phase = false;
-  std::vector<Candidate> candidates;
-  if (essential) candidates = candidates_among(in, analysis->goals.goals, cut_off);
-  const bool fills_gaps = !essential || params.finish == Finish::kComplete;
-  if (!fills_gaps || !is_far_from_all(candidates)) return candidates;
-  if (essential && search.settled_m() < kLongWay_m) return candidates;
-  std::vector<Candidate> gaps = gap_candidates(in, frontiers, cut_off);
-  second_phase = essential && candidates.empty();
-  if (candidates.empty()) return gaps;
-  add_gaps_at_hand(gaps, candidates);
-  return candidates;
-}
-
-/// Gaps for who would wait, since others are nearer to every essential goal: they are to be filled in anyway.
-std::vector<Candidate> PlanningState::Impl::spare_candidates(const PlanningInput& in) {
-  if (params.strategy != Strategy::kTopometric || params.finish != Finish::kComplete) return {};
-  search.settle(HUGE_VAL);
-  bool cut_off = false;
-  return gap_candidates(in, goals::find_frontiers(map, params.frontier_min_m), cut_off);
-}
-
-/// Candidates with all costs that the choice can depend on: what is farther than the search has come is not
-/// chosen, whatever it gets off. The nearest goal is mostly near, and the building large.
-std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInput& in, bool& cut_off) {
+/// Frontiers with all costs that the choice can depend on: what is farther than the search has come is not
+/// chosen. The nearest one is mostly near, and the building large. In a team it may be another's: all costs
+/// are wanted.
+std::vector<Candidate> PlanningState::Impl::frontier_candidates(const PlanningInput& in, bool& cut_off) {
   constexpr double kFirst_m = 6.0;
   const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());
-  for (double bound_m = kFirst_m;; bound_m *= 2.0) {
+  second_phase = false;
+  for (double bound_m = in.team == nullptr ? kFirst_m : HUGE_VAL;; bound_m *= 2.0) {
     search.settle(bound_m);
     cut_off = false;
-    std::vector<Candidate> candidates = find_candidates(in, frontiers, cut_off);
-    const auto [nearest, farthest] =
-        std::minmax_element(candidates.begin(), candidates.end(),
-                            [](const Candidate& a, const Candidate& b) { return a.cost_m < b.cost_m; });
-    // In a team the nearest goal may be another's: all costs are wanted.
-    const double least_share = params.switch_gain * (second_phase ? kHomePlaceShare : 1.0);
+    std::vector<Candidate> candidates = gap_candidates(in, frontiers, cut_off);
     const double settled_m = search.settled_m();
-    const bool is_enough =
-        !candidates.empty() &&
-        (in.team != nullptr ? farthest->cost_m < settled_m : nearest->cost_m < least_share * settled_m);
+    const bool is_enough = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return c.cost_m < params.switch_gain * settled_m;
+    });
     if (std::isinf(settled_m) || is_enough) return candidates;
   }
 }
@@ -185,7 +155,7 @@ std::vector<Candidate> PlanningState::Impl::settled_candidates(const PlanningInp
 void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& candidate) {
   set_out(in, candidate.goal);
   target = candidate.cell;
-  claimed_m = weighed_cost_m(candidate, &candidate, params.switch_gain, 0);
+  claimed_m = weighed_cost_m(candidate, &candidate, params.switch_gain);
   ++goals_issued;
   note(in, goal->p_map, "taken: " + description(*goal) + ", " + metres(candidate.cost_m) + " to go");
 }
@@ -215,7 +185,9 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   if (!returning && in.team != nullptr && seek_contact(in)) return;
   if (!returning) settle_goal(in);
   bool cut_off = false;
-  const std::vector<Candidate> candidates = settled_candidates(in, cut_off);
+  const std::vector<Candidate> candidates = params.strategy == Strategy::kTopometric
+                                                ? tour_candidates(in, cut_off)
+                                                : frontier_candidates(in, cut_off);
   open_goals.clear();
   for (const Candidate& c : candidates) open_goals.push_back(c.goal);
   if (returning) {
@@ -229,18 +201,6 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   }
   const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;
   const Candidate* best = pick(in, candidates, present);
-  std::vector<Candidate> spare;
-  if (best == nullptr && !candidates.empty()) {
-    if (present != nullptr) {
-      note(in, goal->p_map, "left to another");
-      goal.reset();
-    }
-    const std::vector<team::Bid> essential = bids;
-    spare = spare_candidates(in);
-    present = goal ? successor_of(*goal, spare) : nullptr;
-    best = pick(in, spare, present);
-    bids.insert(bids.end(), essential.begin(), essential.end());  // it would go there as well
-  }
   if (goal && present == nullptr) {
     note(in, goal->p_map, "dropped: seen, or no longer a goal");
     goal.reset();

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/goals/goal_ways.hpp"
+#include "core/goals/tour.hpp"
 #include "core/grid/distance.hpp"
 #include "core/pipeline/goal_choice.hpp"
 #include "core/pipeline/planning_step.hpp"
@@ -56,17 +58,13 @@ struct PlanningState::Impl {
   void explore(const PlanningInput& in);
   void run_dry(const PlanningInput& in, bool cut_off);
   void settle_goal(const PlanningInput& in);
-  [[nodiscard]] std::vector<Candidate> find_candidates(const PlanningInput& in,
-                                                       std::span<const goals::Frontier> frontiers,
-                                                       bool& cut_off);
   [[nodiscard]] std::vector<Candidate> candidates_among(const PlanningInput& in,
                                                         std::span<const goals::Goal> goals,
                                                         bool& cut_off) const;
   [[nodiscard]] std::vector<Candidate> gap_candidates(const PlanningInput& in,
                                                       std::span<const goals::Frontier> frontiers,
                                                       bool& cut_off) const;
-  [[nodiscard]] std::vector<Candidate> spare_candidates(const PlanningInput& in);
-  [[nodiscard]] std::vector<Candidate> settled_candidates(const PlanningInput& in, bool& cut_off);
+  [[nodiscard]] std::vector<Candidate> frontier_candidates(const PlanningInput& in, bool& cut_off);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void set_out(const PlanningInput& in, const goals::Goal& to);
   /// For how long it has not got on.
@@ -79,6 +77,13 @@ struct PlanningState::Impl {
   void give_up(const PlanningInput& in, std::string why);
   void block_ahead(const PlanningInput& in);
   void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
+
+  // In which order (planning_tour.cpp).
+  [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
+  [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);
+  /// Where the cheapest tour of these begins, unless one that begins with `present` costs hardly more.
+  [[nodiscard]] const Candidate* first_of_tour(std::vector<const Candidate*> candidates,
+                                               const Candidate* present);
 
   // With others (planning_team.cpp).
   /// Who counts, and what it claims.
@@ -154,6 +159,7 @@ struct PlanningState::Impl {
   std::shared_ptr<const Analysis> analysis;
   types::Stamp analysed{};
   types::Stamp idle_since{};  ///< without a goal; zero: with one
+  goals::GoalWays goal_ways;  ///< of the last tour
   grid::TravelSearch search;
   grid::TravelField field;  ///< as far as the search has come
 

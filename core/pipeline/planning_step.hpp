@@ -30,11 +30,21 @@ enum class Finish : std::uint8_t {
 };
 std::string_view to_text(Finish finish);
 
+/// The order in which a robot means to visit its goals (core/goals/tour.hpp).
+struct TourParams {
+  double length_share = 0.2;   ///< see goals::tour_cost_m
+  double gap_share = 0.5;      ///< what a gap is worth, against an essential goal at an opening as wide
+  double pocket_m2 = 0.25;     ///< a gap onto less unknown space, enclosed, is nobody's goal
+  double switch_share = 0.1;   ///< of the way to the present goal: what another tour has to save
+  std::size_t goals_max = 20;  ///< the nearest; the others can wait
+};
+
 struct PlannerParams {
   Strategy strategy = Strategy::kTopometric;
   Finish finish = Finish::kComplete;
   bool k_means = true;  ///< false, an ablation: a team shares out single goals, not clusters of them
   AnalysisParams analysis;
+  TourParams tour;
   grid::TravelRules travel;
   motion::AreaLimits area;
   types::Se2 T_base_laser;       ///< front scanner, for what stands in the way now

@@ -102,11 +102,16 @@ void PlanningState::Impl::crowd_mates() {
 
 const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<const Candidate> candidates,
                                            const Candidate* present) {
-  const std::uint16_t here = second_phase && present != nullptr && goal ? goal->place : std::uint16_t{0};
-  if (in.team == nullptr) return choose(candidates, present, params.switch_gain, here);
+  const bool tours = params.strategy == Strategy::kTopometric;
+  if (in.team == nullptr) {
+    if (!tours) return choose(candidates, present, params.switch_gain);
+    std::vector<const Candidate*> all;
+    for (const Candidate& c : candidates) all.push_back(&c);
+    return first_of_tour(std::move(all), present);
+  }
   bids.clear();
   for (const Candidate& c : candidates)
-    bids.push_back({c.goal.p_map, weighed_cost_m(c, present, params.switch_gain, here)});
+    bids.push_back({c.goal.p_map, weighed_cost_m(c, present, params.switch_gain)});
   team::Word self;
   self.robot = in.team->robot;
   self.bids = bids;
@@ -114,7 +119,13 @@ const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<co
   const auto in_sight = [&](const Vector2& a, const Vector2& b) {
     return goals::sees(map, map.cell_at(a), map.cell_at(b));
   };
-  const auto chosen = team::coordinate(rule_of(params), self, roster.counted(in.now), in_sight);
+  const team::Chooser by_tour = [&](std::span<const std::size_t> share) {
+    std::vector<const Candidate*> among;
+    for (const std::size_t i : share) among.push_back(&candidates[i]);
+    return static_cast<std::size_t>(first_of_tour(std::move(among), present) - candidates.data());
+  };
+  const auto chosen = team::coordinate(rule_of(params), self, roster.counted(in.now), in_sight,
+                                       tours ? by_tour : team::Chooser{});
   return chosen ? &candidates[*chosen] : nullptr;
 }
 

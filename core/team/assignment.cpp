@@ -44,12 +44,15 @@ std::size_t CostTable::able_robots() const {
   return able;
 }
 
+std::vector<std::size_t> clusters_of(const CostTable& table, bool clusters) {
+  return k_means(table.goals(), clusters ? table.able_robots() : table.goals().size());
+}
+
 Assignment assign_clusters(const CostTable& table, bool clusters) {
   Assignment assignment(table.robots().size());
   const std::size_t able = table.able_robots();
   if (able == 0) return assignment;
-  const std::size_t k = clusters ? able : table.goals().size();
-  const std::vector<std::size_t> cluster = k_means(table.goals(), k);
+  const std::vector<std::size_t> cluster = clusters_of(table, clusters);
   const std::size_t count = 1 + *std::max_element(cluster.begin(), cluster.end());
   std::vector<std::vector<Nearest>> nearest;
   for (std::size_t r = 0; r < assignment.size(); ++r)

@@ -44,4 +44,7 @@ using Assignment = std::vector<std::optional<std::size_t>>;
 /// the earlier cluster. `clusters` false: every goal is one of its own, the ablation.
 Assignment assign_clusters(const CostTable& table, bool clusters = true);
 
+/// The cluster of each goal, as assign_clusters has them.
+std::vector<std::size_t> clusters_of(const CostTable& table, bool clusters = true);
+
 }  // namespace topo::team

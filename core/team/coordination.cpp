@@ -53,6 +53,19 @@ CostTable table_of(std::span<const Word* const> team) {
 }
 
 /// The robot's cheapest bid for a goal.
+/// The same; a goal costs who has claimed it no more than when it was taken.
+CostTable with_claims(CostTable table, std::span<const Word* const> team) {
+  for (std::size_t row = 0; row < team.size(); ++row) {
+    for (std::size_t goal = 0; team[row]->claim && goal < table.goals().size(); ++goal) {
+      double& cost_m = table.cost_m(row, goal);
+      const Bid& claim = *team[row]->claim;
+      if (cost_m < HUGE_VAL && is_same_goal(claim.p_map, table.goals()[goal]))
+        cost_m = std::min(cost_m, claim.cost_m);
+    }
+  }
+  return table;
+}
+
 const Bid& cheapest_for(const Word& self, const CostTable& table, std::size_t goal) {
   const Bid* best = nullptr;
   for (const Bid& bid : self.bids) {
@@ -62,6 +75,20 @@ const Bid& cheapest_for(const Word& self, const CostTable& table, std::size_t go
     if (better) best = &bid;
   }
   return *best;
+}
+
+/// The robot's bids in the cluster of a goal, and the one that it is bound for, whatever cluster that is in
+/// now: clusters change with every goal that is found, and who turns round for that loses both ways.
+std::vector<std::size_t> share_of(const Word& self, const CostTable& table, std::size_t row,
+                                  std::size_t assigned, Rule rule) {
+  const std::vector<std::size_t> cluster = clusters_of(table, rule == Rule::kClusters);
+  std::vector<std::size_t> share;
+  for (std::size_t i = 0; i < self.bids.size(); ++i) {
+    const std::size_t goal = goal_of(table.goals(), self.bids[i]);
+    const bool own = self.claim && self.claim->p_map == self.bids[i].p_map;
+    if (table.cost_m(row, goal) < HUGE_VAL && (own || cluster[goal] == cluster[assigned])) share.push_back(i);
+  }
+  return share;
 }
 
 Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sight) {
@@ -93,14 +120,14 @@ bool is_claimed(const Bid& bid, const Word& self, std::span<const Word* const> m
 }
 
 /// Does a mate, after its own goal, get to the robot's no later than the robot, as far as can be seen?
-bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_t row,
+bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_t row, std::size_t goal,
                   const PointsInSight& in_sight) {
-  const types::Vector2& wanted = table.goals()[*assigned[row]];
+  const types::Vector2& wanted = table.goals()[goal];
   for (std::size_t mate = 0; mate < assigned.size(); ++mate) {
     if (mate == row || !assigned[mate]) continue;
     const types::Vector2& first = table.goals()[*assigned[mate]];
     const double cost_m = table.cost_m(mate, *assigned[mate]) + (wanted - first).norm();
-    if (cost_m <= table.cost_m(row, *assigned[row]) && in_sight(first, wanted)) return true;
+    if (cost_m <= table.cost_m(row, goal) && in_sight(first, wanted)) return true;
   }
   return false;
 }
@@ -108,7 +135,7 @@ bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_
 }  // namespace
 
 std::optional<std::size_t> coordinate(Rule rule, const Word& self, std::span<const Word* const> mates,
-                                      const PointsInSight& in_sight) {
+                                      const PointsInSight& in_sight, const Chooser& choose) {
   if (rule == Rule::kAlone) mates = {};
   const bool claims = rule == Rule::kClusters || rule == Rule::kNoClusters;
   const auto by_id = [](const Word* a, const Word* b) { return a->robot < b->robot; };
@@ -119,14 +146,15 @@ std::optional<std::size_t> coordinate(Rule rule, const Word& self, std::span<con
   const auto row = static_cast<std::size_t>(std::distance(team.begin(), team.find(&self)));
   CostTable table = table_of(words);
   for (;;) {  // ends: every round takes a goal out
-    const Assignment assigned = assign(rule, table, in_sight);
-    const auto goal = assigned[row];
-    if (!goal) return std::nullopt;
-    const Bid& bid = cheapest_for(self, table, *goal);
+    const Assignment assigned = assign(rule, claims ? with_claims(table, words) : table, in_sight);
+    if (!assigned[row]) return std::nullopt;
+    const Bid& bid = claims && choose ? self.bids[choose(share_of(self, table, row, *assigned[row], rule))]
+                                      : cheapest_for(self, table, *assigned[row]);
+    const std::size_t goal = goal_of(table.goals(), bid);
     const bool left =
-        claims && (is_claimed(bid, self, mates) || is_passed_by(table, assigned, row, in_sight));
+        claims && (is_claimed(bid, self, mates) || is_passed_by(table, assigned, row, goal, in_sight));
     if (!left) return static_cast<std::size_t>(&bid - self.bids.data());
-    table.cost_m(row, *goal) = HUGE_VAL;
+    table.cost_m(row, goal) = HUGE_VAL;
   }
 }
 

@@ -25,6 +25,9 @@ enum class Rule : std::uint8_t {
 /// Are two points of the map in sight of each other?
 using PointsInSight = std::function<bool(const types::Vector2&, const types::Vector2&)>;
 
+/// Which of several of its own bids, of one cluster, a robot goes for: an index into the word's bids.
+using Chooser = std::function<std::size_t(std::span<const std::size_t> share)>;
+
 /// Which of its own bids a robot goes for, by its own word (robot, bids and claim count) and those of the
 /// mates that count; nothing: it waits. Every robot decides for itself; by the same words all decide the
 /// same: what anybody bids for is shared out, whether this robot can get there or not. A robot that does not
@@ -34,6 +37,6 @@ using PointsInSight = std::function<bool(const types::Vector2&, const types::Vec
 /// robot would be there (paper figure 8: one goes along a corridor, the other waits). The order of bids and
 /// of mates does not matter. Costs robots times goals times bids.
 std::optional<std::size_t> coordinate(Rule rule, const Word& self, std::span<const Word* const> mates,
-                                      const PointsInSight& in_sight);
+                                      const PointsInSight& in_sight, const Chooser& choose = {});
 
 }  // namespace topo::team

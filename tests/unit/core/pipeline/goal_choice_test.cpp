@@ -24,30 +24,14 @@ const types::Stamp kNow = types::stamp_from_seconds(50.0);
 
 TEST(Choose, theCheapestAndNothingOfNothing) {
   const std::vector<Candidate> candidates{candidate(0.0, 5.0), candidate(10.0, 3.0), candidate(20.0, 9.0)};
-  EXPECT_EQ(choose(candidates, nullptr, 0.8, 0), &candidates[1]);
-  EXPECT_EQ(choose({}, nullptr, 0.8, 0), nullptr);
+  EXPECT_EQ(choose(candidates, nullptr, 0.8), &candidates[1]);
+  EXPECT_EQ(choose({}, nullptr, 0.8), nullptr);
 }
 
 TEST(Choose, thePresentGoalStaysUntilAnotherIsMuchCheaper) {
   const std::vector<Candidate> candidates{candidate(0.0, 5.0), candidate(10.0, 4.5)};
-  EXPECT_EQ(choose(candidates, &candidates[0], 0.8, 0), &candidates[0]);
-  EXPECT_EQ(choose(candidates, &candidates[0], 1.0, 0), &candidates[1]);
-}
-
-TEST(Choose, gapsOfOnePlaceAreFilledBeforeTheNext) {
-  const std::vector<Candidate> candidates{candidate(0.0, 5.0, 7), candidate(10.0, 3.0, 8)};
-  EXPECT_EQ(choose(candidates, nullptr, 0.8, 7), &candidates[0]);
-}
-
-TEST(AddGapsAtHand, onlyBeforeALongWayAndOnlyThoseAtHand) {
-  EXPECT_TRUE(is_far_from_all({}));
-  EXPECT_FALSE(is_far_from_all(std::vector{candidate(0.0, 30.0), candidate(0.0, 15.9)}));
-  std::vector<Candidate> candidates{candidate(0.0, 30.0), candidate(1.0, 16.0)};
-  ASSERT_TRUE(is_far_from_all(candidates));
-  add_gaps_at_hand(std::vector{candidate(2.0, 9.1), candidate(3.0, 9.0), candidate(4.0, 20.0)}, candidates);
-  ASSERT_EQ(candidates.size(), 3U);
-  EXPECT_EQ(candidates[2].goal.p_map.x(), 3.0);
-  EXPECT_EQ(choose(candidates, nullptr, 0.8, 0), &candidates[2]) << "the gap comes first";
+  EXPECT_EQ(choose(candidates, &candidates[0], 0.8), &candidates[0]);
+  EXPECT_EQ(choose(candidates, &candidates[0], 1.0), &candidates[1]);
 }
 
 /// A room of 3 by 2 m, free but for a wall between its halves.

@@ -184,6 +184,35 @@ TEST(Coordinate, aClaimCountsAsItWasMadeWhateverTheWayIsByNow) {
   EXPECT_FALSE(coordinate(Rule::kClusters, second, to_second, kAllInSight).has_value());
 }
 
+TEST(Coordinate, whoChoosesIsOfferedItsClusterAndWhatItIsBoundForButNothingThatAMateHas) {
+  // Two clusters; robot 0 is nearer to the first one, and bound for a goal of the second.
+  const std::vector<Bid> bids{{{0.0, 0.0}, 2.0}, {{0.0, 3.0}, 4.0}, {{30.0, 0.0}, 30.0}, {{30.0, 3.0}, 33.0}};
+  const Word mate = word(1, {{{30.0, 0.0}, 1.0}, {{30.0, 3.0}, 3.0}}, Bid{{30.0, 0.0}, 1.5});
+  const std::vector<const Word*> mates{&mate};
+  const auto offered = [&](std::optional<Bid> claim) {
+    std::vector<std::size_t> share;
+    const Chooser last = [&](std::span<const std::size_t> s) {
+      share.assign(s.begin(), s.end());
+      return s.back();
+    };
+    const auto chosen = coordinate(Rule::kClusters, word(0, bids, claim), mates, kNoneInSight, last);
+    EXPECT_EQ(chosen, share.back());
+    return share;
+  };
+  EXPECT_EQ(offered({}), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(offered(Bid{{30.0, 3.0}, 35.0}), (std::vector<std::size_t>{0, 1, 3}));
+  EXPECT_EQ(offered(Bid{{30.0, 0.0}, 35.0}), (std::vector<std::size_t>{0, 1}))
+      << "the mate's claim is better";
+}
+
+TEST(Coordinate, whoHasClaimedAGoalHasItsClusterThoughTheWayHasBecomeLonger) {
+  const Bid goal{{0.0, 0.0}, 5.0}, beside{{2.0, 0.0}, 4.0}, far{{40.0, 0.0}, 40.0};
+  const std::vector<Word> team{word(0, {goal, beside, far}),
+                               word(1, {{goal.p_map, 8.0}}, Bid{goal.p_map, 3.0})};
+  EXPECT_EQ(target_of(Rule::kClusters, team, 0), far.p_map);
+  EXPECT_EQ(target_of(Rule::kClusters, team, 1), goal.p_map);
+}
+
 TEST(Coordinate, aloneIsTheNearest) {
   const std::vector<Word> team{word(0, {{{0.0, 0.0}, 5.0}, {{9.0, 0.0}, 3.0}}), word(1, {{{9.0, 0.0}, 1.0}})};
   EXPECT_EQ(target_of(Rule::kAlone, team, 0), Vector2(9.0, 0.0));

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/grid/wavefront.hpp"
+
+namespace topo::goals {
+
+/// What the ways between goals cost. Most goals are the same from one decision to the next, and so are most
+/// ways: only those of new goals are searched, and in turn one of the old, since doors open and close.
+class GoalWays {
+ public:
+  /// Costs among `cells` on this map from now on; travel_field has the other arguments. Costs one search of
+  /// the map for every cell that was not there the last time, and one more.
+  void update(const grid::DenseMap& map, std::span<const float> clearance_m, const grid::TravelRules& rules,
+              std::span<const grid::CellIndex> cells);
+
+  /// Metres of open travel between two of the cells, the same both ways; HUGE_VAL where no way was found.
+  [[nodiscard]] double between_m(std::size_t a, std::size_t b) const {
+    return cost_m_[a * cells_.size() + b];
+  }
+
+ private:
+  void search_from(std::size_t from, const grid::DenseMap& map, std::span<const float> clearance_m,
+                   const grid::TravelRules& rules);
+
+  std::vector<grid::CellIndex> cells_;
+  std::vector<double> cost_m_;  ///< cells times cells, symmetric
+  std::size_t turn_ = 0;        ///< counts updates: whose turn it is
+  grid::TravelSearch search_;
+  grid::TravelField field_;
+};
+
+}  // namespace topo::goals

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The order in which a robot means to visit its goals (core/goals/tour.hpp): it goes for the first of them. A
+// goal that is near but leads away from all others waits; a gap on the way is filled in before the robot has
+// to come back for it.
+#include <algorithm>
+#include <cmath>
+
+#include "core/goals/tour.hpp"
+#include "core/pipeline/planning_state.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+constexpr double kSameOpening_m = 2.0;  // a frontier so near to an essential goal's opening is that opening
+constexpr double kSameStand_m = 1.0;
+constexpr double kOpeningMax_m = 6.0;  // a wider one shows no more of what is behind it
+
+bool is_part_of(const goals::Goal& gap, const goals::Goal& goal) {
+  return (gap.opening - goal.opening).norm() < kSameOpening_m ||
+         (gap.p_map - goal.p_map).norm() < kSameStand_m;
+}
+
+/// By what may be behind it: the width of an opening that leads on, the area of a pocket.
+double worth_of(const goals::Goal& goal, double gap_share) {
+  const double seen = std::isinf(goal.behind_m2) ? std::min(goal.opening_m, kOpeningMax_m) : goal.behind_m2;
+  return goal.side == goals::Side::kNone ? gap_share * seen : seen;
+}
+
+/// Four cells wide: ways between goals need not be exact, and there are many.
+ClearMap coarse_map(const grid::DenseMap& map, std::span<const float> clearance_m) {
+  const ClearMap twice = coarser(map, clearance_m);
+  return coarser(twice.map, twice.clearance_m);
+}
+
+}  // namespace
+
+/// Essential goals, and gaps that are worth a look when the exploration is to be complete.
+std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput& in, bool& cut_off) {
+  search.settle(HUGE_VAL);
+  cut_off = false;
+  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
+  clusters = static_cast<int>(frontiers.size());
+  std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
+  second_phase = candidates.empty() && params.finish == Finish::kComplete;
+  if (params.finish != Finish::kComplete) return candidates;
+  std::vector<Candidate> gaps = gap_candidates(in, frontiers, cut_off);
+  std::erase_if(gaps, [&](const Candidate& gap) {
+    return gap.goal.behind_m2 < params.tour.pocket_m2 ||
+           std::any_of(candidates.begin(), candidates.end(),
+                       [&](const Candidate& c) { return is_part_of(gap.goal, c.goal); });
+  });
+  candidates.insert(candidates.end(), gaps.begin(), gaps.end());
+  return candidates;
+}
+
+goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* const> candidates) {
+  const ClearMap coarse = coarse_map(map, travel_clearance_m);
+  std::vector<grid::CellIndex> cells;
+  for (const Candidate* c : candidates) cells.push_back(coarse.map.cell_at(map.centre_of(c->cell)));
+  goal_ways.update(coarse.map, coarse.clearance_m, params.travel, cells);
+  goals::TourGoals tour(candidates.size());
+  for (std::size_t i = 0; i < tour.count; ++i) {
+    tour.from_start_m[i] = candidates[i]->cost_m;
+    tour.worth[i] = worth_of(candidates[i]->goal, params.tour.gap_share);
+    for (std::size_t j = 0; j < tour.count; ++j) {
+      // There is always the way by where the robot is.
+      tour.between(i, j) =
+          i == j ? 0.0 : std::min(goal_ways.between_m(i, j), candidates[i]->cost_m + candidates[j]->cost_m);
+    }
+  }
+  return tour;
+}
+
+const Candidate* PlanningState::Impl::first_of_tour(std::vector<const Candidate*> candidates,
+                                                    const Candidate* present) {
+  if (candidates.empty()) return nullptr;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate* a, const Candidate* b) { return a->cost_m < b->cost_m; });
+  const std::size_t most = params.tour.goals_max;
+  if (candidates.size() > most) {
+    const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(most);
+    if (std::find(last, candidates.end(), present) != candidates.end()) *(last - 1) = present;
+    candidates.erase(last, candidates.end());
+  }
+  const goals::TourGoals tour = tour_goals(candidates);
+  const double share = params.tour.length_share;
+  const goals::Tour best = goals::cheap_tour(tour, share);
+  const auto at = std::find(candidates.begin(), candidates.end(), present);
+  if (at == candidates.end() || candidates[best.front()] == present) return candidates[best.front()];
+  const goals::Tour kept = goals::cheap_tour(tour, share, static_cast<std::size_t>(at - candidates.begin()));
+  const double gain_m = goals::tour_cost_m(tour, kept, share) - goals::tour_cost_m(tour, best, share);
+  return gain_m > params.tour.switch_share * present->cost_m ? candidates[best.front()] : present;
+}
+
+}  // namespace topo::pipeline
