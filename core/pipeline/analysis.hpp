@@ -47,9 +47,9 @@ struct ClearMap {
   std::vector<float> clearance_m;
 };
 
-/// The same in cells twice as wide: occupied when one of the four is, else free when one is. A free cell's
-/// clearance is the most of the four, so that a way is as wide as it was.
-ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m);
+/// The same in cells 2^`doublings` as wide: occupied when one of a cell's is, else free when one is. A free
+/// cell's clearance is the most of them, so that a way is as wide as it was.
+ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings = 1);
 
 /// What is analysed, a value of its own: whoever analyses it needs no snapshot.
 struct AnalysisInput {

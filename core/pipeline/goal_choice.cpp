@@ -16,20 +16,21 @@ constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
 constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
 
 constexpr double kTurnCost_m_per_rad = 1.0;  // stopping, turning on the spot and speeding up again
-constexpr std::size_t kBeginning = 20;       // cells that say in which direction a route begins: 1 m
-
-/// What turning into the route costs, metres.
-double turn_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
-                   const types::Se2& T_map_base) {
-  const std::vector<grid::CellIndex> route = grid::route_to(map, field, cell);
-  if (route.size() < 2) return 0.0;
-  const types::Vector2 way =
-      map.centre_of(route[std::min(kBeginning, route.size() - 1)]) - map.centre_of(route.front());
-  const double turn_rad = types::wrap_angle(std::atan2(way.y(), way.x()) - T_map_base.theta_rad);
-  return kTurnCost_m_per_rad * std::abs(turn_rad);
-}
+constexpr double kBeginning_m = 1.0;         // of a route: says in which direction it sets out
 
 }  // namespace
+
+double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
+                  const types::Se2& T_map_base) {
+  const double way_m = static_cast<double>(field.cost_m[map.index(cell)]);
+  const std::vector<grid::CellIndex> route = grid::route_to(map, field, cell);
+  if (route.size() < 2) return way_m;
+  const auto beginning = static_cast<std::size_t>(std::lround(kBeginning_m / map.resolution_m));
+  const types::Vector2 ahead =
+      map.centre_of(route[std::min(beginning, route.size() - 1)]) - map.centre_of(route.front());
+  const double turn_rad = types::wrap_angle(std::atan2(ahead.y(), ahead.x()) - T_map_base.theta_rad);
+  return way_m + kTurnCost_m_per_rad * std::abs(turn_rad);
+}
 
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
@@ -42,8 +43,7 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
       cut_off = true;
       continue;
     }
-    const double way_m = static_cast<double>(field.cost_m[map.index(*cell)]);
-    candidates.push_back({goal, *cell, way_m + turn_cost_m(map, field, *cell, T_map_base)});
+    candidates.push_back({goal, *cell, way_cost_m(map, field, *cell, T_map_base)});
   }
   return candidates;
 }

@@ -20,6 +20,11 @@ struct Candidate {
   double cost_m = 0.0;
 };
 
+/// What going to a cell costs: the way, and turning into it from where the robot looks. A search of the field
+/// that was paused has to have settled the cell.
+double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
+                  const types::Se2& T_map_base);
+
 /// Goals that can be reached and are not put off, in the order given. `cut_off` becomes true when one is left
 /// out because no way leads there now.
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,

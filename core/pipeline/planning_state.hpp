@@ -80,6 +80,9 @@ struct PlanningState::Impl {
 
   // In which order (planning_tour.cpp).
   [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
+  void add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
+                std::vector<Candidate>& candidates, bool& cut_off) const;
+  void estimate_far_ones(std::vector<Candidate>& candidates);
   [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);
   /// Where the cheapest tour of these begins, unless one that begins with `present` costs hardly more.
   [[nodiscard]] const Candidate* first_of_tour(std::vector<const Candidate*> candidates,
@@ -159,6 +162,9 @@ struct PlanningState::Impl {
   std::shared_ptr<const Analysis> analysis;
   types::Stamp analysed{};
   types::Stamp idle_since{};  ///< without a goal; zero: with one
+  ClearMap coarse;            ///< the same for far goals: in cells four times as wide
+  grid::TravelSearch coarse_search;
+  grid::TravelField coarse_field;
   goals::GoalWays goal_ways;  ///< of the last tour
   grid::TravelSearch search;
   grid::TravelField field;  ///< as far as the search has come

@@ -25,6 +25,7 @@ constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
 constexpr double kCorrection_rad = 0.03;
+constexpr double kFirstBound_m = 12.0;  // most goals are nearer
 constexpr double kLookAhead_m = 3.0;
 /// Farther than that along its path no robot gets between two looks at it.
 constexpr auto kNearPoints = static_cast<std::size_t>(kLookAhead_m / kPathSpacing_m);
@@ -171,6 +172,11 @@ void PlanningState::Impl::trim_route() {
 void PlanningState::Impl::find_route() {
   route.clear();
   if (ended || !has_target) return;
+  for (double bound_m = kFirstBound_m;
+       static_cast<double>(field.cost_m[map.index(target)]) >= search.settled_m() &&
+       !std::isinf(search.settled_m());
+       bound_m *= 2.0)
+    search.settle(bound_m);
   const auto cells = grid::route_to(map, field, target);
   route = smooth_path(map, travel_clearance_m, cells, params.travel.preferred_m);
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSameOpening_m = 2.0;  // a frontier so near to an essential goal's opening is that opening
 constexpr double kSameStand_m = 1.0;
+constexpr double kExact_m = 6.0;       // of the way; the costs of farther goals need not be exact
 constexpr double kOpeningMax_m = 6.0;  // a wider one shows no more of what is behind it
 
 bool is_part_of(const goals::Goal& gap, const goals::Goal& goal) {
@@ -28,23 +29,23 @@ double worth_of(const goals::Goal& goal, double gap_share) {
   return goal.side == goals::Side::kNone ? gap_share * seen : seen;
 }
 
-/// Four cells wide: ways between goals need not be exact, and there are many.
-ClearMap coarse_map(const grid::DenseMap& map, std::span<const float> clearance_m) {
-  const ClearMap twice = coarser(map, clearance_m);
-  return coarser(twice.map, twice.clearance_m);
-}
-
 }  // namespace
 
 /// Essential goals, and gaps that are worth a look when the exploration is to be complete.
 std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput& in, bool& cut_off) {
-  search.settle(HUGE_VAL);
+  search.settle(kExact_m);
   cut_off = false;
   const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());
   std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
   second_phase = candidates.empty() && params.finish == Finish::kComplete;
-  if (params.finish != Finish::kComplete) return candidates;
+  if (params.finish == Finish::kComplete) add_gaps(in, frontiers, candidates, cut_off);
+  estimate_far_ones(candidates);
+  return candidates;
+}
+
+void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
+                                   std::vector<Candidate>& candidates, bool& cut_off) const {
   std::vector<Candidate> gaps = gap_candidates(in, frontiers, cut_off);
   std::erase_if(gaps, [&](const Candidate& gap) {
     return gap.goal.behind_m2 < params.tour.pocket_m2 ||
@@ -52,11 +53,27 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
                        [&](const Candidate& c) { return is_part_of(gap.goal, c.goal); });
   });
   candidates.insert(candidates.end(), gaps.begin(), gaps.end());
-  return candidates;
+}
+
+/// Candidates that the fine search has not come to get the costs of the coarse map.
+void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) {
+  constexpr double kReach_m = 0.6;
+  const auto is_far = [&](const Candidate& c) {
+    return static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m();
+  };
+  if (std::none_of(candidates.begin(), candidates.end(), is_far)) return;
+  coarse_search.settle(HUGE_VAL);
+  for (Candidate& c : candidates) {
+    if (!is_far(c)) continue;
+    const auto cell = grid::nearest_reachable(coarse.map, coarse_field,
+                                              coarse.map.cell_at(map.centre_of(c.cell)), kReach_m);
+    if (!cell) search.settle(HUGE_VAL);  // a way that only the fine map has
+    c.cost_m = cell ? way_cost_m(coarse.map, coarse_field, *cell, T_map_base.se2())
+                    : way_cost_m(map, field, c.cell, T_map_base.se2());
+  }
 }
 
 goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* const> candidates) {
-  const ClearMap coarse = coarse_map(map, travel_clearance_m);
   std::vector<grid::CellIndex> cells;
   for (const Candidate* c : candidates) cells.push_back(coarse.map.cell_at(map.centre_of(c->cell)));
   goal_ways.update(coarse.map, coarse.clearance_m, params.travel, cells);
