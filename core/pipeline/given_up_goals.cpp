@@ -35,7 +35,7 @@ std::vector<types::Vector2> GivenUpGoals::held_for(const std::string& why, types
 bool GivenUpGoals::call_back(types::Stamp now) {
   bool any = false;
   for (GivenUp& g : list_) {
-    if (g.times >= kTimesMax || g.until <= now) continue;
+    if (g.times >= kTimesMax || g.until <= now || g.why == kVisited) continue;
     g.until = now;
     any = true;
   }

@@ -18,8 +18,8 @@ struct GivenUp {
   std::string why;
 };
 
-/// Goals that did not work out. Each comes back after a while, or when nothing else is left; after the second
-/// time it stays away.
+/// Goals that did not work out. Each comes back after a while, or when nothing else is left, which is no
+/// reason to go again where a robot was; after the second time it stays away.
 class GivenUpGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal

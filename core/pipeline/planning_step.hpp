@@ -34,7 +34,7 @@ std::string_view to_text(Finish finish);
 struct TourParams {
   double length_share = 0.2;   ///< see goals::tour_cost_m
   double gap_share = 0.5;      ///< what a gap is worth, against an essential goal at an opening as wide
-  double pocket_m2 = 0.25;     ///< a gap onto less unknown space, enclosed, is nobody's goal
+  double pocket_m2 = 0.2;      ///< a gap onto less unknown space, enclosed, is nobody's goal
   double switch_share = 0.1;   ///< of the way to the present goal: what another tour has to save
   std::size_t goals_max = 20;  ///< the nearest; the others can wait
 };
@@ -52,6 +52,7 @@ struct PlannerParams {
   double goal_reached_m = 0.5;   ///< an exploration goal counts as visited from here
   double home_reached_m = 0.15;
   double give_up_s = 60.0;       ///< a goal given up comes back after this
+  double visited_s = 300.0;      ///< one that a robot was at does only after this
   double switch_gain = 0.8;      ///< another goal must cost less than this share of the present one's
   double battery_home_v = 11.6;  ///< below for 10 s: home
   double charge_home = 0.2;      ///< the same for a reported state of charge

@@ -111,7 +111,8 @@ const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<co
   }
   bids.clear();
   for (const Candidate& c : candidates)
-    bids.push_back({c.goal.p_map, weighed_cost_m(c, present, params.switch_gain)});
+    bids.push_back(
+        {c.goal.p_map, weighed_cost_m(c, present, params.switch_gain), c.goal.side != goals::Side::kNone});
   team::Word self;
   self.robot = in.team->robot;
   self.bids = bids;

@@ -31,7 +31,8 @@ std::vector<Nearest> nearest_of_clusters(const CostTable& table, std::size_t rob
 CostTable::CostTable(std::vector<std::uint16_t> robots, std::vector<types::Vector2> goals)
     : robots_(std::move(robots)),
       goals_(std::move(goals)),
-      cost_m_(robots_.size() * goals_.size(), HUGE_VAL) {}
+      cost_m_(robots_.size() * goals_.size(), HUGE_VAL),
+      essential_(goals_.size(), true) {}
 
 std::size_t CostTable::able_robots() const {
   std::size_t able = 0;
@@ -45,7 +46,22 @@ std::size_t CostTable::able_robots() const {
 }
 
 std::vector<std::size_t> clusters_of(const CostTable& table, bool clusters) {
-  return k_means(table.goals(), clusters ? table.able_robots() : table.goals().size());
+  const std::vector<types::Vector2>& goals = table.goals();
+  if (!clusters) return k_means(goals, goals.size());
+  const std::size_t k = table.able_robots();
+  std::vector<types::Vector2> essential;
+  for (std::size_t goal = 0; goal < goals.size(); ++goal)
+    if (table.is_essential(goal)) essential.push_back(goals[goal]);
+  if (essential.size() < k) return k_means(goals, k);
+  const std::vector<std::size_t> label = k_means(essential, k);
+  std::vector<std::size_t> cluster;
+  for (const types::Vector2& p : goals) {
+    const auto nearest = std::min_element(
+        essential.begin(), essential.end(),
+        [&](const auto& a, const auto& b) { return (a - p).squaredNorm() < (b - p).squaredNorm(); });
+    cluster.push_back(label[static_cast<std::size_t>(nearest - essential.begin())]);
+  }
+  return cluster;
 }
 
 Assignment assign_clusters(const CostTable& table, bool clusters) {

@@ -26,6 +26,9 @@ class CostTable {
   [[nodiscard]] double cost_m(std::size_t robot, std::size_t goal) const {
     return cost_m_[robot * goals_.size() + goal];
   }
+  /// Goals that the clusters are made of; the others join the nearest one's. All of them at first.
+  [[nodiscard]] bool is_essential(std::size_t goal) const { return essential_[goal]; }
+  void set_essential(std::size_t goal, bool essential) { essential_[goal] = essential; }
   /// How many robots have a goal that they could go to.
   [[nodiscard]] std::size_t able_robots() const;
 
@@ -33,6 +36,7 @@ class CostTable {
   std::vector<std::uint16_t> robots_;
   std::vector<types::Vector2> goals_;
   std::vector<double> cost_m_;
+  std::vector<bool> essential_;
 };
 
 /// For each robot of a table the index of its goal; nothing: it waits.

@@ -43,9 +43,12 @@ CostTable table_of(std::span<const Word* const> team) {
   std::vector<std::uint16_t> robots;
   for (const Word* word : team) robots.push_back(word->robot);
   CostTable table(std::move(robots), goals_of(team));
+  for (std::size_t goal = 0; goal < table.goals().size(); ++goal) table.set_essential(goal, false);
   for (std::size_t row = 0; row < team.size(); ++row) {
     for (const Bid& bid : team[row]->bids) {
-      double& cost_m = table.cost_m(row, goal_of(table.goals(), bid));
+      const std::size_t goal = goal_of(table.goals(), bid);
+      if (bid.essential) table.set_essential(goal, true);
+      double& cost_m = table.cost_m(row, goal);
       cost_m = std::min(cost_m, bid.cost_m);
     }
   }

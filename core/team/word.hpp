@@ -25,6 +25,7 @@ std::string_view to_text(Duty duty);
 struct Bid {
   types::Vector2 p_map{0.0, 0.0};
   double cost_m = 0.0;
+  bool essential = true;  ///< not just a gap to be filled in: the building goes on there
 };
 
 /// What one robot tells the others once a planning period: everything that its team decides by.

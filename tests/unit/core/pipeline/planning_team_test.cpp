@@ -178,12 +178,12 @@ TEST_F(WithAMate, comesHomeOnlyWhenNobodyHasAGoalLeftAndEndsWhenAllAreHome) {
   EXPECT_EQ(out_.report->activity, Activity::kDone) << out_.report->reason;
 }
 
-/// A robot that goes back after 15 s without a word.
+/// A robot that goes back after 8 s without a word.
 class OutOfContact : public WithAMate {
  protected:
   static PlannerParams params() {
     PlannerParams params;
-    params.contact_lost_s = 15.0;
+    params.contact_lost_s = 8.0;
     return params;
   }
   const PlanningOutput& explore(bool mate_speaks) {
@@ -207,13 +207,13 @@ TEST_F(OutOfContact, goesBackToWhereItLastHeardOfAMateThenOn) {
   const Vector2 heard_at = building_.robot();
   lose_contact();
   ASSERT_TRUE(goes_back()) << out_.report->reason;
-  EXPECT_GT((building_.robot() - heard_at).norm(), 3.0);
+  EXPECT_GT((building_.robot() - heard_at).norm(), 2.0);
   EXPECT_FALSE(out_.word->claim.has_value()) << "that place is no goal that another could want";
   for (int i = 0; i < 60 && goes_back(); ++i) (void)explore(false);
   EXPECT_LT((building_.robot() - heard_at).norm(), 1.4) << "half a metre, and a plan further";
   EXPECT_EQ(out_.report->activity, Activity::kExploring) << out_.report->reason;
   EXPECT_TRUE(out_.word->claim.has_value());
-  for (int i = 0; i < 28; ++i) EXPECT_FALSE((explore(false), goes_back())) << "in vain is not again soon";
+  for (int i = 0; i < 14; ++i) EXPECT_FALSE((explore(false), goes_back())) << "in vain is not again soon";
 }
 
 TEST_F(OutOfContact, goesOnAsSoonAsItHearsOfOne) {

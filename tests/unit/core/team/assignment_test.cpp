@@ -73,6 +73,22 @@ TEST(AssignClusters, robotsGoToDifferentWingsAlthoughBothAreNearestToOne) {
   EXPECT_EQ(assign_clusters(table, false), (Assignment{0, 1}));
 }
 
+TEST(AssignClusters, areOfEssentialGoalsAndGapsJoinTheNearestOne) {
+  // Nine gaps in the near wing would split it in two; the building goes on in both wings.
+  std::vector<types::Vector2> goals{{0.0, 0.0}, {40.0, 0.0}};
+  for (int i = 1; i <= 9; ++i) goals.emplace_back(i < 5 ? 0.0 : 10.0, 1.0 * i);
+  CostTable table({1, 2}, goals);
+  for (std::size_t goal = 2; goal < goals.size(); ++goal) table.set_essential(goal, false);
+  for (std::size_t goal = 0; goal < goals.size(); ++goal)
+    table.cost_m(0, goal) = table.cost_m(1, goal) = goals[goal].norm() + 1.0;
+  const std::vector<std::size_t> cluster = clusters_of(table);
+  EXPECT_NE(cluster[0], cluster[1]);
+  for (std::size_t goal = 2; goal < goals.size(); ++goal) EXPECT_EQ(cluster[goal], cluster[0]) << goal;
+  table.set_essential(1, false);
+  const std::vector<std::size_t> of_all = clusters_of(table);
+  EXPECT_NE(of_all[1], of_all[0]) << "fewer essential goals than robots: of all goals";
+}
+
 TEST(AssignClusters, aRobotThatCanGoNowhereIsNoCluster) {
   CostTable table({1, 2}, {{5.0, 0.0}, {40.0, 0.0}, {41.0, 0.0}});
   table.cost_m(1, 0) = 7.0;
