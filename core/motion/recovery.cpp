@@ -16,6 +16,7 @@ constexpr types::Duration kBlink = milliseconds(300);    // shorter is noise
 constexpr types::Duration kRefused = milliseconds(700);  // then this motion will not do
 constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
 constexpr double kAligned_rad = 0.25;
+constexpr double kBackedSlack_m = 0.05;
 constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
 
 Stamp since(bool is, Stamp before, Stamp now) {
@@ -102,7 +103,9 @@ void Recovery::turn_other_way_when_refused(double angle_rad, const RecoveryInput
 RecoveryOutput Recovery::back(const RecoveryInput& in) {
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
   refused_ = since(in.refused, refused_, in.now);
-  const bool clear = !in.blocked && !in.touching && backed_m >= kBackedEnough_m;
+  // What did not help the last time will not help this time: from farther off the way ahead looks different.
+  const double enough_m = std::min(kBackedEnough_m * tries_, rules_.back_m - kBackedSlack_m);
+  const bool clear = !in.blocked && !in.touching && backed_m >= enough_m;
   if (clear) {
     enter(RecoveryPhase::kNone, in);
     return {};
