@@ -34,7 +34,7 @@ std::string_view to_text(Finish finish);
 struct TourParams {
   double length_share = 0.2;   ///< see goals::tour_cost_m
   double gap_share = 0.5;      ///< what a gap is worth, against an essential goal at an opening as wide
-  double pocket_m2 = 0.2;      ///< a gap onto less unknown space, enclosed, is nobody's goal
+  double pocket_m2 = 0.1;      ///< a gap onto less unknown space, enclosed, is nobody's goal
   double switch_share = 0.1;   ///< of the way to the present goal: what another tour has to save
   std::size_t goals_max = 20;  ///< the nearest; the others can wait
 };
