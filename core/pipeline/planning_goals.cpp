@@ -18,7 +18,7 @@ constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
 constexpr types::Duration kPatience = std::chrono::seconds(6);
 constexpr int kResumesMax = 8;             // an exploration ends
-constexpr double kResumeFor_m = 1.2;       // a narrower gap does not turn a robot round on its way home
+constexpr double kResumeFor_m = 1.2;       // a narrower gap is not come back for, nor on the way home
 constexpr double kBlockedAhead_m = 0.45;   // from the centre of the robot to what it got stuck on
 constexpr double kHomeWhenStuck_m = 0.45;  // of what is home, half a metre: who gets no nearer is there
 constexpr types::Duration kBlockedFor =
@@ -102,7 +102,8 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    given_up.add(goal->p_map, in.now + types::from_seconds(params.visited_s), GivenUpGoals::kVisited);
+    given_up.add(goal->p_map, in.now + types::from_seconds(params.visited_s), GivenUpGoals::kVisited,
+                 goal->opening_m >= kResumeFor_m);
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
