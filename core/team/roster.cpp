@@ -4,7 +4,17 @@
 
 #include <algorithm>
 
+#include "core/team/homes.hpp"
+
 namespace topo::team {
+namespace {
+
+/// It moves up for who wants past (homes.hpp).
+bool waits_at_home(const Word& word) {
+  return word.duty == Duty::kOver && word.home && is_at_home(word, {word.robot, *word.home});
+}
+
+}  // namespace
 
 bool Roster::take(const Word& word, types::Stamp now) {
   const auto [at, added] = mates_.try_emplace(word.robot);
@@ -51,7 +61,8 @@ std::vector<const Word*> Roster::counted(types::Stamp now) const {
 std::vector<types::Vector2> Roster::going_at(types::Stamp now) const {
   std::vector<types::Vector2> places;
   for (const auto& [id, mate] : mates_) {
-    if (counts(mate, now) && mate.word.duty == Duty::kAble && now - mate.heard <= kPlaceAgeMax)
+    const bool goes = counts(mate, now) && mate.word.duty == Duty::kAble;
+    if ((goes || waits_at_home(mate.word)) && now - mate.heard <= kPlaceAgeMax)
       places.push_back(mate.word.T_map_base.translation());
   }
   return places;
@@ -64,7 +75,8 @@ bool Roster::any_at_work() const {
 
 bool Roster::all_home(types::Stamp now) const {
   return std::all_of(mates_.begin(), mates_.end(), [&](const auto& entry) {
-    return entry.second.word.duty == Duty::kOver || is_silent(entry.second, now);
+    const Mate& mate = entry.second;
+    return mate.word.duty == Duty::kOver || now - mate.heard > types::from_seconds(params_.missing_s);
   });
 }
 

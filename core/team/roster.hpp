@@ -16,10 +16,11 @@ inline constexpr double kMateRadius_m = 0.75;
 inline constexpr types::Duration kPlaceAgeMax = std::chrono::seconds(2);
 
 struct RosterParams {
-  double silent_s = 10.0;   ///< not heard of for so long: its goal is free
-  double unable_s = 10.0;   ///< lost or stopped for so long: its goal is free
-  double stuck_s = 30.0;    ///< claims a goal and stays for so long where it is: its goal is free
-  double progress_m = 0.5;  ///< less than this is staying
+  double silent_s = 10.0;    ///< not heard of for so long: its goal is free
+  double missing_s = 240.0;  ///< nobody waits for it at home any more
+  double unable_s = 10.0;    ///< lost or stopped for so long: its goal is free
+  double stuck_s = 30.0;     ///< claims a goal and stays for so long where it is: its goal is free
+  double progress_m = 0.5;   ///< less than this is staying
 };
 
 /// The team as one robot knows it. Old and repeated words change nothing, and neither does the order in which
@@ -36,11 +37,12 @@ class Roster {
   [[nodiscard]] std::vector<const Word*> heard(types::Stamp now) const;
   /// Of those the ones whose bids and claims count: neither home nor, for a while now, unable or stuck.
   [[nodiscard]] std::vector<const Word*> counted(types::Stamp now) const;
-  /// Of the counted ones where those are that can go out of the way, heard of within kPlaceAgeMax.
+  /// Where those are that can go out of the way, heard of within kPlaceAgeMax: counted ones, and those that
+  /// wait at home.
   [[nodiscard]] std::vector<types::Vector2> going_at(types::Stamp now) const;
   /// Was anybody, silent or not, still out when last heard of?
   [[nodiscard]] bool any_at_work() const;
-  /// Is everybody that was ever heard of home, or silent?
+  /// Is everybody that was ever heard of home, or missing? Who is only out of reach may still want past.
   [[nodiscard]] bool all_home(types::Stamp now) const;
 
  private:

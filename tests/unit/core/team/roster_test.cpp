@@ -111,7 +111,28 @@ TEST(Roster, allAreHomeWhenNobodyThatIsHeardIsOut) {
   (void)roster.take(told(2, 1), at(0.0));
   EXPECT_FALSE(roster.all_home(at(1.0)));
   EXPECT_EQ(names(roster.counted(at(1.0))), (std::vector<std::pair<std::uint16_t, std::uint64_t>>{{2, 1}}));
-  EXPECT_TRUE(roster.all_home(at(11.0))) << "the other is silent";
+  EXPECT_FALSE(roster.all_home(at(11.0))) << "the other is silent, and may want past";
+  EXPECT_TRUE(roster.all_home(at(241.0))) << "the other is missing";
+}
+
+TEST(Roster, whoWaitsAtHomeCanGoOutOfTheWayAndWhoStandsElsewhereForGoodCannot) {
+  Roster roster;
+  Word word;
+  word.robot = 3;
+  word.sequence = 1;
+  word.duty = Duty::kOver;
+  word.T_map_base = {5.0, 0.0, 0.0};
+  (void)roster.take(word, at(0.0));
+  EXPECT_TRUE(roster.going_at(at(1.0)).empty());
+  ++word.sequence;
+  word.home = types::Vector2(0.0, 0.0);
+  (void)roster.take(word, at(1.0));
+  EXPECT_TRUE(roster.going_at(at(1.0)).empty()) << "over on its way";
+  ++word.sequence;
+  word.T_map_base = {0.3, 0.0, 0.0};
+  (void)roster.take(word, at(2.0));
+  EXPECT_EQ(roster.going_at(at(2.5)).size(), 1U);
+  EXPECT_TRUE(roster.going_at(at(5.0)).empty()) << "heard of too long ago";
 }
 
 }  // namespace
