@@ -31,7 +31,8 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const g
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
                                      const types::Se2& T_map_base, types::Stamp now, bool& cut_off);
 
-/// Those frontiers that a robot can get to, as goals; the second phase's, and the baseline's.
+/// Those frontiers that a robot can get to, as goals: gaps beside the essential ones, and all there are for
+/// the baselines.
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
                                         std::span<const goals::Frontier> frontiers);
 

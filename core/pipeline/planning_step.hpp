@@ -26,7 +26,7 @@ namespace topo::pipeline {
 
 enum class Finish : std::uint8_t {
   kEssential,  ///< home when no essential goal is left
-  kComplete,   ///< then the remaining frontiers that a robot can enter, place by place
+  kComplete,   ///< the remaining frontiers as well, in one tour with the essential goals
 };
 std::string_view to_text(Finish finish);
 
@@ -128,7 +128,7 @@ struct PlanningReport {
   std::string reason;  ///< one sentence: why this activity
   std::uint64_t mission = 0;
   bool mission_ended = false;  ///< done or failed
-  bool second_phase = false;   ///< filling in gaps
+  bool second_phase = false;   ///< only gaps are left
   types::Transform2<types::Map, types::Base> T_map_base;
   types::Transform2<types::Map, types::Base> T_map_start;
   double known_m2 = 0.0;                     ///< free cells seen so far
