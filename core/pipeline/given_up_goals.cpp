@@ -6,16 +6,15 @@
 
 namespace topo::pipeline {
 
-void GivenUpGoals::add(const types::Vector2& p_map, types::Stamp until, std::string why, bool comes_back) {
+void GivenUpGoals::add(const types::Vector2& p_map, types::Stamp until, std::string why) {
   const auto same = std::find_if(list_.begin(), list_.end(),
                                  [&](const GivenUp& g) { return (g.p_map - p_map).norm() <= kSame_m; });
   if (same == list_.end()) {
-    list_.push_back({p_map, until, 1, std::move(why), comes_back});
+    list_.push_back({p_map, until, 1, std::move(why)});
     return;
   }
   same->until = until;
   same->why = std::move(why);
-  same->comes_back = comes_back;
   ++same->times;
 }
 
@@ -36,7 +35,7 @@ std::vector<types::Vector2> GivenUpGoals::held_for(const std::string& why, types
 bool GivenUpGoals::call_back(types::Stamp now) {
   bool any = false;
   for (GivenUp& g : list_) {
-    if (g.times >= kTimesMax || g.until <= now || !g.comes_back) continue;
+    if (g.times >= kTimesMax || g.until <= now) continue;
     g.until = now;
     any = true;
   }

@@ -16,11 +16,10 @@ struct GivenUp {
   types::Stamp until{};
   int times = 0;  ///< how often it was given up
   std::string why;
-  bool comes_back = true;  ///< when nothing else is left
 };
 
-/// Goals that did not work out. Each comes back after a while, or when nothing else is left if it may; after
-/// the second time it stays away.
+/// Goals that did not work out. Each comes back after a while, or when nothing else is left; after the second
+/// time it stays away.
 class GivenUpGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
@@ -28,7 +27,7 @@ class GivenUpGoals {
   /// Why a goal is put off that a robot was at: what is still open cannot be seen from there.
   static constexpr const char* kVisited = "visited";
 
-  void add(const types::Vector2& p_map, types::Stamp until, std::string why, bool comes_back = true);
+  void add(const types::Vector2& p_map, types::Stamp until, std::string why);
   /// Is a goal here put off at this time?
   [[nodiscard]] bool hold(const types::Vector2& p_map, types::Stamp now) const;
   /// Those put off at this time, for this reason.

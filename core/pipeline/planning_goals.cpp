@@ -102,8 +102,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    given_up.add(goal->p_map, in.now + types::from_seconds(params.visited_s), GivenUpGoals::kVisited,
-                 goal->opening_m >= kResumeFor_m);
+    given_up.add(goal->p_map, in.now + types::from_seconds(params.visited_s), GivenUpGoals::kVisited);
     note(in, goal->p_map, "reached");
     goal.reset();
     return;

@@ -88,14 +88,5 @@ TEST(GivenUpGoals, comeBackOnceAndThenStayAway) {
   EXPECT_FALSE(given_up.call_back(kNow));
 }
 
-TEST(GivenUpGoals, whatDoesNotComeBackIsNotGoneToForWantOfAnythingElse) {
-  GivenUpGoals given_up;
-  const auto later = kNow + std::chrono::seconds(300);
-  given_up.add({1.0, 1.0}, later, GivenUpGoals::kVisited, false);
-  EXPECT_FALSE(given_up.call_back(kNow));
-  EXPECT_TRUE(given_up.hold({1.0, 1.0}, kNow));
-  EXPECT_FALSE(given_up.hold({1.0, 1.0}, later));
-}
-
 }  // namespace
 }  // namespace topo::pipeline
