@@ -157,6 +157,15 @@ std::vector<Frontier> find_frontiers(const DenseMap& map, double width_min_m) {
   return frontiers;
 }
 
+std::uint32_t middle_of(const DenseMap& map, std::span<const std::uint32_t> cells) {
+  types::Vector2 sum(0.0, 0.0);
+  for (const std::uint32_t i : cells) sum += map.centre_of(map.cell(i));
+  const types::Vector2 centroid = sum / static_cast<double>(cells.size());
+  const auto away = [&](std::uint32_t i) { return (map.centre_of(map.cell(i)) - centroid).squaredNorm(); };
+  return *std::min_element(cells.begin(), cells.end(),
+                           [&](std::uint32_t a, std::uint32_t b) { return away(a) < away(b); });
+}
+
 std::optional<CellIndex> approach_cell(const DenseMap& map, const Frontier& frontier,
                                        const grid::TravelField& field, double within_m) {
   if (frontier.cells.empty()) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
@@ -23,6 +24,9 @@ struct Frontier {
 /// All clusters at least `width_min_m` wide (0.75 m: what a robot can enter, and what explore_lite counts),
 /// in the order of their first cells. Linear in the cells.
 std::vector<Frontier> find_frontiers(const grid::DenseMap& map, double width_min_m = 0.75);
+
+/// Of some cells the one nearest to their centroid, which may itself lie anywhere: a frontier can be a ring.
+std::uint32_t middle_of(const grid::DenseMap& map, std::span<const std::uint32_t> cells);
 
 /// The cell from which a frontier is best visited: of the cells that the field reaches, the one with the
 /// fewest steps over free cells to the frontier's cells, and of several the one nearest to the frontier's

@@ -20,15 +20,6 @@ double width_of(const grid::DenseMap& map, const std::vector<std::uint32_t>& cel
   return static_cast<double>(std::max(box.width(), box.height())) * map.resolution_m;
 }
 
-std::uint32_t middle_of(const grid::DenseMap& map, const std::vector<std::uint32_t>& cells) {
-  types::Vector2 sum(0.0, 0.0);
-  for (const std::uint32_t i : cells) sum += map.centre_of(map.cell(i));
-  const types::Vector2 centroid = sum / static_cast<double>(cells.size());
-  const auto away = [&](std::uint32_t i) { return (map.centre_of(map.cell(i)) - centroid).squaredNorm(); };
-  return *std::min_element(cells.begin(), cells.end(),
-                           [&](std::uint32_t a, std::uint32_t b) { return away(a) < away(b); });
-}
-
 /// One frontier cell with what it belongs to.
 struct SidedCell {
   std::uint16_t place;

@@ -58,7 +58,8 @@ std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::T
     goal.p_map = map.centre_of(*cell);
     goal.opening = frontier.centroid;
     goal.opening_m = frontier.width_m;
-    goal.behind_m2 = goals::unknown_behind_m2(map, map.cell_at(frontier.centroid), frontier.cells);
+    goal.behind_m2 =
+        goals::unknown_behind_m2(map, map.cell(goals::middle_of(map, frontier.cells)), frontier.cells);
     found.push_back(goal);
   }
   return found;

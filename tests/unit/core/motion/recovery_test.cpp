@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <vector>
+
 namespace topo::motion {
 namespace {
 
@@ -59,6 +61,25 @@ TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
   EXPECT_TRUE(turned);
   EXPECT_LT(s.in.T_odom_base.x_m, -0.4);
   EXPECT_GT(s.in.T_odom_base.x_m, -0.52);
+}
+
+TEST(Recovery, BacksOffFartherAtTheNextTry) {
+  StuckRobot s;
+  std::vector<double> backed_m;
+  while (backed_m.size() < 2 && s.in.now < types::stamp_from_seconds(120.0)) {
+    const double from_m = s.in.T_odom_base.x_m;
+    s.in.blocked = true;
+    while (!s.step().backing_off) ASSERT_LT(s.in.now, types::stamp_from_seconds(120.0));
+    s.in.blocked = false;  // the way is free at once, and closed again when the robot is back where it was
+    while (s.step().backing_off) {
+    }
+    backed_m.push_back(from_m - s.in.T_odom_base.x_m);
+    for (double x = s.in.T_odom_base.x_m; x <= from_m; x += 0.01) s.trail.update({x, 0.0, 0.0});
+    s.in.T_odom_base.x_m = from_m;
+  }
+  ASSERT_EQ(backed_m.size(), 2U);
+  EXPECT_NEAR(backed_m[0], 0.2, 0.02);
+  EXPECT_NEAR(backed_m[1], 0.4, 0.02);
 }
 
 /// Turned aside between furniture, with something in the corner that the shorter turn back would sweep.

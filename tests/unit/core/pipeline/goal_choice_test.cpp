@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/grid/distance.hpp"
 #include "tests/unit/core/pipeline/drawn_map.hpp"
 
@@ -61,6 +63,21 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   given_up.add(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
   EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
+}
+
+/// What a robot sees of a large hall is round: the centroid of its frontier is where the robot stands.
+TEST(FrontierGoals, aRingOfFrontierLeadsOnThoughItsCentroidIsFarFromIt) {
+  grid::DenseMap map = drawn_map(std::vector<std::string>(81, std::string(81, ' ')), 0.1);
+  for (int y = 0; y < 81; ++y) {
+    for (int x = 0; x < 81; ++x) {
+      if (std::hypot(x - 40, y - 40) < 25.0) map.cells[map.index({x, y})] = grid::CellState::kFree;
+    }
+  }
+  const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupied);
+  const auto field = grid::travel_field(map, clearance_m, {40, 40}, {});
+  const auto found = frontier_goals(map, field, goals::find_frontiers(map));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(std::isinf(found[0].behind_m2)) << found[0].behind_m2;
 }
 
 TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
