@@ -119,6 +119,7 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
   const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
   if (twist != types::Twist2{}) return {phase_, twist, true};
   if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits), false};
+  backed_m_ = backed_m;
   enter(RecoveryPhase::kTurning, in);
   return turn(in);
 }
@@ -127,11 +128,27 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   refused_ = since(in.refused, refused_, in.now);
   turn_other_way_when_refused(in.turn_rad, in);
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
-  if (over || std::abs(in.turn_rad) < kAligned_rad) {
+  const bool aligned = std::abs(in.turn_rad) < kAligned_rad;
+  if (over && !aligned && !in.touching && backed_m_ < kBackedEnough_m) {
+    enter(RecoveryPhase::kLeaving, in);
+    return leave(in);
+  }
+  if (over || aligned) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }
   return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits), false};
+}
+
+RecoveryOutput Recovery::leave(const RecoveryInput& in) {
+  refused_ = since(in.refused, refused_, in.now);
+  const double left_m = (in.T_odom_base.translation() - phase_at_).norm();
+  if (in.touching || left_m >= rules_.leave_m || lasts(refused_, in.now, kRefused) ||
+      lasts(since_, in.now, kPhaseMax)) {
+    enter(RecoveryPhase::kNone, in);
+    return {};
+  }
+  return {phase_, {in.limits->v_reverse_max_mps, 0.0}, false};
 }
 
 RecoveryOutput Recovery::step(const RecoveryInput& in) {
@@ -147,6 +164,8 @@ RecoveryOutput Recovery::step(const RecoveryInput& in) {
       return back(in);
     case RecoveryPhase::kTurning:
       return turn(in);
+    case RecoveryPhase::kLeaving:
+      return leave(in);
     case RecoveryPhase::kNone:
     case RecoveryPhase::kWaiting:
       watch(in);

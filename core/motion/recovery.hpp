@@ -14,6 +14,7 @@ enum class RecoveryPhase : std::uint8_t {
   kWaiting,  ///< something appeared in the way and may go by itself, as people do
   kBacking,  ///< along the way it came
   kTurning,  ///< to where the path goes on
+  kLeaving,  ///< straight on, where it can neither back off nor turn, to where it can
   kStuck,    ///< nothing of it helped; until the goal is another one
 };
 
@@ -22,6 +23,7 @@ struct RecoveryRules {
   types::Duration no_progress = std::chrono::seconds(8);  ///< as good as blocked
   double progress_m = 0.15;
   double back_m = 0.5;       ///< at most, with what the watchdog lets it roll
+  double leave_m = 0.4;      ///< at most
   int tries = 3;             ///< then stuck
   double forgotten_m = 1.0;  ///< so far from where it was, the tries begin anew
 };
@@ -41,12 +43,13 @@ struct RecoveryInput {
 
 struct RecoveryOutput {
   RecoveryPhase phase = RecoveryPhase::kNone;
-  types::Twist2 twist;       ///< for kBacking and kTurning
+  types::Twist2 twist;       ///< for kBacking, kTurning and kLeaving
   bool backing_off = false;  ///< the twist goes back along the trail
 };
 
-/// What to do when the way is blocked: wait, back off, turn free, and after some tries say that it is stuck.
-/// Every phase ends after a bounded time.
+/// What to do when the way is blocked: wait, back off, turn free, where neither can be done go a little
+/// straight on, which the scanner watches over, and after some tries say that it is stuck. Every phase ends
+/// after a bounded time.
 class Recovery {
  public:
   explicit Recovery(const RecoveryRules& rules = {}) : rules_(rules) {}
@@ -62,6 +65,7 @@ class Recovery {
   void note_progress(const RecoveryInput& in);
   RecoveryOutput back(const RecoveryInput& in);
   RecoveryOutput turn(const RecoveryInput& in);
+  RecoveryOutput leave(const RecoveryInput& in);
   void turn_other_way_when_refused(double angle_rad, const RecoveryInput& in);
   [[nodiscard]] types::Twist2 back_twist(const RecoveryInput& in) const;
 
@@ -76,6 +80,7 @@ class Recovery {
   types::Vector2 phase_at_{0.0, 0.0};
   types::Vector2 first_at_{0.0, 0.0};  ///< of the first try
   std::uint64_t goal_id_ = 0;
+  double backed_m_ = 0.0;  ///< in this try
   int tries_ = 0;
   std::uint32_t begun_ = 0;
 };

@@ -78,6 +78,7 @@ ControlMode mode_of(RecoveryPhase phase) {
       return ControlMode::kWaiting;
     case RecoveryPhase::kBacking:
     case RecoveryPhase::kTurning:
+    case RecoveryPhase::kLeaving:
       return ControlMode::kRecovering;
     case RecoveryPhase::kStuck:
       return ControlMode::kStuck;
