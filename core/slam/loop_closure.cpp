@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/slam/free_ground.hpp"
 #include "core/slam/information.hpp"
 #include "core/slam/refine.hpp"
 
 namespace topo::slam {
 namespace {
 
+constexpr std::size_t kRayStride = 2;  ///< neighbouring rays pass over the same ground
+constexpr double kWide_m = 1.0;        ///< a window in which more must fit
 constexpr double kWideSearch_m = 0.6;  ///< from here on a plain refinement could fall into a wrong valley
 
 double reach_of(const Keyframe& keyframe) {
@@ -21,13 +24,39 @@ double reach_of(const Keyframe& keyframe) {
   return std::min(20.0, static_cast<double>(std::sqrt(reach2)));
 }
 
-LoopRejection gate(const Match& match, const LoopCandidate& candidate, bool wide, const LoopParams& params) {
+FreeGround seen_through(const LoopGroup& group, const SurfelMap& map) {
+  FreeGround ground(map.origin(), map.width_m());
+  for (std::size_t i = 0; i < group.keyframes.size(); ++i) {
+    const Keyframe& keyframe = *group.keyframes[i];
+    const auto in_map = [&](const Point& p) {
+      return Point((group.poses[i] * types::Vector2(p.cast<double>())).cast<float>());
+    };
+    const Point from = in_map(keyframe.sensor);
+    for (std::size_t k = 0; k < keyframe.match_points.size(); k += kRayStride)
+      ground.add_ray(from, in_map(keyframe.match_points[k]));
+  }
+  return ground;
+}
+
+/// Does enough of the scan fit? Where it sees much that the other visit did not, the rest is all that there
+/// is to fit: then less is enough when nothing of it speaks against the place.
+bool fits(const Match& match, const LoopQuery& query, const LoopGroup& group, const SurfelMap& map) {
+  const LoopParams& params = query.params.loop;
+  const bool wide = group.window.half_m > kWide_m;
+  if (match.response >= (wide ? params.response_min_wide : params.response_min)) return true;
+  if (group.window.half_m < kWideSearch_m) return false;  // no drift to mend: what is left must be exact
+  if (match.response < params.response_unopposed || match.fit() < params.fit_unopposed) return false;
+  return seen_through(group, map).contradiction(map, query.keyframe->match_points, match.T_map_base) <=
+         params.contradiction_max;
+}
+
+LoopRejection gate(const Match& match, const LoopCandidate& candidate, const LoopQuery& query,
+                   const LoopGroup& group, const SurfelMap& map) {
+  const LoopParams& params = query.params.loop;
   if (match.overlap < params.overlap_min) return LoopRejection::kLowOverlap;
-  if (match.response < (wide ? params.response_min_wide : params.response_min))
-    return LoopRejection::kLowResponse;
   if (match.degenerate) return LoopRejection::kDegenerate;
   if (candidate.second_peak > params.peak_ratio_max) return LoopRejection::kAmbiguous;
-  return LoopRejection::kNone;
+  return fits(match, query, group, map) ? LoopRejection::kNone : LoopRejection::kLowResponse;
 }
 
 /// Start poses for the refinement: of a wide window the best peak of the search, of a narrow one the
@@ -60,10 +89,9 @@ LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
   if (!start) return candidate;
   const Match match =
       refine(map, query.keyframe->match_points, query.keyframe->sensor, *start, std::nullopt, params.refine);
-  const bool wide = group.window.half_m > 1.0;
   candidate.response = match.response;
   candidate.overlap = match.overlap;
-  candidate.rejection = gate(match, candidate, wide, params.loop);
+  candidate.rejection = gate(match, candidate, query, group, map);
   candidate.edge.T_from_to = group.reference_pose.inverse() * match.T_map_base;
   candidate.edge.information =
       edge_information(match.scan_information, match.T_map_base.theta_rad, params.graph.loop_trans_floor_m,

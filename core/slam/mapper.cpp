@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/slam/information.hpp"
 #include "core/slam/make_keyframe.hpp"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double kLocalHalfWidth_m = 32.0;  ///< beyond the scanner's reach
 constexpr double kRecentre_m = 6.0;         ///< how far the robot may get from the window's centre
+constexpr double kTurnedScore = 0.35;       ///< likelihood below which a heading is no find
+constexpr double kTurnedApart_rad = 0.3;    ///< nearer headings are one
 constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by this to be preferred
 
 double travel(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
@@ -63,10 +66,29 @@ Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point
   const SearchWindow window{params_.track.search_floor_m + params_.track.search_sigmas * sigma_m,
                             params_.track.search_floor_rad + params_.track.search_sigmas * sigma_rad};
   const LikelihoodPyramid pyramid(local_map_, params_.search);
-  const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search);
-  if (!hit) return match;
-  const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
-  return other.response > match.response + kSearchResponse ? other : match;
+  if (const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search)) {
+    const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
+    if (other.response > match.response + kSearchResponse) match = other;
+  }
+  if (match.response >= params_.track.response_lost) return match;
+  return find_turned(pyramid, predicted, sensor).value_or(match);
+}
+
+/// Wheels slip and robots are turned by hand, and odometry hears nothing of it: where nothing fits, all
+/// headings are tried. Where two of them fit (a corridor up and down), odometry is followed.
+std::optional<Match> Mapper::find_turned(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
+                                         const Point& sensor) const {
+  const TrackParams& track = params_.track;
+  const SearchWindow all_round{track.turned_m, std::numbers::pi};
+  const auto hit = search(pyramid, points_, predicted, all_round, kTurnedScore, params_.search);
+  if (!hit) return std::nullopt;
+  const Exclusion found{hit->T_map_base, track.turned_m, kTurnedApart_rad};
+  if (search(pyramid, points_, predicted, all_round, track.turned_peak_ratio * hit->score, params_.search,
+             found))
+    return std::nullopt;
+  const Match match = refine(local_map_, points_, sensor, hit->T_map_base, std::nullopt, params_.refine);
+  if (match.response < track.turned_response || match.degenerate) return std::nullopt;
+  return match;
 }
 
 bool Mapper::due(const types::Se2& T_map_base) const {

@@ -110,6 +110,8 @@ class Mapper {
 
  private:
   Match track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched);
+  [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
+                                                 const types::Se2& predicted, const Point& sensor) const;
   bool due(const types::Se2& T_map_base) const;
   void add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                     walls::ColumnCollector& columns);

@@ -53,6 +53,9 @@ struct TrackParams {
   double search_sigmas = 4.0;   ///< half width of the search in prior standard deviations
   double search_floor_m = 0.30;
   double search_floor_rad = 0.25;
+  double turned_m = 0.6;            ///< half width of the search over all headings for a robot that is lost
+  double turned_response = 0.60;    ///< what it finds is believed from here on,
+  double turned_peak_ratio = 0.90;  ///< when the next best place is no better than this share of it
 };
 
 struct KeyframeParams {
@@ -70,13 +73,16 @@ struct LoopParams {
   double search_max_m = 6.0;
   double search_floor_rad = 0.10;
   double search_max_rad = 0.60;
-  double chain_gap_m = 12.0;        ///< graph distance from which a keyframe is "another visit"
-  int group_half = 8;               ///< keyframes on either side of the nearest one in a group
-  int groups_max = 2;               ///< chains tried per keyframe
-  double response_min = 0.60;       ///< narrow search
-  double response_min_wide = 0.70;  ///< search wider than 1 m
-  double peak_ratio_max = 0.90;     ///< second peak against the best: above it the place is ambiguous
-  double overlap_min = 0.45;        ///< share of points with a surfel in reach
+  double chain_gap_m = 12.0;         ///< graph distance from which a keyframe is "another visit"
+  int group_half = 8;                ///< keyframes on either side of the nearest one in a group
+  int groups_max = 2;                ///< chains tried per keyframe
+  double response_min = 0.60;        ///< narrow search
+  double response_min_wide = 0.70;   ///< search wider than 1 m
+  double peak_ratio_max = 0.90;      ///< second peak against the best: above it the place is ambiguous
+  double overlap_min = 0.45;         ///< share of points with a surfel in reach
+  double response_unopposed = 0.45;  ///< enough where drift has gathered and nothing speaks against the place
+  double fit_unopposed = 0.80;       ///< nothing: of what the other visit knows at least this share fits,
+  double contradiction_max = 0.02;   ///< and of all points at most this stand where it looked through
 };
 
 struct GraphParams {

@@ -12,11 +12,13 @@ namespace topo::daemon {
 
 /// One sweep of a log. Stamps are the log's own (ipc_ts), in seconds.
 struct CarmenScan {
-  double stamp_s = 0.0;
+  double stamp_s = 0.0;        ///< when the sweep was in: not before its last beam
   std::vector<float> range_m;  ///< distance, types::kNoReturn at or beyond range_max_m, types::kInvalid where
                                ///< the sensor failed
   float angle_min_rad = 0.0F;  ///< of beam 0, counter-clockwise
   float angle_increment_rad = 0.0F;
+  float time_increment_s = 0.0F;  ///< between neighbouring beams; 0 where the log's sensor sweeps too fast to
+                                  ///< matter (SICK, 7 ms)
   float range_max_m = 0.0F;
   types::Se2 laser_odom;  ///< pose of the laser as dead reckoning has it
   types::Se2 robot_odom;  ///< pose of the robot's centre, likewise

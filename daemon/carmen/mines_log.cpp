@@ -24,12 +24,16 @@ namespace {
 
 constexpr std::size_t kFirstRange = 24, kBeams = 682, kMinColumns = kFirstRange + kBeams;
 constexpr double kWheelRadius_m = 0.077, kHalfAxle_m = 0.165, kLaserAhead_m = 0.145;
-constexpr double kWheel_rad_per_tick = std::numbers::pi / 2000.0;  // degrees = ticks * 180 / 2000
+// 2000 ticks a revolution. tinySLAM's "degrees = ticks * 180 / 2000" are halves: it adds both wheels' ways
+// where the robot's is their mean, and divides their difference by half the axle.
+constexpr double kWheel_rad_per_tick = 2.0 * std::numbers::pi / 2000.0;
 constexpr double kUrgReach_m = 4.0;
 constexpr double kUrgMin_mm = 20.0;  // below: error codes of the URG-04LX (PROTOCOLS 10.2)
 // The URG-04LX has 1024 steps a revolution and sends steps 44 to 725; step 384 looks ahead (PROTOCOLS 11).
 constexpr double kStep_rad = 2.0 * std::numbers::pi / 1024.0;
 constexpr double kFirstStep = 44.0 - 384.0;
+constexpr double kRevolution_s =
+    0.1;  // a sweep takes 67 ms of it, in which this robot turns by up to 7 degrees
 
 struct Encoders {
   double stamp_s = 0.0;
@@ -75,6 +79,7 @@ Status read_scan(const Fields& f, const Se2& pose, double stamp_s, CarmenLog& lo
   scan.stamp_s = stamp_s;
   scan.angle_min_rad = static_cast<float>(kFirstStep * kStep_rad);
   scan.angle_increment_rad = static_cast<float>(kStep_rad);
+  scan.time_increment_s = static_cast<float>(kRevolution_s / 1024.0);
   scan.range_max_m = static_cast<float>(kUrgReach_m);
   scan.robot_odom = pose;
   scan.laser_odom = pose * Se2{kLaserAhead_m, 0.0, 0.0};

@@ -12,11 +12,14 @@ types::Result<daemon::CarmenLog> read_log(const std::string& path) {
                                                 : daemon::read_carmen_log(path);
 }
 
-void fill_scan(const daemon::CarmenScan& from, std::uint64_t sequence, types::Scan& to) {
-  to.first_beam = to.arrival = types::stamp_from_seconds(from.stamp_s);
-  to.sequence = sequence;
+void fill_scan(const daemon::CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to) {
   to.beams = static_cast<std::uint16_t>(std::min(from.range_m.size(), types::Scan::kMaxBeams));
-  to.geometry = {from.angle_min_rad, from.angle_increment_rad, 0.0F, 0.0F, 0.02F, from.range_max_m};
+  to.arrival = types::stamp_from_seconds(stamp_s);
+  const int gaps = to.beams > 0 ? to.beams - 1 : 0;
+  to.first_beam = to.arrival - types::from_seconds(static_cast<double>(from.time_increment_s) * gaps);
+  to.sequence = sequence;
+  to.geometry = {from.angle_min_rad, from.angle_increment_rad, from.time_increment_s, 0.0F, 0.02F,
+                 from.range_max_m};
   to.has_intensity = false;
   std::copy_n(from.range_m.begin(), to.beams, to.range_m.begin());
 }
@@ -25,9 +28,9 @@ MappingRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state) 
   LockStep lock_step(state);
   types::Scan scan;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
-    fill_scan(log.scans[i], i, scan);
+    fill_scan(log.scans[i], log.scans[i].stamp_s, i, scan);
     const types::Odometry odometry{
-        scan.first_beam, types::Transform2<types::Odom, types::Base>(log.scans[i].robot_odom), {}};
+        scan.arrival, types::Transform2<types::Odom, types::Base>(log.scans[i].robot_odom), {}};
     lock_step.step({{&odometry, 1}, &scan, nullptr});
   }
   return lock_step.finish();

@@ -14,8 +14,8 @@ MappingRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state);
 /// text.
 types::Result<daemon::CarmenLog> read_log(const std::string& path);
 
-/// A log's scan as the mapper takes it: all beams at one instant.
-void fill_scan(const daemon::CarmenScan& from, std::uint64_t sequence, types::Scan& to);
+/// A log's scan as the mapper takes it, its last beam at `stamp_s`.
+void fill_scan(const daemon::CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to);
 
 /// Mapper parameters for a log: the tree's defaults and the laser's place on that robot.
 slam::MapperParams params_for(const daemon::CarmenLog& log);

@@ -62,7 +62,7 @@ nlohmann::json localise(const SessionCommand& command, const daemon::CarmenLog& 
   const auto count = std::min<std::size_t>(static_cast<std::size_t>(command.localise), trajectory.size());
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = (2 * k + 1) * trajectory.size() / (2 * count);
-    fill_scan(log.scans[i], i, scan);
+    fill_scan(log.scans[i], log.scans[i].stamp_s, i, scan);
     slam::make_cloud(scan, params.T_base_laser, {}, params.cloud, cloud);
     const auto begin = Clock::now();
     const slam::Localisation place = slam::localise_anywhere(session, cloud, params);

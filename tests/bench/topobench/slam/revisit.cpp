@@ -2,58 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/slam/revisit.hpp"
 
-#include <algorithm>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
 #include <vector>
+
+#include "tests/bench/topobench/slam/beam_fan.hpp"
+#include "tests/bench/topobench/slam/visits.hpp"
 
 namespace topo::bench {
 namespace {
 
 using types::Vector2;
-
-constexpr double kStretch_m = 2.5;
-constexpr double kGap_m = 15.0;
-constexpr double kDetour = 2.0;         ///< way to distance between two visits
-constexpr double kPlaceRadius_m = 0.5;  ///< around a point: its place
-constexpr double kEnd_m = 0.15;         ///< of a beam: there it goes through nothing
-
-/// The path in stretches, and for each the others that belong to another visit.
-class Visits {
- public:
-  explicit Visits(std::span<const types::Se2> poses) {
-    double way = 0.0;
-    std::vector<double> at;
-    std::vector<Vector2> where;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      if (i > 0) way += (poses[i].translation() - poses[i - 1].translation()).norm();
-      const auto stretch = static_cast<std::size_t>(way / kStretch_m);
-      while (at.size() <= stretch) {
-        at.push_back(way);
-        where.push_back(poses[i].translation());
-      }
-      stretch_of_.push_back(stretch);
-    }
-    words_ = (at.size() + 63) / 64;
-    others_.assign(at.size() * words_, 0);
-    for (std::size_t a = 0; a < at.size(); ++a) {
-      for (std::size_t b = 0; b < at.size(); ++b) {
-        const double apart = std::abs(at[a] - at[b]);
-        if (apart >= kGap_m && apart >= kDetour * (where[a] - where[b]).norm())
-          others_[a * words_ + b / 64] |= std::uint64_t{1} << (b % 64);
-      }
-    }
-  }
-
-  [[nodiscard]] std::size_t words() const { return words_; }
-  [[nodiscard]] std::size_t stretch_of(std::size_t keyframe) const { return stretch_of_[keyframe]; }
-  [[nodiscard]] const std::uint64_t* others(std::size_t stretch) const { return &others_[stretch * words_]; }
-
- private:
-  std::size_t words_ = 0;
-  std::vector<std::size_t> stretch_of_;
-  std::vector<std::uint64_t> others_;
-};
 
 /// A set of stretches per cell over the box that the map fills.
 class Marks {
@@ -96,19 +56,17 @@ class Counter {
     const grid::CellBox box = map.known_box();
     const int width = static_cast<int>(box.width()), height = static_cast<int>(box.height());
     hit_ = std::make_unique<Marks>(box.min, width, height, visits_.words());
-    passed_ = std::make_unique<Marks>(box.min, width, height, visits_.words());
+    fans_.reserve(keyframes.size());
   }
 
   RevisitShare run() {
     for (std::size_t i = 0; i < keyframes_.size(); ++i) mark(i);
     RevisitShare out;
     for (std::size_t i = 0; i < keyframes_.size(); ++i) {
-      const std::uint64_t* others = visits_.others(visits_.stretch_of(i));
       for (const slam::Point& hit : keyframes_[i]->hits) {
-        const Vector2 p = poses_[i] * Vector2(hit.cast<double>());
-        if (!seen(p, others)) continue;
-        ++out.points;
-        out.within += near(p, tolerance_m_, others, true) ? 1U : 0U;
+        const bool within = is_near_a_hit(poses_[i] * Vector2(hit.cast<double>()), visits_.stretch_of(i));
+        out.points += within || is_contradicted(i, hit) ? 1U : 0U;
+        out.within += within ? 1U : 0U;
       }
     }
     return out;
@@ -116,35 +74,33 @@ class Counter {
 
  private:
   void mark(std::size_t i) {
-    const std::size_t stretch = visits_.stretch_of(i);
-    const Vector2 from = poses_[i] * Vector2(keyframes_[i]->sensor.cast<double>());
-    const double step = 0.7 * map_.resolution_m();
-    for (const slam::Point& hit : keyframes_[i]->hits) {
-      const Vector2 to = poses_[i] * Vector2(hit.cast<double>());
-      hit_->set(map_.cell_at(to), stretch);
-      const double range = (to - from).norm();
-      const Vector2 unit = (to - from) / std::max(range, 1e-9);
-      for (double r = 0.0; r < range - kEnd_m; r += step)
-        passed_->set(map_.cell_at(from + r * unit), stretch);
-    }
+    for (const slam::Point& hit : keyframes_[i]->hits)
+      hit_->set(map_.cell_at(poses_[i] * Vector2(hit.cast<double>())), visits_.stretch_of(i));
+    fans_.emplace_back(*keyframes_[i], poses_[i]);
   }
 
-  [[nodiscard]] bool seen(const Vector2& p, const std::uint64_t* others) const {
-    return passed_->any(map_.cell_at(p), others) || near(p, kPlaceRadius_m, others, false);
-  }
-
-  /// Is there a cell within the distance that one of the stretches hit (and that the map calls occupied)?
-  [[nodiscard]] bool near(const Vector2& p, double distance_m, const std::uint64_t* others,
-                          bool occupied) const {
-    const int reach = static_cast<int>(std::ceil(distance_m / map_.resolution_m()));
+  /// Is there an occupied cell within the tolerance that another visit hit?
+  [[nodiscard]] bool is_near_a_hit(const Vector2& p, std::size_t stretch) const {
+    const int reach = static_cast<int>(std::ceil(tolerance_m_ / map_.resolution_m()));
     const grid::CellIndex centre = map_.cell_at(p);
     for (int y = -reach; y <= reach; ++y) {
       for (int x = -reach; x <= reach; ++x) {
         const grid::CellIndex cell{centre.x + x, centre.y + y};
-        if ((map_.centre_of(cell) - p).norm() > distance_m) continue;
-        if (!hit_->any(cell, others)) continue;
-        if (!occupied || map_.state(cell) == grid::CellState::kOccupied) return true;
+        if ((map_.centre_of(cell) - p).norm() > tolerance_m_) continue;
+        if (hit_->any(cell, visits_.others(stretch)) && map_.state(cell) == grid::CellState::kOccupied)
+          return true;
       }
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool is_contradicted(std::size_t i, const slam::Point& hit) const {
+    SurfacePoint surface = surface_at(*keyframes_[i], hit);
+    surface = {poses_[i] * surface.position, Eigen::Rotation2Dd(poses_[i].theta_rad) * surface.normal};
+    for (std::size_t k = 0; k < fans_.size(); ++k) {
+      if (visits_.are_apart(visits_.stretch_of(i), visits_.stretch_of(k)) &&
+          fans_[k].contradicts(surface, tolerance_m_))
+        return true;
     }
     return false;
   }
@@ -154,7 +110,8 @@ class Counter {
   const grid::OccupancyGrid& map_;
   double tolerance_m_;
   Visits visits_;
-  std::unique_ptr<Marks> hit_, passed_;
+  std::unique_ptr<Marks> hit_;
+  std::vector<BeamFan> fans_;
 };
 
 }  // namespace

@@ -69,10 +69,9 @@ class Half {
 
  private:
   void step(const daemon::CarmenScan& from, double stamp_s) {
-    fill_scan(from, sequence_++, scan_);
-    scan_.first_beam = scan_.arrival = types::stamp_from_seconds(stamp_s);
+    fill_scan(from, stamp_s, sequence_++, scan_);
     const types::Odometry odometry{
-        scan_.first_beam, types::Transform2<types::Odom, types::Base>(from.robot_odom), {}};
+        scan_.arrival, types::Transform2<types::Odom, types::Base>(from.robot_odom), {}};
     lock_step_.step({{&odometry, 1}, &scan_, nullptr});
   }
 

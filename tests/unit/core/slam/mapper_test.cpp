@@ -117,5 +117,29 @@ TEST(Mapper, BlindScansAreCarriedByOdometry) {
   EXPECT_NEAR(report.T_map_base.x_m, 0.1, 1e-12);
 }
 
+/// Where the robot is said to be when it was turned on the spot between two scans, and no wheel moved.
+MatchReport turned_unheard(const mocks::FlatWorld& world, const Se2& pose, double turn_rad) {
+  std::mt19937 random(6);
+  Mapper mapper({}, {}, pose);
+  walls::ColumnCollector columns({});
+  (void)mapper.add(testing::view_of(world, pose, 0.02, random).cloud, {}, columns);
+  return mapper.add(testing::view_of(world, pose * Se2{0.0, 0.0, turn_rad}, 0.02, random).cloud, {}, columns);
+}
+
+TEST(Mapper, FindsItsHeadingAfterATurnThatOdometryDidNotHear) {
+  const MatchReport report = turned_unheard(mocks::two_rooms(), {3.0, 3.0, 0.0}, 1.4);
+  EXPECT_TRUE(report.matched);
+  EXPECT_NEAR(report.T_map_base.theta_rad, 1.4, 0.02);
+  EXPECT_NEAR(report.T_map_base.x_m, 3.0, 0.03);
+}
+
+TEST(Mapper, FollowsOdometryWhereTwoHeadingsFit) {
+  mocks::FlatWorld hall;
+  hall.box(0.0, 0.0, 12.0, 5.0);  // the same after half a turn
+  const MatchReport report = turned_unheard(hall, {6.0, 2.5, 0.0}, 1.2);
+  EXPECT_FALSE(report.matched);
+  EXPECT_NEAR(report.T_map_base.theta_rad, 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace topo::slam

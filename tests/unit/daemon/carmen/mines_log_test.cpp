@@ -24,10 +24,11 @@ std::string mines_line(int time_us, int left, int right, int range_mm) {
 
 TEST(MinesLog, IntegratesTheEncodersAndPlacesTheLaser) {
   const testing::TempDir dir;
-  // One radian of both wheels straight ahead, then a half turn of the robot to the left on the spot.
-  const int radian = static_cast<int>(std::lround(2000.0 / std::numbers::pi));
-  const int half_turn =
-      static_cast<int>(std::lround(std::numbers::pi * 0.165 / 0.077 * 2000.0 / std::numbers::pi));
+  // One radian of both wheels straight ahead (2000 ticks are a revolution of the wheel), then a half turn of
+  // the robot to the left on the spot.
+  const double ticks_per_rad = 2000.0 / (2.0 * std::numbers::pi);
+  const int radian = static_cast<int>(std::lround(ticks_per_rad));
+  const int half_turn = static_cast<int>(std::lround(std::numbers::pi * 0.165 / 0.077 * ticks_per_rad));
   const auto log = read_mines_log(dir.write(
       "m.dat", mines_line(1000000, 100, 50, 0) + mines_line(1100000, 100 + radian, 50 + radian, 4500) +
                    mines_line(1200000, 100 + radian - half_turn, 50 + radian + half_turn, 1500)));
@@ -42,6 +43,7 @@ TEST(MinesLog, IntegratesTheEncodersAndPlacesTheLaser) {
   EXPECT_TRUE(std::isnan(log->scans[0].range_m[0]));
   EXPECT_EQ(log->scans[1].range_m[681], types::kNoReturn);
   EXPECT_FLOAT_EQ(log->scans[2].range_m[340], 1.5F);
+  EXPECT_NEAR(1024.0F * log->scans[0].time_increment_s, 0.1F, 1e-6F);
   EXPECT_NEAR(log->scans[0].angle_min_rad + 340.0F * log->scans[0].angle_increment_rad, 0.0, 1e-5);
 }
 
