@@ -50,12 +50,6 @@ class BucketQueue {
   /// Whatever costs less has been called.
   [[nodiscard]] float next_m() const { return static_cast<float>(turn_) / buckets_per_m_; }
 
-  template <class F>
-  void for_each(F&& f) const {
-    for (const auto& bucket : ring_)
-      for (const Entry& entry : bucket) f(entry);
-  }
-
  private:
   float buckets_per_m_ = 1.0F;
   std::vector<std::vector<Entry>> ring_;

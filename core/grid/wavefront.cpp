@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "core/grid/bucket_queue.hpp"
+#include "core/grid/open_runs.hpp"
 
 namespace topo::grid {
 namespace {
@@ -106,7 +107,7 @@ class TravelSearch::Impl {
     complete_ = queue_.drain(bound_m, [&](BucketQueue::Entry entry) {
       if (entry.cost_m <= field_->cost_m[entry.index]) expand(entry);
     });
-    if (!complete_) flood();
+    if (!complete_) mark_later();
   }
 
   [[nodiscard]] float settled_m() const { return complete_ ? kUnreached : queue_.next_m(); }
@@ -137,6 +138,7 @@ class TravelSearch::Impl {
     field_->cost_m.assign(map_->cells.size(), kUnreached);
     field_->step.assign(map_->cells.size(), kNoStep);
     complete_ = true;
+    marked_ = false;
     if (!map_->contains(start)) return;
     const auto first = static_cast<std::uint32_t>(map_->index(start));
     field_->cost_m[first] = 0.0F;
@@ -146,8 +148,8 @@ class TravelSearch::Impl {
     if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
     close_border();
     metre_cost_[first] = crowding_.at(clearance_m_[first]);  // whatever stands there, the robot does
-    // Corners are cut nowhere else: the flood need not ask.
-    may_pause_ = !leaves && !is_near_something(static_cast<float>(rules.radius_m));
+    // Elsewhere the robot is too far from everything to get to a corner: mark_later need not ask.
+    may_pause_ = !is_near_something(static_cast<float>(rules.radius_m)) && !(leaves && meets_at_corners());
     queue_.push(first, 0.0F);
     complete_ = false;
   }
@@ -165,9 +167,8 @@ class TravelSearch::Impl {
     const float* clearance_m = clearance_m_.data();
     float* const out = metre_cost_.data();
     for (std::size_t i = 0; i < metre_cost_.size(); ++i) {
-      const float open = crowding.at(clearance_m[i]);
-      const bool closed = (clearance_m[i] < radius_m) | (cells[i] != CellState::kFree);
-      out[i] = closed ? kUnreached : open;
+      const float room_m = cells[i] == CellState::kFree ? clearance_m[i] : -1.0F;
+      out[i] = room_m < radius_m ? kUnreached : crowding.at(room_m);
     }
   }
 
@@ -180,14 +181,34 @@ class TravelSearch::Impl {
   }
 
   void open_start_region(const StartRegion& region) {
+    leaving_ = {field_->start, field_->start};
     for (int y = field_->start.y - region.reach(); y <= field_->start.y + region.reach(); ++y) {
       for (int x = field_->start.x - region.reach(); x <= field_->start.x + region.reach(); ++x) {
         const CellIndex cell{x, y};
         if (!map_->contains(cell) || !region.allows(cell)) continue;
         const std::size_t i = map_->index(cell);
         metre_cost_[i] = crowding_.at(clearance_m_[i]);
+        if (!on_border(cell)) leaving_.extend(cell);
       }
     }
+  }
+
+  /// Do open cells of the start region hang together at corners alone, one of which is cut?
+  [[nodiscard]] bool meets_at_corners() const {
+    const auto is_open = [&](std::size_t i) { return metre_cost_[i] != kUnreached; };
+    for (int y = leaving_.min.y; y <= leaving_.max.y; ++y) {
+      for (int x = leaving_.min.x; x <= leaving_.max.x; ++x) {
+        const std::size_t i = map_->index({x, y});
+        if (!is_open(i)) continue;
+        for (unsigned cut = cut_corners(i); cut != 0; cut &= cut - 1) {
+          const auto d = static_cast<std::size_t>(std::countr_zero(cut));
+          if (is_open(neighbour(i, d)) && !is_open(neighbour(i, d - 1)) &&
+              !is_open(neighbour(i, (d + 1) % 8)))
+            return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// Straight neighbours are one cell away: farther from everything, none of them is occupied.
@@ -195,12 +216,15 @@ class TravelSearch::Impl {
     return clearance_m <= kNearCells * resolution_m_;
   }
 
+  [[nodiscard]] std::size_t neighbour(std::size_t from, std::size_t direction) const {
+    return from + static_cast<std::size_t>(offset_[direction]);
+  }
+
   /// The directions, a bit each, in which a step slips between something occupied and the cell.
   [[nodiscard]] unsigned cut_corners(std::size_t from) const {
     unsigned cut = 0;
     for (std::size_t d = 0; d < kNeighbours.size(); d += 2) {
-      const auto beside = from + static_cast<std::size_t>(offset_[d]);
-      if (map_->cells[beside] == CellState::kOccupied) cut |= 1U << (d + 1) | 1U << ((d + 7) % 8);
+      if (map_->cells[neighbour(from, d)] == CellState::kOccupied) cut |= 1U << (d + 1) | 1U << ((d + 7) % 8);
     }
     return cut;
   }
@@ -233,34 +257,15 @@ class TravelSearch::Impl {
     }
   }
 
-  /// Marks what will be reached, run by run of a row.
-  void flood() {
-    seeds_.clear();
-    queue_.for_each([&](BucketQueue::Entry entry) { seeds_.push_back(entry.index); });
-    const auto width = static_cast<std::size_t>(map_->width());
-    while (!seeds_.empty()) {
-      const std::size_t seed = seeds_.back();
-      seeds_.pop_back();
-      std::size_t first = seed, end = seed + 1;
-      while (is_new(first - 1)) field_->cost_m[--first] = TravelField::kLater;
-      while (is_new(end)) field_->cost_m[end++] = TravelField::kLater;
-      add_seeds(first - width - 1, end - width + 1);
-      add_seeds(first + width - 1, end + width + 1);
-    }
-  }
-
-  /// The first new cell of each run in a piece of a row.
-  void add_seeds(std::size_t from, std::size_t end) {
-    for (std::size_t i = from; i < end; ++i) {
-      if (!is_new(i)) continue;
-      field_->cost_m[i] = TravelField::kLater;
-      seeds_.push_back(static_cast<std::uint32_t>(i));
-      while (i + 1 < end && is_new(i + 1)) ++i;
-    }
-  }
-
-  [[nodiscard]] bool is_new(std::size_t i) const {
-    return field_->cost_m[i] == kUnreached && metre_cost_[i] != kUnreached;
+  /// Marks what will be reached.
+  void mark_later() {
+    if (marked_) return;
+    marked_ = true;
+    runs_.take(metre_cost_, static_cast<std::size_t>(map_->width()));
+    runs_.for_each_connected(static_cast<std::uint32_t>(map_->index(field_->start)), [&](OpenRuns::Run run) {
+      float* const cost_m = field_->cost_m.data();
+      for (std::size_t i = run.first; i < run.end; ++i) cost_m[i] = std::min(cost_m[i], TravelField::kLater);
+    });
   }
 
   const DenseMap* map_ = nullptr;
@@ -273,8 +278,9 @@ class TravelSearch::Impl {
   TravelField* field_ = nullptr;
   std::array<std::ptrdiff_t, 8> offset_{};
   std::array<Row, kRows.size()> half_step_m_{};  ///< from the cell to its neighbours' borders
-  std::vector<std::uint32_t> seeds_;
-  bool complete_ = true, may_pause_ = false;
+  CellBox leaving_;  ///< of the cells opened for a start with too little clearance
+  OpenRuns runs_;
+  bool complete_ = true, may_pause_ = false, marked_ = false;
 };
 
 namespace {

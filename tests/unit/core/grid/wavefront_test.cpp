@@ -236,11 +236,13 @@ TEST(TravelSearch, PausedAndResumedIsTheWholeField) {
     const DenseMap map = random_map(40);
     const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
     const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
-    const TravelField whole = travel_field(map, clearance, map.cell(i), kSmallRobot);
+    TravelRules rules = kSmallRobot;
+    rules.start_m = *rc::gen::element(0.0, 0.3);
+    const TravelField whole = travel_field(map, clearance, map.cell(i), rules);
     TravelSearch search;
     TravelField field;
     for (int again = 0; again < 2; ++again) {
-      search.begin(map, clearance, map.cell(i), kSmallRobot, field);
+      search.begin(map, clearance, map.cell(i), rules, field);
       for (double bound_m = 0.1; !std::isinf(search.settled_m()); bound_m += 0.4) {
         search.settle(bound_m);
         for (std::size_t k = 0; k < map.cells.size(); ++k) {
