@@ -166,9 +166,11 @@ class TravelSearch::Impl {
     const CellState* cells = map_->cells.data();
     const float* clearance_m = clearance_m_.data();
     float* const out = metre_cost_.data();
-    for (std::size_t i = 0; i < metre_cost_.size(); ++i) {
-      const float room_m = cells[i] == CellState::kFree ? clearance_m[i] : -1.0F;
-      out[i] = room_m < radius_m ? kUnreached : crowding.at(room_m);
+    const std::size_t size = metre_cost_.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      const float here_m = clearance_m[i], open = crowding.at(here_m);
+      const float room_m = cells[i] == CellState::kFree ? here_m : -1.0F;
+      out[i] = room_m < radius_m ? kUnreached : open;
     }
   }
 
