@@ -20,18 +20,20 @@ void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, co
   for (const std::size_t goal : to)
     straight_m = std::max(straight_m, (map.centre_of(cells_[goal]) - map.centre_of(cells_[from])).norm());
   search_.begin(map, clearance_m, cells_[from], rules, field_);
-  const std::size_t n = cells_.size();
+  const auto is_found = [&](std::size_t goal) {
+    return map.contains(cells_[goal]) &&
+           static_cast<double>(field_.cost_m[map.index(cells_[goal])]) < search_.settled_m();
+  };
   // Mostly all are found before all of the map is.
   for (double bound_m = kDetour * straight_m;; bound_m *= 2.0) {
-    search_.settle(bound_m);
-    bool final = true;
-    for (const std::size_t goal : to) {
-      const auto cell = grid::nearest_reachable(map, field_, cells_[goal], kReach_m);
-      const double cost_m = cell ? static_cast<double>(field_.cost_m[map.index(*cell)]) : HUGE_VAL;
-      cost_m_[from * n + goal] = cost_m_[goal * n + from] = cost_m;
-      final = final && (!cell || cost_m < search_.settled_m());
-    }
-    if (final || std::isinf(search_.settled_m())) return;
+    search_.advance(bound_m);
+    if (std::isinf(search_.settled_m()) || std::all_of(to.begin(), to.end(), is_found)) break;
+  }
+  const std::size_t n = cells_.size();
+  for (const std::size_t goal : to) {
+    const auto cell = grid::nearest_reachable(map, field_, cells_[goal], kReach_m);
+    const double cost_m = cell ? static_cast<double>(field_.cost_m[map.index(*cell)]) : HUGE_VAL;
+    cost_m_[from * n + goal] = cost_m_[goal * n + from] = cost_m;
   }
 }
 

@@ -101,12 +101,16 @@ class TravelSearch::Impl {
     prepare(start, rules);
   }
 
-  void settle(float bound_m) {
+  void advance(float bound_m) {
     if (complete_) return;
     if (!may_pause_) bound_m = kUnreached;
     complete_ = queue_.drain(bound_m, [&](BucketQueue::Entry entry) {
       if (entry.cost_m <= field_->cost_m[entry.index]) expand(entry);
     });
+  }
+
+  void settle(float bound_m) {
+    advance(bound_m);
     if (!complete_) mark_later();
   }
 
@@ -325,6 +329,8 @@ void TravelSearch::begin(const DenseMap& map, std::span<const float> clearance_m
 }
 
 void TravelSearch::settle(double bound_m) { impl_->settle(static_cast<float>(bound_m)); }
+
+void TravelSearch::advance(double bound_m) { impl_->advance(static_cast<float>(bound_m)); }
 
 double TravelSearch::settled_m() const { return static_cast<double>(impl_->settled_m()); }
 

@@ -18,7 +18,10 @@ class Pooled {
  public:
   /// `before`: columns of the first coarse cell that are before the rows' first.
   Pooled(std::size_t coarse_width, int doublings, std::size_t before)
-      : doublings_(doublings), before_(before), columns_(coarse_width << doublings) {}
+      : doublings_(doublings),
+        before_(before),
+        columns_(coarse_width << doublings),
+        halved_(columns_.size()) {}
 
   void clear() { std::fill(columns_.begin(), columns_.end(), T{}); }
   void add(const T* row, std::size_t width) {
@@ -27,19 +30,26 @@ class Pooled {
   }
   /// One value a coarse cell; the columns are used up.
   const T* cells() {
-    T* const columns = columns_.data();
     std::size_t width = columns_.size();
     for (int i = 0; i < doublings_; ++i) {
       width /= 2;
-      for (std::size_t x = 0; x < width; ++x) columns[x] = std::max(columns[2 * x], columns[2 * x + 1]);
+      halve(columns_.data(), halved_.data(), width);
+      columns_.swap(halved_);
     }
-    return columns;
+    return columns_.data();
   }
 
  private:
+  static void halve(const T* from, T* to, std::size_t width) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const T left = from[2 * x], right = from[2 * x + 1];
+      to[x] = left < right ? right : left;
+    }
+  }
+
   int doublings_;
   std::size_t before_;
-  std::vector<T> columns_;
+  std::vector<T> columns_, halved_;
 };
 
 }  // namespace

@@ -259,5 +259,23 @@ TEST(TravelSearch, PausedAndResumedIsTheWholeField) {
   }));
 }
 
+TEST(TravelSearch, AdvancedHasTheCostsThatItSaysAreFinal) {
+  EXPECT_TRUE(rc::check("advanced", [] {
+    const auto [map, clearance, starts] = random_place(40);
+    const CellIndex start = *rc::gen::elementOf(starts);
+    const TravelField whole = travel_field(map, clearance, start, kSmallRobot);
+    TravelSearch search;
+    TravelField field;
+    search.begin(map, clearance, start, kSmallRobot, field);
+    search.advance(*rc::gen::element(0.2, 0.7, 1.5));
+    for (std::size_t k = 0; k < map.cells.size(); ++k) {
+      if (static_cast<double>(field.cost_m[k]) < search.settled_m() - 1e-5)
+        RC_ASSERT(field.cost_m[k] == whole.cost_m[k]);
+    }
+    search.settle(HUGE_VAL);
+    RC_ASSERT(field.cost_m == whole.cost_m);
+  }));
+}
+
 }  // namespace
 }  // namespace topo::grid
