@@ -241,7 +241,7 @@ class TravelSearch::Impl {
     const std::ptrdiff_t width = offset_[2];
     const float here = *metre;
     float* const cost = field_->cost_m.data() + entry.index;
-    std::array<Row, kRows.size()> fresh;
+    std::array<Row, kRows.size()> fresh{};
     Flags cheaper{};
     for (std::size_t r = 0; r < kRows.size(); ++r) {
       const std::ptrdiff_t first = kRows[r].dy * width + kRows[r].first_dx;

@@ -169,6 +169,7 @@ void PlanningState::Impl::trim_route() {
   route.erase(route.begin(), route.begin() + passed);
 }
 
+/// The way to the target, as cells; what is far is not searched for over all of the building.
 std::vector<grid::CellIndex> PlanningState::Impl::cells_to_target() {
   const auto is_found = [&] {
     return static_cast<double>(field.cost_m[map.index(target)]) < search.settled_m();
@@ -176,7 +177,7 @@ std::vector<grid::CellIndex> PlanningState::Impl::cells_to_target() {
   search.settle(kNear_m);
   if (!is_found()) {
     need_coarse();
-    const auto cells =
+    std::vector<grid::CellIndex> cells =
         far_route.find(map, travel_clearance_m, coarse, coarse_field, field.start, target, params.travel);
     if (!cells.empty()) return cells;
     search.settle(HUGE_VAL);
