@@ -86,46 +86,62 @@ double width_of(const grid::CellBox& box, double resolution_m) {
   return static_cast<double>(std::max(box.width(), box.height())) * resolution_m;
 }
 
-/// The window of cells in which a way of `steps` cells from the frontier stays.
-grid::CellBox window_around(const DenseMap& map, const Frontier& frontier, int steps) {
-  grid::CellBox box;
-  for (const std::uint32_t i : frontier.cells) box.extend(map.cell(i));
-  box.min = {std::max(box.min.x - steps, map.box.min.x), std::max(box.min.y - steps, map.box.min.y)};
-  box.max = {std::min(box.max.x + steps, map.box.max.x), std::min(box.max.y + steps, map.box.max.y)};
-  return box;
-}
-
-/// Spreads from the frontier over free cells, ring by ring.
+/// Spreads from a frontier over free cells, ring by ring, as far as `steps`.
 class Spread {
  public:
-  Spread(const DenseMap& map, const Frontier& frontier, int steps) : map_(map) {
-    window_.box = window_around(map, frontier, steps);
-    seen_.resize(static_cast<std::size_t>(window_.width()) * static_cast<std::size_t>(window_.height()));
-    for (const std::uint32_t i : frontier.cells) visit(map.cell(i));
+  /// A cell by its number in the map, and in the window of cells that can be come to.
+  struct Place {
+    std::uint32_t in_map;
+    std::uint32_t in_window;
+  };
+
+  Spread(const DenseMap& map, const Frontier& frontier, int steps) {
+    grid::CellBox box;
+    for (const std::uint32_t i : frontier.cells) box.extend(map.cell(i));
+    box.min = {std::max(box.min.x - steps, map.box.min.x), std::max(box.min.y - steps, map.box.min.y)};
+    box.max = {std::min(box.max.x + steps, map.box.max.x), std::min(box.max.y + steps, map.box.max.y)};
+    copy_window(map, box);
+    for (std::size_t d = 0; d < around_.size(); ++d) {
+      const CellIndex by = grid::kNeighbours[d];
+      around_[d] = {static_cast<std::uint32_t>(by.x + by.y * map.width()),
+                    static_cast<std::uint32_t>(by.x + by.y * static_cast<int>(box.width() + 2))};
+    }
+    for (const std::uint32_t i : frontier.cells) {
+      const CellIndex cell = map.cell(i);
+      visit({i, static_cast<std::uint32_t>((cell.y - box.min.y + 1) * (box.width() + 2) + cell.x - box.min.x +
+                                           1)});
+    }
   }
 
-  [[nodiscard]] const std::vector<CellIndex>& ring() const { return ring_; }
+  [[nodiscard]] const std::vector<Place>& ring() const { return ring_; }
 
   void advance() {
-    std::vector<CellIndex> before;
-    before.swap(ring_);
-    for (const CellIndex cell : before)
-      for (const CellIndex by : grid::kNeighbours) visit({cell.x + by.x, cell.y + by.y});
+    before_.swap(ring_);
+    ring_.clear();
+    for (const Place& at : before_)
+      for (const Place& by : around_) visit({at.in_map + by.in_map, at.in_window + by.in_window});
   }
 
  private:
-  void visit(CellIndex cell) {
-    if (!window_.contains(cell) || map_.state(cell) != CellState::kFree) return;
-    std::uint8_t& seen = seen_[window_.index(cell)];
-    if (seen != 0) return;
-    seen = 1;
-    ring_.push_back(cell);
+  /// What is free in the box, with a ring around it that is not, so that neighbours need no bounds.
+  void copy_window(const DenseMap& map, const grid::CellBox& box) {
+    const auto width = static_cast<std::size_t>(box.width());
+    open_.assign((width + 2) * static_cast<std::size_t>(box.height() + 2), 0);
+    std::uint8_t* to = &open_[width + 3];
+    for (std::int32_t y = box.min.y; y <= box.max.y; ++y, to += width + 2) {
+      const CellState* from = &map.cells[map.index({box.min.x, y})];
+      for (std::size_t x = 0; x < width; ++x) to[x] = from[x] == CellState::kFree ? 1 : 0;
+    }
+  }
+  void visit(Place at) {
+    if (open_[at.in_window] == 0) return;
+    open_[at.in_window] = 0;
+    ring_.push_back(at);
   }
 
-  const DenseMap& map_;
-  DenseMap window_;  ///< for its indices alone
-  std::vector<std::uint8_t> seen_;
-  std::vector<CellIndex> ring_;
+  std::array<Place, 8> around_{};
+  std::vector<std::uint8_t> open_;  ///< free, and not visited yet
+  std::vector<Place> ring_, before_;
 };
 
 }  // namespace
@@ -174,8 +190,9 @@ std::optional<CellIndex> approach_cell(const DenseMap& map, const Frontier& fron
   for (int step = 0; step <= steps && !spread.ring().empty(); ++step, spread.advance()) {
     std::optional<CellIndex> best;
     double best_m2 = HUGE_VAL;
-    for (const CellIndex cell : spread.ring()) {
-      if (std::isinf(field.cost_m[map.index(cell)])) continue;
+    for (const Spread::Place& at : spread.ring()) {
+      if (std::isinf(field.cost_m[at.in_map])) continue;
+      const CellIndex cell = map.cell(at.in_map);
       const double away_m2 = (map.centre_of(cell) - frontier.centroid).squaredNorm();
       if (away_m2 >= best_m2) continue;
       best = cell;

@@ -13,15 +13,27 @@ constexpr double kReach_m = 0.6;  // to the nearest cell that a way leads to: go
 
 }  // namespace
 
-void GoalWays::search_from(std::size_t from, const grid::DenseMap& map, std::span<const float> clearance_m,
-                           const grid::TravelRules& rules) {
+void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, const grid::DenseMap& map,
+                           std::span<const float> clearance_m, const grid::TravelRules& rules) {
+  constexpr double kDetour = 1.5;
+  double straight_m = kReach_m;
+  for (const std::size_t goal : to)
+    straight_m = std::max(straight_m, (map.centre_of(cells_[goal]) - map.centre_of(cells_[from])).norm());
   search_.begin(map, clearance_m, cells_[from], rules, field_);
-  search_.settle(HUGE_VAL);
+  const auto is_found = [&](std::size_t goal) {
+    return map.contains(cells_[goal]) &&
+           static_cast<double>(field_.cost_m[map.index(cells_[goal])]) < search_.settled_m();
+  };
+  // Mostly all are found before all of the map is.
+  for (double bound_m = kDetour * straight_m;; bound_m *= 2.0) {
+    search_.advance(bound_m);
+    if (std::isinf(search_.settled_m()) || std::all_of(to.begin(), to.end(), is_found)) break;
+  }
   const std::size_t n = cells_.size();
-  for (std::size_t to = 0; to < n; ++to) {
-    const auto cell = grid::nearest_reachable(map, field_, cells_[to], kReach_m);
+  for (const std::size_t goal : to) {
+    const auto cell = grid::nearest_reachable(map, field_, cells_[goal], kReach_m);
     const double cost_m = cell ? static_cast<double>(field_.cost_m[map.index(*cell)]) : HUGE_VAL;
-    cost_m_[from * n + to] = cost_m_[to * n + from] = to == from ? 0.0 : cost_m;
+    cost_m_[from * n + goal] = cost_m_[goal * n + from] = cost_m;
   }
 }
 
@@ -40,8 +52,16 @@ void GoalWays::update(const grid::DenseMap& map, std::span<const float> clearanc
       if (!is_new(a) && !is_new(b)) cost_m_[a * n + b] = old_m[was[a] * old_cells.size() + was[b]];
   }
   ++turn_;
-  for (std::size_t i = 0; i < n; ++i)
-    if (is_new(i) || i == turn_ % n) search_from(i, map, clearance_m, rules);
+  const auto is_searched = [&](std::size_t i) { return is_new(i) || i == turn_ % n; };
+  std::vector<std::size_t> to;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_searched(i)) continue;
+    to.clear();
+    // A way between two that are searched is the second's.
+    for (std::size_t other = 0; other < n; ++other)
+      if (other < i || (other > i && !is_searched(other))) to.push_back(other);
+    if (!to.empty()) search_from(i, to, map, clearance_m, rules);
+  }
 }
 
 }  // namespace topo::goals

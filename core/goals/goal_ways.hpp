@@ -15,7 +15,7 @@ namespace topo::goals {
 class GoalWays {
  public:
   /// Costs among `cells` on this map from now on; travel_field has the other arguments. Costs one search of
-  /// the map for every cell that was not there the last time, and one more.
+  /// the map, as far as the other cells, for every cell that was not there the last time, and one more.
   void update(const grid::DenseMap& map, std::span<const float> clearance_m, const grid::TravelRules& rules,
               std::span<const grid::CellIndex> cells);
 
@@ -25,8 +25,8 @@ class GoalWays {
   }
 
  private:
-  void search_from(std::size_t from, const grid::DenseMap& map, std::span<const float> clearance_m,
-                   const grid::TravelRules& rules);
+  void search_from(std::size_t from, std::span<const std::size_t> to, const grid::DenseMap& map,
+                   std::span<const float> clearance_m, const grid::TravelRules& rules);
 
   std::vector<grid::CellIndex> cells_;
   std::vector<double> cost_m_;  ///< cells times cells, symmetric

@@ -29,7 +29,9 @@ class BucketQueue {
   }
 
   void push(std::uint32_t index, float cost_m) {
-    ring_[static_cast<std::size_t>(cost_m * buckets_per_m_) & (ring_.size() - 1)].push_back({index, cost_m});
+    // To a signed number first: that is one instruction.
+    const auto bucket = static_cast<std::size_t>(static_cast<std::int64_t>(cost_m * buckets_per_m_));
+    ring_[bucket & (ring_.size() - 1)].push_back({index, cost_m});
   }
 
   /// Calls f(Entry) until the queue is empty or what comes costs at least `bound_m`; f may push. True when it
@@ -47,12 +49,6 @@ class BucketQueue {
   }
   /// Whatever costs less has been called.
   [[nodiscard]] float next_m() const { return static_cast<float>(turn_) / buckets_per_m_; }
-
-  template <class F>
-  void for_each(F&& f) const {
-    for (const auto& bucket : ring_)
-      for (const Entry& entry : bucket) f(entry);
-  }
 
  private:
   float buckets_per_m_ = 1.0F;

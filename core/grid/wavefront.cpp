@@ -4,15 +4,39 @@
 #include "core/grid/wavefront.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
 #include "core/grid/bucket_queue.hpp"
+#include "core/grid/open_runs.hpp"
 
 namespace topo::grid {
 namespace {
+
+/// A cell's three neighbours in one row and a fourth cell, in the vector instructions of any machine.
+using Row = float __attribute__((vector_size(16)));
+using Flags = std::int32_t __attribute__((vector_size(16)));
+
+Row row_at(const float* from) {
+  Row row;
+  std::memcpy(&row, from, sizeof row);
+  return row;
+}
+
+/// The rows below, beside and above a cell. The fourth cell is the one after the three, above the one before
+/// them: so no row reaches beyond the array, as long as the cell is not on its border.
+struct RowShape {
+  int dy;
+  int first_dx;
+  Flags directions;  ///< the bit of each neighbour's number in kNeighbours
+};
+constexpr std::array<RowShape, 3> kRows{{{-1, -1, {1 << 5, 1 << 6, 1 << 7, 0}},
+                                         {0, -1, {1 << 4, 0, 1 << 0, 0}},
+                                         {1, -2, {0, 1 << 3, 1 << 2, 1 << 1}}}};
 
 constexpr std::uint8_t kNoStep = 255;
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
@@ -64,26 +88,38 @@ class TravelSearch::Impl {
     clearance_m_ = clearance_m;
     crowding_ = Crowding(rules);
     resolution_m_ = static_cast<float>(map.resolution_m);
+    near_cost_ = crowding_.at(kNearCells * resolution_m_);
     field_ = &field;
     queue_.reset(resolution_m_, resolution_m_ * std::numbers::sqrt2_v<float> * crowding_.at(0.0F));
+    const float straight_m = 0.5F * resolution_m_;
+    const float diagonal_m = std::numbers::sqrt2_v<float> / 2.0F * resolution_m_;
+    half_step_m_ = {Row{diagonal_m, straight_m, diagonal_m, 0.0F}, Row{straight_m, 0.0F, straight_m, 0.0F},
+                    Row{0.0F, diagonal_m, straight_m, diagonal_m}};
     for (std::size_t i = 0; i < kNeighbours.size(); ++i) {
       offset_[i] = kNeighbours[i].y * std::ptrdiff_t{map.width()} + kNeighbours[i].x;
     }
     prepare(start, rules);
   }
 
-  void settle(float bound_m) {
+  void advance(float bound_m) {
     if (complete_) return;
     if (!may_pause_) bound_m = kUnreached;
     complete_ = queue_.drain(bound_m, [&](BucketQueue::Entry entry) {
       if (entry.cost_m <= field_->cost_m[entry.index]) expand(entry);
     });
-    if (!complete_) flood();
+  }
+
+  void settle(float bound_m) {
+    advance(bound_m);
+    if (!complete_) mark_later();
   }
 
   [[nodiscard]] float settled_m() const { return complete_ ? kUnreached : queue_.next_m(); }
 
  private:
+  /// Straight neighbours of a cell with more clearance than that are not occupied, to within rounding.
+  static constexpr float kNearCells = 1.01F;
+
   /// What a metre costs by clearance.
   class Crowding {
    public:
@@ -106,6 +142,7 @@ class TravelSearch::Impl {
     field_->cost_m.assign(map_->cells.size(), kUnreached);
     field_->step.assign(map_->cells.size(), kNoStep);
     complete_ = true;
+    marked_ = false;
     if (!map_->contains(start)) return;
     const auto first = static_cast<std::uint32_t>(map_->index(start));
     field_->cost_m[first] = 0.0F;
@@ -114,8 +151,9 @@ class TravelSearch::Impl {
     const bool leaves = metre_cost_[first] == kUnreached;
     if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
     close_border();
-    // Corners are cut nowhere else: the flood need not ask.
-    may_pause_ = !leaves && !is_near_something(static_cast<float>(rules.radius_m));
+    metre_cost_[first] = crowding_.at(clearance_m_[first]);  // whatever stands there, the robot does
+    // Elsewhere the robot is too far from everything to get to a corner: mark_later need not ask.
+    may_pause_ = !is_near_something(static_cast<float>(rules.radius_m)) && !(leaves && meets_at_corners());
     queue_.push(first, 0.0F);
     complete_ = false;
   }
@@ -132,10 +170,11 @@ class TravelSearch::Impl {
     const CellState* cells = map_->cells.data();
     const float* clearance_m = clearance_m_.data();
     float* const out = metre_cost_.data();
-    for (std::size_t i = 0; i < metre_cost_.size(); ++i) {
-      const float open = crowding.at(clearance_m[i]);
-      const bool closed = (clearance_m[i] < radius_m) | (cells[i] != CellState::kFree);
-      out[i] = closed ? kUnreached : open;
+    const std::size_t size = metre_cost_.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      const float here_m = clearance_m[i], open = crowding.at(here_m);
+      const float room_m = cells[i] == CellState::kFree ? here_m : -1.0F;
+      out[i] = room_m < radius_m ? kUnreached : open;
     }
   }
 
@@ -148,85 +187,106 @@ class TravelSearch::Impl {
   }
 
   void open_start_region(const StartRegion& region) {
+    leaving_ = {field_->start, field_->start};
     for (int y = field_->start.y - region.reach(); y <= field_->start.y + region.reach(); ++y) {
       for (int x = field_->start.x - region.reach(); x <= field_->start.x + region.reach(); ++x) {
         const CellIndex cell{x, y};
         if (!map_->contains(cell) || !region.allows(cell)) continue;
         const std::size_t i = map_->index(cell);
         metre_cost_[i] = crowding_.at(clearance_m_[i]);
+        if (!on_border(cell)) leaving_.extend(cell);
       }
     }
   }
 
+  /// Do open cells of the start region hang together at corners alone, one of which is cut?
+  [[nodiscard]] bool meets_at_corners() const {
+    const auto is_open = [&](std::size_t i) { return metre_cost_[i] != kUnreached; };
+    for (int y = leaving_.min.y; y <= leaving_.max.y; ++y) {
+      for (int x = leaving_.min.x; x <= leaving_.max.x; ++x) {
+        const std::size_t i = map_->index({x, y});
+        if (!is_open(i)) continue;
+        for (unsigned cut = cut_corners(i); cut != 0; cut &= cut - 1) {
+          const auto d = static_cast<std::size_t>(std::countr_zero(cut));
+          if (is_open(neighbour(i, d)) && !is_open(neighbour(i, d - 1)) &&
+              !is_open(neighbour(i, (d + 1) % 8)))
+            return true;
+        }
+      }
+    }
+    return false;
+  }
+
   /// Straight neighbours are one cell away: farther from everything, none of them is occupied.
   [[nodiscard]] bool is_near_something(float clearance_m) const {
-    return clearance_m <= 1.01F * resolution_m_;
+    return clearance_m <= kNearCells * resolution_m_;
   }
 
-  [[nodiscard]] bool cuts_corner(std::size_t from, std::size_t direction) const {
-    if (direction % 2 == 0 || !is_near_something(clearance_m_[from])) return false;
-    const auto occupied = [&](std::size_t d) {
-      return map_->cells[from + static_cast<std::size_t>(offset_[d % 8])] == CellState::kOccupied;
-    };
-    return occupied(direction - 1) || occupied(direction + 1);
+  [[nodiscard]] std::size_t neighbour(std::size_t from, std::size_t direction) const {
+    return from + static_cast<std::size_t>(offset_[direction]);
   }
 
+  /// The directions, a bit each, in which a step slips between something occupied and the cell.
+  [[nodiscard]] unsigned cut_corners(std::size_t from) const {
+    unsigned cut = 0;
+    for (std::size_t d = 0; d < kNeighbours.size(); d += 2) {
+      if (map_->cells[neighbour(from, d)] == CellState::kOccupied) cut |= 1U << (d + 1) | 1U << ((d + 7) % 8);
+    }
+    return cut;
+  }
+
+  /// All eight neighbours at once, three of a row in one vector: that one of them gets cheaper is rare.
   void expand(BucketQueue::Entry entry) {
-    const float here = crowding_.at(clearance_m_[entry.index]);
-    const float straight_m = 0.5F * resolution_m_;
-    const float diagonal_m = std::numbers::sqrt2_v<float> / 2.0F * resolution_m_;
-    float* const cost = field_->cost_m.data() + entry.index;
     const float* const metre = metre_cost_.data() + entry.index;
-    for (std::size_t d = 0; d < kNeighbours.size(); ++d) {
-      const std::ptrdiff_t to = offset_[d];
-      const float cost_m = entry.cost_m + (d % 2 == 0 ? straight_m : diagonal_m) * (here + metre[to]);
-      if (cost_m >= cost[to] || cuts_corner(entry.index, d)) continue;
-      cost[to] = cost_m;
-      field_->step[entry.index + static_cast<std::size_t>(to)] = static_cast<std::uint8_t>((d + 4) % 8);
-      queue_.push(static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(entry.index) + to), cost_m);
+    const std::ptrdiff_t width = offset_[2];
+    const float here = *metre;
+    float* const cost = field_->cost_m.data() + entry.index;
+    std::array<Row, kRows.size()> fresh{};
+    Flags cheaper{};
+    for (std::size_t r = 0; r < kRows.size(); ++r) {
+      const std::ptrdiff_t first = kRows[r].dy * width + kRows[r].first_dx;
+      fresh[r] = entry.cost_m + half_step_m_[r] * (here + row_at(metre + first));
+      cheaper |= (fresh[r] < row_at(cost + first)) & kRows[r].directions;
+    }
+    auto directions = static_cast<unsigned>(cheaper[0] | cheaper[1] | cheaper[2] | cheaper[3]);
+    if (directions == 0) return;
+    if (here >= near_cost_ && is_near_something(clearance_m_[entry.index]))
+      directions &= ~cut_corners(entry.index);
+    for (; directions != 0; directions &= directions - 1) {
+      const auto d = static_cast<std::size_t>(std::countr_zero(directions));
+      const auto r = static_cast<std::size_t>(kNeighbours[d].y + 1);
+      const float cost_m = fresh[r][kNeighbours[d].x - kRows[r].first_dx];
+      cost[offset_[d]] = cost_m;
+      const auto to = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(entry.index) + offset_[d]);
+      field_->step[to] = static_cast<std::uint8_t>((d + 4) % 8);
+      queue_.push(to, cost_m);
     }
   }
 
-  /// Marks what will be reached, run by run of a row.
-  void flood() {
-    seeds_.clear();
-    queue_.for_each([&](BucketQueue::Entry entry) { seeds_.push_back(entry.index); });
-    const auto width = static_cast<std::size_t>(map_->width());
-    while (!seeds_.empty()) {
-      const std::size_t seed = seeds_.back();
-      seeds_.pop_back();
-      std::size_t first = seed, end = seed + 1;
-      while (is_new(first - 1)) field_->cost_m[--first] = TravelField::kLater;
-      while (is_new(end)) field_->cost_m[end++] = TravelField::kLater;
-      add_seeds(first - width - 1, end - width + 1);
-      add_seeds(first + width - 1, end + width + 1);
-    }
-  }
-
-  /// The first new cell of each run in a piece of a row.
-  void add_seeds(std::size_t from, std::size_t end) {
-    for (std::size_t i = from; i < end; ++i) {
-      if (!is_new(i)) continue;
-      field_->cost_m[i] = TravelField::kLater;
-      seeds_.push_back(static_cast<std::uint32_t>(i));
-      while (i + 1 < end && is_new(i + 1)) ++i;
-    }
-  }
-
-  [[nodiscard]] bool is_new(std::size_t i) const {
-    return field_->cost_m[i] == kUnreached && metre_cost_[i] != kUnreached;
+  /// Marks what will be reached.
+  void mark_later() {
+    if (marked_) return;
+    marked_ = true;
+    runs_.take(metre_cost_, static_cast<std::size_t>(map_->width()));
+    runs_.for_each_connected(static_cast<std::uint32_t>(map_->index(field_->start)), [&](OpenRuns::Run run) {
+      float* const cost_m = field_->cost_m.data();
+      for (std::size_t i = run.first; i < run.end; ++i) cost_m[i] = std::min(cost_m[i], TravelField::kLater);
+    });
   }
 
   const DenseMap* map_ = nullptr;
   std::span<const float> clearance_m_;
   Crowding crowding_{TravelRules{}};
+  float near_cost_ = 0.0F;  ///< what a metre costs where something is beside the cell
   float resolution_m_ = 0.0F;
   BucketQueue queue_;
   std::vector<float> metre_cost_;  ///< of every cell; infinity where the robot cannot be
   TravelField* field_ = nullptr;
   std::array<std::ptrdiff_t, 8> offset_{};
-  std::vector<std::uint32_t> seeds_;
-  bool complete_ = true, may_pause_ = false;
+  std::array<Row, kRows.size()> half_step_m_{};  ///< from the cell to its neighbours' borders
+  CellBox leaving_;  ///< of the cells opened for a start with too little clearance
+  OpenRuns runs_;
+  bool complete_ = true, may_pause_ = false, marked_ = false;
 };
 
 namespace {
@@ -269,6 +329,8 @@ void TravelSearch::begin(const DenseMap& map, std::span<const float> clearance_m
 }
 
 void TravelSearch::settle(double bound_m) { impl_->settle(static_cast<float>(bound_m)); }
+
+void TravelSearch::advance(double bound_m) { impl_->advance(static_cast<float>(bound_m)); }
 
 double TravelSearch::settled_m() const { return static_cast<double>(impl_->settled_m()); }
 

@@ -67,6 +67,9 @@ class TravelSearch {
   /// way which need not be the cheapest). HUGE_VAL: to the end.
   void settle(double bound_m);
 
+  /// As settle(), for less: nothing is said of costs that are not final.
+  void advance(double bound_m);
+
   /// Costs below are final; infinity when all are.
   [[nodiscard]] double settled_m() const;
 

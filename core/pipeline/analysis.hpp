@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
+#include "core/pipeline/clear_map.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
 #include "core/walls/wall_extraction.hpp"
@@ -40,16 +40,6 @@ enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabe
 
 /// Told after each stage, in the order of the enumeration: who measures brings the clock.
 using StageWatch = std::function<void(Stage)>;
-
-/// A map and its distance map with kOccupiedOrUnknown.
-struct ClearMap {
-  grid::DenseMap map;
-  std::vector<float> clearance_m;
-};
-
-/// The same in cells 2^`doublings` as wide: occupied when one of a cell's is, else free when one is. A free
-/// cell's clearance is the most of them, so that a way is as wide as it was.
-ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings = 1);
 
 /// What is analysed, a value of its own: whoever analyses it needs no snapshot.
 struct AnalysisInput {

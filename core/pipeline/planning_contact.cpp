@@ -44,7 +44,7 @@ bool PlanningState::Impl::seek_contact(const PlanningInput& in) {
     end_seeking(in, "no way to where another was last heard: on");
     return false;
   }
-  const auto cell = settled_cell(*place);
+  const auto cell = reachable_cell(*place);
   if (!cell) {
     end_seeking(in, "no way to where another was last heard: on");
     return false;

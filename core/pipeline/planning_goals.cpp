@@ -223,16 +223,11 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   reason = description(*goal);
 }
 
-/// The reachable cell nearest to a point, the way to it settled; the search goes no farther than it must.
-std::optional<grid::CellIndex> PlanningState::Impl::settled_cell(const types::Vector2& p_map) {
-  constexpr double kNear_m = 0.5, kDetour = 1.5;
-  const double straight_m = (p_map - T_map_base.se2().translation()).norm();
-  for (double bound_m = kDetour * straight_m + 1.0;; bound_m *= 2.0) {
-    search.settle(bound_m);
-    const auto cell = grid::nearest_reachable(map, field, map.cell_at(p_map), kNear_m);
-    const bool final = !cell || static_cast<double>(field.cost_m[map.index(*cell)]) < search.settled_m();
-    if (final || std::isinf(search.settled_m())) return cell;
-  }
+/// The reachable cell nearest to a point; the way to it is found later.
+std::optional<grid::CellIndex> PlanningState::Impl::reachable_cell(const types::Vector2& p_map) {
+  constexpr double kNear_m = 0.5, kBeside_m = 2.0;
+  search.settle(kBeside_m);
+  return grid::nearest_reachable(map, field, map.cell_at(p_map), kNear_m);
 }
 
 void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_map, double reached_m,
@@ -251,7 +246,7 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
     ++goal_id;  // another way, and control begins anew
   }
   if (standing_for(in) > 4 * kStandstill) return end(Activity::kFailed, "no progress for 100 s");
-  const auto cell = settled_cell(p_map);
+  const auto cell = reachable_cell(p_map);
   has_target = cell.has_value();
   if (cell) target = *cell;
   activity = underway;

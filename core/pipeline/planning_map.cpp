@@ -170,11 +170,17 @@ void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   crowd_mates();
   const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
   search.begin(map, travel_clearance_m, start, params.travel, field);
-  if (params.strategy != Strategy::kTopometric) return;
+  has_coarse = false;
+}
+
+void PlanningState::Impl::need_coarse() {
+  if (has_coarse) return;
+  has_coarse = true;
   constexpr int kDoublings = 2;
   coarse = coarser(map, travel_clearance_m, kDoublings);
   coarse_search.begin(coarse.map, coarse.clearance_m, coarse.map.cell_at(T_map_base.se2().translation()),
                       params.travel, coarse_field);
+  coarse_search.settle(HUGE_VAL);
 }
 
 }  // namespace topo::pipeline

@@ -10,6 +10,7 @@
 #include "core/goals/goal_ways.hpp"
 #include "core/goals/tour.hpp"
 #include "core/grid/distance.hpp"
+#include "core/pipeline/far_route.hpp"
 #include "core/pipeline/goal_choice.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/team/homes.hpp"
@@ -34,6 +35,7 @@ struct PlanningState::Impl {
   void decide(const PlanningInput& in);
   [[nodiscard]] std::unique_ptr<PlanningReport> make_report(const PlanningInput& in) const;
   void find_route();
+  [[nodiscard]] std::vector<grid::CellIndex> cells_to_target();
   void make_plan(const PlanningInput& in, Plan& plan) const;
 
   // The map as it is for travelling (planning_map.cpp).
@@ -43,6 +45,8 @@ struct PlanningState::Impl {
   [[nodiscard]] bool has_changed(const PlanningInput& in) const;
   void refresh_analysis(const PlanningInput& in);
   void refresh_travel(const PlanningInput& in);
+  /// `coarse` and its field, in this period, when they are first asked for.
+  void need_coarse();
   void remember_unseen(const types::Vector2& p_map, int times, types::Stamp until);
   void remember_echoes(const PlanningInput& in);
   void remember_touches(const PlanningInput& in);
@@ -72,7 +76,7 @@ struct PlanningState::Impl {
   [[nodiscard]] bool is_getting_on(const PlanningInput& in);
   void go_home(const PlanningInput& in, std::string why);
   void go_to(const PlanningInput& in);
-  [[nodiscard]] std::optional<grid::CellIndex> settled_cell(const types::Vector2& p_map);
+  [[nodiscard]] std::optional<grid::CellIndex> reachable_cell(const types::Vector2& p_map);
   void aim(const PlanningInput& in, const types::Vector2& target, double reached_m, Activity underway);
   void give_up(const PlanningInput& in, std::string why);
   void block_ahead(const PlanningInput& in);
@@ -162,12 +166,14 @@ struct PlanningState::Impl {
   std::shared_ptr<const Analysis> analysis;
   types::Stamp analysed{};
   types::Stamp idle_since{};  ///< without a goal; zero: with one
-  ClearMap coarse;            ///< the same for far goals: in cells four times as wide
+  grid::TravelSearch search;
+  grid::TravelField field;  ///< as far as the search has come
+  bool has_coarse = false;  ///< of this period
+  ClearMap coarse;          ///< the map for travelling in cells four times as wide, for what is far
   grid::TravelSearch coarse_search;
   grid::TravelField coarse_field;
   goals::GoalWays goal_ways;  ///< of the last tour
-  grid::TravelSearch search;
-  grid::TravelField field;  ///< as far as the search has come
+  FarRoute far_route;
 
   // The goal.
   std::uint64_t goal_id = 0;

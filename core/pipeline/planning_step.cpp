@@ -25,7 +25,7 @@ constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
 constexpr double kCorrection_rad = 0.03;
-constexpr double kFirstBound_m = 12.0;  // most goals are nearer
+constexpr double kNear_m = 6.0;  // farther ways are found by the coarse map
 constexpr double kLookAhead_m = 3.0;
 /// Farther than that along its path no robot gets between two looks at it.
 constexpr auto kNearPoints = static_cast<std::size_t>(kLookAhead_m / kPathSpacing_m);
@@ -169,16 +169,26 @@ void PlanningState::Impl::trim_route() {
   route.erase(route.begin(), route.begin() + passed);
 }
 
+/// The way to the target, as cells; what is far is not searched for over all of the building.
+std::vector<grid::CellIndex> PlanningState::Impl::cells_to_target() {
+  const auto is_found = [&] {
+    return static_cast<double>(field.cost_m[map.index(target)]) < search.settled_m();
+  };
+  search.settle(kNear_m);
+  if (!is_found()) {
+    need_coarse();
+    std::vector<grid::CellIndex> cells =
+        far_route.find(map, travel_clearance_m, coarse, coarse_field, field.start, target, params.travel);
+    if (!cells.empty()) return cells;
+    search.settle(HUGE_VAL);
+  }
+  return grid::route_to(map, field, target);
+}
+
 void PlanningState::Impl::find_route() {
   route.clear();
   if (ended || !has_target) return;
-  for (double bound_m = kFirstBound_m;
-       static_cast<double>(field.cost_m[map.index(target)]) >= search.settled_m() &&
-       !std::isinf(search.settled_m());
-       bound_m *= 2.0)
-    search.settle(bound_m);
-  const auto cells = grid::route_to(map, field, target);
-  route = smooth_path(map, travel_clearance_m, cells, params.travel.preferred_m);
+  route = smooth_path(map, travel_clearance_m, cells_to_target(), params.travel.preferred_m);
 }
 
 /// Everything anew: map, analysis, goal, route.

@@ -62,7 +62,7 @@ void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) 
     return static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m();
   };
   if (std::none_of(candidates.begin(), candidates.end(), is_far)) return;
-  coarse_search.settle(HUGE_VAL);
+  need_coarse();
   for (Candidate& c : candidates) {
     if (!is_far(c)) continue;
     const auto cell = grid::nearest_reachable(coarse.map, coarse_field,
@@ -74,6 +74,7 @@ void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) 
 }
 
 goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* const> candidates) {
+  need_coarse();
   std::vector<grid::CellIndex> cells;
   for (const Candidate* c : candidates) cells.push_back(coarse.map.cell_at(map.centre_of(c->cell)));
   goal_ways.update(coarse.map, coarse.clearance_m, params.travel, cells);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace topo::places {
 namespace {
@@ -63,23 +64,45 @@ struct Order {
   std::vector<std::uint32_t> ends;  ///< of each bucket, an eighth of a cell of clearance wide
 };
 
+/// Calls f(index) for all marked cells, in order. Most of a map has none.
+template <class F>
+void for_each_marked(std::span<const std::uint8_t> marks, F&& f) {
+  std::size_t i = 0;
+  const auto visit = [&](std::size_t end) {
+    for (; i < end; ++i)
+      if (marks[i] != 0) f(i);
+  };
+  for (std::uint64_t eight = 0; i + sizeof eight <= marks.size();) {
+    std::memcpy(&eight, &marks[i], sizeof eight);
+    if (eight == 0)
+      i += sizeof eight;
+    else
+      visit(i + sizeof eight);
+  }
+  visit(marks.size());
+}
+
 Order by_clearance(const DenseMap& map, std::span<const float> clearance_m,
                    std::span<const std::uint8_t> marks) {
-  constexpr std::size_t kBuckets = 8192;  // from 1024 cells of clearance on in any order
+  constexpr std::int32_t kBuckets = 8192;  // from 1024 cells of clearance on in any order
   const auto scale = static_cast<float>(8.0 / map.resolution_m);
-  const auto bucket = [&](std::size_t i) {
-    return static_cast<std::size_t>(std::min(clearance_m[i] * scale, static_cast<float>(kBuckets - 1)));
+  struct Placed {
+    std::uint32_t cell;
+    std::int32_t bucket;
   };
+  std::vector<Placed> placed;
+  placed.reserve(static_cast<std::size_t>(std::count(map.cells.begin(), map.cells.end(), CellState::kFree)));
   Order order{{}, std::vector<std::uint32_t>(kBuckets + 1, 0)};
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i] != 0) ++order.ends[bucket(i) + 1];
-  }
+  for_each_marked(marks, [&](std::size_t i) {
+    const auto bucket =
+        static_cast<std::int32_t>(std::min(clearance_m[i] * scale, static_cast<float>(kBuckets - 1)));
+    placed.push_back({static_cast<std::uint32_t>(i), bucket});
+    ++order.ends[static_cast<std::size_t>(bucket + 1)];
+  });
   for (std::size_t b = 0; b < kBuckets; ++b) order.ends[b + 1] += order.ends[b];
-  order.cells.resize(order.ends[kBuckets]);
+  order.cells.resize(placed.size());
   // What was a bucket's beginning is its end when it is full.
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i] != 0) order.cells[order.ends[bucket(i)]++] = static_cast<std::uint32_t>(i);
-  }
+  for (const Placed& p : placed) order.cells[order.ends[static_cast<std::size_t>(p.bucket)]++] = p.cell;
   return order;
 }
 

@@ -236,11 +236,13 @@ TEST(TravelSearch, PausedAndResumedIsTheWholeField) {
     const DenseMap map = random_map(40);
     const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
     const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
-    const TravelField whole = travel_field(map, clearance, map.cell(i), kSmallRobot);
+    TravelRules rules = kSmallRobot;
+    rules.start_m = *rc::gen::element(0.0, 0.3);
+    const TravelField whole = travel_field(map, clearance, map.cell(i), rules);
     TravelSearch search;
     TravelField field;
     for (int again = 0; again < 2; ++again) {
-      search.begin(map, clearance, map.cell(i), kSmallRobot, field);
+      search.begin(map, clearance, map.cell(i), rules, field);
       for (double bound_m = 0.1; !std::isinf(search.settled_m()); bound_m += 0.4) {
         search.settle(bound_m);
         for (std::size_t k = 0; k < map.cells.size(); ++k) {
@@ -254,6 +256,24 @@ TEST(TravelSearch, PausedAndResumedIsTheWholeField) {
       ASSERT_EQ(field.cost_m, whole.cost_m);
       ASSERT_EQ(field.step, whole.step);
     }
+  }));
+}
+
+TEST(TravelSearch, AdvancedHasTheCostsThatItSaysAreFinal) {
+  EXPECT_TRUE(rc::check("advanced", [] {
+    const auto [map, clearance, starts] = random_place(40);
+    const CellIndex start = *rc::gen::elementOf(starts);
+    const TravelField whole = travel_field(map, clearance, start, kSmallRobot);
+    TravelSearch search;
+    TravelField field;
+    search.begin(map, clearance, start, kSmallRobot, field);
+    search.advance(*rc::gen::element(0.2, 0.7, 1.5));
+    for (std::size_t k = 0; k < map.cells.size(); ++k) {
+      if (static_cast<double>(field.cost_m[k]) < search.settled_m() - 1e-5)
+        RC_ASSERT(field.cost_m[k] == whole.cost_m[k]);
+    }
+    search.settle(HUGE_VAL);
+    RC_ASSERT(field.cost_m == whole.cost_m);
   }));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pipeline/analysis.hpp"
+#include "core/pipeline/clear_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using grid::CellState;
 
-TEST(Analysis, ACoarserMapHidesNoObstacleAndNarrowsNoWay) {
+TEST(ClearMap, aCoarserMapHidesNoObstacleAndNarrowsNoWay) {
   EXPECT_TRUE(rc::check([] {
     ClearMap fine;
     fine.map = grid::random_map(40);
@@ -38,7 +38,7 @@ TEST(Analysis, ACoarserMapHidesNoObstacleAndNarrowsNoWay) {
   }));
 }
 
-TEST(Analysis, ACoarserMapHasUnknownCellsAllAround) {
+TEST(ClearMap, aCoarserMapHasUnknownCellsAllAround) {
   ClearMap fine;
   fine.map = grid::filled_map(7, 5, CellState::kFree);
   fine.clearance_m.assign(fine.map.cells.size(), 1.0F);
