@@ -16,20 +16,18 @@ void MapBuilder::adopt() {
 }
 
 void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {
-  using Sign = grid::ScanRasteriser::Sign;
   bool moved = false;
   const std::size_t known = drawn_.size();
   for (std::size_t i = 0; i < known; ++i) {
     const types::Se2 off = drawn_[i].inverse() * poses[i];
     if (std::hypot(off.x_m, off.y_m) < params_.redo_m && std::abs(off.theta_rad) < params_.redo_rad) continue;
     const Keyframe& keyframe = *keyframes[i];
-    rasteriser_.draw(grid_, drawn_[i], keyframe.sensor, keyframe.hits, Sign::kRemove);
-    rasteriser_.draw(grid_, poses[i], keyframe.sensor, keyframe.hits, Sign::kAdd);
+    rasteriser_.move(grid_, drawn_[i], poses[i], keyframe.sensor, keyframe.hits);
     drawn_[i] = poses[i];
     moved = true;
   }
   for (std::size_t i = known; i < keyframes.size(); ++i) {
-    rasteriser_.draw(grid_, poses[i], keyframes[i]->sensor, keyframes[i]->hits, Sign::kAdd);
+    rasteriser_.draw(grid_, poses[i], keyframes[i]->sensor, keyframes[i]->hits);
     drawn_.push_back(poses[i]);
   }
   if (moved) walls_.clear();
