@@ -54,9 +54,10 @@ void MapBuilder::show() {
 }
 
 void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {
-  prepared_ = 0;
-  (void)prepare(keyframes, poses, std::numeric_limits<std::size_t>::max());
   show();
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    if (!is_drawn_well(shown_, i, poses[i])) draw(shown_, i, *keyframes[i], poses[i]);
+  }
 }
 
 bool MapBuilder::is_drawn_well(const Version& version, std::size_t i, const types::Se2& pose) const {
