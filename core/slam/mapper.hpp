@@ -47,9 +47,9 @@ struct JoinVerdict {
 };
 
 /// Tracks the robot against the keyframes of its recent path and keeps the pose graph (front and back end
-/// without the loop search, which is find_closures). Takes in what team-mates saw and found: one graph holds
-/// all of it, while tracking keeps to what the robot saw itself, whose frame is not in question.
-/// State of the mapping thread; not thread-safe.
+/// without what may take long: the loop search is find_closures, the graph's solution solve_graph). Takes in
+/// what team-mates saw and found: one graph holds all of it, while tracking keeps to what the robot saw
+/// itself, whose frame is not in question. State of the mapping thread; not thread-safe.
 class Mapper {
  public:
   /// `start`: where the map has the robot at its first scan.
