@@ -12,33 +12,35 @@
 namespace topo::grid {
 
 /// Draws what one keyframe saw into a grid: each cell counts at most once a keyframe, as hit if any ray ended
-/// in it, as miss if rays only passed. Drawing with the opposite sign takes the same evidence back exactly.
-/// Keeps a scratch buffer; one thread.
+/// in it, as miss if rays only passed. Keeps scratch buffers; one thread.
 class ScanRasteriser {
  public:
-  enum class Sign { kAdd, kRemove };
-
   /// `sensor` and `hits` in base_link, metres; rays run from the sensor to each hit. `T_map_base` is the
-  /// keyframe's pose. Rays end at hits at most `range_max_m` away.
+  /// keyframe's pose.
   void draw(OccupancyGrid& grid, const types::Se2& T_map_base, const Eigen::Vector2f& sensor,
-            std::span<const Eigen::Vector2f> hits, Sign sign);
+            std::span<const Eigen::Vector2f> hits);
+
+  /// Takes exactly back what was drawn at `before` and draws it at `after`. Tiles that say the same of the
+  /// keyframe before and after are left alone, and so stay shared with other versions of the grid.
+  void move(OccupancyGrid& grid, const types::Se2& before, const types::Se2& after,
+            const Eigen::Vector2f& sensor, std::span<const Eigen::Vector2f> hits);
 
  private:
   enum Mark : std::uint8_t { kNothing, kMiss, kHit };
-  void prepare(const OccupancyGrid& grid, const types::Se2& T_map_base, const Eigen::Vector2f& sensor,
-               std::span<const Eigen::Vector2f> hits);
-  void trace(CellIndex to);
-  void apply(OccupancyGrid& grid, Sign sign) const;
-  [[nodiscard]] std::size_t at(CellIndex cell) const {
-    return static_cast<std::size_t>(cell.y - box_.min.y) * width_ +
-           static_cast<std::size_t>(cell.x - box_.min.x);
-  }
 
-  CellBox box_;  ///< whole tiles
-  std::size_t width_ = 0;
-  CellIndex from_;
-  std::vector<CellIndex> ends_;
-  std::vector<std::uint8_t> marks_;
+  /// One drawing: the cells where rays begin and end, and what they mark within a box of cells.
+  struct Sketch {
+    CellIndex from;
+    std::vector<CellIndex> ends;
+    CellBox box;  ///< around the cells, whole tiles
+    std::vector<std::uint8_t> marks;
+  };
+  static void outline(Sketch& sketch, const OccupancyGrid& grid, const types::Se2& T_map_base,
+                      const Eigen::Vector2f& sensor, std::span<const Eigen::Vector2f> hits);
+  static void fill(Sketch& sketch, const CellBox& box);
+  static void apply(OccupancyGrid& grid, const CellBox& box, const Sketch* before, const Sketch* after);
+
+  Sketch before_, after_;
 };
 
 }  // namespace topo::grid

@@ -4,6 +4,7 @@
 #include "core/pipeline/mapping_step.hpp"
 
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "core/pipeline/odometry_buffer.hpp"
@@ -14,7 +15,10 @@ namespace {
 
 constexpr types::Duration kNewsWait = std::chrono::seconds(1);  ///< each change costs an analysis
 constexpr std::size_t kMateQueries = 2;  ///< about team-mates' keyframes, at one keyframe boundary
-constexpr std::size_t kWaiting = 16;     ///< scans that may wait for odometry: 0.4 s at 40 Hz
+/// Beams and columns that are drawn anew with one scan: a correction of everything that half an hour saw is
+/// shown after some seconds.
+constexpr std::size_t kRedrawnAScan = 6000;
+constexpr std::size_t kWaiting = 16;  ///< scans that may wait for odometry: 0.4 s at 40 Hz
 
 types::Stamp end_of(const types::Scan& scan) {
   return scan.first_beam + types::from_seconds(static_cast<double>(scan.geometry.time_increment_s) *
@@ -39,16 +43,26 @@ struct MappingState::Impl {
   void run(MappingOutput& output, bool flush);
   void place_front(const types::Scan& scan, MappingOutput& output);
   void boundary(MappingOutput& output);
+  void redraw();
+  void draw(MappingOutput& output);
   [[nodiscard]] bool has_news() const {
     return !mates_keyframes.empty() || !mates_relations.empty() || !known.empty() || has_mates_answer ||
-           mapper.has_mates_to_ask_about();
+           mapper.has_mates_to_ask_about() || (correction && correction->drawn);
   }
   void join_news(MappingOutput& output);
+
+  /// Corrected poses on the way into the map.
+  struct Correction {
+    slam::GraphSolution solution;
+    std::vector<types::Se2> poses;  ///< of the keyframes that were there at the last boundary
+    bool drawn = false;             ///< all of them
+  };
 
   slam::MapperParams params;
   OdometryBuffer odometry;
   slam::Mapper mapper;
   slam::MapBuilder builder;
+  std::optional<Correction> correction;
   std::optional<grid::OccupancyGrid> published;  ///< of the newest snapshot
   std::uint64_t changed_cells = 0;               ///< from the first snapshot to that one
   walls::ColumnCollector columns;
@@ -117,7 +131,8 @@ void MappingState::Impl::place_front(const types::Scan& scan, MappingOutput& out
   cloud.stamp = end_of(scan);
   placed = cloud.stamp;
   output.matches.push_back(mapper.add(cloud, poses->last, columns));
-  // A robot that stands makes no keyframes, but its map grows by what others see.
+  redraw();
+  // A robot that stands makes no keyframes, but its map grows by what others see and is corrected.
   if (output.matches.back().keyframe || (has_news() && placed - drawn >= kNewsWait)) boundary(output);
 }
 
@@ -137,11 +152,32 @@ void MappingState::Impl::boundary(MappingOutput& output) {
   if (has_news()) join_news(output);
   for (slam::LoopQuery& query : mapper.take_mate_queries(kMateQueries))
     output.loop_queries.push_back(std::move(query));
-  output.alignment_query = mapper.take_alignment_query();
+  if (auto query = mapper.take_alignment_query()) output.alignment_query = std::move(query);
   drawn = placed;
-  builder.update(mapper.keyframes(), mapper.poses());
+  draw(output);
+  if (auto query = mapper.take_graph_query()) output.graph_query = std::move(query);
   ++revision;
   output.keyframe_added = true;
+}
+
+void MappingState::Impl::redraw() {
+  if (!correction) return;
+  const auto keyframes = mapper.keyframes().first(correction->poses.size());
+  correction->drawn = builder.prepare(keyframes, correction->poses, kRedrawnAScan);
+}
+
+/// What came since the last boundary, with corrected poses when the map is drawn with them.
+void MappingState::Impl::draw(MappingOutput& output) {
+  if (correction) correction->poses = mapper.corrected(correction->solution);
+  if (!correction || !correction->drawn) {
+    builder.extend(mapper.keyframes(), mapper.poses());
+    return;
+  }
+  (void)builder.prepare(mapper.keyframes(), correction->poses, std::numeric_limits<std::size_t>::max());
+  builder.show();
+  mapper.adopt(std::move(correction->poses));
+  correction.reset();
+  output.corrected = true;
 }
 
 MappingState::MappingState(const slam::MapperParams& params, const slam::Maker& maker,
@@ -172,6 +208,17 @@ void MappingState::offer(const slam::Alignment& alignment) {
   impl_->known.insert(impl_->known.end(), alignment.closures.begin(), alignment.closures.end());
 }
 
+void MappingState::offer(slam::GraphSolution solution) {
+  slam::Mapper& mapper = impl_->mapper;
+  if (!mapper.is_solving()) return;
+  if (!solution.report.solved) {
+    mapper.give_up_solving();
+    return;
+  }
+  std::vector<types::Se2> poses = mapper.corrected(solution);
+  impl_->correction = {std::move(solution), std::move(poses)};
+}
+
 void MappingState::join(std::span<const slam::KeyframePtr> keyframes,
                         std::span<const slam::FoundRelation> relations) {
   impl_->mates_keyframes.insert(impl_->mates_keyframes.end(), keyframes.begin(), keyframes.end());
@@ -190,6 +237,7 @@ MappingOutput MappingState::finish() {
   impl_->answers.clear();
   if (impl_->mapper.keyframes().empty()) return output;
   if (impl_->has_news()) impl_->join_news(output);
+  impl_->correction.reset();
   (void)impl_->mapper.optimise();
   impl_->builder.update(impl_->mapper.keyframes(), impl_->mapper.poses());
   ++impl_->revision;

@@ -27,9 +27,11 @@ struct MappingOutput {
   std::vector<slam::MatchReport> matches;               ///< of the front scans placed in this step
   std::vector<slam::LoopQuery> loop_queries;            ///< for the loop closure thread
   std::optional<slam::AlignmentQuery> alignment_query;  ///< for the same thread
+  std::optional<slam::GraphQuery> graph_query;          ///< the same; no other comes until it is answered
   std::vector<slam::LoopVerdict> loop_verdicts;         ///< of answers that were applied in this step
   slam::JoinVerdict joined;                             ///< what became of what team-mates sent
   bool keyframe_added = false;                          ///< the map changed: publish a snapshot
+  bool corrected = false;                               ///< keyframes are elsewhere now, and so is the robot
 };
 
 /// Scans that never reached the map, and why.
@@ -62,6 +64,10 @@ class MappingState {
   void offer(slam::LoopAnswer answer);
   /// The same of a team-mate's map; one that is not believed changes nothing.
   void offer(const slam::Alignment& alignment);
+  /// Hands over the answer to a graph query. The map is redrawn with the poses beside the one that is shown,
+  /// a piece with every scan; poses and map change together, at the first keyframe boundary after that, or
+  /// after a second without one.
+  void offer(slam::GraphSolution solution);
 
   /// Hands over what team-mates saw and found (Mapper::join), and what the robot knows of its own about where
   /// they are (Mapper::relate); taken in at the next keyframe boundary, or after a second without one.
@@ -69,7 +75,7 @@ class MappingState {
   void relate(const slam::RelationKey& key, const slam::Relation& relation);
 
   /// Places the scans that still wait for odometry, applies the answers that still wait for a keyframe, and
-  /// solves the pose graph once more: the end of a log.
+  /// solves the pose graph once more, all at once: the end of a log.
   MappingOutput finish();
 
   /// The map as it stands. To be destroyed by the thread that made it, before this state.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace topo::slam {
 namespace {
@@ -27,32 +26,6 @@ LoopRun around(std::size_t nearest, std::size_t end, const LoopParams& params) {
 }
 
 }  // namespace
-
-std::vector<double> graph_distances(std::size_t nodes, std::span<const Edge> edges, std::size_t from) {
-  std::vector<std::vector<std::pair<std::size_t, double>>> links(nodes);
-  for (const Edge& edge : edges) {
-    const double length = std::hypot(edge.T_from_to.x_m, edge.T_from_to.y_m) + 0.05;
-    links[edge.from].emplace_back(edge.to, length);
-    links[edge.to].emplace_back(edge.from, length);
-  }
-  std::vector<double> best(nodes, HUGE_VAL);  // Dijkstra
-  using Item = std::pair<double, std::size_t>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  best[from] = 0.0;
-  queue.emplace(0.0, from);
-  while (!queue.empty()) {
-    const auto [d, at] = queue.top();
-    queue.pop();
-    if (d > best[at]) continue;
-    for (const auto& [next, length] : links[at]) {
-      if (d + length < best[next]) {
-        best[next] = d + length;
-        queue.emplace(best[next], next);
-      }
-    }
-  }
-  return best;
-}
 
 std::size_t end_of_other_visits(std::span<const types::Se2> poses, Way way, std::size_t at,
                                 const LoopParams& params) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/slam/pose_graph.hpp"
+#include "core/slam/params.hpp"
 #include "core/slam/search.hpp"
 
 namespace topo::slam {
@@ -21,17 +21,14 @@ struct LoopRun {
   double distance_m = 0.0;  ///< of the nearest
 };
 
-/// Metres of the shortest way through the graph from a node to every other: what drift grows with.
-std::vector<double> graph_distances(std::size_t nodes, std::span<const Edge> edges, std::size_t from);
-
 /// Places [0, end) of a way are of another visit than the place `at`: the path left in between is longer than
 /// the gap.
 std::size_t end_of_other_visits(std::span<const types::Se2> poses, Way way, std::size_t at,
                                 const LoopParams& params);
 
 /// Where on the places [0, end) of a way a node may have been: runs of places that are near, given how far
-/// the estimate may have drifted (`distances_m`: graph_distances from the node). Nearest first, at most
-/// `groups_max`. Pure.
+/// the estimate may have drifted (`distances_m`: GraphLinks::distances_m from the node). Nearest first, at
+/// most `groups_max`. Pure.
 std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span<const double> distances_m,
                                     std::size_t node, Way way, std::size_t end, const LoopParams& params);
 

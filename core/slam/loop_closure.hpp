@@ -49,8 +49,6 @@ struct LoopAnswer {
 struct LoopVerdict {
   int accepted = 0;
   int rejected = 0;
-  bool solved = false;   ///< the pose graph was solved again
-  double moved_m = 0.0;  ///< of the newest keyframe
 };
 
 /// Matches the keyframe against every group. Pure; any thread.

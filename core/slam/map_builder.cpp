@@ -4,42 +4,79 @@
 #include "core/slam/map_builder.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace topo::slam {
 
 MapBuilder::MapBuilder(const GridParams& params)
-    : params_(params), grid_(tile_arena_, params.resolution_m), walls_(column_arena_, params.resolution_m) {}
+    : params_(params),
+      shown_{grid::OccupancyGrid(tile_arena_, params.resolution_m),
+             walls::WallStore(column_arena_, params.resolution_m),
+             {}} {}
 
 void MapBuilder::adopt() {
   tile_arena_.adopt();
   column_arena_.adopt();
 }
 
-void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {
-  using Sign = grid::ScanRasteriser::Sign;
-  bool moved = false;
-  const std::size_t known = drawn_.size();
-  for (std::size_t i = 0; i < known; ++i) {
-    const types::Se2 off = drawn_[i].inverse() * poses[i];
-    if (std::hypot(off.x_m, off.y_m) < params_.redo_m && std::abs(off.theta_rad) < params_.redo_rad) continue;
+void MapBuilder::extend(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {
+  for (std::size_t i = shown_.drawn.size(); i < keyframes.size(); ++i) {
     const Keyframe& keyframe = *keyframes[i];
-    rasteriser_.draw(grid_, drawn_[i], keyframe.sensor, keyframe.hits, Sign::kRemove);
-    rasteriser_.draw(grid_, poses[i], keyframe.sensor, keyframe.hits, Sign::kAdd);
-    drawn_[i] = poses[i];
-    moved = true;
+    if (!next_) {
+      draw(shown_, i, keyframe, poses[i]);
+      continue;
+    }
+    // This version ends when the next one is shown: nothing will be taken back from it.
+    rasteriser_.draw(shown_.grid, poses[i], keyframe.sensor, keyframe.hits);
+    walls::draw_columns(shown_.walls, keyframe.columns, poses[i]);
+    shown_.drawn.push_back(poses[i]);
   }
-  for (std::size_t i = known; i < keyframes.size(); ++i) {
-    rasteriser_.draw(grid_, poses[i], keyframes[i]->sensor, keyframes[i]->hits, Sign::kAdd);
-    drawn_.push_back(poses[i]);
-  }
-  if (moved) walls_.clear();
-  for (std::size_t i = moved ? 0 : known; i < keyframes.size(); ++i) draw_columns(*keyframes[i], drawn_[i]);
 }
 
-void MapBuilder::draw_columns(const Keyframe& keyframe, const types::Se2& pose) {
-  for (const walls::ColumnPoint& column : keyframe.columns) {
-    walls_.add(pose * types::Vector2(static_cast<double>(column.x_m), static_cast<double>(column.y_m)),
-               column.slabs);
+bool MapBuilder::prepare(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
+                         std::size_t beams_max) {
+  if (!next_) {
+    next_ = shown_;
+    prepared_ = 0;
+  }
+  for (std::size_t beams = 0; prepared_ < keyframes.size(); ++prepared_) {
+    if (is_drawn_well(*next_, prepared_, poses[prepared_])) continue;
+    if (beams >= beams_max) return false;
+    const Keyframe& keyframe = *keyframes[prepared_];
+    draw(*next_, prepared_, keyframe, poses[prepared_]);
+    beams += keyframe.hits.size() + keyframe.columns.size();
+  }
+  return true;
+}
+
+void MapBuilder::show() {
+  if (next_) shown_ = *std::exchange(next_, std::nullopt);
+}
+
+void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {
+  show();
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    if (!is_drawn_well(shown_, i, poses[i])) draw(shown_, i, *keyframes[i], poses[i]);
+  }
+}
+
+bool MapBuilder::is_drawn_well(const Version& version, std::size_t i, const types::Se2& pose) const {
+  if (i >= version.drawn.size()) return false;
+  const types::Se2& drawn = version.drawn[i];
+  return std::hypot(pose.x_m - drawn.x_m, pose.y_m - drawn.y_m) < params_.redo_m &&
+         std::abs(types::wrap_angle(pose.theta_rad - drawn.theta_rad)) < params_.redo_rad;
+}
+
+/// Into a version that later ones are made from. The keyframe is in it, or the one after the last that is.
+void MapBuilder::draw(Version& version, std::size_t i, const Keyframe& keyframe, const types::Se2& pose) {
+  if (i < version.drawn.size()) {
+    rasteriser_.move(version.grid, version.drawn[i], pose, keyframe.sensor, keyframe.hits);
+    ledger_.move(version.walls, keyframe.columns, version.drawn[i], pose);
+    version.drawn[i] = pose;
+  } else {
+    rasteriser_.draw(version.grid, pose, keyframe.sensor, keyframe.hits);
+    ledger_.draw(version.walls, keyframe.columns, pose);
+    version.drawn.push_back(pose);
   }
 }
 

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/graph_links.hpp"
+#include "core/slam/graph_solution.hpp"
 #include "core/slam/keyframe.hpp"
 #include "core/slam/loop_candidates.hpp"
 #include "core/slam/loop_closure.hpp"
@@ -35,21 +37,19 @@ struct MatchReport {
 
 /// What became of what was joined.
 struct JoinVerdict {
-  int placed = 0;       ///< keyframes of team-mates that entered the map
-  int tied = 0;         ///< relations that entered the graph
-  bool solved = false;  ///< the pose graph was solved again
+  int placed = 0;  ///< keyframes of team-mates that entered the map
+  int tied = 0;    ///< relations that entered the graph
   JoinVerdict& operator+=(const JoinVerdict& other) {
     placed += other.placed;
     tied += other.tied;
-    solved = solved || other.solved;
     return *this;
   }
 };
 
 /// Tracks the robot against the keyframes of its recent path and keeps the pose graph (front and back end
-/// without the loop search, which is find_closures). Takes in what team-mates saw and found: one graph holds
-/// all of it, while tracking keeps to what the robot saw itself, whose frame is not in question.
-/// State of the mapping thread; not thread-safe.
+/// without what may take long: the loop search is find_closures, the graph's solution solve_graph). Takes in
+/// what team-mates saw and found: one graph holds all of it, while tracking keeps to what the robot saw
+/// itself, whose frame is not in question. State of the mapping thread; not thread-safe.
 class Mapper {
  public:
   /// `start`: where the map has the robot at its first scan.
@@ -87,10 +87,22 @@ class Mapper {
   /// What this robot found itself, from a number on: odometry, closures, and what relate() said.
   [[nodiscard]] std::span<const FoundRelation> found_since(std::uint32_t number) const;
 
-  /// Puts closures into the graph and solves it when they say something new.
+  /// Puts closures into the graph.
   LoopVerdict apply(const LoopAnswer& answer);
 
-  /// Solves the graph with everything in it.
+  /// The graph, to be solved beside tracking, when what came since says something new. Not again until
+  /// adopt() or give_up_solving().
+  std::optional<GraphQuery> take_graph_query();
+  [[nodiscard]] bool is_solving() const { return solving_; }
+
+  /// Where a solution of the graph that was asked about puts all nodes that are there now.
+  [[nodiscard]] std::vector<types::Se2> corrected(const GraphSolution& solution) const;
+
+  /// Goes on from poses that corrected() gave, for all nodes that are there.
+  void adopt(std::vector<types::Se2> poses);
+  void give_up_solving();
+
+  /// Solves the graph with everything in it, at once. What was asked about is no longer waited for.
   SolveReport optimise();
 
   [[nodiscard]] std::span<const KeyframePtr> keyframes() const { return keyframes_; }
@@ -125,6 +137,10 @@ class Mapper {
   [[nodiscard]] bool is_own(std::size_t node) const;
   void add_found_edge(const Edge& edge);
   void add_edge(const Edge& edge);
+  [[nodiscard]] bool is_tense(const Edge& edge) const { return edge_chi2(edge, poses_) > kTensionChi2; }
+  [[nodiscard]] bool is_far_off(const Edge& edge) const;
+  [[nodiscard]] bool has_something_new() const;
+  void relink();
   [[nodiscard]] bool is_as_sure_as_a_match(const Edge& edge) const;
   LoopGroup group_of(const LoopRun& run, Way way) const;
   LoopQuery query_about(std::size_t node) const;
@@ -147,8 +163,12 @@ class Mapper {
   std::size_t window_first_ = 0;  ///< first keyframe in the local map
   Point local_centre_ = Point::Zero();
   std::optional<LoopQuery> query_;
-  std::vector<Point> points_;  ///< scratch
-  int closures_since_solve_ = 0;
+  std::vector<Point> points_;            ///< scratch
+  std::size_t edges_asked_ = 0;          ///< that the newest question about the graph had
+  std::size_t edges_solved_ = 0;         ///< that the poses obey
+  bool solving_ = false;                 ///< the question is out
+  GraphLinks links_;                     ///< of the edges that the poses obey, more or less
+  std::vector<std::size_t> unlinked_;    ///< the other edges
   std::size_t resumed_at_ = 0;           ///< place on the own way of the first keyframe since resume()
   std::vector<std::size_t> neighbours_;  ///< older keyframes around it
 

@@ -3,6 +3,8 @@
 
 // The mapper's half that asks for closures and takes them in; tracking and keyframes are in mapper.cpp.
 
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/slam/mapper.hpp"
@@ -32,7 +34,7 @@ LoopQuery Mapper::query_about(std::size_t node) const {
 void Mapper::ask(std::size_t node) {
   const std::size_t end = end_of_other_visits(poses_, own_, own_.size() - 1, params_.loop);
   if (end == 0 && mates_.empty()) return;
-  const std::vector<double> distances_m = graph_distances(poses_.size(), edges_, node);
+  const std::vector<double> distances_m = links_.distances_m(poses_.size(), node);
   LoopQuery query = query_about(node);
   for (const LoopRun& run : find_loop_runs(poses_, distances_m, node, own_, end, params_.loop))
     query.groups.push_back(group_of(run, own_));
@@ -44,22 +46,14 @@ std::optional<LoopQuery> Mapper::take_query() { return std::exchange(query_, std
 
 LoopVerdict Mapper::apply(const LoopAnswer& answer) {
   LoopVerdict verdict;
-  bool tension = false;
   for (const LoopCandidate& candidate : answer.candidates) {
     if (candidate.rejection != LoopRejection::kNone) {
       ++verdict.rejected;
       continue;
     }
     ++verdict.accepted;
-    tension = tension || edge_chi2(candidate.edge, poses_) > kTensionChi2;
     add_found_edge(candidate.edge);
   }
-  closures_since_solve_ += verdict.accepted;
-  if (!tension && closures_since_solve_ < kClosuresBeforeSolve) return verdict;
-  const std::size_t last = own_.back();
-  const types::Vector2 before = poses_[last].translation();
-  verdict.solved = optimise().solved;
-  verdict.moved_m = (poses_[last].translation() - before).norm();
   return verdict;
 }
 
@@ -69,7 +63,19 @@ bool Mapper::is_as_sure_as_a_match(const Edge& edge) const {
   return edge.information.topLeftCorner<2, 2>().diagonal().minCoeff() * sigma_m * sigma_m > 1.0;
 }
 
+/// Further than the narrowest search for closures makes up for.
+bool Mapper::is_far_off(const Edge& edge) const {
+  const Eigen::Vector3d error = edge_error(edge, poses_[edge.from], poses_[edge.to]);
+  return error.head<2>().norm() > 0.5 * params_.loop.search_floor_m ||
+         std::abs(error.z()) > 0.5 * params_.loop.search_floor_rad;
+}
+
+/// A way over an edge that the poses do not obey yet would make them look surer than they are.
 void Mapper::add_edge(const Edge& edge) {
+  if (is_far_off(edge))
+    unlinked_.push_back(edges_.size());
+  else
+    links_.add(edge);
   edges_.push_back(edge);
   known_.emplace(keyframes_[edge.from]->id, keyframes_[edge.to]->id);
   const bool from_own = is_own(edge.from), to_own = is_own(edge.to);
@@ -83,14 +89,56 @@ void Mapper::add_found_edge(const Edge& edge) {
                     {edge.T_from_to, edge.information, edge.robust}});
 }
 
-SolveReport Mapper::optimise() {
-  closures_since_solve_ = 0;
-  if (own_.empty()) return {};
+bool Mapper::has_something_new() const {
+  int closures = 0;
+  for (const Edge& edge : std::span(edges_).subspan(edges_asked_)) {
+    closures += edge.robust ? 1 : 0;
+    if (closures >= kClosuresBeforeSolve || is_tense(edge)) return true;
+  }
+  return false;
+}
+
+std::optional<GraphQuery> Mapper::take_graph_query() {
+  if (solving_ || !has_something_new()) return std::nullopt;
+  solving_ = true;
+  edges_asked_ = edges_.size();
+  return GraphQuery{poses_, edges_, params_.graph};
+}
+
+std::vector<types::Se2> Mapper::corrected(const GraphSolution& solution) const {
+  return corrected_poses(solution.poses, poses_, std::span(edges_).subspan(edges_asked_));
+}
+
+void Mapper::adopt(std::vector<types::Se2> poses) {
   const types::Se2 T_last_base = poses_[own_.back()].inverse() * T_map_base_;
-  const SolveReport report = solve(poses_, edges_, params_.graph);
+  poses_ = std::move(poses);
   T_map_base_ = poses_[own_.back()] * T_last_base;
+  solving_ = false;
+  edges_solved_ = edges_asked_;
+  relink();
   rebuild_local_map();
-  return report;
+}
+
+void Mapper::give_up_solving() {
+  solving_ = false;
+  edges_asked_ = edges_solved_;
+}
+
+SolveReport Mapper::optimise() {
+  if (own_.empty()) return {};
+  edges_asked_ = edges_.size();
+  const GraphSolution solution = solve_graph({poses_, edges_, params_.graph});
+  adopt(solution.poses);
+  return solution.report;
+}
+
+/// What was solved for is obeyed as far as it ever will be.
+void Mapper::relink() {
+  std::erase_if(unlinked_, [&](std::size_t i) {
+    if (i >= edges_solved_ && is_far_off(edges_[i])) return false;
+    links_.add(edges_[i]);
+    return true;
+  });
 }
 
 }  // namespace topo::slam

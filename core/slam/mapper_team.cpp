@@ -25,7 +25,6 @@ struct Mapper::Joining {
   Mapper& mapper;
   std::set<std::pair<bool, RelationKey>> open{};
   JoinVerdict verdict{};
-  bool tension = false;
 
   void consider(const RelationKey& key) {
     if (const Relation* relation = mapper.unplaced_.find(key)) open.emplace(relation->robust, key);
@@ -52,8 +51,6 @@ struct Mapper::Joining {
     if (!from) from = place(key.first, mapper.poses_[*to] * relation.T_from_to.inverse());
     if (!from || !to) return;
     const Edge edge{*from, *to, relation.T_from_to, relation.information, relation.robust};
-    tension = tension || edge_chi2(edge, mapper.poses_) > kTensionChi2;
-    mapper.closures_since_solve_ += relation.robust ? 1 : 0;
     mapper.unplaced_.erase(key);
     mapper.add_edge(edge);
     ++verdict.tied;
@@ -81,8 +78,6 @@ JoinVerdict Mapper::join(std::span<const KeyframePtr> keyframes, std::span<const
     joining.consider_all_at(keyframe->id);
   }
   joining.run();
-  if (joining.tension || closures_since_solve_ >= kClosuresBeforeSolve)
-    joining.verdict.solved = optimise().solved;
   return joining.verdict;
 }
 
@@ -147,7 +142,7 @@ std::vector<LoopQuery> Mapper::take_mate_queries(std::size_t count_max) {
   for (; !unasked_.empty() && queries.size() < count_max; unasked_.pop_front()) {
     const std::size_t node = unasked_.front();
     if (is_tied_to_own_way(node)) continue;
-    const std::vector<double> distances_m = graph_distances(poses_.size(), edges_, node);
+    const std::vector<double> distances_m = links_.distances_m(poses_.size(), node);
     LoopQuery query = query_about(node);
     for (const LoopRun& run : find_loop_runs(poses_, distances_m, node, own_, own_.size(), params_.loop))
       query.groups.push_back(group_of(run, own_));

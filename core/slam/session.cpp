@@ -59,6 +59,8 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
       add_mates_node(session.keyframes[i], session.poses[i]);
   }
   for (const Edge& edge : session.edges) add_found_edge(edge);  // told once more under this run
+  edges_asked_ = edges_solved_ = edges_.size();
+  relink();
   T_map_base_ = arrival.T_map_base;
   T_odom_base_ = arrival.T_odom_base;
   const std::size_t node = keyframes_.size();

@@ -14,9 +14,14 @@ inline constexpr double kDegree_rad = std::numbers::pi / 180.0;
 
 /// The same angle in (-pi, pi].
 inline double wrap_angle(double angle_rad) {
-  constexpr double kTwoPi = 2.0 * std::numbers::pi;
+  constexpr double kPi = std::numbers::pi, kTwoPi = 2.0 * kPi;
+  // Sums of two wrapped angles are nearly all that comes; here one addition is as exact as the remainder.
+  if (std::abs(angle_rad) <= kTwoPi) {
+    if (angle_rad > kPi) return angle_rad - kTwoPi;
+    return angle_rad <= -kPi ? angle_rad + kTwoPi : angle_rad;
+  }
   const double wrapped = std::remainder(angle_rad, kTwoPi);
-  return wrapped <= -std::numbers::pi ? wrapped + kTwoPi : wrapped;
+  return wrapped <= -kPi ? wrapped + kTwoPi : wrapped;
 }
 
 /// Element of SE(2) without frames, for kernels and files. Rotation first, then translation.

@@ -20,13 +20,25 @@ class WallStore {
   WallStore(patricia::Arena<Slabs>& arena, double resolution_m)
       : columns_(arena), resolution_m_(resolution_m) {}
 
-  /// ORs the slabs into the cell of a point in map: seeing a thing twice must not erase it.
-  void add(const types::Vector2& p_map, Slabs slabs) {
+  /// The cell of a point in map.
+  [[nodiscard]] patricia::Key cell_at(const types::Vector2& p_map) const {
     const auto cell = [&](double v) { return static_cast<std::int32_t>(std::floor(v / resolution_m_)); };
-    columns_.insert_with(patricia::cell_key(cell(p_map.x()), cell(p_map.y())), slabs,
-                         [](Slabs a, Slabs b) { return a | b; });
+    return patricia::cell_key(cell(p_map.x()), cell(p_map.y()));
   }
-  void clear() { columns_.clear(); }
+
+  /// ORs the slabs into a cell: seeing a thing twice must not erase it.
+  void add(patricia::Key cell, Slabs slabs) {
+    columns_.insert_with(cell, slabs, [](Slabs a, Slabs b) { return a | b; });
+  }
+  void add(const types::Vector2& p_map, Slabs slabs) { add(cell_at(p_map), slabs); }
+
+  /// Puts these slabs in the place of the cell's; none: nothing is known of the cell any more.
+  void set(patricia::Key cell, Slabs slabs) {
+    if (slabs == 0)
+      columns_.erase(cell);
+    else
+      columns_.insert(cell, slabs);
+  }
 
   [[nodiscard]] const Columns& columns() const { return columns_; }
   [[nodiscard]] double resolution_m() const { return resolution_m_; }

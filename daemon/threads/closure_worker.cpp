@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/threads/closure_worker.hpp"
 
+#include <utility>
+
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -10,24 +12,42 @@ void ClosureWorker::run() noexcept {
   while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
     hand_overs_.closure_wakeup.wait(std::chrono::milliseconds(500));
     vitals_.beat();
-    for (auto* query = hand_overs_.loop_queries.front();
-         query != nullptr && !hand_overs_.stopping.load(std::memory_order_acquire);
-         query = hand_overs_.loop_queries.front()) {
-      answer(*query);
-      hand_overs_.loop_queries.pop();
-      vitals_.beat();
-    }
+    while (!hand_overs_.stopping.load(std::memory_order_acquire) && answer_one()) vitals_.beat();
   }
+}
+
+/// False when no question waits.
+bool ClosureWorker::answer_one() {
+  if (const auto* query = hand_overs_.graph_queries.front(); query != nullptr) {
+    answer(*query);
+    hand_overs_.graph_queries.pop();
+    return true;
+  }
+  if (const auto* query = hand_overs_.loop_queries.front(); query != nullptr) {
+    answer(*query);
+    hand_overs_.loop_queries.pop();
+    return true;
+  }
+  return false;
+}
+
+void ClosureWorker::answer(const slam::GraphQuery& query) {
+  const types::Stamp begin = io::monotonic_now();
+  hand_back(hand_overs_.graph_solutions, slam::solve_graph(query), begin);
 }
 
 void ClosureWorker::answer(const slam::LoopQuery& query) {
   const types::Stamp begin = io::monotonic_now();
-  slam::LoopAnswer answer = slam::find_closures(query);
+  hand_back(hand_overs_.loop_answers, slam::find_closures(query), begin);
+}
+
+template <class Answer, std::size_t N>
+void ClosureWorker::hand_back(sync::Ring<Answer, N>& ring, Answer answer, types::Stamp begin) {
   vitals_.run.record((io::monotonic_now() - begin).count());
   // A full ring means that the mapping thread stands still; the ring counts what is lost.
-  if (slam::LoopAnswer* slot = hand_overs_.loop_answers.try_acquire(); slot != nullptr) {
+  if (Answer* slot = ring.try_acquire(); slot != nullptr) {
     *slot = std::move(answer);
-    hand_overs_.loop_answers.commit();
+    ring.commit();
     hand_overs_.mapping_wakeup.post();
   }
 }

@@ -7,8 +7,8 @@
 
 namespace topo::daemon {
 
-/// The loop closure thread: answers the mapping thread's questions one by one. Slow means later, never
-/// blocking.
+/// The loop closure thread: answers the mapping thread's questions one by one, those about the whole graph
+/// first. Slow means later, never blocking.
 class ClosureWorker {
  public:
   ClosureWorker(HandOvers& hand_overs, Vitals& vitals) : hand_overs_(hand_overs), vitals_(vitals) {}
@@ -17,7 +17,11 @@ class ClosureWorker {
   void run() noexcept;
 
  private:
+  bool answer_one();
+  void answer(const slam::GraphQuery& query);
   void answer(const slam::LoopQuery& query);
+  template <class Answer, std::size_t N>
+  void hand_back(sync::Ring<Answer, N>& ring, Answer answer, types::Stamp begin);
 
   HandOvers& hand_overs_;
   Vitals& vitals_;

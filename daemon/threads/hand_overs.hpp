@@ -12,6 +12,7 @@
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/pipeline/planning_step.hpp"
+#include "core/slam/graph_solution.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/sync/latest.hpp"
 #include "core/sync/ring.hpp"
@@ -123,6 +124,8 @@ struct HandOvers {
   Wakeup closure_wakeup;
   sync::Ring<slam::LoopQuery, 4> loop_queries;
   sync::Ring<slam::LoopAnswer, 8> loop_answers;
+  sync::Ring<slam::GraphQuery, 2> graph_queries;
+  sync::Ring<slam::GraphSolution, 2> graph_solutions;
 
   // Sessions: the journal's and main's background thread ask, mapping answers.
   SessionDesk journal_desk, files_desk;

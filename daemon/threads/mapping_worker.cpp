@@ -45,7 +45,8 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
     next->adopt();
     next->follow(state->revision());
     former_.push_back(std::exchange(state, std::move(next)));
-    stale_until_ = asked_;
+    loops_.stale_until = loops_.asked;
+    graphs_.stale_until = graphs_.asked;
     ++report_.map;
     publish(*state);
     hand_over_pose(*state, state->cloud().stamp, true);
@@ -55,18 +56,20 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
 
 /// Everything that waits but of the scans the oldest; false when nothing was there.
 bool MappingWorker::serve(pipeline::MappingState& state) {
-  take_answers(state);
+  take_answers(hand_overs_.loop_answers, loops_, state);
+  take_answers(hand_overs_.graph_solutions, graphs_, state);
   skip_backlog(hand_overs_.front.to_mapping);
   skip_backlog(hand_overs_.coronal.to_mapping);
   take_odometry();
   return step(state);
 }
 
-void MappingWorker::take_answers(pipeline::MappingState& state) {
-  for (auto* answer = hand_overs_.loop_answers.front(); answer != nullptr;
-       answer = hand_overs_.loop_answers.front()) {
-    if (++answered_ > stale_until_) state.offer(*answer);
-    hand_overs_.loop_answers.pop();
+template <class Answer, std::size_t N>
+void MappingWorker::take_answers(sync::Ring<Answer, N>& ring, Questions& questions,
+                                 pipeline::MappingState& state) {
+  for (const Answer* answer = ring.front(); answer != nullptr; answer = ring.front()) {
+    if (++questions.answered > questions.stale_until) state.offer(*answer);
+    ring.pop();
   }
 }
 
@@ -114,7 +117,10 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
   if (output.keyframe_added) publish(state);
   if (!output.matches.empty())
     hand_over_pose(state, output.matches.back().stamp, output.matches.back().matched);
-  for (slam::LoopQuery& query : output.loop_queries) ask(std::move(query));
+  // Full: the search is slow, and this question is left out; the next keyframe asks again.
+  for (slam::LoopQuery& query : output.loop_queries) (void)ask(hand_overs_.loop_queries, loops_, query);
+  if (output.graph_query && !ask(hand_overs_.graph_queries, graphs_, *output.graph_query))
+    state.offer(slam::GraphSolution{});
 }
 
 void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched) {
@@ -122,14 +128,16 @@ void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::S
   hand_overs_.tracked.store({stamp, report_.revision, report_.T_map_odom, matched});
 }
 
-void MappingWorker::ask(slam::LoopQuery query) {
-  // Full: the search is slow, and this question is left out and counted there; the next keyframe asks again.
-  slam::LoopQuery* slot = hand_overs_.loop_queries.try_acquire();
-  if (slot == nullptr) return;
+/// False when the ring is full, which counts that.
+template <class Query, std::size_t N>
+bool MappingWorker::ask(sync::Ring<Query, N>& ring, Questions& questions, Query& query) {
+  Query* slot = ring.try_acquire();
+  if (slot == nullptr) return false;
   *slot = std::move(query);
-  hand_overs_.loop_queries.commit();
-  ++asked_;
+  ring.commit();
+  ++questions.asked;
   hand_overs_.closure_wakeup.post();
+  return true;
 }
 
 void MappingWorker::publish(pipeline::MappingState& state) {

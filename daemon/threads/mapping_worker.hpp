@@ -26,14 +26,22 @@ class MappingWorker {
   void run() noexcept;
 
  private:
+  /// Questions of one kind to the loop closure thread.
+  struct Questions {
+    std::uint64_t asked = 0, answered = 0;
+    std::uint64_t stale_until = 0;  ///< answers up to this one are about a former map
+  };
+  template <class Query, std::size_t N>
+  bool ask(sync::Ring<Query, N>& ring, Questions& questions, Query& query);
+  template <class Answer, std::size_t N>
+  static void take_answers(sync::Ring<Answer, N>& ring, Questions& questions, pipeline::MappingState& state);
+
   bool serve(pipeline::MappingState& state);
   void take_over(std::unique_ptr<pipeline::MappingState>& state);
-  void take_answers(pipeline::MappingState& state);
   void take_odometry();
   bool step(pipeline::MappingState& state);
   void skip_backlog(sync::Ring<types::Scan, kScanRing>& ring);
   void use(pipeline::MappingState& state, pipeline::MappingOutput& output);
-  void ask(slam::LoopQuery query);
   void publish(pipeline::MappingState& state);
   void hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched);
 
@@ -43,8 +51,7 @@ class MappingWorker {
   std::vector<types::Odometry> odometry_;
   MappingReport report_;
   std::vector<std::unique_ptr<pipeline::MappingState>> former_;  ///< somebody may still read their maps
-  std::uint64_t asked_ = 0, answered_ = 0;                       ///< questions to the loop closure thread
-  std::uint64_t stale_until_ = 0;  ///< answers up to this one are about a former map
+  Questions loops_, graphs_;
 };
 
 }  // namespace topo::daemon

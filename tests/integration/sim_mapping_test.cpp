@@ -81,6 +81,7 @@ Course drive(sim::Simulation& simulation, const sim::RobotSetup& setup, std::vec
     }
     for (const slam::LoopVerdict& verdict : output.loop_verdicts) course.closures += verdict.accepted;
     for (const slam::LoopQuery& query : output.loop_queries) state.offer(slam::find_closures(query));
+    if (output.graph_query) state.offer(slam::solve_graph(*output.graph_query));
   };
   types::Scan scan;
   while (!wheels.finished() && simulation.now() < std::chrono::minutes(15)) {

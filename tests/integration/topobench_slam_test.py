@@ -159,7 +159,7 @@ class SimulatedPatrol(unittest.TestCase):
         self.assertLess(report["error"]["rmse_m"], 0.03)
         self.assertLess(report["error"]["heading_rmse_deg"], 0.5)
         self.assertTrue(report["difficulty"].startswith("difficulty: range noise 30 mm"), report["difficulty"])
-        self.assertEqual(set(report["stages"]), {"scan", "step", "track", "keyframe", "correction", "loop_search", "end"})
+        self.assertEqual(set(report["stages"]), {"scan", "step", "track", "keyframe", "correction", "loop_search", "graph", "end"})
 
     def test_the_same_seed_gives_the_same_path(self):
         with tempfile.TemporaryDirectory() as out:

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "core/slam/known_starts.hpp"
@@ -28,6 +29,10 @@ class SlamSource final : public SharedMapSource {
         state_.offer(std::move(answers_.front().answer));
       for (; !alignments_.empty() && alignments_.front().first <= scans_; alignments_.pop_front())
         state_.offer(alignments_.front().second);
+      if (solution_ && solution_->first <= scans_) {
+        state_.offer(std::move(solution_->second));
+        solution_.reset();
+      }
       use(mapping_step(state_, {{}, &scan, nullptr}));
     }
   }
@@ -96,6 +101,7 @@ class SlamSource final : public SharedMapSource {
     }
     for (const slam::LoopQuery& query : output.loop_queries)
       answers_.push_back({scans_ + delay_, slam::find_closures(query)});
+    if (output.graph_query) solution_.emplace(scans_ + delay_, slam::solve_graph(*output.graph_query));
     if (output.alignment_query)
       alignments_.emplace_back(scans_ + delay_, slam::align_maps(*output.alignment_query));
   }
@@ -107,7 +113,8 @@ class SlamSource final : public SharedMapSource {
   std::unique_ptr<pipeline::MapSnapshot> snapshot_;  // after state_: it must go first
   pipeline::TrackedPose tracked_;
   std::deque<Waiting> answers_;
-  std::deque<std::pair<std::uint64_t, slam::Alignment>> alignments_;  ///< with when they are due
+  std::deque<std::pair<std::uint64_t, slam::Alignment>> alignments_;       ///< with when they are due
+  std::optional<std::pair<std::uint64_t, slam::GraphSolution>> solution_;  ///< the same
   std::size_t keyframes_told_ = 0;
   std::uint32_t relations_told_ = 0;
 };

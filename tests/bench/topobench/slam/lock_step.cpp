@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/slam/lock_step.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "tests/bench/topobench/stopwatch.hpp"
@@ -24,12 +23,14 @@ void LockStep::step(const pipeline::MappingInput& input) {
   while (!answers_.empty() && answers_.front().due <= keyframes_) hand_over();
   for (; !alignments_.empty() && alignments_.front().first <= keyframes_; alignments_.pop_front())
     state_.offer(alignments_.front().second);
+  if (solution_ && solution_->first <= keyframes_) {
+    state_.offer(std::move(solution_->second));
+    solution_.reset();
+  }
   const StageTimer timer;
   const pipeline::MappingOutput output = mapping_step(state_, input);
   if (!output.matches.empty()) {
-    const bool solved = std::any_of(output.loop_verdicts.begin(), output.loop_verdicts.end(),
-                                    [](const slam::LoopVerdict& verdict) { return verdict.solved; });
-    timer.stop({&run_.step, solved                  ? &run_.correction
+    timer.stop({&run_.step, output.corrected        ? &run_.correction
                             : output.keyframe_added ? &run_.keyframe
                                                     : &run_.track});
     const auto scans = static_cast<double>(output.matches.size());
@@ -74,6 +75,11 @@ void LockStep::collect(const pipeline::MappingOutput& output) {
     slam::LoopAnswer answer = slam::find_closures(query);
     timer.stop({&run_.loop_search});
     answers_.push_back({keyframes_ + answer_delay_, std::move(answer)});
+  }
+  if (output.graph_query) {
+    const StageTimer timer;
+    solution_.emplace(keyframes_ + answer_delay_, slam::solve_graph(*output.graph_query));
+    timer.stop({&run_.graph});
   }
   if (!output.alignment_query) return;
   const StageTimer timer;

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,9 @@ struct MappingRun {
   StageTimes step;         ///< all that the mapping thread does at once; of these
   StageTimes track;        ///< steps that made no keyframe
   StageTimes keyframe;     ///< steps that made one: the map is drawn
-  StageTimes correction;   ///< the same, and the pose graph was solved and the map drawn again
+  StageTimes correction;   ///< the same, and corrected poses were gone over to
   StageTimes loop_search;  ///< beside it, on the thread of loop closure
+  StageTimes graph;        ///< the same thread: solutions of the pose graph
   StageTimes end;          ///< the last solution and drawing
   int closures_accepted = 0;
   int closures_rejected = 0;
@@ -56,7 +58,7 @@ struct MappingRun {
 };
 
 /// Runs the mapper's pure steps one after the other, as the daemon's threads run them side by side: an answer
-/// to a loop query is handed over exactly `answer_delay` keyframes after its question, so that runs repeat.
+/// to a query is handed over exactly `answer_delay` keyframes after its question, so that runs repeat.
 class LockStep {
  public:
   explicit LockStep(pipeline::MappingState& state, std::size_t answer_delay = 2)
@@ -84,7 +86,8 @@ class LockStep {
   std::size_t answer_delay_;
   MappingRun run_;
   std::deque<Waiting> answers_;
-  std::deque<std::pair<std::size_t, slam::Alignment>> alignments_;  ///< with when they are due
+  std::deque<std::pair<std::size_t, slam::Alignment>> alignments_;       ///< with when they are due
+  std::optional<std::pair<std::size_t, slam::GraphSolution>> solution_;  ///< the same
   std::size_t keyframes_ = 0;
 };
 

@@ -47,8 +47,10 @@ nlohmann::json report_of(const pipeline::MappingState& state, const MappingRun& 
           {"searched", run.searched},
           {"degenerate", run.degenerate},
           {"path_m", path_length_m(run)},
-          {"cpu_s", sum_s(run.step.cpu_ms) + sum_s(run.loop_search.cpu_ms) + sum_s(run.end.cpu_ms)},
-          {"wall_s", sum_s(run.step.wall_ms) + sum_s(run.loop_search.wall_ms) + sum_s(run.end.wall_ms)},
+          {"cpu_s", sum_s(run.step.cpu_ms) + sum_s(run.loop_search.cpu_ms) + sum_s(run.graph.cpu_ms) +
+                        sum_s(run.end.cpu_ms)},
+          {"wall_s", sum_s(run.step.wall_ms) + sum_s(run.loop_search.wall_ms) + sum_s(run.graph.wall_ms) +
+                         sum_s(run.end.wall_ms)},
           {"match_ms", quantiles(run.scan.cpu_ms)},
           {"closure_ms", quantiles(run.loop_search.cpu_ms)},
           {"stages",
@@ -58,6 +60,7 @@ nlohmann::json report_of(const pipeline::MappingState& state, const MappingRun& 
             {"keyframe", stage(run.keyframe)},
             {"correction", stage(run.correction)},
             {"loop_search", stage(run.loop_search)},
+            {"graph", stage(run.graph)},
             {"end", stage(run.end)}}},
           {"peak_rss_mb", peak_rss_mb()}};
 }

@@ -12,7 +12,6 @@
 namespace topo::grid {
 namespace {
 
-using Sign = ScanRasteriser::Sign;
 using Hits = std::vector<Eigen::Vector2f>;
 
 struct Drawing {
@@ -46,7 +45,7 @@ TEST(ScanRasteriser, OneRayFreesItsWayAndHitsItsEnd) {
   patricia::Arena<TileRef> arena;
   OccupancyGrid grid(arena, 0.1);
   ScanRasteriser rasteriser;
-  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, Hits{{0.5F, 0.0F}}, Sign::kAdd);
+  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, Hits{{0.5F, 0.0F}});
   for (int x = 0; x < 5; ++x) EXPECT_EQ(grid.state({x, 0}), CellState::kFree) << x;
   EXPECT_EQ(grid.state({5, 0}), CellState::kOccupied);
   EXPECT_EQ(grid.state({6, 0}), CellState::kUnknown);
@@ -58,7 +57,7 @@ TEST(ScanRasteriser, ACellCountsOnceAKeyframe) {
   OccupancyGrid grid(arena, 0.1);
   ScanRasteriser rasteriser;
   const Hits many(50, Eigen::Vector2f(1.0F, 0.0F));
-  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, many, Sign::kAdd);
+  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, many);
   EXPECT_EQ(grid.counts({10, 0}), (CellCounts{1, 0}));
   EXPECT_EQ(grid.counts({3, 0}), (CellCounts{0, 1}));
 }
@@ -67,28 +66,56 @@ TEST(ScanRasteriser, AHitWinsOverARayThatPasses) {
   patricia::Arena<TileRef> arena;
   OccupancyGrid grid(arena, 0.1);
   ScanRasteriser rasteriser;
-  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, Hits{{0.3F, 0.0F}, {0.9F, 0.0F}}, Sign::kAdd);
+  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, Hits{{0.3F, 0.0F}, {0.9F, 0.0F}});
   EXPECT_EQ(grid.counts({3, 0}), (CellCounts{1, 0}));
 }
 
-TEST(ScanRasteriser, OrderDoesNotMatterAndRemovingIsExact) {
-  EXPECT_TRUE(rc::check("the grid is a sum over drawings", [] {
+TEST(ScanRasteriser, OrderDoesNotMatterAndMovingIsExact) {
+  EXPECT_TRUE(rc::check("the grid is a sum over drawings where they were moved to", [] {
     std::vector<Drawing> drawings;
     for (int i = *rc::gen::inRange(2, 6); i > 0; --i) drawings.push_back(any_drawing());
     const auto odd = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(drawings.size())));
+    const types::Se2 elsewhere = any_drawing().pose;
     patricia::Arena<TileRef> arena;
     ScanRasteriser rasteriser;
     OccupancyGrid forward(arena, 0.05), backward(arena, 0.05);
-    const auto draw = [&](OccupancyGrid& grid, const Drawing& d, Sign sign) {
-      rasteriser.draw(grid, d.pose, d.sensor, d.hits, sign);
-    };
     for (std::size_t i = 0; i < drawings.size(); ++i) {
-      if (i != odd) draw(forward, drawings[i], Sign::kAdd);
+      const Drawing& d = drawings[i];
+      rasteriser.draw(forward, i == odd ? elsewhere : d.pose, d.sensor, d.hits);
     }
-    for (std::size_t i = drawings.size(); i-- > 0;) draw(backward, drawings[i], Sign::kAdd);
-    draw(backward, drawings[odd], Sign::kRemove);
+    for (std::size_t i = drawings.size(); i-- > 0;)
+      rasteriser.draw(backward, drawings[i].pose, drawings[i].sensor, drawings[i].hits);
+    const Drawing& d = drawings[odd];
+    rasteriser.move(backward, d.pose, elsewhere, d.sensor, d.hits);
     RC_ASSERT(contents(forward) == contents(backward));
   }));
+}
+
+TEST(ScanRasteriser, MovesFarWithoutTouchingWhatLiesBetween) {
+  patricia::Arena<TileRef> arena;
+  OccupancyGrid grid(arena, 0.1);
+  ScanRasteriser rasteriser;
+  const Hits hits{{0.5F, 0.0F}};
+  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, hits);
+  const double far_m = 1e5;  // a box of cells around both would not fit into memory
+  rasteriser.move(grid, {0.05, 0.05, 0.0}, {far_m, far_m, 0.0}, {0.0F, 0.0F}, hits);
+  EXPECT_EQ(grid.counts({3, 0}), CellCounts{});
+  EXPECT_EQ(grid.state(grid.cell_at({far_m, far_m})), CellState::kFree);
+  EXPECT_EQ(contents(grid).size(), 6U);
+}
+
+TEST(ScanRasteriser, LeavesTilesAloneThatSayTheSameAfterwards) {
+  patricia::Arena<TileRef> arena;
+  OccupancyGrid grid(arena, 0.1);
+  ScanRasteriser rasteriser;
+  const Hits hits{{0.5F, 0.0F}, {5.05F, 0.3F}};
+  rasteriser.draw(grid, {0.05, 0.05, 0.0}, {0.0F, 0.0F}, hits);
+  const OccupancyGrid snapshot = grid;
+  rasteriser.move(grid, {0.05, 0.05, 0.0}, {0.051, 0.051, 0.0}, {0.0F, 0.0F}, hits);
+  std::size_t copied = 0;
+  OccupancyGrid::Tiles::difference(snapshot.tiles(), grid.tiles(),
+                                   [&](patricia::Key, const TileRef*, const TileRef*) { ++copied; });
+  EXPECT_EQ(copied, 0U);
 }
 
 }  // namespace

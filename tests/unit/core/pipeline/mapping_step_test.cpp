@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
+#include "core/slam/map_builder.hpp"
 #include "tests/mocks/flat_world.hpp"
 
 namespace topo::pipeline {
@@ -96,6 +99,86 @@ TEST(MappingStep, AnySplitOfTheInputGivesTheSamePoses) {
   ASSERT_GT(together.mapper().poses().size(), 3U);
   const auto a = together.mapper().poses(), b = apart.mapper().poses();
   EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+}
+
+/// A robot that goes ahead for a while and then stands, whose third keyframe is told to be 0.3 m off.
+class ToldOff {
+ public:
+  explicit ToldOff(int goes_ms) : goes_ms_(goes_ms) {}
+
+  /// One scan.
+  MappingOutput step() {
+    const Se2 truth = truth_at(std::min(ms_, goes_ms_));
+    const types::Odometry odometry = odometry_at(ms_, truth_at(0).inverse() * truth);
+    const types::Scan scan = scan_at(ms_, truth);
+    ms_ += 100;
+    MappingOutput output = mapping_step(state_, {{&odometry, 1}, &scan, nullptr});
+    if (!told_ && state_.mapper().keyframes().size() == 3) tell();
+    return output;
+  }
+  MappingState& state() { return state_; }
+
+  /// Cells that are not as when all keyframes had been drawn at the mapper's poses.
+  [[nodiscard]] std::size_t cells_elsewhere() {
+    slam::GridParams exact;
+    slam::MapBuilder direct(exact);
+    direct.update(state_.mapper().keyframes(), state_.mapper().poses());
+    return grid::differing_cells(state_.make_snapshot()->grid, direct.grid());
+  }
+
+ private:
+  void tell() {
+    told_ = true;
+    slam::LoopCandidate candidate;
+    candidate.rejection = slam::LoopRejection::kNone;
+    const auto poses = state_.mapper().poses();
+    const Eigen::Matrix3d sure = Eigen::Vector3d(1e4, 1e4, 1e5).asDiagonal();
+    candidate.edge = {0, 2, poses[0].inverse() * poses[2] * Se2{0.3, 0.2, 0.0}, sure, false};
+    state_.offer(slam::LoopAnswer{2, {candidate}});
+  }
+
+  int goes_ms_;
+  int ms_ = 0;
+  bool told_ = false;
+  MappingState state_{slam::MapperParams{}};
+};
+
+TEST(MappingStep, PosesAndMapAreCorrectedTogetherWhenBothAreReady) {
+  for (const int goes_ms : {100000, 2800}) {
+    SCOPED_TRACE(goes_ms);
+    ToldOff robot(goes_ms);
+    std::optional<slam::GraphQuery> query;
+    for (int i = 0; i < 40 && !query; ++i) query = robot.step().graph_query;
+    ASSERT_TRUE(query) << "told to be off";
+    const Se2 first_opinion = robot.state().mapper().poses()[2];
+    robot.state().offer(slam::solve_graph(*query));
+    bool corrected = false;
+    for (int i = 0; i < 20 && !corrected; ++i) {
+      EXPECT_EQ(robot.state().mapper().poses()[2], first_opinion);
+      EXPECT_EQ(robot.cells_elsewhere(), 0U);
+      corrected = robot.step().corrected;
+    }
+    ASSERT_TRUE(corrected) << "at the next keyframe, or a second later";
+    EXPECT_GT((robot.state().mapper().poses()[2].translation() - first_opinion.translation()).norm(), 0.05);
+    EXPECT_LT(robot.cells_elsewhere(), 100U) << "keyframes that hardly moved are not drawn again";
+    EXPECT_FALSE(robot.step().graph_query) << "nothing new since";
+  }
+}
+
+TEST(MappingStep, AGraphThatWasNotSolvedIsAskedAboutAgain) {
+  ToldOff robot(100000);
+  std::optional<slam::GraphQuery> query, again;
+  for (int i = 0; i < 40 && !query; ++i) query = robot.step().graph_query;
+  ASSERT_TRUE(query);
+  for (int i = 0; i < 20; ++i) ASSERT_FALSE(robot.step().graph_query) << "one at a time";
+  robot.state().offer(slam::GraphSolution{});
+  for (int i = 0; i < 20 && !again; ++i) again = robot.step().graph_query;
+  EXPECT_TRUE(again);
+  (void)robot.state().finish();
+  const Se2 solved = robot.state().mapper().poses()[2];
+  robot.state().offer(slam::solve_graph(*query));
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(robot.step().corrected) << "too late";
+  EXPECT_EQ(robot.state().mapper().poses()[2], solved);
 }
 
 TEST(MapSnapshot, NeverChangesAndCarriesPoseWithMap) {

@@ -7,6 +7,8 @@
 
 #include <numeric>
 
+#include "core/slam/graph_links.hpp"
+
 namespace topo::slam {
 namespace {
 
@@ -37,7 +39,9 @@ std::vector<LoopRun> runs_at_end(const Path& path) {
   const std::size_t last = path.poses.size() - 1;
   std::vector<std::size_t> way(path.poses.size());
   std::iota(way.begin(), way.end(), 0U);
-  const auto distances = graph_distances(path.poses.size(), path.edges, last);
+  GraphLinks links;
+  for (const Edge& edge : path.edges) links.add(edge);
+  const auto distances = links.distances_m(path.poses.size(), last);
   const std::size_t end = end_of_other_visits(path.poses, way, last, kLoopParams);
   return find_loop_runs(path.poses, distances, last, way, end, kLoopParams);
 }

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 #include "tests/unit/core/slam/map_contents.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
@@ -54,6 +56,37 @@ TEST(MapBuilder, IsAFunctionOfTheKeyframesAndTheirPoses) {
       if (found != a.end() && found->second == state) ++same;
     }
     RC_ASSERT(same > b.size() * 98 / 100);
+  }));
+}
+
+TEST(MapBuilder, TheMapAtOtherPosesIsMadeBesideTheOneThatIsShown) {
+  EXPECT_TRUE(rc::check("a piece at a time, whatever comes in between", [] {
+    std::mt19937 random(3);
+    std::vector<Se2> poses{{2.0, 2.0, 0.0}, {3.5, 2.5, 0.5}, {5.0, 3.5, -0.5}, {8.5, 3.6, 0.1}};
+    std::vector<KeyframePtr> keyframes;
+    for (std::uint32_t i = 0; i < poses.size(); ++i) keyframes.push_back(keyframe_at(poses[i], i, random));
+    const auto begin = static_cast<std::size_t>(*rc::gen::inRange(0, 4));
+    MapBuilder builder({});
+    builder.extend({keyframes.data(), begin}, poses);
+    std::vector<Se2> elsewhere = poses;
+    for (Se2& pose : elsewhere) pose = Se2{0.3, 0.1, 0.02} * pose;
+    std::size_t pieces = 1;
+    while (!builder.prepare({keyframes.data(), begin}, elsewhere, 1)) ++pieces;
+    RC_ASSERT(pieces == std::max<std::size_t>(begin, 1));
+    builder.extend(keyframes, poses);
+    MapBuilder at_poses({}), at_elsewhere({});
+    at_poses.update(keyframes, poses);
+    at_elsewhere.update(keyframes, elsewhere);
+    RC_ASSERT(states(builder.grid()) == states(at_poses.grid()));
+    RC_ASSERT(columns(builder.walls()) == columns(at_poses.walls()));
+    while (!builder.prepare(keyframes, elsewhere, 1)) {
+    }
+    builder.show();
+    RC_ASSERT(states(builder.grid()) == states(at_elsewhere.grid()));
+    RC_ASSERT(columns(builder.walls()) == columns(at_elsewhere.walls()));
+    builder.update(keyframes, poses);
+    RC_ASSERT(states(builder.grid()) == states(at_poses.grid()));
+    RC_ASSERT(columns(builder.walls()) == columns(at_poses.walls()));
   }));
 }
 

@@ -58,6 +58,7 @@ Trial run(const mocks::FlatWorld& world, const std::vector<Se2>& truth, const Ma
     const MatchReport report = mapper.add(view.cloud, odometry, columns);
     out.lost += report.matched ? 0 : 1;
     if (const auto query = mapper.take_query()) out.closures += mapper.apply(find_closures(*query)).accepted;
+    testing::correct(mapper);
     out.odometry.push_back(truth[0] * odometry);
     out.estimate.push_back(truth[0] * mapper.T_map_base());
     out.truth.push_back(truth[i]);

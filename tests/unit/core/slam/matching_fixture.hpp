@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/slam/cloud.hpp"
+#include "core/slam/mapper.hpp"
 #include "core/slam/surfel_map.hpp"
 #include "tests/mocks/flat_world.hpp"
 
@@ -27,6 +28,11 @@ inline View view_of(const mocks::FlatWorld& world, const types::Se2& pose, doubl
   select_points(view.cloud, params, view.points);
   view.surfels = make_surfels(view.cloud, params);
   return view;
+}
+
+/// Solves a mapper's graph at once when there is something new in it, as the loop closure thread does later.
+inline void correct(Mapper& mapper) {
+  if (const auto query = mapper.take_graph_query()) mapper.adopt(mapper.corrected(solve_graph(*query)));
 }
 
 /// Map of a world made of views from a few true poses.

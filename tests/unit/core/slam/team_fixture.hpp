@@ -35,6 +35,7 @@ inline void drive(Mapper& mapper, const mocks::FlatWorld& world, const std::vect
   for (const types::Se2& pose : way) {
     (void)mapper.add(view_of(world, pose, 0.01, random).cloud, way.front().inverse() * pose, columns);
     if (const auto query = mapper.take_query()) (void)mapper.apply(find_closures(*query));
+    correct(mapper);
   }
 }
 
