@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/config/configuration.hpp"
 
-#include <algorithm>
-
 namespace topo::daemon {
 
 slam::MapperParams mapper_params(const Configuration& configuration) {
@@ -22,11 +20,10 @@ slam::MapperParams mapper_params(const Configuration& configuration) {
 pipeline::PlannerParams planner_params(const Configuration& configuration) {
   const ExplorationConfig& e = configuration.exploration;
   const MotionConfig& m = configuration.motion;
-  const motion::Footprint hull = footprint(configuration);
-  // On a route the robot must be able to turn on the spot, with no more to spare than the gate wants then
-  // (core/motion/stop_zone.cpp): a door of 0.75 m whose jambs are drawn a cell too thick is one all the same.
-  const double turning_m = std::min(m.margin_m, motion::RobotLimits{}.turn_margin_m);
-  const double disc_m = std::max(motion::reach_m(hull) + turning_m, hull.half_width_m + m.margin_m);
+  // On a route the robot must be able to turn on the spot. Rounding to cells costs about a quarter of one.
+  constexpr double kRounding = 0.25;
+  const double disc_m = motion::reach_m(footprint(configuration)) + m.margin_m +
+                        kRounding * configuration.mapping.grid.resolution_m;
   const grid::TravelRules usual;
   pipeline::PlannerParams params;
   params.strategy = e.strategy;

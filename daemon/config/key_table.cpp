@@ -211,8 +211,7 @@ void add_motion(std::vector<KeySpec>& t) {
   t.push_back({"motion.margin_m", "m", false, RealKey{&at<kS, &C::margin_m>, 0.02, 0.5},
                "kept free around the hull; the robot stops before less is left"});
   t.push_back({"motion.passage_radius_m", "m", false, RealKey{&at<kS, &C::passage_radius_m>, 0.0, 1.0},
-               "routes keep this far from everything; 0: as the robot needs to turn on the spot, and to go "
-               "straight on"});
+               "routes keep this far from everything; 0: room to turn on the spot, and the margin"});
 }
 
 void add_control_and_log(std::vector<KeySpec>& t) {
