@@ -56,7 +56,7 @@ void MapBuilder::show() {
 void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {
   show();
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
-    if (!is_drawn_well(shown_, i, poses[i])) draw(shown_, i, *keyframes[i], poses[i]);
+    if (i >= shown_.drawn.size() || shown_.drawn[i] != poses[i]) draw(shown_, i, *keyframes[i], poses[i]);
   }
 }
 

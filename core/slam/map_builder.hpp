@@ -38,7 +38,8 @@ class MapBuilder {
   /// The map in preparation takes the place of the one that is shown.
   void show();
 
-  /// All of it at once: the map of these keyframes at these poses is shown.
+  /// All of it at once, to the cell: the map of these keyframes at these poses is shown, the same as if they
+  /// had been drawn nowhere before.
   void update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses);
 
   [[nodiscard]] const grid::OccupancyGrid& grid() const { return shown_.grid; }

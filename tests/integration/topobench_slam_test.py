@@ -89,6 +89,7 @@ class DrawnLog(unittest.TestCase):
         report = json.loads(done.stdout)
         self.assertEqual(report["scans"], 60)
         self.assertEqual(report["stamp_inversions"], 0)
+        self.assertLessEqual(report["unlike_canonical"], 0.001)
         self.assertEqual(report["relations"]["skipped"], 0)
         self.assertLess(report["relations"]["trans_mean_m"], 0.02)
         self.assertLess(report["relations"]["rot_mean_deg"], 0.3)

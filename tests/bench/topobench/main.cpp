@@ -29,12 +29,13 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   app.footer(
       "Times are processor time (match_ms: all that the mapping thread does for a scan), each stage also by "
       "the\n"
-      "clock. revisit_within_0_1_m: of all ends of beams, at places that the robot saw on another visit too "
-      "(at\n"
-      "least 15 m of way later or earlier, and twice as much way as the two places are apart), the share "
-      "within\n"
-      "0.1 m of the centre of an occupied cell that another visit hit. A place was seen when a beam of that\n"
-      "visit ended within 0.5 m of it or went through it.");
+      "clock. revisit_within_0_1_m: of all ends of beams on surfaces that another visit looked at (at least\n"
+      "15 m of way later or earlier, and twice as much way as the two places are apart), the share within\n"
+      "0.1 m of the centre of an occupied cell that another visit hit. A visit looked at a surface that it "
+      "hit\n"
+      "so near, and at one that a beam of it contradicts, by ending behind it or before it on the same "
+      "side.\n"
+      "unlike_canonical: cells in another state than in the canonical map, of those known there.");
   auto* from = app.add_option_group("input")->require_option(1);
   from->add_option("--log", slam.log, "The log");
   from->add_option("--simulate", slam.simulate,

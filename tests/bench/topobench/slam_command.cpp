@@ -11,6 +11,7 @@
 #include "core/types/se2.hpp"
 #include "tests/bench/topobench/log_run.hpp"
 #include "tests/bench/topobench/output.hpp"
+#include "tests/bench/topobench/slam/canonical_share.hpp"
 #include "tests/bench/topobench/slam/revisit.hpp"
 #include "tests/bench/topobench/slam/slam_report.hpp"
 #include "tests/bench/topobench/slam/split_run.hpp"
@@ -87,8 +88,10 @@ types::Status map_log(const SlamCommand& command) {
     if (!split) return tl::unexpected(split.error());
     json["split"] = std::move(*split);
   }
+  const auto snapshot = state.make_snapshot();
+  json["unlike_canonical"] = unlike_canonical_share(state.mapper(), snapshot->grid);
   const RevisitShare revisits =
-      revisit_share(state.mapper().keyframes(), state.mapper().poses(), state.make_snapshot()->grid);
+      revisit_share(state.mapper().keyframes(), state.mapper().poses(), snapshot->grid);
   if (revisits.points > 0) json["revisit_within_0_1_m"] = revisits.share();
   json["revisit_points"] = revisits.points;
   return finish(command, json, state, run);
@@ -114,6 +117,7 @@ types::Status map_simulation(const SlamCommand& command) {
   json["collisions"] = simulated->collisions;
   json["error"] = error_report(simulated->corrected);
   json["live_error"] = error_report(simulated->live);
+  json["unlike_canonical"] = unlike_canonical_share(state.mapper(), state.make_snapshot()->grid);
   return finish(command, json, state, simulated->run);
 }
 

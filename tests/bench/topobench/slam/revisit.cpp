@@ -23,11 +23,11 @@ class Marks {
     bits_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * words, 0);
   }
   void set(grid::CellIndex cell, std::size_t stretch) {
-    if (std::uint64_t* bits = at(cell)) bits[stretch / 64] |= std::uint64_t{1} << (stretch % 64);
+    if (is_inside(cell)) bits_[words_ * place(cell) + stretch / 64] |= std::uint64_t{1} << (stretch % 64);
   }
   [[nodiscard]] bool any(grid::CellIndex cell, const std::uint64_t* of) const {
-    const std::uint64_t* bits = const_cast<Marks*>(this)->at(cell);
-    if (bits == nullptr) return false;
+    if (!is_inside(cell)) return false;
+    const std::uint64_t* bits = &bits_[words_ * place(cell)];
     for (std::size_t i = 0; i < words_; ++i) {
       if ((bits[i] & of[i]) != 0) return true;
     }
@@ -35,12 +35,13 @@ class Marks {
   }
 
  private:
-  std::uint64_t* at(grid::CellIndex cell) {
+  [[nodiscard]] bool is_inside(grid::CellIndex cell) const {
     const int x = cell.x - min_.x, y = cell.y - min_.y;
-    if (x < 0 || y < 0 || x >= width_ || y >= height_) return nullptr;
-    return &bits_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(x)) *
-                  words_];
+    return x >= 0 && y >= 0 && x < width_ && y < height_;
+  }
+  [[nodiscard]] std::size_t place(grid::CellIndex cell) const {
+    return static_cast<std::size_t>(cell.y - min_.y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(cell.x - min_.x);
   }
   grid::CellIndex min_;
   int width_, height_;
