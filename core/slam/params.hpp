@@ -78,7 +78,7 @@ struct LoopParams {
   int groups_max = 2;                ///< chains tried per keyframe
   double response_min = 0.60;        ///< narrow search
   double response_min_wide = 0.70;   ///< search wider than 1 m
-  double peak_ratio_max = 0.90;      ///< second peak against the best: above it the place is ambiguous
+  double peak_ratio_max = 0.80;      ///< second peak against the best: above it the place is ambiguous
   double overlap_min = 0.45;         ///< share of points with a surfel in reach
   double response_unopposed = 0.45;  ///< enough where drift has gathered and nothing speaks against the place
   double fit_unopposed = 0.80;       ///< nothing: of what the other visit knows at least this share fits,
