@@ -10,7 +10,7 @@ namespace topo::slam {
 
 GraphSolution solve_graph(const GraphQuery& query) {
   GraphSolution solution{query.poses, {}};
-  solution.report = solve(solution.poses, query.edges, query.params);
+  solution.report = solve_consistently(solution.poses, query.edges, query.params);
   return solution;
 }
 

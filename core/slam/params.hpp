@@ -87,8 +87,9 @@ struct LoopParams {
 
 struct GraphParams {
   int iterations_max = 12;
-  double converged = 1e-5;   ///< a step smaller than this, in metres and radians, is the last
-  double loop_kernel = 3.0;  ///< Cauchy scale of a closure, in standard deviations
+  double converged = 1e-5;          ///< a step smaller than this, in metres and radians, is the last
+  double loop_kernel = 3.0;         ///< Cauchy scale of a closure, in standard deviations
+  double contradicted_chi2 = 30.0;  ///< squared error beyond which a closure is held to be false
   double odometry_trans_floor_m = 0.03;
   double odometry_rot_floor_rad = 0.003;
   double loop_trans_floor_m = 0.03;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/slam/block_factor.hpp"
@@ -177,6 +178,20 @@ SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, c
   report.solved = solver.run(report.iterations);
   report.chi2_end = solver.chi2();
   return report;
+}
+
+SolveReport solve_consistently(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                               const GraphParams& params, std::size_t fixed) {
+  const SolveReport first = solve(poses, edges, params, fixed);
+  if (!first.solved) return first;
+  std::vector<Edge> consistent;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(consistent), [&](const Edge& edge) {
+    return !edge.robust || edge_chi2(edge, poses) <= params.contradicted_chi2;
+  });
+  if (consistent.size() == edges.size()) return first;
+  const SolveReport second = solve(poses, consistent, params, fixed);
+  return {first.chi2_start, second.solved ? second.chi2_end : first.chi2_end,
+          first.iterations + second.iterations, true};
 }
 
 }  // namespace topo::slam

@@ -42,4 +42,10 @@ double total_chi2(std::span<const types::Se2> poses, std::span<const Edge> edges
 SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
                   std::size_t fixed = 0);
 
+/// The same, and once more without the closures that contradict the rest: whose error in the first solution
+/// is beyond `params.contradicted_chi2`. Which those are depends on the graph alone, not on when each was
+/// found. Where the rest does not hold together without them the first solution stands.
+SolveReport solve_consistently(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                               const GraphParams& params, std::size_t fixed = 0);
+
 }  // namespace topo::slam

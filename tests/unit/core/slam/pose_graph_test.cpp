@@ -236,5 +236,53 @@ TEST(EdgeError, IsZeroAtTheMeasurement) {
   EXPECT_LT(edge_error(between(poses, 2, 5), poses[2], poses[5]).norm(), 1e-12);
 }
 
+TEST(SolveConsistently, LeavesOutTheClosureThatTheOthersContradictWhereverItStandsAmongThem) {
+  // A straight way of eleven stations, three true closures along it and a false one that folds it.
+  std::vector<Se2> truth;
+  for (int i = 0; i <= 10; ++i) truth.push_back({1.0 * i, 0.0, 0.0});
+  const auto between = [&](std::size_t from, std::size_t to, bool robust) {
+    Edge edge;
+    edge.from = from;
+    edge.to = to;
+    edge.T_from_to = truth[from].inverse() * truth[to];
+    edge.information = Eigen::Vector3d(400.0, 400.0, 4000.0).asDiagonal();
+    edge.robust = robust;
+    return edge;
+  };
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < 10; ++i) edges.push_back(between(i, i + 1, false));
+  for (const std::size_t from : {0U, 3U, 6U}) edges.push_back(between(from, from + 4, true));
+  Edge wrong = between(0, 10, true);
+  wrong.T_from_to = {7.0, 1.0, 0.3};
+  for (std::size_t at = 10; at <= edges.size(); ++at) {
+    std::vector<Edge> all = edges;
+    all.insert(all.begin() + static_cast<std::ptrdiff_t>(at), wrong);
+    std::vector<Se2> robust = truth, consistent = truth;
+    ASSERT_TRUE(solve(robust, all, {}).solved);
+    ASSERT_TRUE(solve_consistently(consistent, all, {}).solved);
+    EXPECT_GT((robust[10].translation() - truth[10].translation()).norm(), 1e-3) << "the loss alone bends it";
+    EXPECT_LT((consistent[10].translation() - truth[10].translation()).norm(), 1e-6);
+  }
+}
+
+TEST(SolveConsistently, KeepsTheOnlyTieOfAPieceHoweverFarOff) {
+  std::vector<Se2> poses{{}, {1.0, 0.0, 0.0}, {5.0, 5.0, 0.0}, {6.0, 5.0, 0.0}};
+  const auto tie = [](std::size_t from, std::size_t to, const Se2& T_from_to) {
+    Edge edge;
+    edge.from = from;
+    edge.to = to;
+    edge.T_from_to = T_from_to;
+    edge.information = 1000.0 * Eigen::Matrix3d::Identity();
+    edge.robust = true;
+    return edge;
+  };
+  // Two closures to the other piece that no placing of it can both obey.
+  std::vector<Edge> edges{tie(0, 1, {1.0, 0.0, 0.0}), tie(2, 3, {1.0, 0.0, 0.0}), tie(0, 2, {5.0, 5.0, 0.0}),
+                          tie(1, 3, {9.0, 5.0, 0.0})};
+  edges[0].robust = edges[1].robust = false;
+  EXPECT_TRUE(solve_consistently(poses, edges, {}).solved);
+  for (const Se2& pose : poses) EXPECT_TRUE(std::isfinite(pose.x_m) && std::isfinite(pose.y_m));
+}
+
 }  // namespace
 }  // namespace topo::slam
