@@ -15,6 +15,7 @@ using types::Stamp;
 constexpr types::Duration kBlink = milliseconds(300);    // shorter is noise
 constexpr types::Duration kRefused = milliseconds(700);  // then this motion will not do
 constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
+constexpr types::Duration kTryMax = 2 * kPhaseMax;  // what is left of it is for leaving
 constexpr double kAligned_rad = 0.25;
 constexpr double kBackedSlack_m = 0.05;
 constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
@@ -58,6 +59,7 @@ void Recovery::begin(const RecoveryInput& in) {
   if (tries_ == 0) first_at_ = in.T_odom_base.translation();
   ++tries_;
   ++begun_;
+  tried_ = in.now;
   enter(RecoveryPhase::kBacking, in);
 }
 
@@ -144,7 +146,7 @@ RecoveryOutput Recovery::leave(const RecoveryInput& in) {
   refused_ = since(in.refused, refused_, in.now);
   const double left_m = (in.T_odom_base.translation() - phase_at_).norm();
   if (in.touching || left_m >= rules_.leave_m || lasts(refused_, in.now, kRefused) ||
-      lasts(since_, in.now, kPhaseMax)) {
+      lasts(tried_, in.now, kTryMax)) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }

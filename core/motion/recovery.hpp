@@ -80,6 +80,7 @@ class Recovery {
   types::Vector2 phase_at_{0.0, 0.0};
   types::Vector2 first_at_{0.0, 0.0};  ///< of the first try
   std::uint64_t goal_id_ = 0;
+  types::Stamp tried_{};   ///< when this try began
   double backed_m_ = 0.0;  ///< in this try
   int tries_ = 0;
   std::uint32_t begun_ = 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kDecisionsKept = 64;
 // Two recoveries of control, waiting, backing off and turning. To say of itself that it is stuck control
-// takes a minute and more; another goal, or another way to this one, is the better use of that time.
+// takes up to a minute; another goal, or another way to this one, is the better use of that time.
 constexpr types::Duration kStandstill = std::chrono::seconds(25);
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
