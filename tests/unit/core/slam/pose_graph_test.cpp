@@ -280,8 +280,13 @@ TEST(SolveConsistently, KeepsTheOnlyTieOfAPieceHoweverFarOff) {
   std::vector<Edge> edges{tie(0, 1, {1.0, 0.0, 0.0}), tie(2, 3, {1.0, 0.0, 0.0}), tie(0, 2, {5.0, 5.0, 0.0}),
                           tie(1, 3, {9.0, 5.0, 0.0})};
   edges[0].robust = edges[1].robust = false;
-  EXPECT_TRUE(solve_consistently(poses, edges, {}).solved);
-  for (const Se2& pose : poses) EXPECT_TRUE(std::isfinite(pose.x_m) && std::isfinite(pose.y_m));
+  std::vector<Se2> with_both = poses;
+  ASSERT_TRUE(solve(with_both, edges, {}).solved);
+  for (const std::size_t closure : {2U, 3U})
+    ASSERT_GT(edge_chi2(edges[closure], with_both), GraphParams{}.contradicted_chi2)
+        << "each contradicts the other";
+  ASSERT_TRUE(solve_consistently(poses, edges, {}).solved);
+  EXPECT_EQ(poses, with_both);
 }
 
 }  // namespace
