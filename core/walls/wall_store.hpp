@@ -30,7 +30,6 @@ class WallStore {
   void add(patricia::Key cell, Slabs slabs) {
     columns_.insert_with(cell, slabs, [](Slabs a, Slabs b) { return a | b; });
   }
-  void add(const types::Vector2& p_map, Slabs slabs) { add(cell_at(p_map), slabs); }
 
   /// Puts these slabs in the place of the cell's; none: nothing is known of the cell any more.
   void set(patricia::Key cell, Slabs slabs) {

@@ -57,9 +57,9 @@ TEST(IsWall, AgreesWithItsDefinition) {
 TEST(WallStore, SeeingAThingTwiceDoesNotEraseIt) {
   patricia::Arena<Slabs> arena;
   WallStore store(arena, 0.05);
-  store.add({1.02, -0.03}, 0b0101U);
-  store.add({1.03, -0.02}, 0b0001U);
-  store.add({1.03, -0.02}, 0b1000U);
+  store.add(store.cell_at({1.02, -0.03}), 0b0101U);
+  store.add(store.cell_at({1.03, -0.02}), 0b0001U);
+  store.add(store.cell_at({1.03, -0.02}), 0b1000U);
   ASSERT_EQ(store.columns().size(), 1U);
   const Slabs* slabs = store.columns().find(patricia::cell_key(20, -1));
   ASSERT_NE(slabs, nullptr);

@@ -20,8 +20,8 @@ std::string text_of(const std::vector<std::byte>& bytes) {
 TEST(Cloud, HasOnePointForEachSlabInTheMiddleOfItsCell) {
   patricia::Arena<walls::Slabs> arena;
   walls::WallStore store(arena, 0.5);
-  store.add({0.1, -0.1}, 1U << 31U | 1U);
-  store.add({-3.2, 4.0}, 4U);
+  store.add(store.cell_at({0.1, -0.1}), 1U << 31U | 1U);
+  store.add(store.cell_at({-3.2, 4.0}), 4U);
   EXPECT_THAT(cloud_of(store),
               UnorderedElementsAre(CloudPoint{0.25F, -0.25F, 0.05F}, CloudPoint{0.25F, -0.25F, 3.15F},
                                    CloudPoint{-3.25F, 4.25F, 0.25F}));
