@@ -80,8 +80,8 @@ Session canonical_session(const KeyframeSet& keyframes, const RelationSet& relat
   const types::Se2 T_origin_first = out.poses[fixed].inverse();
   for (types::Se2& pose : out.poses) pose = T_origin_first * pose;
   out.poses[fixed] = {};
-  (void)solve_consistently(out.poses, out.edges, params,
-                           fixed);  // where it cannot be solved, the tree stands
+  // Where it cannot be solved, the tree stands.
+  (void)solve_consistently(out.poses, out.edges, params, fixed);
   return out;
 }
 

@@ -32,8 +32,8 @@ constexpr double kUrgMin_mm = 20.0;  // below: error codes of the URG-04LX (PROT
 // The URG-04LX has 1024 steps a revolution and sends steps 44 to 725; step 384 looks ahead (PROTOCOLS 11).
 constexpr double kStep_rad = 2.0 * std::numbers::pi / 1024.0;
 constexpr double kFirstStep = 44.0 - 384.0;
-constexpr double kRevolution_s =
-    0.1;  // a sweep takes 67 ms of it, in which this robot turns by up to 7 degrees
+// A sweep takes 67 ms of it, in which this robot turns by up to 7 degrees.
+constexpr double kRevolution_s = 0.1;
 
 struct Encoders {
   double stamp_s = 0.0;

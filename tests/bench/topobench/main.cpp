@@ -27,15 +27,13 @@ int exit_status(const topo::types::Error& error) {
 
 void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   app.footer(
-      "Times are processor time (match_ms: all that the mapping thread does for a scan), each stage also by "
-      "the\n"
-      "clock. revisit_within_0_1_m: of all ends of beams on surfaces that another visit looked at (at least\n"
-      "15 m of way later or earlier, and twice as much way as the two places are apart), the share within\n"
-      "0.1 m of the centre of an occupied cell that another visit hit. A visit looked at a surface that it "
-      "hit\n"
-      "so near, and at one that a beam of it contradicts, by ending behind it or before it on the same "
-      "side.\n"
-      "unlike_canonical: cells in another state than in the canonical map, of those known there.");
+      "Times are processor time (match_ms: all that the mapping thread does for a scan), each stage also\n"
+      "by the clock. revisit_within_0_1_m: of all ends of beams on surfaces that another visit looked at\n"
+      "(at least 15 m of way later or earlier, and twice as much way as the two places are apart), the\n"
+      "share within 0.1 m of the centre of an occupied cell that another visit hit. A visit looked at a\n"
+      "surface that it hit so near, and at one that a beam of it contradicts, by ending behind it or\n"
+      "before it on the same side. unlike_canonical: cells in another state than in the canonical map,\n"
+      "of those known there.");
   auto* from = app.add_option_group("input")->require_option(1);
   from->add_option("--log", slam.log, "The log");
   from->add_option("--simulate", slam.simulate,

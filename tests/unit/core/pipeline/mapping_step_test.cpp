@@ -120,8 +120,7 @@ class ToldOff {
 
   /// Cells that are not as when all keyframes had been drawn at the mapper's poses.
   [[nodiscard]] std::size_t cells_elsewhere() {
-    slam::GridParams exact;
-    slam::MapBuilder direct(exact);
+    slam::MapBuilder direct({});
     direct.update(state_.mapper().keyframes(), state_.mapper().poses());
     return grid::differing_cells(state_.make_snapshot()->grid, direct.grid());
   }
