@@ -132,10 +132,10 @@ SolveReport Mapper::optimise() {
   return solution.report;
 }
 
-/// What was solved for is obeyed as far as it ever will be.
+/// What the poses obey now. What they do not is too new, or a closure that the rest contradicts.
 void Mapper::relink() {
   std::erase_if(unlinked_, [&](std::size_t i) {
-    if (i >= edges_solved_ && is_far_off(edges_[i])) return false;
+    if (is_far_off(edges_[i])) return false;
     links_.add(edges_[i]);
     return true;
   });
