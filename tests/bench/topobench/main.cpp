@@ -9,6 +9,7 @@
 #include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
+#include "tests/bench/topobench/goals/goals_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
 #include "tests/bench/topobench/posegraph/posegraph_command.hpp"
 #include "tests/bench/topobench/session_command.hpp"
@@ -183,6 +184,26 @@ void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
   app.add_flag("--json", analyse.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
+  app.footer(
+      "Maps count with eight frontier clusters (0.75 m) or more. An opening onto space: a cluster through\n"
+      "which the robot can drive into 10 m2 or more that its map does not know. It is without a goal when\n"
+      "none has its own opening there or sees it from within 3 m.");
+  app.add_option("--worlds", goals.worlds,
+                 "Buildings: files as explore --world has them, and folders of them")
+      ->required()
+      ->delimiter(',');
+  app.add_option("--seeds", goals.seeds, "Explorations of each, from starts as explore-table draws them")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--stages", goals.stages, "Maps of each exploration, evenly over the area known")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app.add_option("--fidelity", goals.fidelity)->check(CLI::IsMember({"full", "plan"}))->capture_default_str();
+  app.add_option("--out", goals.out, "Folder for pictures of the maps where an opening is without a goal");
+  app.add_flag("--json", goals.json, "One JSON object on one line");
+}
+
 void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
   app.add_option("--log", session.log, "The log")->required();
   app.add_option("--out", session.out, "File for the session, as topoctl session save writes it");
@@ -249,6 +270,10 @@ int main(int argc, char** argv) {
       "Can be stopped at any time: the same command goes on where it was. A run that crashed is tried "
       "again.");
   add_options(*table_app, table);
+  topo::bench::GoalsCommand goals;
+  CLI::App* goals_app = app.add_subcommand(
+      "goals", "Goals on partial maps met while exploring: how few, and whether one is missing");
+  add_options(*goals_app, goals);
   topo::bench::SessionCommand session;
   CLI::App* session_app = app.add_subcommand(
       "session", "Size of a log's session on the disk, and how its scans are found in its whole map");
@@ -274,6 +299,7 @@ int main(int argc, char** argv) {
   if (*analyse_app) return finish(topo::bench::run_analyse(analyse));
   if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
+  if (*goals_app) return finish(topo::bench::run_goals(goals));
   if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));
