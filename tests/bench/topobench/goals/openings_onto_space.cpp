@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/goals/filters.hpp"
 #include "core/goals/frontiers.hpp"
@@ -16,7 +17,7 @@ using goals::Goal;
 using types::Vector2;
 
 constexpr double kBehind_m = 0.6;  // so near behind the frontier the robot's middle can be
-constexpr double kNear_m = 3.0;    // what a goal's scan is sure to show, as GoalParams::in_sight_m has it
+constexpr double kNear_m = 3.0;    // a goal so near to where the robot would stand, and in sight, is as good
 
 /// Connected unexplored space, cell by cell of the building.
 class UnexploredSpace {
@@ -81,15 +82,34 @@ class UnexploredSpace {
   std::vector<double> area_m2_;
 };
 
-bool serves(const grid::DenseMap& map, const Goal& goal, const Frontier& frontier) {
-  const std::uint32_t own = map.contains(map.cell_at(goal.opening))
-                                ? static_cast<std::uint32_t>(map.index(map.cell_at(goal.opening)))
-                                : UINT32_MAX;
-  if (std::binary_search(frontier.cells.begin(), frontier.cells.end(), own)) return true;
-  const grid::CellIndex at = map.cell_at(goal.p_map);
-  return std::any_of(frontier.cells.begin(), frontier.cells.end(), [&](std::uint32_t i) {
-    return (map.centre_of(map.cell(i)) - goal.p_map).norm() <= kNear_m && goals::sees(map, at, map.cell(i));
-  });
+/// Where a robot would stand for a frontier: the nearest cell with room for it, through free space.
+std::optional<grid::CellIndex> stand_for(const pipeline::Analysis& analysis, const Frontier& frontier) {
+  const grid::DenseMap& map = analysis.map;
+  std::vector<std::uint8_t> seen(map.cells.size(), 0);
+  std::vector<std::uint32_t> queue = frontier.cells;
+  for (const std::uint32_t i : queue) seen[i] = 1;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const grid::CellIndex c = map.cell(queue[next]);
+    if (static_cast<double>(analysis.clearance_m[queue[next]]) >= goals::GoalParams{}.robot_radius_m)
+      return c;
+    for (const grid::CellIndex by : {grid::CellIndex{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+      const grid::CellIndex to{c.x + by.x, c.y + by.y};
+      if (map.state(to) != grid::CellState::kFree || seen[map.index(to)] != 0) continue;
+      seen[map.index(to)] = 1;
+      queue.push_back(static_cast<std::uint32_t>(map.index(to)));
+    }
+  }
+  return std::nullopt;
+}
+
+bool serves(const grid::DenseMap& map, const Goal& goal, const Frontier& frontier,
+            const std::optional<grid::CellIndex>& stand) {
+  const grid::CellIndex opening = map.cell_at(goal.opening);
+  if (map.contains(opening) && std::binary_search(frontier.cells.begin(), frontier.cells.end(),
+                                                  static_cast<std::uint32_t>(map.index(opening))))
+    return true;
+  return stand && (map.centre_of(*stand) - goal.p_map).norm() <= kNear_m &&
+         goals::sees(map, *stand, map.cell_at(goal.p_map));
 }
 
 std::string fate_of_nearest(std::span<const Goal> rejected, const Vector2& p_map) {
@@ -135,8 +155,9 @@ OpeningsOntoSpace openings_onto_space(const pipeline::Analysis& analysis, const 
     if (opening.space_m2 < space_min_m2) continue;
     opening.p_map = map.centre_of(map.cell(goals::middle_of(map, frontier.cells)));
     opening.width_m = frontier.width_m;
+    const std::optional<grid::CellIndex> stand = stand_for(analysis, frontier);
     for (std::size_t k = 0; k < analysis.goals.goals.size(); ++k) {
-      if (!serves(map, analysis.goals.goals[k], frontier)) continue;
+      if (!serves(map, analysis.goals.goals[k], frontier, stand)) continue;
       opening.has_goal = is_there_for_one[k] = true;
     }
     if (!opening.has_goal) opening.why = fate_of_nearest(analysis.goals.rejected, opening.p_map);

@@ -34,9 +34,9 @@ struct OpeningsOntoSpace {
 };
 
 /// The openings of a partial map onto at least `space_min_m2` that is really there, with whether the analysis
-/// has a goal for each: one whose own opening is on that frontier, or one within 3 m that
-/// sees a cell of it: who is there sees what the opening is for. `T_building_map`: where the map lies in the
-/// building. Costs the building's cells and the frontiers'.
+/// has a goal for each: one whose own opening is on that frontier, or one within 3 m, and in sight, of where
+/// a robot would stand for it. `T_building_map`: where the map lies in the building. Costs the building's
+/// cells, and the map's for each frontier.
 OpeningsOntoSpace openings_onto_space(const pipeline::Analysis& analysis, const DrivableTruth& truth,
                                       const types::Se2& T_building_map, double space_min_m2 = 10.0);
 
