@@ -19,9 +19,12 @@ struct GoalParams {
   double node_reach_m = 1.0;      ///< a free skeleton node this near takes the goal
   double centroid_ratio = 0.35;   ///< of a place's half extent: nearer to the centroid is dropped
   double separation_m = 1.0;      ///< of two goals
-  double in_sight_m = 3.0;        ///< of two goals of one place that see each other
+  double in_sight_m = 3.0;        ///< of two goals that see each other
+  double stand_in_m = 4.0;        ///< of a goal near its place's centroid and one further out
   double visited_radius_m = 1.0;  ///< the pose-history filter (paper section II-E)
-  double pocket_m2 = 0.5;         ///< enclosed unknown space smaller than this is no room
+  double room_reach_m = 6.0;      ///< so far from an opening a goal may be, through free space
+  double behind_m = 2.4;          ///< an opening leads so far into unknown space,
+  double behind_m2 = 4.0;         ///< and so wide; a room worth the way is no smaller
 };
 
 /// What the filters look at. Spans are borrowed for the call.

@@ -42,6 +42,28 @@ double reach_of(const places::PlaceMap& places, const Goal& goal) {
   return (goal.p_map - place.centroid).norm() / half;
 }
 
+/// Goals that can stand in for each other, both ways.
+class StandIns {
+ public:
+  StandIns(const grid::DenseMap& map, std::span<Goal* const> goals, const GoalParams& params)
+      : count_(goals.size()), is_(count_ * count_, false) {
+    for (std::size_t a = 0; a < count_; ++a) {
+      for (std::size_t b = 0; b <= a; ++b) {
+        const double away_m = (goals[a]->p_map - goals[b]->p_map).norm();
+        is_[a * count_ + b] = is_[b * count_ + a] =
+            away_m < params.separation_m ||
+            (away_m < params.in_sight_m &&
+             sees(map, map.cell_at(goals[a]->p_map), map.cell_at(goals[b]->p_map)));
+      }
+    }
+  }
+  [[nodiscard]] bool operator()(std::size_t a, std::size_t b) const { return is_[a * count_ + b]; }
+
+ private:
+  std::size_t count_;
+  std::vector<bool> is_;
+};
+
 }  // namespace
 
 bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side) {
@@ -90,39 +112,52 @@ double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
   return leaves ? HUGE_VAL : static_cast<double>(queue.size()) * map.resolution_m * map.resolution_m;
 }
 
-bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params) {
-  return unknown_behind_m2(map, map.cell(opening.middle), opening.cells) >= params.pocket_m2;
-}
-
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
                         const GoalParams& params) {
   double furthest = 0.0;
   for (const Goal& goal : goals_of_place) furthest = std::max(furthest, reach_of(places, goal));
   for (Goal& goal : goals_of_place) {
     const double reach = reach_of(places, goal);
-    if (reach < params.centroid_ratio && reach < 0.7 * furthest) goal.verdict = Verdict::kNearCentroid;
+    const bool has_stand_in =
+        std::any_of(goals_of_place.begin(), goals_of_place.end(), [&](const Goal& other) {
+          return reach_of(places, other) > reach && (other.p_map - goal.p_map).norm() < params.stand_in_m;
+        });
+    if (has_stand_in && reach < params.centroid_ratio && reach < 0.7 * furthest)
+      goal.verdict = Verdict::kNearCentroid;
   }
 }
 
 void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const GoalParams& params) {
-  const auto is_as_good = [&](const Goal& a, const Goal& b) {
-    const double away_m = (a.p_map - b.p_map).norm();
-    return away_m < params.separation_m || (a.place == b.place && away_m < params.in_sight_m &&
-                                            sees(map, map.cell_at(a.p_map), map.cell_at(b.p_map)));
-  };
-  std::vector<Goal*> by_width;
+  std::vector<Goal*> left;
   for (Goal& goal : goals) {
-    if (goal.verdict == Verdict::kAccepted) by_width.push_back(&goal);
+    if (goal.verdict == Verdict::kAccepted) left.push_back(&goal);
   }
-  std::stable_sort(by_width.begin(), by_width.end(),
+  std::stable_sort(left.begin(), left.end(),
                    [](const Goal* a, const Goal* b) { return a->opening_m > b->opening_m; });
-  for (std::size_t k = 1; k < by_width.size(); ++k) {
-    for (std::size_t better = 0; better < k; ++better) {
-      if (by_width[better]->verdict != Verdict::kAccepted || !is_as_good(*by_width[better], *by_width[k]))
-        continue;
-      by_width[k]->verdict = Verdict::kDuplicate;
-      break;
+  const StandIns stands_in(map, left, params);
+  std::vector<bool> settled(left.size(), false);
+  const auto unsettled_by = [&](std::size_t a) {
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < left.size(); ++b) count += !settled[b] && stands_in(a, b) ? 1U : 0U;
+    return count;
+  };
+  // A goal that was settled by another may yet stand in for more than any that is left.
+  for (std::size_t todo = left.size(); todo > 0;) {
+    std::size_t best = 0, most = 0;
+    for (std::size_t a = 0; a < left.size(); ++a) {
+      const std::size_t count = unsettled_by(a);
+      if (count > most) {
+        best = a;
+        most = count;
+      }
     }
+    for (std::size_t b = 0; b < left.size(); ++b) {
+      if (settled[b] || !stands_in(best, b)) continue;
+      settled[b] = true;
+      left[b]->verdict = Verdict::kDuplicate;
+    }
+    left[best]->verdict = Verdict::kAccepted;
+    todo -= most;
   }
 }
 

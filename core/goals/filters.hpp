@@ -20,8 +20,9 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side)
 double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
                          std::span<const std::uint32_t> cells);
 
-/// Opening check: unknown space that goes on for more than a metre, or is a pocket of at least pocket_m2.
-/// Shadows behind furniture are less.
+/// Opening check: can the robot's disc, as far as anything occupied is known, go on through the opening for
+/// behind_m into unknown space, of which at least behind_m2 can be had so? Shadows of furniture, slots and
+/// niches are less. Costs the cells of the opening's box and as far around it.
 bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params);
 
 /// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening
@@ -32,13 +33,16 @@ std::optional<types::Vector2> steer(const GoalInput& input, const Opening& openi
                                     std::vector<bool>& taken);
 
 /// Centroid filter over the goals of one place: what is nearer to the centroid than centroid_ratio of the
-/// half extent is dropped where another goal of the place is further out. Of a place more than twice as long
-/// as wide, what stands on a long side counts as at that side's midpoint, where the paper has it.
+/// half extent is dropped where another goal of the place is further out, and near enough to stand in for it.
+/// Of a place more than twice as long as wide, what stands on a long side counts as at that side's midpoint,
+/// where the paper has it.
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
                         const GoalParams& params);
 
-/// Of two accepted goals within separation_m the one with the wider opening stays; so it does within
-/// in_sight_m when they are of one place and see each other: who is at the one sees what the other is for.
+/// Few accepted goals that stand in for all: a goal stands in for those within separation_m, and within
+/// in_sight_m where they see each other: who is at the one sees what the other is for. Greedy set cover: the
+/// goal that stands in for most that nobody stands in for yet, of several the one with the widest opening.
+/// Costs the goals squared.
 void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const GoalParams& params);
 
 /// Is everything free on the straight line between two cells' centres?

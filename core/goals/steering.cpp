@@ -58,8 +58,7 @@ CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params
 
 /// The cell with room for the robot that is nearest through free space.
 std::optional<CellIndex> nearest_room(const GoalInput& input, CellIndex from, const GoalParams& params) {
-  constexpr double kReachM = 2.0;
-  const int reach = static_cast<int>(std::lround(kReachM / input.map.resolution_m));
+  const int reach = static_cast<int>(std::lround(params.room_reach_m / input.map.resolution_m));
   const int side = 2 * reach + 1;
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
   std::vector<CellIndex> queue = {from};

@@ -141,18 +141,34 @@ TEST(EssentialGoals, AreFreeAndClear) {
   }));
 }
 
+bool any_leads_to_unknown(const DrawnMap& drawn) {
+  const Scene scene(drawn);
+  const auto openings = find_openings(scene.input(), {});
+  return std::any_of(openings.begin(), openings.end(),
+                     [&](const Opening& o) { return leads_to_unknown(scene.map, o, {}); });
+}
+
 TEST(Filters, APocketIsNotSpaceToEnter) {
-  // Unknown space behind a cupboard: 0.6 x 0.6 m, then 0.9 x 0.9 m.
-  const auto leads = [](int side) {
-    DrawnMap drawn = DrawnMap(160, 120).room(20, 20, 140, 100);
-    drawn.fill(140 - side, 40, 140, 40 + side, CellState::kUnknown);
-    const Scene scene(drawn);
-    const auto openings = find_openings(scene.input(), {});
-    return std::any_of(openings.begin(), openings.end(),
-                       [&](const Opening& o) { return leads_to_unknown(scene.map, o, {}); });
+  // Unknown space at a wall: 2 x 2 m behind a cupboard, then 6 x 6 m.
+  const auto pocket = [](int side) {
+    return DrawnMap(260, 260)
+        .room(20, 20, 240, 240)
+        .fill(240 - side, 40, 240, 40 + side, CellState::kUnknown);
   };
-  EXPECT_FALSE(leads(12));
-  EXPECT_TRUE(leads(18));
+  EXPECT_FALSE(any_leads_to_unknown(pocket(40)));
+  EXPECT_TRUE(any_leads_to_unknown(pocket(120)));
+}
+
+TEST(Filters, WhereTheRobotDoesNotFitThroughIsNoSpaceToEnter) {
+  // Posts in the unknown behind the open end of the corridor, 0.8 m apart, then 0.6 m.
+  const auto behind_posts = [](int free_cells) {
+    DrawnMap drawn = corridor();
+    for (int y = 20; y < 60; y += free_cells + 1) drawn.occupied(302, y, 303, y + 1);
+    return drawn;
+  };
+  EXPECT_TRUE(any_leads_to_unknown(corridor()));
+  EXPECT_TRUE(any_leads_to_unknown(behind_posts(16)));
+  EXPECT_FALSE(any_leads_to_unknown(behind_posts(12)));
 }
 
 TEST(Filters, OneNodeIsOneGoals) {
@@ -177,12 +193,13 @@ TEST(Filters, TheLongSidesOfACorridorGiveWayToItsEnds) {
     g.side = side;
     return g;
   };
-  std::vector<Goal> goals = {goal(19.5, 1.0, Side::kEast), goal(3.0, 1.2, Side::kNorth),
-                             goal(10.0, 0.8, Side::kSouth)};
+  std::vector<Goal> goals = {goal(19.5, 1.0, Side::kEast), goal(17.0, 1.2, Side::kNorth),
+                             goal(16.0, 0.8, Side::kSouth), goal(9.0, 0.8, Side::kSouth)};
   drop_near_centroid(places, goals, {});
   EXPECT_EQ(goals[0].verdict, Verdict::kAccepted);
   EXPECT_EQ(goals[1].verdict, Verdict::kNearCentroid);
   EXPECT_EQ(goals[2].verdict, Verdict::kNearCentroid);
+  EXPECT_EQ(goals[3].verdict, Verdict::kAccepted) << "who is at the end does not see what it is for";
   std::vector<Goal> sides_only = {goal(3.0, 1.2, Side::kNorth)};
   drop_near_centroid(places, sides_only, {});
   EXPECT_EQ(sides_only[0].verdict, Verdict::kAccepted) << "there is no other";
@@ -203,6 +220,58 @@ TEST(Filters, OfTwoGoalsTheWiderOpeningStays) {
   EXPECT_EQ(goals[1].verdict, Verdict::kAccepted);
   EXPECT_EQ(goals[2].verdict, Verdict::kDuplicate) << "in sight";
   EXPECT_EQ(goals[3].verdict, Verdict::kAccepted) << "behind the wall";
+}
+
+TEST(Filters, AGoalInTheMiddleStandsInForThoseOnEitherSide) {
+  const Scene scene(DrawnMap(260, 120).room(20, 20, 240, 100));
+  std::vector<Goal> goals(4);
+  const double opening_m[] = {3.0, 1.0, 3.0, 2.0};
+  for (std::size_t k = 0; k < goals.size(); ++k) {
+    goals[k].p_map = {2.0 + 2.5 * static_cast<double>(k), 3.0};
+    goals[k].opening_m = opening_m[k];
+  }
+  drop_duplicates(scene.map, std::span(goals).first(3), {});
+  EXPECT_EQ(goals[0].verdict, Verdict::kDuplicate);
+  EXPECT_EQ(goals[1].verdict, Verdict::kAccepted) << "one for all three, though its own opening is narrow";
+  EXPECT_EQ(goals[2].verdict, Verdict::kDuplicate);
+}
+
+TEST(Filters, EveryGoalHasOneThatStandsInForIt) {
+  EXPECT_TRUE(rc::check([] {
+    const Scene scene(DrawnMap(260, 120).room(20, 20, 240, 100).occupied(130, 20, 132, 90));
+    std::vector<Goal> goals(static_cast<std::size_t>(*rc::gen::inRange(1, 12)));
+    for (Goal& goal : goals) {
+      goal.p_map = {0.01 * *rc::gen::inRange(110, 1190), 0.01 * *rc::gen::inRange(110, 490)};
+      goal.opening_m = 0.1 * *rc::gen::inRange(9, 60);
+    }
+    const GoalParams params;
+    drop_duplicates(scene.map, goals, params);
+    for (const Goal& goal : goals) {
+      RC_ASSERT(std::any_of(goals.begin(), goals.end(), [&](const Goal& other) {
+        const double away_m = (other.p_map - goal.p_map).norm();
+        return other.verdict == Verdict::kAccepted &&
+               (away_m < params.separation_m ||
+                (away_m < params.in_sight_m &&
+                 (sees(scene.map, scene.map.cell_at(goal.p_map), scene.map.cell_at(other.p_map)) ||
+                  sees(scene.map, scene.map.cell_at(other.p_map), scene.map.cell_at(goal.p_map)))));
+      }));
+    }
+  }));
+}
+
+TEST(Filters, AnOpeningAtTheEndOfANarrowFanIsForWhoStandsWhereTheFanBegins) {
+  // A slot of 0.5 m, 4 m long, that widens to 1 m: nobody stands in it.
+  DrawnMap drawn = DrawnMap(320, 300).room(20, 20, 300, 100);
+  drawn.free(150, 100, 160, 180).free(145, 180, 165, 182);
+  const Scene scene(drawn);
+  Opening opening;
+  opening.middle = static_cast<std::uint32_t>(scene.map.index(scene.map.cell_at({7.75, 9.08})));
+  std::vector<bool> taken(scene.skeleton.nodes.size(), false);
+  const auto p = steer(scene.input(), opening, {}, taken);
+  ASSERT_TRUE(p);
+  EXPECT_NEAR(p->x(), 7.75, 0.5);
+  EXPECT_LT(p->y(), 5.0);
+  EXPECT_GT(p->y(), 4.3);
 }
 
 TEST(Filters, APlaceIsVisitedByWhoWasThere) {
