@@ -45,7 +45,7 @@ Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance
                      const SkeletonParams& params) {
   assert(clearance_m.size() == map.cells.size());
   Skeleton skeleton;
-  Thinning thinning = thin_to_ridge(map, clearance_m);
+  Thinning thinning = thin_to_ridge(map, erode(map, clearance_m));
   GraphTracer tracer(map, clearance_m);
   // Without its spurs a junction may be none any more, and what it was an end of a spur itself.
   constexpr int kRounds = 4;
@@ -55,7 +55,7 @@ Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance
     if (round + 1 == kRounds || !drop_spurs(map, skeleton, params.spur_m, thinning)) break;
   }
   skeleton.on = std::move(thinning.marks);
-  for (auto& on : skeleton.on) on &= Thinning::kOn;
+  for (const std::uint32_t i : thinning.remain) skeleton.on[i] &= Thinning::kOn;
   return skeleton;
 }
 
