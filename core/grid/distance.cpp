@@ -184,6 +184,7 @@ struct ClearanceUpdate::Version {
 
 struct ClearanceUpdate::Impl {
   Version now, before;
+  std::optional<std::vector<std::uint32_t>> changed;
 };
 
 namespace {
@@ -218,6 +219,28 @@ class Kept {
     return true;
   }
 
+  /// Appends the cells of the row at hand, whose first is cell `at`, that have not the clearance they had.
+  void append_changed(std::size_t at, std::size_t width, const float* clearance_m,
+                      std::vector<std::uint32_t>& changed) const {
+    const auto append = [&](std::size_t x, std::size_t end, auto&& was_m) {
+      for (; x < end; ++x)
+        if (clearance_m[x] != was_m(x)) changed.push_back(static_cast<std::uint32_t>(at + x));
+    };
+    const auto none = [](std::size_t) { return 0.0F; };
+    if (!inside_) return append(0, width, none);
+    const auto first = static_cast<std::size_t>(box_.min.x - min_x_),
+               end = first + static_cast<std::size_t>(box_.width());
+    const float* const before = clearance_m_ + offset_;
+    append(0, first, none);
+    constexpr std::size_t kAtOnce = 64;  // mostly nothing has changed
+    for (std::size_t x = first; x < end; x += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, end - x);
+      if (std::memcmp(clearance_m + x, before + x, count * sizeof(float)) != 0)
+        append(x, x + count, [&](std::size_t i) { return before[i]; });
+    }
+    append(end, width, none);
+  }
+
  private:
   [[nodiscard]] bool was_boundary(int x) const {
     const std::int32_t cell_x = min_x_ + x;
@@ -240,9 +263,15 @@ ClearanceUpdate::~ClearanceUpdate() = default;
 
 const std::vector<float>& ClearanceUpdate::clearance_m() const { return impl_->now.clearance_m; }
 
+const std::optional<std::vector<std::uint32_t>>& ClearanceUpdate::changed() const { return impl_->changed; }
+
 void ClearanceUpdate::take(const DenseMap& map) {
   std::swap(impl_->now, impl_->before);
   Version& now = impl_->now;
+  const Version& before = impl_->before;
+  const bool is_same = before.resolution_m == map.resolution_m && !before.box.empty() &&
+                       map.contains(before.box.min) && map.contains(before.box.max);
+  impl_->changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
   now.box = map.box;
   now.resolution_m = map.resolution_m;
   now.clearance_m.assign(map.cells.size(), 0.0F);
@@ -256,6 +285,7 @@ void ClearanceUpdate::take(const DenseMap& map) {
     kept.begin_row(y, &now.steps[at]);
     float* const out = &now.clearance_m[at];
     pass.row(&now.steps[at], out, [&](int first, int end) { return kept.fill(first, end, out); });
+    if (is_same) kept.append_changed(at, width, out, *impl_->changed);
   }
 }
 

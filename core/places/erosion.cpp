@@ -391,6 +391,62 @@ class Settling {
   Rising first_, last_;
 };
 
+/// Changes some cells' clearances under fates that were settled.
+class Change {
+ public:
+  Change(const DenseMap& map, std::span<const float> clearance_m, std::vector<Fate>& fates)
+      : map_(map),
+        clearance_m_(clearance_m),
+        fates_(fates),
+        offsets_(neighbour_offsets(map)),
+        buckets_per_m_(buckets_per_m(map)) {}
+
+  /// A cell with another clearance; whether its neighbours are on the ridge may have changed as well.
+  void apply(std::uint32_t i, Settling& settling) {
+    renew(i, settling);
+    for (const std::ptrdiff_t offset : offsets_)
+      renew(static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset), settling);
+  }
+
+ private:
+  void renew(std::uint32_t i, Settling& settling) {
+    if (map_.cells[i] != CellState::kFree) {
+      fates_[i] = 0;
+      return;
+    }
+    const auto bucket = fate_of(clearance_m_[i], buckets_per_m_);
+    const auto kept = static_cast<Fate>(fates_[i] & kFlags & ~Erosion::kRidge);
+    fates_[i] = static_cast<Fate>(bucket | kept | (on_ridge(i) ? Erosion::kRidge : 0));
+    settling.doubt(i);
+  }
+  [[nodiscard]] bool on_ridge(std::uint32_t i) const {
+    const auto at = [&](std::size_t k) {
+      return clearance_m_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + offsets_[k])];
+    };
+    const float side = larger(larger(at(0), at(4)), larger(at(2), at(6)));
+    const float corner = larger(larger(at(1), at(3)), larger(at(5), at(7)));
+    return is_ridge(clearance_m_[i], side, corner, static_cast<float>(map_.resolution_m));
+  }
+
+  const DenseMap& map_;
+  std::span<const float> clearance_m_;
+  std::vector<Fate>& fates_;
+  std::array<std::ptrdiff_t, 8> offsets_;
+  float buckets_per_m_;
+};
+
+/// Fates in the array of a map whose box holds the other's.
+std::vector<Fate> moved(const Erosion& before, const DenseMap& map) {
+  if (before.box == map.box) return before.fates;
+  std::vector<Fate> fates(map.cells.size(), 0);
+  const auto width = static_cast<std::size_t>(before.box.width());
+  for (std::int32_t y = before.box.min.y; y <= before.box.max.y; ++y) {
+    const auto row = before.fates.begin() + static_cast<std::ptrdiff_t>(width) * (y - before.box.min.y);
+    std::copy_n(row, width, fates.begin() + static_cast<std::ptrdiff_t>(map.index({before.box.min.x, y})));
+  }
+  return fates;
+}
+
 /// Cells that are kept, in the order of their turns: within one by number.
 std::vector<std::uint32_t> kept_in_order(std::span<const Fate> fates) {
   std::vector<std::uint32_t> cells, ends((kBuckets << 1U) + 1, 0);
@@ -413,10 +469,22 @@ std::array<std::ptrdiff_t, 8> neighbour_offsets(const DenseMap& map) {
 }
 
 Erosion erode(const DenseMap& map, std::span<const float> clearance_m) {
-  Erosion erosion{std::vector<Fate>(map.cells.size(), 0), {}};
+  Erosion erosion{map.box, std::vector<Fate>(map.cells.size(), 0), {}};
   if (map.cells.empty()) return erosion;
   Settling settling(map, erosion.fates);
   for (const std::uint32_t i : Assumption(map, clearance_m, erosion.fates).run()) settling.doubt(i);
+  settling.settle_all();
+  erosion.kept = kept_in_order(erosion.fates);
+  return erosion;
+}
+
+Erosion erode_again(const DenseMap& map, std::span<const float> clearance_m, const Erosion& before,
+                    std::span<const std::uint32_t> changed) {
+  Erosion erosion{map.box, moved(before, map), {}};
+  if (map.cells.empty()) return erosion;
+  Settling settling(map, erosion.fates);
+  Change change(map, clearance_m, erosion.fates);
+  for (const std::uint32_t i : changed) change.apply(i, settling);
   settling.settle_all();
   erosion.kept = kept_in_order(erosion.fates);
   return erosion;

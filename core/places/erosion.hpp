@@ -19,6 +19,7 @@ std::array<std::ptrdiff_t, 8> neighbour_offsets(const grid::DenseMap& map);
 /// holes change (distance-ordered homotopic thinning, Pudney 1998): the ridge of the distance map and what
 /// connects it. Cells at the array's border count as not free. A value; empty: of no map.
 struct Erosion {
+  grid::CellBox box;  ///< of the map
   /// Of every cell of the map: its bucket of clearance, and its fate; 0 where it is not free.
   std::vector<std::uint16_t> fates;
   std::vector<std::uint32_t> kept;  ///< in the order in which their turns came
@@ -32,10 +33,11 @@ struct Erosion {
 /// for those on the ridge and beside what stays.
 Erosion erode(const grid::DenseMap& map, std::span<const float> clearance_m);
 
-/// The same from the erosion of a map of the same box: equal to that of the whole map when `changed` has all
-/// cells whose state or clearance is another one, ascending. Costs what they change, and a pass over what is
-/// kept.
-Erosion erode_again(const grid::DenseMap& map, std::span<const float> clearance_m, Erosion before,
+/// The same from the erosion of another map, of the same resolution and with a box inside of this one's:
+/// equal to that of the whole map when `changed` has all cells whose clearance is not what it was there,
+/// those outside of it counted as none, ascending. Costs what has changed, and a pass over the cells for what
+/// is kept.
+Erosion erode_again(const grid::DenseMap& map, std::span<const float> clearance_m, const Erosion& before,
                     std::span<const std::uint32_t> changed);
 
 }  // namespace topo::places
