@@ -107,10 +107,12 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
     AnalysisMemory memory;
     const int steps = *rc::gen::inRange(2, 10);
     for (int step = 0; step < steps; ++step) {
-      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110), *rc::gen::inRange(10, 60));
+      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
+                              *rc::gen::inRange(10, 60));
       for (int k = *rc::gen::inRange(0, 4); k > 0; --k) {
         const auto state = *rc::gen::element(CellState::kUnknown, CellState::kFree, CellState::kOccupied);
-        exploration.change(*rc::gen::inRange(1, 170), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 28), state);
+        exploration.change(*rc::gen::inRange(1, 170), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 28),
+                           state);
       }
       const AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
       const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});

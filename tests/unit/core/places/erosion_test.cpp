@@ -52,7 +52,8 @@ std::vector<std::uint32_t> kept_one_by_one(const DenseMap& map, const std::vecto
   std::map<int, std::vector<std::uint32_t>> buckets;
   for (std::uint32_t i = 0; i < on.size(); ++i) {
     on[i] = map.cells[i] == CellState::kFree;
-    if (on[i]) buckets[static_cast<int>(clearance_m[i] * static_cast<float>(8.0 / map.resolution_m))].push_back(i);
+    if (on[i])
+      buckets[static_cast<int>(clearance_m[i] * static_cast<float>(8.0 / map.resolution_m))].push_back(i);
   }
   const auto offsets = neighbour_offsets(map);
   const auto beside = [&](std::uint32_t i, std::size_t k) {
