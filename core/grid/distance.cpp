@@ -114,7 +114,7 @@ class RowPass {
   void row(const Steps* steps, float* out, Known&& known) {
     int x = 0;
     while (x < width_) {
-      while (x < width_ && steps[x] == 0) ++x;
+      x = skip_boundary(steps, x);
       const int first = x;
       while (x < width_ && steps[x] != 0) ++x;
       if (first == x) break;
@@ -126,6 +126,16 @@ class RowPass {
   }
 
  private:
+  /// From `x` on the first cell that is not boundary, or the end. Most of a map is boundary.
+  [[nodiscard]] int skip_boundary(const Steps* steps, int x) const {
+    constexpr int kAtOnce = sizeof(std::uint64_t) / sizeof(Steps);
+    for (std::uint64_t several = 0; x + kAtOnce <= width_; x += kAtOnce) {
+      std::memcpy(&several, steps + x, sizeof several);
+      if (several != 0) break;
+    }
+    while (x < width_ && steps[x] == 0) ++x;
+    return x;
+  }
   void metres(int first, int end, float* out) const {
     constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
     const float resolution_m = resolution_m_;  // a copy, which writing to out cannot change
@@ -209,6 +219,15 @@ class Kept {
         inside_ ? (y - box_.min.y) * static_cast<std::ptrdiff_t>(box_.width()) + min_x_ - box_.min.x : 0;
   }
 
+  /// Fills in the whole row when it was as wide and nothing about it has changed.
+  bool fill_row(std::size_t width, float* out) const {
+    if (!inside_ || box_.min.x != min_x_ || static_cast<std::size_t>(box_.width()) != width ||
+        std::memcmp(now_, steps_ + offset_, width * sizeof(Steps)) != 0)
+      return false;
+    std::memcpy(out, clearance_m_ + offset_, width * sizeof(float));
+    return true;
+  }
+
   /// Fills in the run [first, end) when nothing about it has changed.
   bool fill(int first, int end, float* out) const {
     if (!inside_ || min_x_ + first < box_.min.x || min_x_ + end - 1 > box_.max.x) return false;
@@ -274,7 +293,7 @@ void ClearanceUpdate::take(const DenseMap& map) {
   impl_->changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
   now.box = map.box;
   now.resolution_m = map.resolution_m;
-  now.clearance_m.assign(map.cells.size(), 0.0F);
+  now.clearance_m.resize(map.cells.size());
   if (now.clearance_m.empty()) return;
   column_pass(map, false, now.steps);
   const auto width = static_cast<std::size_t>(map.width());
@@ -284,6 +303,8 @@ void ClearanceUpdate::take(const DenseMap& map) {
   for (std::size_t at = 0; at < now.clearance_m.size(); at += width, ++y) {
     kept.begin_row(y, &now.steps[at]);
     float* const out = &now.clearance_m[at];
+    if (kept.fill_row(width, out)) continue;
+    std::fill_n(out, width, 0.0F);
     pass.row(&now.steps[at], out, [&](int first, int end) { return kept.fill(first, end, out); });
     if (is_same) kept.append_changed(at, width, out, *impl_->changed);
   }

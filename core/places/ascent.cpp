@@ -90,18 +90,22 @@ class Ascent {
   static constexpr std::uint32_t kLost = UINT32_MAX;
 
   /// From a cell to the first one with a label, which all cells on the way get.
-  void climb(std::uint32_t i) {
-    way_.clear();
-    while (labels_[i] == 0) {
-      way_.push_back(i);
+  void climb(std::uint32_t start) {
+    std::uint32_t label = 0, i = start;
+    std::size_t steps = 0;
+    while ((label = labels_[i]) == 0) {
+      if (steps == way_.size()) way_.resize(2 * way_.size());
+      way_[steps++] = i;
       const Direction up = directions_[i];
       const std::uint32_t next = up == kFlat ? labelled_beside(i) : beside(i, up);
-      if (next == i) break;
+      if (next == i) {
+        label = kLost;
+        break;
+      }
       i = next;
     }
-    const std::uint32_t label = labels_[i] == 0 ? kLost : labels_[i];
-    for (const std::uint32_t cell : way_) labels_[cell] = label;
-    if (label == kLost) lost_.insert(lost_.end(), way_.begin(), way_.end());
+    for (std::size_t k = 0; k < steps; ++k) labels_[way_[k]] = label;
+    if (label == kLost) lost_.insert(lost_.end(), way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(steps));
   }
 
   /// A neighbour that has its label; else the cell itself.
@@ -120,7 +124,8 @@ class Ascent {
   std::vector<Direction> directions_;
   std::uint32_t* labels_;
   std::array<std::ptrdiff_t, 8> offsets_;
-  std::vector<std::uint32_t> way_, lost_;
+  std::vector<std::uint32_t> way_ = std::vector<std::uint32_t>(64);  ///< longer ones make it longer
+  std::vector<std::uint32_t> lost_;
 };
 
 }  // namespace

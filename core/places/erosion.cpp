@@ -282,6 +282,7 @@ class Settling {
     fates_[i] |= kQueued;
     doubtful_[i / strip_cells_].push_back(i);
   }
+  [[nodiscard]] bool is_in_doubt(std::uint32_t i) const { return (fates_[i] & kQueued) != 0; }
   [[nodiscard]] std::size_t strips() const { return doubtful_.size(); }
 
   /// Settles one strip as the others are, which may come to be in doubt. True when there was something to do.
@@ -414,6 +415,7 @@ class Change {
       fates_[i] = 0;
       return;
     }
+    if (settling.is_in_doubt(i)) return;  // as a neighbour of another one
     const auto bucket = fate_of(clearance_m_[i], buckets_per_m_);
     const auto kept = static_cast<Fate>(fates_[i] & kFlags & ~Erosion::kRidge);
     fates_[i] = static_cast<Fate>(bucket | kept | (on_ridge(i) ? Erosion::kRidge : 0));
