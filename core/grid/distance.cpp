@@ -114,7 +114,7 @@ class RowPass {
   void row(const Steps* steps, float* out, Known&& known) {
     int x = 0;
     while (x < width_) {
-      while (x < width_ && steps[x] == 0) ++x;
+      x = skip_boundary(steps, x);
       const int first = x;
       while (x < width_ && steps[x] != 0) ++x;
       if (first == x) break;
@@ -126,6 +126,16 @@ class RowPass {
   }
 
  private:
+  /// From `x` on the first cell that is not boundary, or the end. Most of a map is boundary.
+  [[nodiscard]] int skip_boundary(const Steps* steps, int x) const {
+    constexpr int kAtOnce = sizeof(std::uint64_t) / sizeof(Steps);
+    for (std::uint64_t several = 0; x + kAtOnce <= width_; x += kAtOnce) {
+      std::memcpy(&several, steps + x, sizeof several);
+      if (several != 0) break;
+    }
+    while (x < width_ && steps[x] == 0) ++x;
+    return x;
+  }
   void metres(int first, int end, float* out) const {
     constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
     const float resolution_m = resolution_m_;  // a copy, which writing to out cannot change
@@ -184,6 +194,7 @@ struct ClearanceUpdate::Version {
 
 struct ClearanceUpdate::Impl {
   Version now, before;
+  std::optional<std::vector<std::uint32_t>> changed;
 };
 
 namespace {
@@ -208,6 +219,15 @@ class Kept {
         inside_ ? (y - box_.min.y) * static_cast<std::ptrdiff_t>(box_.width()) + min_x_ - box_.min.x : 0;
   }
 
+  /// Fills in the whole row when it was as wide and nothing about it has changed.
+  bool fill_row(std::size_t width, float* out) const {
+    if (!inside_ || box_.min.x != min_x_ || static_cast<std::size_t>(box_.width()) != width ||
+        std::memcmp(now_, steps_ + offset_, width * sizeof(Steps)) != 0)
+      return false;
+    std::memcpy(out, clearance_m_ + offset_, width * sizeof(float));
+    return true;
+  }
+
   /// Fills in the run [first, end) when nothing about it has changed.
   bool fill(int first, int end, float* out) const {
     if (!inside_ || min_x_ + first < box_.min.x || min_x_ + end - 1 > box_.max.x) return false;
@@ -216,6 +236,28 @@ class Kept {
     if (std::memcmp(now_ + first, steps_ + offset_ + first, count * sizeof(Steps)) != 0) return false;
     std::memcpy(out + first, clearance_m_ + offset_ + first, count * sizeof(float));
     return true;
+  }
+
+  /// Appends the cells of the row at hand, whose first is cell `at`, that have not the clearance they had.
+  void append_changed(std::size_t at, std::size_t width, const float* clearance_m,
+                      std::vector<std::uint32_t>& changed) const {
+    const auto append = [&](std::size_t x, std::size_t end, auto&& was_m) {
+      for (; x < end; ++x)
+        if (clearance_m[x] != was_m(x)) changed.push_back(static_cast<std::uint32_t>(at + x));
+    };
+    const auto none = [](std::size_t) { return 0.0F; };
+    if (!inside_) return append(0, width, none);
+    const auto first = static_cast<std::size_t>(box_.min.x - min_x_),
+               end = first + static_cast<std::size_t>(box_.width());
+    const float* const before = clearance_m_ + offset_;
+    append(0, first, none);
+    constexpr std::size_t kAtOnce = 64;  // mostly nothing has changed
+    for (std::size_t x = first; x < end; x += kAtOnce) {
+      const std::size_t count = std::min(kAtOnce, end - x);
+      if (std::memcmp(clearance_m + x, before + x, count * sizeof(float)) != 0)
+        append(x, x + count, [&](std::size_t i) { return before[i]; });
+    }
+    append(end, width, none);
   }
 
  private:
@@ -240,12 +282,18 @@ ClearanceUpdate::~ClearanceUpdate() = default;
 
 const std::vector<float>& ClearanceUpdate::clearance_m() const { return impl_->now.clearance_m; }
 
+const std::optional<std::vector<std::uint32_t>>& ClearanceUpdate::changed() const { return impl_->changed; }
+
 void ClearanceUpdate::take(const DenseMap& map) {
   std::swap(impl_->now, impl_->before);
   Version& now = impl_->now;
+  const Version& before = impl_->before;
+  const bool is_same = before.resolution_m == map.resolution_m && !before.box.empty() &&
+                       map.contains(before.box.min) && map.contains(before.box.max);
+  impl_->changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
   now.box = map.box;
   now.resolution_m = map.resolution_m;
-  now.clearance_m.assign(map.cells.size(), 0.0F);
+  now.clearance_m.resize(map.cells.size());
   if (now.clearance_m.empty()) return;
   column_pass(map, false, now.steps);
   const auto width = static_cast<std::size_t>(map.width());
@@ -255,7 +303,10 @@ void ClearanceUpdate::take(const DenseMap& map) {
   for (std::size_t at = 0; at < now.clearance_m.size(); at += width, ++y) {
     kept.begin_row(y, &now.steps[at]);
     float* const out = &now.clearance_m[at];
+    if (kept.fill_row(width, out)) continue;
+    std::fill_n(out, width, 0.0F);
     pass.row(&now.steps[at], out, [&](int first, int end) { return kept.fill(first, end, out); });
+    if (is_same) kept.append_changed(at, width, out, *impl_->changed);
   }
 }
 

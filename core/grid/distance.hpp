@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,11 @@ class ClearanceUpdate {
 
   /// Of the map taken last; as long as its cells. Good until the next take().
   [[nodiscard]] const std::vector<float>& clearance_m() const;
+
+  /// Cells of the map taken last whose clearance is not what it was on the map before it, ascending; what was
+  /// outside of that map had none. Nothing when it was another map: of another resolution, or with a box that
+  /// is not inside this one's. Good until the next take().
+  [[nodiscard]] const std::optional<std::vector<std::uint32_t>>& changed() const;
 
  private:
   struct Version;

@@ -30,6 +30,7 @@ struct CellBox {
     min = {std::min(min.x, cell.x), std::min(min.y, cell.y)};
     max = {std::max(max.x, cell.x), std::max(max.y, cell.y)};
   }
+  friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
 /// Unbounded occupancy grid: tiles in a persistent Patricia tree. Copying one is a snapshot and costs O(1);

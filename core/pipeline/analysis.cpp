@@ -6,42 +6,103 @@
 #include "core/places/furniture.hpp"
 
 namespace topo::pipeline {
+namespace {
+
+/// The map without furniture, with its distances and what thinning begins with.
+struct OpenMap {
+  const grid::DenseMap& map;
+  const std::vector<float>& clearance_m;
+  const places::Erosion& erosion;
+};
+
+/// The stages from the compass to the furniture, and those behind: what lies between is done in two ways.
+class Stages {
+ public:
+  Stages(AnalysisInput input, const AnalysisParams& params, const StageWatch& done)
+      : params_(params),
+        done_(done),
+        wall_points_(std::move(input.wall_points)),
+        visited_(std::move(input.visited)) {
+    a_.revision = input.revision;
+    a_.map = std::move(input.free.map);
+    a_.clearance_m = std::move(input.free.clearance_m);
+  }
+
+  [[nodiscard]] const Analysis& so_far() const { return a_; }
+
+  void find_walls() {
+    // The store's walls are the confident ones; without a coronal scanner there are none, and what is
+    // occupied must do.
+    const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
+    walls::CompassParams compass = params_.compass;
+    compass.cell_m = a_.map.resolution_m;
+    a_.compass = walls::entropy_compass(occupied, compass);
+    tell(Stage::kCompass);
+    const bool has_store = !wall_points_.empty() && params_.wall_store;
+    a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls);
+    tell(Stage::kWalls);
+  }
+  [[nodiscard]] grid::DenseMap without_furniture() const {
+    return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
+  }
+  void find_places_and_goals(const OpenMap& open) {
+    a_.skeleton = places::skeletonise(open.map, open.clearance_m, open.erosion);
+    tell(Stage::kSkeleton);
+    const places::FirstLabels first =
+        places::first_labels(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m);
+    tell(Stage::kLabels);
+    a_.places = places::reduce_labels(open.map, open.clearance_m, a_.skeleton, first, a_.walls, compass_rad(),
+                                      params_.places);
+    places::leave_free_space(a_.map, a_.places.labels);
+    tell(Stage::kReduction);
+    a_.goals =
+        goals::essential_goals({a_.map, a_.clearance_m, a_.skeleton, a_.places, visited_}, params_.goals);
+    tell(Stage::kGoals);
+  }
+  void tell(Stage stage) const {
+    if (done_) done_(stage);
+  }
+
+  Analysis take() { return std::move(a_); }
+
+ private:
+  [[nodiscard]] double compass_rad() const { return a_.compass.angle_rad.value_or(0.0); }
+
+  const AnalysisParams& params_;
+  const StageWatch& done_;
+  std::vector<types::Vector2> wall_points_;
+  std::vector<std::vector<types::Vector2>> visited_;
+  Analysis a_;
+};
+
+}  // namespace
 
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done) {
-  const auto tell = [&](Stage stage) {
-    if (done) done(stage);
-  };
-  Analysis a;
-  a.revision = input.revision;
-  a.map = std::move(input.free.map);
-  a.clearance_m = std::move(input.free.clearance_m);
-  // The store's walls are the confident ones; without a coronal scanner there are none, and what is occupied
-  // must do.
-  std::vector<types::Vector2> points = std::move(input.wall_points);
-  const std::vector<types::Vector2> occupied = walls::occupied_points(a.map);
-  walls::CompassParams compass = params.compass;
-  compass.cell_m = a.map.resolution_m;
-  a.compass = walls::entropy_compass(occupied, compass);
-  tell(Stage::kCompass);
-  if (points.empty() || !params.wall_store) points = occupied;
-  const double compass_rad = a.compass.angle_rad.value_or(0.0);
-  a.walls = walls::extract_walls(points, compass_rad, params.walls);
-  tell(Stage::kWalls);
-  const grid::DenseMap open = places::without_furniture(a.map, a.walls, params.places.furniture_m);
+  Stages stages(std::move(input), params, done);
+  stages.find_walls();
+  const grid::DenseMap open = stages.without_furniture();
   std::vector<float> without_m;
-  if (open.cells != a.map.cells) without_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
-  const std::vector<float>& open_m = without_m.empty() ? a.clearance_m : without_m;
-  tell(Stage::kFurniture);
-  a.skeleton = places::skeletonise(open, open_m);
-  tell(Stage::kSkeleton);
-  const places::FirstLabels first = places::first_labels(open, open_m, a.skeleton, params.places.piece_m);
-  tell(Stage::kLabels);
-  a.places = places::reduce_labels(open, open_m, a.skeleton, first, a.walls, compass_rad, params.places);
-  places::leave_free_space(a.map, a.places.labels);
-  tell(Stage::kReduction);
-  a.goals = goals::essential_goals({a.map, a.clearance_m, a.skeleton, a.places, input.visited}, params.goals);
-  tell(Stage::kGoals);
-  return a;
+  if (open.cells != stages.so_far().map.cells)
+    without_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
+  const std::vector<float>& open_m = without_m.empty() ? stages.so_far().clearance_m : without_m;
+  stages.tell(Stage::kFurniture);
+  stages.find_places_and_goals({open, open_m, places::erode(open, open_m)});
+  return stages.take();
+}
+
+Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
+                 const StageWatch& done) {
+  Stages stages(std::move(input), params, done);
+  stages.find_walls();
+  const grid::DenseMap open = stages.without_furniture();
+  memory.open.take(open);
+  const std::vector<float>& open_m = memory.open.clearance_m();
+  const auto& changed = memory.open.changed();
+  stages.tell(Stage::kFurniture);
+  memory.erosion =
+      changed ? places::erode_again(open, open_m, memory.erosion, *changed) : places::erode(open, open_m);
+  stages.find_places_and_goals({open, open_m, memory.erosion});
+  return stages.take();
 }
 
 }  // namespace topo::pipeline

@@ -9,7 +9,9 @@
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
+#include "core/grid/distance.hpp"
 #include "core/pipeline/clear_map.hpp"
+#include "core/places/erosion.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
 #include "core/walls/wall_extraction.hpp"
@@ -51,5 +53,18 @@ struct AnalysisInput {
 
 /// All stages on one map.
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done = {});
+
+/// What one analysis leaves to the next.
+struct AnalysisMemory {
+  grid::ClearanceUpdate open;  ///< of the map without furniture
+  places::Erosion erosion;
+};
+
+/// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a
+/// map that has grown or was corrected, distances and thinning are redone where something has changed. What
+/// the compass turns is done anew: with every wall that is seen it turns a little, and with it all boxes.
+/// Empty: of no map.
+Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
+                 const StageWatch& done = {});
 
 }  // namespace topo::pipeline

@@ -138,8 +138,9 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   analysed = in.now;
   ClearMap free =
       params.coarse_analysis ? coarser(map, clearance.clearance_m()) : ClearMap{map, clearance.clearance_m()};
-  analysis = std::make_shared<const Analysis>(analyse(
-      {map_revision, std::move(free), walls::wall_points(in.map->walls), visited(*in.map)}, params.analysis));
+  analysis = std::make_shared<const Analysis>(
+      analyse({map_revision, std::move(free), walls::wall_points(in.map->walls), visited(*in.map)},
+              params.analysis, analysis_memory));
 }
 
 std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {

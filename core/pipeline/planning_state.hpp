@@ -164,6 +164,7 @@ struct PlanningState::Impl {
   std::vector<float> travel_clearance_m;  ///< and of what stands there now
   double known_m2 = 0.0;
   std::shared_ptr<const Analysis> analysis;
+  AnalysisMemory analysis_memory;
   types::Stamp analysed{};
   types::Stamp idle_since{};  ///< without a goal; zero: with one
   grid::TravelSearch search;

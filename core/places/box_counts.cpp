@@ -3,6 +3,7 @@
 #include "core/places/box_counts.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace topo::places {
 
@@ -28,12 +29,16 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
         (frame.from_map(map.centre_of({map.box.min.x, map.box.min.y + y})) - corner_) / bin_m_;
     const CellState* row =
         map.cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width());
-    for (int x = 0; x < map.width(); ++x) {
-      if (row[x] == CellState::kUnknown) continue;
+    const CellState* const end = row + map.width();
+    for (const CellState* at = row; at != end; ++at) {
+      // Most cells are not occupied: the library looks at many at once.
+      at = static_cast<const CellState*>(
+          std::memchr(at, static_cast<int>(CellState::kOccupied), static_cast<std::size_t>(end - at)));
+      if (at == nullptr) break;
+      const auto x = static_cast<double>(at - row);
       const auto u = static_cast<std::size_t>(first.x() + x * step * frame.cos);
       const auto v = static_cast<std::size_t>(first.y() - x * step * frame.sin);
-      Counts& bin = sums_[(v + 1) * columns_ + u + 1];
-      (row[x] == CellState::kFree ? bin.free : bin.occupied) += 1;
+      ++sums_[(v + 1) * columns_ + u + 1];
     }
   }
   sum_up();
@@ -41,17 +46,17 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
 
 void BoxCounts::sum_up() {
   for (std::size_t v = 1; v < rows_; ++v) {
-    Counts run;
+    std::uint32_t* const here = &sums_[v * columns_];
+    const std::uint32_t* const below = here - columns_;
+    std::uint32_t run = 0;
     for (std::size_t u = 1; u < columns_; ++u) {
-      Counts& here = sums_[v * columns_ + u];
-      run = {run.free + here.free, run.occupied + here.occupied};
-      const Counts& below = sums_[(v - 1) * columns_ + u];
-      here = {run.free + below.free, run.occupied + below.occupied};
+      run += here[u];
+      here[u] = run + below[u];
     }
   }
 }
 
-BoxCounts::Counts BoxCounts::in(const types::Rectangle& box) const {
+std::uint32_t BoxCounts::occupied_in(const types::Rectangle& box) const {
   const auto bin = [&](double at, double corner, std::size_t count) {
     return static_cast<std::size_t>(
         std::clamp(std::round((at - corner) / bin_m_), 0.0, static_cast<double>(count - 1)));
@@ -60,8 +65,7 @@ BoxCounts::Counts BoxCounts::in(const types::Rectangle& box) const {
                     u1 = bin(box.max.x(), corner_.x(), columns_);
   const std::size_t v0 = bin(box.min.y(), corner_.y(), rows_) * columns_;
   const std::size_t v1 = bin(box.max.y(), corner_.y(), rows_) * columns_;
-  const Counts &a = sums_[v0 + u0], &b = sums_[v0 + u1], &c = sums_[v1 + u0], &d = sums_[v1 + u1];
-  return {d.free - b.free - c.free + a.free, d.occupied - b.occupied - c.occupied + a.occupied};
+  return sums_[v1 + u1] - sums_[v0 + u1] - sums_[v1 + u0] + sums_[v0 + u0];
 }
 
 }  // namespace topo::places

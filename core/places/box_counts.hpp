@@ -23,17 +23,12 @@ struct CompassFrame {
   double sin;
 };
 
-/// How many free and how many occupied cells lie in a rectangle of the compass frame, in constant time:
-/// tables of sums over bins of two by two cells.
+/// How many occupied cells lie in a rectangle of the compass frame, in constant time: a table of sums over
+/// bins of two by two cells.
 class BoxCounts {
  public:
-  struct Counts {
-    std::uint32_t free = 0;
-    std::uint32_t occupied = 0;
-  };
-
   BoxCounts(const grid::DenseMap& map, const CompassFrame& frame);
-  [[nodiscard]] Counts in(const types::Rectangle& box) const;
+  [[nodiscard]] std::uint32_t occupied_in(const types::Rectangle& box) const;
 
  private:
   void sum_up();
@@ -41,7 +36,7 @@ class BoxCounts {
   std::size_t rows_ = 1;
   types::Vector2 corner_{0.0, 0.0};
   double bin_m_;
-  std::vector<Counts> sums_;  ///< over all bins left of a column and below a row
+  std::vector<std::uint32_t> sums_;  ///< over all bins left of a column and below a row
 };
 
 }  // namespace topo::places

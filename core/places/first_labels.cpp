@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/places/ascent.hpp"
 #include "core/places/thinning.hpp"
 
 namespace topo::places {
@@ -107,71 +108,6 @@ void spread(const DenseMap& map, std::span<const std::ptrdiff_t> offsets, std::v
   }
 }
 
-/// Labels free cells by the axis cell that the steepest way up the distance map leads to.
-class Ascent {
- public:
-  Ascent(const DenseMap& map, std::span<const float> clearance_m, std::vector<std::uint32_t>& labels)
-      : map_(map), clearance_m_(clearance_m), labels_(labels), offsets_(neighbour_offsets(map)) {}
-
-  /// Returns the free cells that have no label afterwards: their way up ends beside the axis, on a ridge that
-  /// was taken away.
-  std::vector<std::uint32_t> run() {
-    const auto width = static_cast<std::size_t>(map_.width());
-    for (std::size_t row = 1; row + 1 < static_cast<std::size_t>(map_.height()); ++row) {
-      for (std::size_t i = row * width + 1; i + 1 < (row + 1) * width; ++i) {
-        if (map_.cells[i] == CellState::kFree && labels_[i] == 0) climb(static_cast<std::uint32_t>(i));
-      }
-    }
-    for (const std::uint32_t i : lost_) labels_[i] = 0;
-    return std::move(lost_);
-  }
-
- private:
-  static constexpr std::uint32_t kLost = UINT32_MAX;
-
-  /// From a cell to the first one with a label, which all cells on the way get.
-  void climb(std::uint32_t i) {
-    way_.clear();
-    while (labels_[i] == 0) {
-      way_.push_back(i);
-      const std::uint32_t next = above(i);
-      if (next == i) break;
-      i = next;
-    }
-    const std::uint32_t label = labels_[i] == 0 ? kLost : labels_[i];
-    for (const std::uint32_t cell : way_) labels_[cell] = label;
-    if (label == kLost) lost_.insert(lost_.end(), way_.begin(), way_.end());
-  }
-
-  /// The neighbour to which clearance rises most, not through the corner where two walls meet; on a ridge,
-  /// where it rises nowhere, one that has its label; else the cell itself.
-  [[nodiscard]] std::uint32_t above(std::uint32_t i) const {
-    const float* at = &clearance_m_[i];
-    const std::ptrdiff_t up = offsets_[2];
-    const std::ptrdiff_t level = at[1] >= at[-1] ? 1 : -1, upright = at[up] >= at[-up] ? up : -up;
-    const float side = std::max(at[level], at[upright]) - at[0];
-    // The steepest diagonal lies between the two sides to which it rises more.
-    const bool open = at[level] > 0.0F || at[upright] > 0.0F;
-    const float corner = open ? (at[level + upright] - at[0]) * 0.70711F : 0.0F;
-    if (corner > side && corner > 0.0F) return beside(i, level + upright);
-    if (side > 0.0F) return beside(i, at[level] >= at[upright] ? level : upright);
-    for (std::size_t k = 0; k < 8; ++k) {
-      const std::uint32_t j = beside(i, offsets_[k]);
-      if (labels_[j] != 0 && labels_[j] != kLost) return j;
-    }
-    return i;
-  }
-  static std::uint32_t beside(std::uint32_t i, std::ptrdiff_t offset) {
-    return static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset);
-  }
-
-  const DenseMap& map_;
-  std::span<const float> clearance_m_;
-  std::vector<std::uint32_t>& labels_;
-  std::array<std::ptrdiff_t, 8> offsets_;
-  std::vector<std::uint32_t> way_, lost_;
-};
-
 constexpr std::uint32_t kBarred = UINT32_MAX;
 
 /// Sets the array's outermost cells: what spreads need not ask where the array ends.
@@ -203,7 +139,7 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   FirstLabels first{std::vector<std::uint32_t>(map.cells.size(), 0), 0};
   if (map.cells.empty()) return first;
   first.pieces = AxisLabels(map, clearance_m, skeleton, piece_m, first.labels).give();
-  const std::vector<std::uint32_t> lost = Ascent(map, clearance_m, first.labels).run();
+  const std::vector<std::uint32_t> lost = climb_to_labels(map, clearance_m, first.labels);
   if (lost.empty()) return first;
   bar_border(map, kBarred, first.labels);
   std::vector<std::uint32_t> queue = labelled_beside(map, lost, first.labels);

@@ -168,7 +168,7 @@ class Reduction {
 double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
                double resolution_m, const PlaceParams& params) {
   const types::Vector2 side = (box.max - box.min) / resolution_m;
-  const double occupied = counts.in(box).occupied;
+  const double occupied = counts.occupied_in(box);
   const double own = own_cells;
   const double elsewhere = std::max(0.0, side.x() * side.y() - own - occupied);
   return own / (own + occupied + params.elsewhere_weight * elsewhere);

@@ -3,7 +3,10 @@
 #include "core/places/regions.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numbers>
+
+#include "core/grid/free_runs.hpp"
 
 namespace topo::places {
 namespace {
@@ -35,17 +38,15 @@ class CellPass {
       : map_(map), clearance_m_(clearance_m), labels_(first.labels), frame_(frame), regions(first.pieces) {}
 
   void run() {
-    const auto width = static_cast<std::size_t>(map_.width());
-    for (std::size_t y = 0; y + 1 < static_cast<std::size_t>(std::max(map_.height(), 1)); ++y) {
-      const std::uint32_t* row = labels_.data() + y * width;
-      // The last column has no label, so that every run ends in its row.
-      for (std::size_t x = 0; x + 1 < width;) {
-        const std::size_t begin = x;
-        for (++x; x < width && row[x] == row[begin]; ++x) {
-        }
-        if (row[begin] != 0) add_run(y * width + begin, x - begin);
+    const std::uint32_t* const labels = labels_.data();
+    grid::for_each_free_run(map_, [&](std::size_t i, std::size_t end) {
+      while (i < end) {
+        const std::size_t begin = i;
+        const std::uint32_t label = labels[i];
+        while (i < end && labels[i] == label) ++i;
+        if (label != 0) add_run(begin, i - begin);
       }
-    }
+    });
     pad_boxes();
   }
   void add_cores(std::span<const std::uint32_t> axis) {
@@ -79,19 +80,43 @@ class CellPass {
     region.sum += 0.5 * static_cast<double>(count) * (a + b);
     region.cells += static_cast<std::uint32_t>(count);
     region.first = std::min(region.first, static_cast<std::uint32_t>(first));
-    const auto width = static_cast<std::size_t>(map_.width());
-    float clearest = region.clearance_m;
-    for (std::size_t i = first; i < first + count; ++i) {
-      clearest = std::max(clearest, clearance_m_[i]);
-      note(i, i + width, 0, 1);
-    }
-    region.clearance_m = clearest;
-    note(first + count - 1, first + count, 1, 0);
+    region.clearance_m = std::max(region.clearance_m, clearest(first, count));
+    note_above(first, count);
+    note(labels_[first], labels_[first + count],
+         {0, 1, 0, 0.0F, std::min(clearance_m_[first + count - 1], clearance_m_[first + count])});
   }
-  void note(std::size_t i, std::size_t j, std::uint32_t upright, std::uint32_t level) {
-    const std::uint32_t a = labels_[i], b = labels_[j];
-    if (b == 0 || a == b) return;
-    pairs.push_back({key_of(a - 1, b - 1), upright, level, 0.0F, std::min(clearance_m_[i], clearance_m_[j])});
+  /// Floats that are not negative are in the order of their bits, and of whole numbers the compiler makes
+  /// vector instructions.
+  [[nodiscard]] float clearest(std::size_t first, std::size_t count) const {
+    std::int32_t most = 0;
+    for (const float& clearance_m : clearance_m_.subspan(first, count))
+      most = std::max(most, std::bit_cast<std::int32_t>(clearance_m));
+    return std::bit_cast<float>(most);
+  }
+  /// What lies above a run, each label side by side once.
+  void note_above(std::size_t first, std::size_t count) {
+    const auto width = static_cast<std::size_t>(map_.width());
+    const std::uint32_t label = labels_[first];
+    const std::uint32_t* const above = &labels_[first + width];
+    for (std::size_t i = 0; i < count;) {
+      const std::uint32_t other = above[i];
+      if (other == label || other == 0) {
+        ++i;
+        continue;
+      }
+      Pair pair{0, 0, 0, 0.0F, 0.0F};
+      for (; i < count && above[i] == other; ++i) {
+        ++pair.level;
+        pair.clearance_m =
+            std::max(pair.clearance_m, std::min(clearance_m_[first + i], clearance_m_[first + i + width]));
+      }
+      note(label, other, pair);
+    }
+  }
+  void note(std::uint32_t label, std::uint32_t other, Pair pair) {
+    if (other == 0 || other == label) return;
+    pair.key = key_of(label - 1, other - 1);
+    pairs.push_back(pair);
   }
   /// From the centres of cells to their sides.
   void pad_boxes() {

@@ -41,11 +41,11 @@ bool drop_spurs(const grid::DenseMap& map, const Skeleton& skeleton, double spur
 
 }  // namespace
 
-Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m,
+Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m, const Erosion& erosion,
                      const SkeletonParams& params) {
   assert(clearance_m.size() == map.cells.size());
   Skeleton skeleton;
-  Thinning thinning = thin_to_ridge(map, clearance_m);
+  Thinning thinning = thin_to_ridge(map, erosion);
   GraphTracer tracer(map, clearance_m);
   // Without its spurs a junction may be none any more, and what it was an end of a spur itself.
   constexpr int kRounds = 4;
@@ -55,8 +55,13 @@ Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance
     if (round + 1 == kRounds || !drop_spurs(map, skeleton, params.spur_m, thinning)) break;
   }
   skeleton.on = std::move(thinning.marks);
-  for (auto& on : skeleton.on) on &= Thinning::kOn;
+  for (const std::uint32_t i : thinning.remain) skeleton.on[i] &= Thinning::kOn;
   return skeleton;
+}
+
+Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m,
+                     const SkeletonParams& params) {
+  return skeletonise(map, clearance_m, erode(map, clearance_m), params);
 }
 
 }  // namespace topo::places

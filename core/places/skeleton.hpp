@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
+#include "core/places/erosion.hpp"
 
 namespace topo::places {
 
@@ -48,7 +49,12 @@ struct Skeleton {
   }
 };
 
-/// `clearance_m`: grid::clearance_m of the map with kOccupiedOrUnknown. Linear in the cells.
+/// `clearance_m`: grid::clearance_m of the map with kOccupiedOrUnknown; `erosion` of both. Linear in the
+/// cells.
+Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m, const Erosion& erosion,
+                     const SkeletonParams& params = {});
+
+/// The same with the erosion.
 Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m,
                      const SkeletonParams& params = {});
 

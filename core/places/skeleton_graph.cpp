@@ -3,19 +3,18 @@
 #include "core/places/skeleton_graph.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace topo::places {
 
 int GraphTracer::count_around(std::uint32_t i) const {
   int count = 0;
-  for (std::size_t k = 0; k < 8; ++k) count += marks_[neighbour(i, k)] & Thinning::kOn;
+  for (std::size_t k = 0; k < 8; ++k) count += thinning_->marks[neighbour(i, k)] & Thinning::kOn;
   return count;
 }
 
-float GraphTracer::step_m(std::uint32_t a, std::uint32_t b) const {
-  const auto distance = static_cast<std::ptrdiff_t>(a > b ? a - b : b - a);
-  const bool straight = distance == 1 || distance == map_.width();
-  return static_cast<float>(map_.resolution_m * (straight ? 1.0 : 1.41421356));
+float GraphTracer::step_m(std::size_t direction) const {
+  return static_cast<float>(map_.resolution_m * (direction % 2 == 0 ? 1.0 : 1.41421356));
 }
 
 void GraphTracer::add_node(std::uint32_t seed, bool whole_junction) {
@@ -23,14 +22,16 @@ void GraphTracer::add_node(std::uint32_t seed, bool whole_junction) {
   node.first_cell = static_cast<std::uint32_t>(out_->axis.size());
   const auto id = static_cast<std::uint32_t>(out_->nodes.size()) + 1;
   const auto take = [&](std::uint32_t i) {
-    owner_[i] = id;
+    thinning_->marks[i] |= Thinning::kNode;
+    node_of_.set(i, id);
     out_->axis.push_back(i);
   };
   take(seed);
   for (std::size_t next = node.first_cell; whole_junction && next < out_->axis.size(); ++next) {
-    for (std::size_t k = 0; k < 8; ++k) {
-      const std::uint32_t j = neighbour(out_->axis[next], k);
-      if ((marks_[j] & Thinning::kOn) != 0 && owner_[j] == kNobody && count_around(j) > 2) take(j);
+    const std::uint32_t i = out_->axis[next];
+    for (unsigned around = thinning_->pattern_at(i, offsets_); around != 0; around &= around - 1) {
+      const std::uint32_t j = neighbour(i, static_cast<std::size_t>(std::countr_zero(around)));
+      if (!is_taken(j) && count_around(j) > 2) take(j);
     }
   }
   node.cell_count = static_cast<std::uint32_t>(out_->axis.size()) - node.first_cell;
@@ -43,28 +44,26 @@ void GraphTracer::add_node(std::uint32_t seed, bool whole_junction) {
   out_->nodes.push_back(node);
 }
 
-/// Follows the axis from a node's cell over its neighbour `first` to the next node.
-void GraphTracer::add_edge(std::uint32_t node, std::uint32_t from, std::uint32_t first) {
+/// Follows the axis from a node's cell over its neighbour in `direction` to the next node.
+void GraphTracer::add_edge(std::uint32_t node, std::uint32_t from, std::size_t direction) {
   SkeletonEdge edge;
   edge.a = node;
   edge.first_cell = static_cast<std::uint32_t>(out_->axis.size());
-  edge.clearance_min_m = std::min(clearance_m_[from], clearance_m_[first]);
-  edge.length_m = step_m(from, first);
-  std::uint32_t last = from, here = first;
-  while (owner_[here] == kNobody) {
-    owner_[here] = kEdge;
+  std::uint32_t here = neighbour(from, direction);
+  edge.clearance_min_m = std::min(clearance_m_[from], clearance_m_[here]);
+  edge.length_m = step_m(direction);
+  while (!is_taken(here)) {
+    thinning_->marks[here] |= Thinning::kEdge;
     out_->axis.push_back(here);
-    std::uint32_t next = here;
-    for (std::size_t k = 0; k < 8; ++k) {
-      const std::uint32_t j = neighbour(here, k);
-      if ((marks_[j] & Thinning::kOn) != 0 && j != last) next = j;
-    }
-    edge.clearance_min_m = std::min(edge.clearance_min_m, clearance_m_[next]);
-    edge.length_m += step_m(here, next);
-    last = here;
-    here = next;
+    // On an edge there are two neighbours, of which it came from one.
+    const unsigned back = 1U << ((direction + 4) % 8);
+    const unsigned ahead = thinning_->pattern_at(here, offsets_) & ~back;
+    direction = static_cast<std::size_t>(std::countr_zero(ahead));
+    here = neighbour(here, direction);
+    edge.clearance_min_m = std::min(edge.clearance_min_m, clearance_m_[here]);
+    edge.length_m += step_m(direction);
   }
-  edge.b = owner_[here] - 1;
+  edge.b = node_of_.at(here) - 1;
   edge.cell_count = static_cast<std::uint32_t>(out_->axis.size()) - edge.first_cell;
   ++out_->nodes[edge.a].degree;
   ++out_->nodes[edge.b].degree;
@@ -75,38 +74,44 @@ void GraphTracer::add_edges_of(std::uint32_t node) {
   const SkeletonNode copy = out_->nodes[node];
   for (std::uint32_t n = 0; n < copy.cell_count; ++n) {
     const std::uint32_t from = out_->axis[copy.first_cell + n];
-    for (std::size_t k = 0; k < 8; ++k) {
-      const std::uint32_t j = neighbour(from, k);
-      if ((marks_[j] & Thinning::kOn) == 0 || owner_[j] == kEdge || owner_[j] == node + 1) continue;
+    for (unsigned around = thinning_->pattern_at(from, offsets_); around != 0; around &= around - 1) {
+      const auto direction = static_cast<std::size_t>(std::countr_zero(around));
+      const std::uint32_t j = neighbour(from, direction);
+      if ((thinning_->marks[j] & Thinning::kEdge) != 0) continue;
       // Two nodes that touch have an edge without cells: found from both, made once.
-      if (owner_[j] == kNobody || owner_[j] - 1 > node) add_edge(node, from, j);
+      if (!is_taken(j) || node_of_.at(j) - 1 > node) add_edge(node, from, direction);
     }
   }
 }
 
 /// What is neither node nor edge now is a ring; its clearest cell becomes its node.
-void GraphTracer::add_rings(const Thinning& thinning) {
-  for (auto it = thinning.remain.rbegin(); it != thinning.remain.rend(); ++it) {
-    if (owner_[*it] != kNobody) continue;
+void GraphTracer::add_rings() {
+  for (auto it = thinning_->remain.rbegin(); it != thinning_->remain.rend(); ++it) {
+    if (is_taken(*it)) continue;
     add_node(*it, false);
     add_edges_of(static_cast<std::uint32_t>(out_->nodes.size()) - 1);
   }
 }
 
-void GraphTracer::trace(const Thinning& thinning, Skeleton& skeleton) {
-  marks_ = thinning.marks.data();
+void GraphTracer::trace(Thinning& thinning, Skeleton& skeleton) {
+  thinning_ = &thinning;
   out_ = &skeleton;
-  for (const std::uint32_t i : skeleton.axis) owner_[i] = kNobody;  // of the run before
+  for (const std::uint32_t i : thinning.remain)
+    thinning.marks[i] &= static_cast<std::uint8_t>(~(Thinning::kNode | Thinning::kEdge));
+  node_of_.clear();
   skeleton.nodes.clear();
   skeleton.edges.clear();
   skeleton.axis.clear();
-  for (const std::uint32_t i : thinning.remain) {
-    if (owner_[i] != kNobody) continue;
+  for (std::size_t k = 0; k < thinning.remain.size(); ++k) {
+    const std::uint32_t i = thinning.remain[k];
+    if (k + kFetchAhead < thinning.remain.size())
+      fetch_around(thinning, thinning.remain[k + kFetchAhead], offsets_);
+    if (is_taken(i)) continue;
     const int around = count_around(i);
     if (around != 2) add_node(i, around > 2);
   }
   for (std::uint32_t node = 0; node < skeleton.nodes.size(); ++node) add_edges_of(node);
-  add_rings(thinning);
+  add_rings();
 }
 
 }  // namespace topo::places

@@ -67,7 +67,7 @@ class Projections {
     count(cloud, static_cast<float>(std::cos(angle_rad)), static_cast<float>(std::sin(angle_rad)));
     // Every point is in two bins.
     const double points = 2.0 * static_cast<double>(cloud.x.size());
-    return 2.0 * std::log(points) - (sum_and_clear(along_) + sum_and_clear(across_)) / points;
+    return 2.0 * std::log(points) - sum_and_clear() / points;
   }
 
  private:
@@ -90,16 +90,19 @@ class Projections {
     }
   }
 
-  double sum_and_clear(std::vector<std::uint32_t>& bins) const {
-    double sum = 0.0;
-    std::uint32_t before = 0;
-    for (std::uint32_t& bin : bins) {
-      const std::uint32_t here = bin;
-      sum += static_cast<double>(weighted_log_(before + here));
-      before = here;
-      bin = 0;
+  /// Both at once: each sum waits for its own last term only.
+  double sum_and_clear() {
+    double along = 0.0, across = 0.0;
+    std::uint32_t along_before = 0, across_before = 0;
+    for (std::size_t i = 0; i < along_.size(); ++i) {
+      const std::uint32_t along_here = along_[i], across_here = across_[i];
+      along += static_cast<double>(weighted_log_(along_before + along_here));
+      across += static_cast<double>(weighted_log_(across_before + across_here));
+      along_before = along_here;
+      across_before = across_here;
+      along_[i] = across_[i] = 0;
     }
-    return sum;
+    return along + across;
   }
 
   float middle_;

@@ -23,16 +23,11 @@ TEST(BoxCounts, AreExactOnWholeBins) {
     // Bins begin at the array's corner, cell (-1, -1).
     const int x0 = 2 * *rc::gen::inRange(0, 14) - 1, x1 = x0 + 2 * *rc::gen::inRange(0, 8);
     const int y0 = 2 * *rc::gen::inRange(0, 11) - 1, y1 = y0 + 2 * *rc::gen::inRange(0, 8);
-    BoxCounts::Counts expected;
+    std::uint32_t expected = 0;
     for (int y = y0; y < y1; ++y) {
-      for (int x = x0; x < x1; ++x) {
-        expected.free += drawn.map().state({x, y}) == grid::CellState::kFree;
-        expected.occupied += drawn.map().state({x, y}) == grid::CellState::kOccupied;
-      }
+      for (int x = x0; x < x1; ++x) expected += drawn.map().state({x, y}) == grid::CellState::kOccupied;
     }
-    const auto [free, occupied] = counts.in({{x0 * 0.05, y0 * 0.05}, {x1 * 0.05, y1 * 0.05}});
-    RC_ASSERT(free == expected.free);
-    RC_ASSERT(occupied == expected.occupied);
+    RC_ASSERT(counts.occupied_in({{x0 * 0.05, y0 * 0.05}, {x1 * 0.05, y1 * 0.05}}) == expected);
   }));
 }
 
@@ -40,9 +35,7 @@ TEST(BoxCounts, OfATurnedFrameCountEveryCellOnce) {
   const DrawnMap drawn = DrawnMap(61, 37).free(3, 4, 40, 30).occupied(10, 10, 12, 20);
   for (const double compass_rad : {0.1, 0.7, 1.2, 1.55}) {
     const BoxCounts counts(drawn.map(), CompassFrame(compass_rad));
-    const auto all = counts.in({{-1e3, -1e3}, {1e3, 1e3}});
-    EXPECT_EQ(all.free, 37U * 26U - 20U);
-    EXPECT_EQ(all.occupied, 20U);
+    EXPECT_EQ(counts.occupied_in({{-1e3, -1e3}, {1e3, 1e3}}), 20U);
   }
 }
 

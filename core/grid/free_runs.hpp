@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+#include "core/grid/dense_map.hpp"
+
+namespace topo::grid {
+
+/// Calls f(first, end) with indices of cells for all free cells side by side, in rising order. What is not
+/// free costs next to nothing: the library looks at many cells at once.
+template <class F>
+void for_each_free_run(const DenseMap& map, F&& f) {
+  static_assert(sizeof(CellState) == 1);
+  const auto width = static_cast<std::size_t>(map.width());
+  const CellState* const cells = map.cells.data();
+  for (std::size_t i = 0, row_end = width; i < map.cells.size(); i = row_end, row_end += width) {
+    while (i < row_end) {
+      const void* const found = std::memchr(cells + i, static_cast<int>(CellState::kFree), row_end - i);
+      if (found == nullptr) break;
+      const auto first = static_cast<std::size_t>(static_cast<const CellState*>(found) - cells);
+      for (i = first + 1; i < row_end && cells[i] == CellState::kFree;) ++i;
+      f(first, i);
+    }
+  }
+}
+
+}  // namespace topo::grid

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace topo::places {
+
+/// A number for a few of a map's many cells, 0 for the others: memory only for blocks of cells that have one.
+class CellNumbers {
+ public:
+  explicit CellNumbers(std::size_t cells) : blocks_(cells / kBlock + 1, 0), numbers_(kBlock, 0) {}
+
+  [[nodiscard]] std::uint32_t at(std::uint32_t cell) const {
+    return numbers_[blocks_[cell / kBlock] + cell % kBlock];
+  }
+  void set(std::uint32_t cell, std::uint32_t number) {
+    std::uint32_t& block = blocks_[cell / kBlock];
+    if (block == 0) {
+      block = static_cast<std::uint32_t>(numbers_.size());
+      numbers_.resize(numbers_.size() + kBlock, 0);
+    }
+    numbers_[block + cell % kBlock] = number;
+  }
+  /// No cell has one; the memory stays.
+  void clear() {
+    blocks_.assign(blocks_.size(), 0);
+    numbers_.resize(kBlock);
+  }
+
+ private:
+  static constexpr std::uint32_t kBlock = 32;
+  std::vector<std::uint32_t> blocks_;   ///< where each block's numbers begin; 0: the one without any
+  std::vector<std::uint32_t> numbers_;  ///< the first block's are those of all that have none
+};
+
+}  // namespace topo::places
