@@ -105,7 +105,8 @@ class Ascent {
       i = next;
     }
     for (std::size_t k = 0; k < steps; ++k) labels_[way_[k]] = label;
-    if (label == kLost) lost_.insert(lost_.end(), way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(steps));
+    if (label == kLost)
+      lost_.insert(lost_.end(), way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(steps));
   }
 
   /// A neighbour that has its label; else the cell itself.

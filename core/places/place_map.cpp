@@ -9,6 +9,7 @@
 
 #include "core/grid/free_runs.hpp"
 #include "core/places/box_counts.hpp"
+#include "core/places/corners.hpp"
 #include "core/places/first_labels.hpp"
 #include "core/places/reduction.hpp"
 #include "core/places/regions.hpp"
@@ -63,7 +64,9 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   const CompassFrame frame(out.compass_rad);
   std::vector<Region> regions = regions_of(map, clearance_m, first, skeleton.axis, walls, frame);
   const BoxCounts counts(map, frame);
-  const std::vector<std::uint32_t> roots = reduce(regions, counts, map.resolution_m, params);
+  const std::vector<Region> pieces = regions;
+  std::vector<std::uint32_t> roots = reduce(regions, counts, map.resolution_m, params);
+  if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
   const auto numbers = number_places(regions, map.resolution_m, params, out);
   add_borders(regions, numbers, map.resolution_m, out);
   std::vector<std::uint16_t> of_label(first.pieces + std::size_t{1}, 0);

@@ -17,18 +17,6 @@ types::Rectangle united(types::Rectangle a, const types::Rectangle& b) {
   return a;
 }
 
-double narrow_side(const Region& region) {
-  const types::Vector2 side = region.core.max - region.core.min;
-  return std::min(side.x(), side.y());
-}
-
-/// Longer than twice its width, and that width is what its clearance says: not a slice of a hall.
-bool is_corridor(const Region& region) {
-  const types::Vector2 side = region.core.max - region.core.min;
-  const double width = narrow_side(region);
-  return std::max(side.x(), side.y()) > 2.0 * width && static_cast<double>(region.clearance_m) < 0.7 * width;
-}
-
 /// A merge that may be made, if both regions are still as they were.
 struct Proposal {
   int density = 0;  ///< in steps of 2 %: pixels must not decide
@@ -172,6 +160,17 @@ double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCo
   const double own = own_cells;
   const double elsewhere = std::max(0.0, side.x() * side.y() - own - occupied);
   return own / (own + occupied + params.elsewhere_weight * elsewhere);
+}
+
+double narrow_side(const Region& region) {
+  const types::Vector2 side = region.core.max - region.core.min;
+  return std::min(side.x(), side.y());
+}
+
+bool is_corridor(const Region& region) {
+  const types::Vector2 side = region.core.max - region.core.min;
+  const double width = narrow_side(region);
+  return std::max(side.x(), side.y()) > 2.0 * width && static_cast<double>(region.clearance_m) < 0.7 * width;
 }
 
 bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params) {

@@ -17,6 +17,12 @@ namespace topo::places {
 double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
                double resolution_m, const PlaceParams& params);
 
+/// Of the region's core, in metres.
+double narrow_side(const Region& region);
+
+/// Longer than twice its width, and that width is what its clearance says: not a slice of a hall.
+bool is_corridor(const Region& region);
+
 /// Condition 2 of paper section II-C: what wall there is between the two is little beside their open border.
 bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params);
 

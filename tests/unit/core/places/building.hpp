@@ -36,7 +36,7 @@ inline DrawnMap clean_building() {
   drawn.room(20, 64, 140, 180).room(144, 64, 330, 250).room(334, 64, 496, 180);  // above the lower corridor
   drawn.room(20, 184, 140, 300).room(334, 184, 496, 300).room(144, 254, 330, 440).room(334, 304, 496, 440);
   drawn.room(20, 304, 140, 440);
-  drawn.free(500, 20, 540, 60);                                              // the corridors' corner
+  drawn.free(494, 20, 540, 60);                                              // the corridors' corner
   drawn.free(70, 60, 88, 64).free(230, 60, 248, 64).free(400, 60, 418, 64);  // doors to the lower corridor
   drawn.free(496, 230, 500, 248).free(496, 360, 500, 378);                   // doors to the right one
   drawn.free(140, 200, 144, 218).free(140, 360, 144, 378).free(230, 250, 248, 254);
