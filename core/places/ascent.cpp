@@ -77,8 +77,8 @@ class Ascent {
         offsets_(neighbour_offsets(map)) {}
 
   std::vector<std::uint32_t> run() {
-    grid::for_each_free_run(map_, [&](std::size_t i, std::size_t end) {
-      for (; i < end; ++i) {
+    grid::for_each_free_run(map_, [&](const grid::FreeRun& run) {
+      for (std::size_t i = run.first; i < run.end; ++i) {
         if (labels_[i] == 0 && directions_[i] != kClosed) climb(static_cast<std::uint32_t>(i));
       }
     });
@@ -105,7 +105,8 @@ class Ascent {
       i = next;
     }
     for (std::size_t k = 0; k < steps; ++k) labels_[way_[k]] = label;
-    if (label == kLost) lost_.insert(lost_.end(), way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(steps));
+    if (label == kLost)
+      lost_.insert(lost_.end(), way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(steps));
   }
 
   /// A neighbour that has its label; else the cell itself.
