@@ -8,8 +8,8 @@
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
+#include "core/grid/clearance_update.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/grid/distance.hpp"
 #include "core/pipeline/clear_map.hpp"
 #include "core/places/erosion.hpp"
 #include "core/places/place_map.hpp"

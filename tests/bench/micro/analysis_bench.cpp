@@ -15,6 +15,7 @@
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/frontiers.hpp"
+#include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/grid/wavefront.hpp"
 #include "core/pipeline/analysis.hpp"

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "core/grid/distance.hpp"
+
 namespace topo::pipeline {
 namespace {
 
