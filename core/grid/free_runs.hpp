@@ -12,8 +12,8 @@ namespace topo::grid {
 /// Free cells side by side, by their indices.
 struct FreeRun {
   CellIndex cell;  ///< the first
-  std::size_t first;
-  std::size_t end;
+  std::size_t first = 0;
+  std::size_t end = 0;
 };
 
 /// Calls f(FreeRun) for all free cells, in rising order. What is not free costs next to nothing: the library

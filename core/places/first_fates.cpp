@@ -91,7 +91,7 @@ class Assumption {
     const auto cell_m = static_cast<float>(map_.resolution_m);
     const float* const mid = &clearance_m_[first];
     const float *const low = mid - width_, *const high = mid + width_;
-    std::array<std::int32_t, kBlock> is;
+    std::array<std::int32_t, kBlock> is{};
     for (std::size_t i = 0; i < count; ++i) {
       const float side = larger(larger(mid[i - 1], mid[i + 1]), larger(low[i], high[i]));
       const float corner = larger(larger(low[i - 1], low[i + 1]), larger(high[i - 1], high[i + 1]));

@@ -15,7 +15,7 @@ namespace topo::places {
 template <class T, class F>
 void for_each_with(T bits, std::span<const T> values, F&& f) {
   constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(T);
-  std::array<T, kAtOnce> masks;
+  std::array<T, kAtOnce> masks{};
   masks.fill(bits);
   const auto mask = std::bit_cast<std::uint64_t>(masks);
   std::size_t i = 0;

@@ -220,6 +220,7 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < topo::bench::kStages.size(); ++i) {
       benchmark::RegisterBenchmark(topo::bench::kNames[i], topo::bench::kStages[i])
           ->Arg(scale)
+          ->MinWarmUpTime(0.01)
           ->Unit(benchmark::kMillisecond);
     }
   }
