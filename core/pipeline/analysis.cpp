@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/analysis.hpp"
 
+#include <utility>
+
 #include "core/grid/distance.hpp"
 #include "core/places/furniture.hpp"
 
@@ -96,11 +98,15 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
   stages.find_walls();
   const grid::DenseMap open = stages.without_furniture();
   memory.open.take(open);
-  const std::vector<float>& open_m = memory.open.clearance_m();
+  // A coarse map's distances are not its own: they count where there is no furniture.
+  const Analysis& given = stages.so_far();
+  const bool is_own = open.cells != given.map.cells || memory.open.clearance_m() == given.clearance_m;
+  const std::vector<float>& open_m = is_own ? memory.open.clearance_m() : given.clearance_m;
   const auto& changed = memory.open.changed();
+  const bool was_own = std::exchange(memory.is_own, is_own);
   stages.tell(Stage::kFurniture);
-  memory.erosion =
-      changed ? places::erode_again(open, open_m, memory.erosion, *changed) : places::erode(open, open_m);
+  memory.erosion = is_own && was_own && changed ? places::erode_again(open, open_m, memory.erosion, *changed)
+                                                : places::erode(open, open_m);
   stages.find_places_and_goals({open, open_m, memory.erosion});
   return stages.take();
 }

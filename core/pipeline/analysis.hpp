@@ -8,8 +8,8 @@
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
+#include "core/grid/clearance_update.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/grid/distance.hpp"
 #include "core/pipeline/clear_map.hpp"
 #include "core/places/erosion.hpp"
 #include "core/places/place_map.hpp"
@@ -58,6 +58,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 struct AnalysisMemory {
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
+  bool is_own = false;  ///< the erosion is by the distances of `open`
 };
 
 /// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a

@@ -9,7 +9,7 @@
 
 #include "core/goals/goal_ways.hpp"
 #include "core/goals/tour.hpp"
-#include "core/grid/distance.hpp"
+#include "core/grid/clearance_update.hpp"
 #include "core/pipeline/far_route.hpp"
 #include "core/pipeline/goal_choice.hpp"
 #include "core/pipeline/planning_step.hpp"

@@ -26,7 +26,7 @@ constexpr std::size_t kBlock = 64;
 /// Of free cells with clearances `at`, in rows of `width`. Not through the corner where two walls meet.
 void point_up(const float* at, std::size_t width, std::size_t count, Direction* directions) {
   const float *const low = at - width, *const high = at + width;
-  std::array<std::int32_t, kBlock> numbers;
+  std::array<std::int32_t, kBlock> numbers{};
   for (std::size_t i = 0; i < count; ++i) {
     const float here = at[i];
     const float east = at[i + 1], west = at[i - 1], north = high[i], south = low[i];
@@ -77,8 +77,8 @@ class Ascent {
         offsets_(neighbour_offsets(map)) {}
 
   std::vector<std::uint32_t> run() {
-    grid::for_each_free_run(map_, [&](std::size_t i, std::size_t end) {
-      for (; i < end; ++i) {
+    grid::for_each_free_run(map_, [&](const grid::FreeRun& run) {
+      for (std::size_t i = run.first; i < run.end; ++i) {
         if (labels_[i] == 0 && directions_[i] != kClosed) climb(static_cast<std::uint32_t>(i));
       }
     });

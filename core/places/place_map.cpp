@@ -71,8 +71,8 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   add_borders(regions, numbers, map.resolution_m, out);
   std::vector<std::uint16_t> of_label(first.pieces + std::size_t{1}, 0);
   for (std::uint32_t p = 0; p < first.pieces; ++p) of_label[p + 1] = numbers[roots[p]];
-  grid::for_each_free_run(map, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) out.labels[i] = of_label[first.labels[i]];
+  grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
+    for (std::size_t i = run.first; i < run.end; ++i) out.labels[i] = of_label[first.labels[i]];
   });
   return out;
 }

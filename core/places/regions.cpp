@@ -39,12 +39,14 @@ class CellPass {
 
   void run() {
     const std::uint32_t* const labels = labels_.data();
-    grid::for_each_free_run(map_, [&](std::size_t i, std::size_t end) {
-      while (i < end) {
+    grid::for_each_free_run(map_, [&](const grid::FreeRun& run) {
+      for (std::size_t i = run.first; i < run.end;) {
         const std::size_t begin = i;
         const std::uint32_t label = labels[i];
-        while (i < end && labels[i] == label) ++i;
-        if (label != 0) add_run(begin, i - begin);
+        while (i < run.end && labels[i] == label) ++i;
+        if (label == 0) continue;
+        const auto x = run.cell.x + static_cast<std::int32_t>(begin - run.first);
+        add_run({x, run.cell.y}, begin, i - begin);
       }
     });
     pad_boxes();
@@ -71,9 +73,9 @@ class CellPass {
 
  private:
   /// Cells with one label side by side.
-  void add_run(std::size_t first, std::size_t count) {
+  void add_run(grid::CellIndex cell, std::size_t first, std::size_t count) {
     Region& region = regions[labels_[first] - 1];
-    const types::Vector2 a = map_.centre_of(map_.cell(first));
+    const types::Vector2 a = map_.centre_of(cell);
     const types::Vector2 b = a + types::Vector2(static_cast<double>(count - 1) * map_.resolution_m, 0.0);
     region.box.extend(frame_.from_map(a));
     region.box.extend(frame_.from_map(b));

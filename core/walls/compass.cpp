@@ -130,6 +130,18 @@ struct Placing {
   double cell_m;
 };
 
+/// As cards are dealt, so that neighbours of one wall, which fall into one bin, are counted far from each
+/// other: no count then waits for the one before it.
+std::vector<float> dealt(const std::vector<float>& values) {
+  constexpr std::size_t kHands = 16;
+  std::vector<float> out;
+  out.reserve(values.size());
+  const std::size_t each = (values.size() + kHands - 1) / kHands;
+  for (std::size_t i = 0; i < each; ++i)
+    for (std::size_t k = i; k < values.size(); k += each) out.push_back(values[k]);
+  return out;
+}
+
 /// About `size` of the points, the same ones whatever their order. Each is put somewhere in its cell: rows of
 /// cell centres would be a direction of their own, that of the raster.
 Cloud thinned(std::span<const types::Vector2> points, std::size_t size, const Placing& placing) {
@@ -149,7 +161,7 @@ Cloud thinned(std::span<const types::Vector2> points, std::size_t size, const Pl
     cloud.x.push_back(static_cast<float>(x / placing.half_bin_m));
     cloud.y.push_back(static_cast<float>(y / placing.half_bin_m));
   }
-  return cloud;
+  return {dealt(cloud.x), dealt(cloud.y)};
 }
 
 double median_of(std::vector<double> values) {

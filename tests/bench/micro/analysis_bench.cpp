@@ -15,6 +15,7 @@
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/frontiers.hpp"
+#include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/grid/wavefront.hpp"
 #include "core/pipeline/analysis.hpp"
@@ -214,11 +215,12 @@ static_assert(kStages.size() == kNames.size());
 int main(int argc, char** argv) {
   // As in a process that analyses again and again, memory that was freed is used again, however much.
   mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, INT32_MAX);
+  mallopt(M_TRIM_THRESHOLD, -1);
   for (const int scale : {1, 2, 4, 7}) {
     for (std::size_t i = 0; i < topo::bench::kStages.size(); ++i) {
       benchmark::RegisterBenchmark(topo::bench::kNames[i], topo::bench::kStages[i])
           ->Arg(scale)
+          ->MinWarmUpTime(0.01)
           ->Unit(benchmark::kMillisecond);
     }
   }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "core/grid/distance.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -124,6 +126,24 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
       check_places(again.places, whole.places);
       check_goals(again.goals.goals, whole.goals.goals);
       check_goals(again.goals.rejected, whole.goals.rejected);
+    }
+  }));
+}
+
+/// Of a coarse map the distances given are not those between its own cells.
+TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    AnalysisMemory memory;
+    for (int step = 0; step < 4; ++step) {
+      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
+                              *rc::gen::inRange(10, 60));
+      AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
+      if (*rc::gen::inRange(0, 3) != 0) input.free = coarser(input.free.map, input.free.clearance_m);
+      const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+      check_skeleton(again.skeleton, whole.skeleton);
+      check_places(again.places, whole.places);
+      check_goals(again.goals.goals, whole.goals.goals);
     }
   }));
 }

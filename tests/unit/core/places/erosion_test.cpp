@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/places/simple_cell.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"

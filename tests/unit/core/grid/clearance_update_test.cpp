@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/grid/clearance_update.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/grid/distance.hpp"
+#include "tests/unit/core/grid/maps.hpp"
+
+namespace topo::grid {
+namespace {
+
+/// The cells within another box: unknown where there were none.
+DenseMap moved_to(const DenseMap& map, const CellBox& box) {
+  DenseMap out;
+  out.box = box;
+  out.resolution_m = map.resolution_m;
+  out.cells.resize(static_cast<std::size_t>(out.width()) * static_cast<std::size_t>(out.height()));
+  for (std::size_t i = 0; i < out.cells.size(); ++i) out.cells[i] = map.state(out.cell(i));
+  return out;
+}
+
+TEST(ClearanceUpdate, IsTheWholeTransformWhateverTheMapBefore) {
+  EXPECT_TRUE(rc::check("growing, shrinking and changing maps", [] {
+    DenseMap map = random_map(48);
+    ClearanceUpdate update;
+    for (int step = 0; step < 8; ++step) {
+      update.take(map);
+      ASSERT_EQ(update.clearance_m(), clearance_m(map, Boundary::kOccupiedOrUnknown)) << "step " << step;
+      CellBox box = map.box;
+      box.min = {box.min.x - *rc::gen::inRange(-2, 4), box.min.y - *rc::gen::inRange(-2, 4)};
+      box.max = {box.max.x + *rc::gen::inRange(-2, 4), box.max.y + *rc::gen::inRange(-2, 4)};
+      if (!box.empty()) map = moved_to(map, box);
+      for (int change = *rc::gen::inRange(0, 6); change > 0; --change) {
+        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
+        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
+      }
+    }
+  }));
+}
+
+TEST(ClearanceUpdate, SaysWhatHasChanged) {
+  EXPECT_TRUE(rc::check("growing and changing maps", [] {
+    DenseMap map = random_map(48);
+    ClearanceUpdate update;
+    update.take(map);
+    RC_ASSERT(!update.changed());
+    for (int step = 0; step < 8; ++step) {
+      const DenseMap before = map;
+      const std::vector<float> before_m = update.clearance_m();
+      CellBox box = map.box;
+      box.min = {box.min.x - *rc::gen::inRange(0, 4), box.min.y - *rc::gen::inRange(0, 4)};
+      box.max = {box.max.x + *rc::gen::inRange(0, 4), box.max.y + *rc::gen::inRange(0, 4)};
+      map = moved_to(map, box);
+      for (int change = *rc::gen::inRange(0, 6); change > 0; --change) {
+        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
+        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
+      }
+      update.take(map);
+      std::vector<std::uint32_t> expected;
+      for (std::size_t i = 0; i < map.cells.size(); ++i) {
+        const CellIndex c = map.cell(i);
+        const float was_m = before.contains(c) ? before_m[before.index(c)] : 0.0F;
+        if (update.clearance_m()[i] != was_m) expected.push_back(static_cast<std::uint32_t>(i));
+      }
+      RC_ASSERT(update.changed() == std::optional(expected));
+    }
+  }));
+}
+
+TEST(ClearanceUpdate, OfAMapThatShrankSaysNothing) {
+  ClearanceUpdate update;
+  update.take(filled_map(20, 10, CellState::kFree));
+  update.take(filled_map(19, 12, CellState::kFree));
+  EXPECT_FALSE(update.changed());
+}
+
+TEST(ClearanceUpdate, AnotherMapIsAnotherMap) {
+  ClearanceUpdate update;
+  DenseMap map = filled_map(20, 10, CellState::kFree);
+  update.take(map);
+  map.resolution_m = 0.1;
+  update.take(map);
+  EXPECT_EQ(update.clearance_m(), clearance_m(map, Boundary::kOccupiedOrUnknown));
+  update.take(DenseMap{});
+  EXPECT_TRUE(update.clearance_m().empty());
+  update.take(map);
+  EXPECT_EQ(update.clearance_m(), clearance_m(map, Boundary::kOccupiedOrUnknown));
+}
+
+}  // namespace
+}  // namespace topo::grid
