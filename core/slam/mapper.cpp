@@ -101,7 +101,8 @@ Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point
 }
 
 /// Wheels slip and robots are turned by hand, and odometry hears nothing of it: where nothing fits, all
-/// headings are tried. Where two of them fit (a corridor up and down), odometry is followed.
+/// headings are tried. Where two of them fit (a corridor up and down), odometry is followed, and so it is
+/// where it leads to ground that nobody has seen: there nothing can fit, and what does elsewhere is chance.
 std::optional<Match> Mapper::find_turned(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
                                          const Point& sensor) const {
   const TrackParams& track = params_.track;
@@ -114,7 +115,23 @@ std::optional<Match> Mapper::find_turned(const LikelihoodPyramid& pyramid, const
     return std::nullopt;
   const Match match = refine(local_map_, points_, sensor, hit->T_map_base, std::nullopt, params_.refine);
   if (match.response < track.turned_response || match.degenerate) return std::nullopt;
+  const FreeGround ground = local_ground();
+  const double as_heard = ground.contradiction(local_map_, points_, predicted);
+  if (as_heard < track.turned_contradiction_min ||
+      2.0 * ground.contradiction(local_map_, points_, match.T_map_base) > as_heard)
+    return std::nullopt;
   return match;
+}
+
+/// What the keyframes of the local map saw through.
+FreeGround Mapper::local_ground() const {
+  std::vector<KeyframePtr> keyframes;
+  std::vector<types::Se2> poses;
+  for (std::size_t k = window_first_; k < own_.size(); ++k) {
+    keyframes.push_back(keyframes_[own_[k]]);
+    poses.push_back(poses_[own_[k]]);
+  }
+  return seen_through(keyframes, poses, local_map_);
 }
 
 bool Mapper::due(const types::Se2& T_map_base) const {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/free_ground.hpp"
 #include "core/slam/graph_links.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/keyframe.hpp"
@@ -125,6 +126,7 @@ class Mapper {
   Match track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched);
   [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
                                                  const types::Se2& predicted, const Point& sensor) const;
+  [[nodiscard]] FreeGround local_ground() const;
   bool due(const types::Se2& T_map_base) const;
   void add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                     walls::ColumnCollector& columns);

@@ -60,6 +60,7 @@ struct TrackParams {
   double turned_m = 0.6;            ///< half width of the search over all headings for a robot that is lost
   double turned_response = 0.60;    ///< what it finds is believed from here on,
   double turned_peak_ratio = 0.90;  ///< when the next best place is no better than this share of it
+  double turned_contradiction_min = 0.05;  ///< and so much of the scan denies the heading that was heard
 };
 
 struct KeyframeParams {

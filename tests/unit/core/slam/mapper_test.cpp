@@ -152,6 +152,28 @@ TEST(Mapper, FindsItsHeadingAfterATurnThatOdometryDidNotHear) {
   EXPECT_NEAR(report.T_map_base.x_m, 3.0, 0.03);
 }
 
+/// Ends of beams on two walls that meet in a corner, all seen from the origin turned by an angle.
+Cloud corner_turned_by(double turn_rad) {
+  const Se2 turned{0.0, 0.0, turn_rad};
+  Cloud cloud;
+  const auto add = [&](double x, double y) {
+    cloud.points.push_back((turned * types::Vector2(x, y)).cast<float>());
+    cloud.spacing_m.push_back(0.05F);
+  };
+  for (int i = 0; i <= 60; ++i) add(3.0, -1.5 + 0.05 * i);
+  for (int i = 1; i <= 30; ++i) add(3.0 - 0.05 * i, 1.5);
+  return cloud;
+}
+
+TEST(Mapper, FollowsOdometryOntoGroundThatNobodySaw) {
+  Mapper mapper({});
+  walls::ColumnCollector columns({});
+  (void)mapper.add(corner_turned_by(0.0), {}, columns);
+  const MatchReport report = mapper.add(corner_turned_by(2.0), {}, columns);
+  EXPECT_FALSE(report.matched) << "a corner of the same form, where the first look did not reach";
+  EXPECT_NEAR(report.T_map_base.theta_rad, 0.0, 1e-9);
+}
+
 TEST(Mapper, FollowsOdometryWhereTwoHeadingsFit) {
   mocks::FlatWorld hall;
   hall.box(0.0, 0.0, 12.0, 5.0);  // the same after half a turn
