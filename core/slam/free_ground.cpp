@@ -9,9 +9,10 @@ namespace topo::slam {
 namespace {
 
 constexpr float kCell_m = 0.15F;
-constexpr float kShort_m = 0.40F;  ///< before its end a ray grazes what it ends at
-constexpr float kNear_m = 0.20F;   ///< a surface this near explains a point
-constexpr int kRays = 3;           ///< fewer may be noise
+constexpr float kShort_m = 0.40F;      ///< before its end a ray grazes what it ends at
+constexpr float kNear_m = 0.20F;       ///< a surface this near explains a point
+constexpr int kRays = 3;               ///< fewer may be noise
+constexpr std::size_t kRayStride = 2;  ///< neighbouring rays pass over the same ground
 
 }  // namespace
 
@@ -49,6 +50,21 @@ double FreeGround::contradiction(const SurfelMap& map, std::span<const Point> po
     if (surfel == nullptr || (surfel->position - p).norm() > kNear_m) ++count;
   }
   return static_cast<double>(count) / static_cast<double>(points.size());
+}
+
+FreeGround seen_through(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
+                        const SurfelMap& map) {
+  FreeGround ground(map.origin(), map.width_m());
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    const Keyframe& keyframe = *keyframes[i];
+    const auto in_map = [&](const Point& p) {
+      return Point((poses[i] * types::Vector2(p.cast<double>())).cast<float>());
+    };
+    const Point from = in_map(keyframe.sensor);
+    for (std::size_t k = 0; k < keyframe.match_points.size(); k += kRayStride)
+      ground.add_ray(from, in_map(keyframe.match_points[k]));
+  }
+  return ground;
 }
 
 }  // namespace topo::slam

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/keyframe.hpp"
 #include "core/slam/surfel_map.hpp"
 
 namespace topo::slam {
@@ -31,5 +32,9 @@ class FreeGround {
   std::size_t side_;
   std::vector<std::uint8_t> passed_;  ///< how many rays, up to 255
 };
+
+/// What keyframes at their poses saw through, in the window of a map.
+FreeGround seen_through(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
+                        const SurfelMap& map);
 
 }  // namespace topo::slam

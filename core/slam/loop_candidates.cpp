@@ -16,12 +16,21 @@ SearchWindow window_for(double graph_distance, const LoopParams& params) {
           std::min(params.search_max_rad, params.search_floor_rad + params.drift_per_m_rad * graph_distance)};
 }
 
-LoopRun around(std::size_t nearest, std::size_t end, const LoopParams& params) {
-  const auto half = static_cast<std::size_t>(params.group_half);
-  LoopRun run;
-  run.nearest = nearest;
-  run.first = nearest > half ? nearest - half : 0;
-  run.last = std::min(nearest + half, end - 1);
+/// The keyframes on either side of the nearest one, `count` of them and as many as the window reaches along
+/// the way: where the search looks and the map does not, only places fit that are not the right one.
+LoopRun around(std::span<const types::Se2> poses, Way way, std::size_t nearest, std::size_t end,
+               const SearchWindow& window, std::size_t count) {
+  LoopRun run{nearest, nearest, nearest, window, 0.0};
+  double way_m = 0.0;
+  while (run.first > 0 && (nearest - run.first < count || way_m < window.half_m)) {
+    way_m += distance(poses[way[run.first]], poses[way[run.first - 1]]);
+    --run.first;
+  }
+  way_m = 0.0;
+  while (run.last + 1 < end && (run.last - nearest < count || way_m < window.half_m)) {
+    way_m += distance(poses[way[run.last]], poses[way[run.last + 1]]);
+    ++run.last;
+  }
   return run;
 }
 
@@ -52,9 +61,8 @@ std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span
     previous = i;
     if (next) runs.emplace_back();
     if (!next && d >= runs.back().distance_m) continue;
-    runs.back() = around(i, end, params);
+    runs.back() = around(poses, way, i, end, window, static_cast<std::size_t>(params.group_half));
     runs.back().distance_m = d;
-    runs.back().window = window;
   }
   std::stable_sort(runs.begin(), runs.end(),
                    [](const LoopRun& a, const LoopRun& b) { return a.distance_m < b.distance_m; });

@@ -14,7 +14,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr std::size_t kRayStride = 2;  ///< neighbouring rays pass over the same ground
 constexpr double kWide_m = 1.0;        ///< a window in which more must fit
 constexpr double kWideSearch_m = 0.6;  ///< from here on a plain refinement could fall into a wrong valley
 
@@ -22,20 +21,6 @@ double reach_of(const Keyframe& keyframe) {
   float reach2 = 1.0F;
   for (const Point& p : keyframe.match_points) reach2 = std::max(reach2, p.squaredNorm());
   return std::min(20.0, static_cast<double>(std::sqrt(reach2)));
-}
-
-FreeGround seen_through(const LoopGroup& group, const SurfelMap& map) {
-  FreeGround ground(map.origin(), map.width_m());
-  for (std::size_t i = 0; i < group.keyframes.size(); ++i) {
-    const Keyframe& keyframe = *group.keyframes[i];
-    const auto in_map = [&](const Point& p) {
-      return Point((group.poses[i] * types::Vector2(p.cast<double>())).cast<float>());
-    };
-    const Point from = in_map(keyframe.sensor);
-    for (std::size_t k = 0; k < keyframe.match_points.size(); k += kRayStride)
-      ground.add_ray(from, in_map(keyframe.match_points[k]));
-  }
-  return ground;
 }
 
 /// Does enough of the scan fit? Where it sees much that the other visit did not, the rest is all that there
@@ -46,8 +31,8 @@ bool fits(const Match& match, const LoopQuery& query, const LoopGroup& group, co
   if (match.response >= (wide ? params.response_min_wide : params.response_min)) return true;
   if (group.window.half_m < kWideSearch_m) return false;  // no drift to mend: what is left must be exact
   if (match.response < params.response_unopposed || match.fit() < params.fit_unopposed) return false;
-  return seen_through(group, map).contradiction(map, query.keyframe->match_points, match.T_map_base) <=
-         params.contradiction_max;
+  return seen_through(group.keyframes, group.poses, map)
+             .contradiction(map, query.keyframe->match_points, match.T_map_base) <= params.contradiction_max;
 }
 
 LoopRejection gate(const Match& match, const LoopCandidate& candidate, const LoopQuery& query,

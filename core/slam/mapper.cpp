@@ -20,7 +20,16 @@ constexpr double kTurnedScore = 0.35;       ///< likelihood below which a headin
 constexpr double kTurnedApart_rad = 0.3;    ///< nearer headings are one
 constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by this to be preferred
 
+constexpr double kUnheard = 9.0;  ///< a way that is guessed has three times the deviation
+
 double travel(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
+/// Is it a way that a robot can have come? Odometry that was set to another place (a base that was switched
+/// off and on) says that it came a way that none can.
+bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
+  const double way_m = std::hypot(motion.x_m, motion.y_m);
+  return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
+}
 
 }  // namespace
 
@@ -34,18 +43,24 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   if (keyframes_.empty()) {
     T_map_base_ = report.T_map_base = start_;
     T_odom_base_ = T_odom_base;
+    stamp_ = cloud.stamp;
     report.matched = true;
     add_keyframe(cloud, report, {}, columns);
     report.keyframe = true;
     return report;
   }
   const types::Se2 motion = T_odom_base_.inverse() * T_odom_base;
-  const types::Se2 predicted = T_map_base_ * motion;
-  const Prior prior{predicted, motion_information(motion, params_.motion)};
+  const double seconds = types::to_seconds(cloud.stamp - stamp_);
+  const Prior prior = predict(motion, seconds);
+  const types::Se2& predicted = prior.T_map_base;
   report.match = track(predicted, prior, cloud.sensor, report.searched);
   report.matched = report.match.response >= params_.track.response_lost && report.match.overlap > 0.0;
-  T_map_base_ = report.matched ? report.match.T_map_base : predicted;
+  const types::Se2 pose = report.matched ? report.match.T_map_base : predicted;
+  T_previous_last_ = T_map_base_.inverse() * pose;
+  previous_last_s_ = seconds;
+  T_map_base_ = pose;
   T_odom_base_ = T_odom_base;
+  stamp_ = cloud.stamp;
   report.T_map_base = T_map_base_;
   if (due(T_map_base_)) {
     add_keyframe(cloud, report, prior, columns);
@@ -56,6 +71,15 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   return report;
 }
 
+/// Where odometry says a way that no robot drives, this one is held to have gone on as before.
+Prior Mapper::predict(const types::Se2& motion, double seconds) const {
+  if (is_drivable(motion, seconds, params_.motion))
+    return {T_map_base_ * motion, motion_information(motion, params_.motion)};
+  const double times = previous_last_s_ > 0.0 ? std::clamp(seconds / previous_last_s_, 0.0, 1.0) : 0.0;
+  const types::Se2 guess = types::interpolate({}, T_previous_last_, times);
+  return {T_map_base_ * guess, motion_information(guess, params_.motion) / kUnheard};
+}
+
 Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched) {
   Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
   if (match.fit() >= params_.track.response_good && match.response >= params_.track.response_lost)
@@ -63,8 +87,10 @@ Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point
   searched = true;
   const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
   const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
-  const SearchWindow window{params_.track.search_floor_m + params_.track.search_sigmas * sigma_m,
-                            params_.track.search_floor_rad + params_.track.search_sigmas * sigma_rad};
+  const TrackParams& limits = params_.track;
+  const SearchWindow window{
+      std::min(limits.search_max_m, limits.search_floor_m + limits.search_sigmas * sigma_m),
+      std::min(limits.search_max_rad, limits.search_floor_rad + limits.search_sigmas * sigma_rad)};
   const LikelihoodPyramid pyramid(local_map_, params_.search);
   if (const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search)) {
     const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
@@ -75,7 +101,8 @@ Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point
 }
 
 /// Wheels slip and robots are turned by hand, and odometry hears nothing of it: where nothing fits, all
-/// headings are tried. Where two of them fit (a corridor up and down), odometry is followed.
+/// headings are tried. Where two of them fit (a corridor up and down), odometry is followed, and so it is
+/// where it leads to ground that nobody has seen: there nothing can fit, and what does elsewhere is chance.
 std::optional<Match> Mapper::find_turned(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
                                          const Point& sensor) const {
   const TrackParams& track = params_.track;
@@ -88,7 +115,23 @@ std::optional<Match> Mapper::find_turned(const LikelihoodPyramid& pyramid, const
     return std::nullopt;
   const Match match = refine(local_map_, points_, sensor, hit->T_map_base, std::nullopt, params_.refine);
   if (match.response < track.turned_response || match.degenerate) return std::nullopt;
+  const FreeGround ground = local_ground();
+  const double as_heard = ground.contradiction(local_map_, points_, predicted);
+  if (as_heard < track.turned_contradiction_min ||
+      2.0 * ground.contradiction(local_map_, points_, match.T_map_base) > as_heard)
+    return std::nullopt;
   return match;
+}
+
+/// What the keyframes of the local map saw through.
+FreeGround Mapper::local_ground() const {
+  std::vector<KeyframePtr> keyframes;
+  std::vector<types::Se2> poses;
+  for (std::size_t k = window_first_; k < own_.size(); ++k) {
+    keyframes.push_back(keyframes_[own_[k]]);
+    poses.push_back(poses_[own_[k]]);
+  }
+  return seen_through(keyframes, poses, local_map_);
 }
 
 bool Mapper::due(const types::Se2& T_map_base) const {

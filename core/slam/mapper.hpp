@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/free_ground.hpp"
 #include "core/slam/graph_links.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/keyframe.hpp"
@@ -121,9 +122,11 @@ class Mapper {
   [[nodiscard]] const MapperParams& params() const { return params_; }
 
  private:
+  [[nodiscard]] Prior predict(const types::Se2& motion, double seconds) const;
   Match track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched);
   [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
                                                  const types::Se2& predicted, const Point& sensor) const;
+  [[nodiscard]] FreeGround local_ground() const;
   bool due(const types::Se2& T_map_base) const;
   void add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                     walls::ColumnCollector& columns);
@@ -159,6 +162,9 @@ class Mapper {
   std::vector<Edge> edges_;
   std::uint32_t next_sequence_ = 0;
   types::Se2 T_map_base_, T_odom_base_;
+  types::Stamp stamp_{};          ///< of the scan placed last
+  types::Se2 T_previous_last_;    ///< the way between the two scans placed last
+  double previous_last_s_ = 0.0;  ///< and its time
   SurfelMap local_map_;
   std::size_t window_first_ = 0;  ///< first keyframe in the local map
   Point local_centre_ = Point::Zero();

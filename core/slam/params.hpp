@@ -15,6 +15,8 @@ struct MotionNoise {
   double rot_per_rad = 0.10;
   double rot_per_m_rad = 0.04;
   double rot_floor_rad = 0.02;
+  double speed_max_mps = 3.0;  ///< what says more is odometry that was set to something else,
+  double jump_min_m = 1.0;     ///< when it is more than this as well: stamps are not exact
 };
 
 /// Scan to cloud: what of a scan is used.
@@ -53,9 +55,12 @@ struct TrackParams {
   double search_sigmas = 4.0;   ///< half width of the search in prior standard deviations
   double search_floor_m = 0.30;
   double search_floor_rad = 0.25;
+  double search_max_m = 3.0;  ///< however long nothing was seen: a search takes a time that is bounded
+  double search_max_rad = 1.2;
   double turned_m = 0.6;            ///< half width of the search over all headings for a robot that is lost
   double turned_response = 0.60;    ///< what it finds is believed from here on,
   double turned_peak_ratio = 0.90;  ///< when the next best place is no better than this share of it
+  double turned_contradiction_min = 0.05;  ///< and so much of the scan denies the heading that was heard
 };
 
 struct KeyframeParams {

@@ -63,6 +63,7 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
   relink();
   T_map_base_ = arrival.T_map_base;
   T_odom_base_ = arrival.T_odom_base;
+  stamp_ = arrival.cloud.stamp;
   const std::size_t node = keyframes_.size();
   Edge edge;  // to the nearest one
   for (std::size_t i = 0; i < node; ++i) {

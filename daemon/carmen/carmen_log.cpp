@@ -9,6 +9,7 @@
 #include "core/types/scan.hpp"
 #include "daemon/carmen/fields.hpp"
 #include "daemon/carmen/log_order.hpp"
+#include "daemon/carmen/range_limit.hpp"
 
 namespace topo::daemon {
 
@@ -182,6 +183,7 @@ Result<CarmenLog> read_carmen_log(const std::string& path) {
   CarmenLog log = std::move(found.log);
   if (!found.robotlaser.empty()) log.flaser_ignored = static_cast<int>(found.flaser.size());
   log.scans = std::move(found.robotlaser.empty() ? found.flaser : found.robotlaser);
+  if (const auto limit_m = piled_up_range_m(log.scans)) mark_no_return(log.scans, *limit_m);
   log.stamp_inversions = sort_by_stamp(log.scans);
   log.odometry_inversions = sort_by_stamp(log.odometry);
   return log;

@@ -42,6 +42,7 @@ struct CarmenLog {
 };
 
 /// Reads a CARMEN log (.clf, .clf.gz, .clf.bz2): FLASER, ROBOTLASER1 and ODOM; other messages are counted.
+/// Readings that pile up at the log's longest range did not come back (piled_up_range_m).
 /// Errors say file, line, what was found and what is expected: kNotFound, kPermission, kIo, and kInvalidInput
 /// for damaged or truncated input, a wrong count, a number that is none, a missing stamp, and a log with no
 /// scan.

@@ -64,6 +64,20 @@ TEST(FindLoopRuns, ComingBackAfterALoopFindsTheBeginning) {
   EXPECT_NEAR(runs[0].window.half_m, kLoopParams.search_floor_m + kLoopParams.drift_per_m * 59.0 * 1.1, 0.15);
 }
 
+TEST(FindLoopRuns, ARunReachesAsFarAlongTheWayAsItsWindow) {
+  Path path;
+  path.go(100.0, 0.0);
+  path.go(100.0, 40.0);
+  path.go(40.0, 40.0);
+  path.go(40.0, 0.5);
+  const auto runs = runs_at_end(path);
+  ASSERT_FALSE(runs.empty());
+  EXPECT_NEAR(path.poses[runs[0].nearest].x_m, 40.0, 0.01);
+  EXPECT_GT(runs[0].window.half_m, 4.5) << "further than the keyframes that a run has at least";
+  EXPECT_LE(path.poses[runs[0].first].x_m, 40.0 - runs[0].window.half_m);
+  EXPECT_GE(path.poses[runs[0].last].x_m, 40.0 + runs[0].window.half_m);
+}
+
 TEST(FindLoopRuns, AClosureShortensTheWayAndNarrowsTheSearch) {
   Path path;
   path.go(15.0, 0.0);

@@ -118,6 +118,24 @@ TEST(Mapper, BlindScansAreCarriedByOdometry) {
   EXPECT_NEAR(report.T_map_base.x_m, 0.1, 1e-12);
 }
 
+/// A drive at 1 m/s, and odometry that is set to its origin, 60 m away, in its middle.
+TEST(Mapper, GoesOnWhereOdometryIsSetToAnotherPlace) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  const auto truth = drive({{1.5, 1.5}, {5.0, 1.5}, {5.0, 3.6}, {9.0, 3.6}});
+  std::mt19937 random(8);
+  Mapper mapper({}, {}, truth.front());
+  walls::ColumnCollector columns({});
+  const Se2 elsewhere{60.0, -10.0, 2.0};
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    testing::View view = testing::view_of(world, truth[i], 0.02, random);
+    view.cloud.stamp = types::stamp_from_seconds(0.1 * static_cast<double>(i));
+    const Se2 odometry = i < truth.size() / 2 ? truth[i] : elsewhere * truth[i];
+    const MatchReport report = mapper.add(view.cloud, odometry, columns);
+    EXPECT_TRUE(report.matched) << i;
+    EXPECT_LT((report.T_map_base.translation() - truth[i].translation()).norm(), 0.05) << i;
+  }
+}
+
 /// Where the robot is said to be when it was turned on the spot between two scans, and no wheel moved.
 MatchReport turned_unheard(const mocks::FlatWorld& world, const Se2& pose, double turn_rad) {
   std::mt19937 random(6);
@@ -132,6 +150,28 @@ TEST(Mapper, FindsItsHeadingAfterATurnThatOdometryDidNotHear) {
   EXPECT_TRUE(report.matched);
   EXPECT_NEAR(report.T_map_base.theta_rad, 1.4, 0.02);
   EXPECT_NEAR(report.T_map_base.x_m, 3.0, 0.03);
+}
+
+/// Ends of beams on two walls that meet in a corner, all seen from the origin turned by an angle.
+Cloud corner_turned_by(double turn_rad) {
+  const Se2 turned{0.0, 0.0, turn_rad};
+  Cloud cloud;
+  const auto add = [&](double x, double y) {
+    cloud.points.push_back((turned * types::Vector2(x, y)).cast<float>());
+    cloud.spacing_m.push_back(0.05F);
+  };
+  for (int i = 0; i <= 60; ++i) add(3.0, -1.5 + 0.05 * i);
+  for (int i = 1; i <= 30; ++i) add(3.0 - 0.05 * i, 1.5);
+  return cloud;
+}
+
+TEST(Mapper, FollowsOdometryOntoGroundThatNobodySaw) {
+  Mapper mapper({});
+  walls::ColumnCollector columns({});
+  (void)mapper.add(corner_turned_by(0.0), {}, columns);
+  const MatchReport report = mapper.add(corner_turned_by(2.0), {}, columns);
+  EXPECT_FALSE(report.matched) << "a corner of the same form, where the first look did not reach";
+  EXPECT_NEAR(report.T_map_base.theta_rad, 0.0, 1e-9);
 }
 
 TEST(Mapper, FollowsOdometryWhereTwoHeadingsFit) {
