@@ -6,28 +6,44 @@
 
 namespace topo::pipeline {
 
-void GivenUpGoals::add(const types::Vector2& p_map, types::Stamp until, std::string why) {
+namespace {
+
+bool is_held(const GivenUp& goal, types::Stamp now) {
+  return goal.times >= GivenUpGoals::kTimesMax || now < goal.until;
+}
+
+}  // namespace
+
+void GivenUpGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::string why) {
+  put_off({p_map, until, 1, std::move(why), false});
+}
+
+void GivenUpGoals::visit(const types::Vector2& p_map, types::Stamp until) {
+  put_off({p_map, until, 1, "visited", true});
+}
+
+void GivenUpGoals::put_off(GivenUp goal) {
   const auto same = std::find_if(list_.begin(), list_.end(),
-                                 [&](const GivenUp& g) { return (g.p_map - p_map).norm() <= kSame_m; });
+                                 [&](const GivenUp& g) { return (g.p_map - goal.p_map).norm() <= kSame_m; });
   if (same == list_.end()) {
-    list_.push_back({p_map, until, 1, std::move(why)});
+    list_.push_back(std::move(goal));
     return;
   }
-  same->until = until;
-  same->why = std::move(why);
-  ++same->times;
+  goal.p_map = same->p_map;
+  goal.times = same->times + 1;
+  *same = std::move(goal);
 }
 
 bool GivenUpGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
   return std::any_of(list_.begin(), list_.end(), [&](const GivenUp& g) {
-    return (g.p_map - p_map).norm() <= kSame_m && (g.times >= kTimesMax || now < g.until);
+    return (g.p_map - p_map).norm() <= kSame_m && is_held(g, now);
   });
 }
 
-std::vector<types::Vector2> GivenUpGoals::held_for(const std::string& why, types::Stamp now) const {
+std::vector<types::Vector2> GivenUpGoals::visited(types::Stamp now) const {
   std::vector<types::Vector2> held;
   for (const GivenUp& g : list_) {
-    if (g.why == why && (g.times >= kTimesMax || now < g.until)) held.push_back(g.p_map);
+    if (g.visited && is_held(g, now)) held.push_back(g.p_map);
   }
   return held;
 }

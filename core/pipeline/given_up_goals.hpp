@@ -16,6 +16,7 @@ struct GivenUp {
   types::Stamp until{};
   int times = 0;  ///< how often it was given up
   std::string why;
+  bool visited = false;  ///< a robot was there: what is still open cannot be seen from there
 };
 
 /// Goals that did not work out. Each comes back after a while, or when nothing else is left; after the second
@@ -24,20 +25,21 @@ class GivenUpGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
   static constexpr int kTimesMax = 2;
-  /// Why a goal is put off that a robot was at: what is still open cannot be seen from there.
-  static constexpr const char* kVisited = "visited";
 
-  void add(const types::Vector2& p_map, types::Stamp until, std::string why);
+  void give_up(const types::Vector2& p_map, types::Stamp until, std::string why);
+  void visit(const types::Vector2& p_map, types::Stamp until);
   /// Is a goal here put off at this time?
   [[nodiscard]] bool hold(const types::Vector2& p_map, types::Stamp now) const;
-  /// Those put off at this time, for this reason.
-  [[nodiscard]] std::vector<types::Vector2> held_for(const std::string& why, types::Stamp now) const;
+  /// Those put off at this time because a robot was there.
+  [[nodiscard]] std::vector<types::Vector2> visited(types::Stamp now) const;
   /// Lets all come back that may; false when there is none.
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }
   [[nodiscard]] const std::vector<GivenUp>& list() const { return list_; }
 
  private:
+  void put_off(GivenUp goal);
+
   std::vector<GivenUp> list_;
 };
 

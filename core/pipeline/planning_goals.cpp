@@ -61,7 +61,7 @@ void PlanningState::Impl::end(Activity how, std::string why) {
 
 void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   note(in, goal->p_map, "given up: " + why);
-  given_up.add(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
+  given_up.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
   goal.reset();
 }
 
@@ -102,7 +102,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    given_up.add(goal->p_map, in.now + types::from_seconds(params.visited_s), GivenUpGoals::kVisited);
+    given_up.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
     note(in, goal->p_map, "reached");
     goal.reset();
     return;

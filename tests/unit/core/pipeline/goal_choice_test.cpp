@@ -60,7 +60,7 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
   EXPECT_TRUE(cut_off);
   cut_off = false;
-  given_up.add(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
+  given_up.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
   EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
@@ -92,17 +92,31 @@ TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
 TEST(GivenUpGoals, comeBackOnceAndThenStayAway) {
   GivenUpGoals given_up;
   const auto later = kNow + std::chrono::seconds(60);
-  given_up.add({1.0, 1.0}, later, "stuck");
+  given_up.give_up({1.0, 1.0}, later, "stuck");
   EXPECT_TRUE(given_up.hold({1.5, 1.0}, kNow));
   EXPECT_FALSE(given_up.hold({3.0, 1.0}, kNow));
   EXPECT_FALSE(given_up.hold({1.0, 1.0}, later));
   EXPECT_TRUE(given_up.call_back(kNow));
   EXPECT_FALSE(given_up.hold({1.0, 1.0}, kNow));
   EXPECT_FALSE(given_up.call_back(kNow));  // it is back already
-  given_up.add({1.1, 1.0}, later, "stuck again");
+  given_up.give_up({1.1, 1.0}, later, "stuck again");
   ASSERT_EQ(given_up.list().size(), 1U);
   EXPECT_TRUE(given_up.hold({1.0, 1.0}, later + std::chrono::hours(1)));
   EXPECT_FALSE(given_up.call_back(kNow));
+}
+
+TEST(GivenUpGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
+  GivenUpGoals given_up;
+  const auto later = kNow + std::chrono::seconds(60);
+  given_up.give_up({1.0, 1.0}, later, "stuck");
+  given_up.visit({5.0, 1.0}, later);
+  ASSERT_EQ(given_up.visited(kNow).size(), 1U);
+  EXPECT_EQ(given_up.visited(kNow).front(), Vector2(5.0, 1.0));
+  EXPECT_TRUE(given_up.hold({5.0, 1.0}, kNow));
+  EXPECT_TRUE(given_up.visited(later).empty());
+  given_up.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
+  EXPECT_EQ(given_up.visited(kNow).size(), 2U);
+  EXPECT_EQ(given_up.list().size(), 2U);
 }
 
 }  // namespace
