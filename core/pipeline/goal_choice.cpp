@@ -7,11 +7,13 @@
 #include <iterator>
 
 #include "core/goals/filters.hpp"
+#include "core/grid/end_of_way.hpp"
 
 namespace topo::pipeline {
 namespace {
 
 constexpr double kGoalReach_m = 0.6;      // a goal whose own cell is closed by what stands there now
+constexpr double kUnseenWay_m = 3.0;      // from a goal, at most, to where a robot goes to see the way to it
 constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
 constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
 
@@ -34,11 +36,14 @@ double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, gri
 
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
                                      const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     const types::Se2& T_map_base, types::Stamp now, bool& cut_off) {
+                                     const types::Se2& T_map_base, double radius_m, types::Stamp now,
+                                     bool& cut_off) {
   std::vector<Candidate> candidates;
   for (const goals::Goal& goal : goals) {
     if (given_up.hold(goal.p_map, now)) continue;
-    const auto cell = grid::nearest_reachable(map, field, map.cell_at(goal.p_map), kGoalReach_m);
+    auto cell = grid::nearest_reachable(map, field, map.cell_at(goal.p_map), kGoalReach_m);
+    if (!cell && goal.side != goals::Side::kNone)
+      cell = grid::end_of_way(map, field, map.cell_at(goal.p_map), radius_m, kUnseenWay_m);
     if (!cell) {
       cut_off = true;
       continue;

@@ -23,6 +23,7 @@ Candidate candidate(double x_m, double cost_m, std::uint16_t place = 0) {
 }
 
 const types::Stamp kNow = types::stamp_from_seconds(50.0);
+constexpr double kRadius_m = 0.33;
 
 TEST(Choose, theCheapestAndNothingOfNothing) {
   const std::vector<Candidate> candidates{candidate(0.0, 5.0), candidate(10.0, 3.0), candidate(20.0, 9.0)};
@@ -55,14 +56,39 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   const types::Se2 robot{0.7, 1.0, 0.0};
   bool cut_off = false;
   const std::vector<goals::Goal> one{here}, both{here, beyond};
-  EXPECT_EQ(candidates_of(one, map, field, given_up, robot, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(one, map, field, given_up, robot, kRadius_m, kNow, cut_off).size(), 1U);
   EXPECT_FALSE(cut_off);
-  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kRadius_m, kNow, cut_off).size(), 1U);
   EXPECT_TRUE(cut_off);
   cut_off = false;
   given_up.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
-  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kRadius_m, kNow, cut_off).size(), 1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
+}
+
+TEST(CandidatesOf, anEssentialGoalBehindADoorSeenInPartIsLookedAtFromBeforeIt) {
+  grid::DenseMap map = two_rooms();
+  for (int y = 6; y < 14; ++y) map.cells[map.index({15, y})] = grid::CellState::kUnknown;
+  map.cells[map.index({15, 10})] = grid::CellState::kFree;
+  const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const grid::TravelField field =
+      grid::travel_field(map, clearance, map.cell_at({0.7, 1.0}), grid::TravelRules{.radius_m = kRadius_m});
+  goals::Goal beyond;
+  beyond.p_map = {2.55, 1.05};
+  beyond.side = goals::Side::kEast;
+  const auto candidates_now = [&](bool& cut_off) {
+    const std::vector<goals::Goal> goals{beyond};
+    return candidates_of(goals, map, field, {}, {0.7, 1.0, 0.0}, kRadius_m, kNow, cut_off);
+  };
+  bool cut_off = false;
+  const std::vector<Candidate> looked_at = candidates_now(cut_off);
+  ASSERT_EQ(looked_at.size(), 1U);
+  EXPECT_FALSE(cut_off);
+  EXPECT_LT(looked_at[0].cell.x, 15);
+  EXPECT_EQ(looked_at[0].goal.p_map, beyond.p_map);
+  beyond.side = goals::Side::kNone;  // a gap: there will be another, in front of the door
+  EXPECT_TRUE(candidates_now(cut_off).empty());
+  EXPECT_TRUE(cut_off);
 }
 
 /// What a robot sees of a large hall is round: the centroid of its frontier is where the robot stands.

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+
+namespace topo::grid {
+
+/// The cells of a small box in which the middle of a disc may be without touching anything occupied; what is
+/// unknown, or outside the map, is taken for free. A search that closes what it has seen may use it as its
+/// list of open cells.
+class DiscRoom {
+ public:
+  /// `radius_m` of the disc, between the middles of cells. Costs the box and the discs around what is
+  /// occupied.
+  DiscRoom(const DenseMap& map, const CellBox& box, double radius_m);
+
+  /// False outside the box.
+  [[nodiscard]] bool is_open(CellIndex cell) const { return contains(cell) && closed_[index(cell)] == 0; }
+  /// Precondition: is_open(cell).
+  void close(CellIndex cell) { closed_[index(cell)] = 1; }
+
+ private:
+  void close_disc(CellIndex centre, double radius);
+  [[nodiscard]] bool contains(CellIndex c) const {
+    return c.x >= box_.min.x && c.x <= box_.max.x && c.y >= box_.min.y && c.y <= box_.max.y;
+  }
+  [[nodiscard]] std::size_t index(CellIndex c) const {
+    return static_cast<std::size_t>(c.y - box_.min.y) * static_cast<std::size_t>(box_.width()) +
+           static_cast<std::size_t>(c.x - box_.min.x);
+  }
+
+  CellBox box_;
+  std::vector<std::uint8_t> closed_;
+};
+
+}  // namespace topo::grid

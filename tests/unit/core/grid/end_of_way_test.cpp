@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/grid/end_of_way.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/grid/distance.hpp"
+#include "tests/unit/core/grid/maps.hpp"
+
+namespace topo::grid {
+namespace {
+
+constexpr double kRadius_m = 0.12;  // needs five free cells of 0.05 m
+
+/// Two rooms, and a door of seven cells between them of which one sees four; `jamb`: what the other three
+/// are.
+DenseMap two_rooms(char jamb) {
+  std::vector<std::string> rows(21, std::string(41, '.'));
+  for (std::size_t y = 0; y < rows.size(); ++y) rows[y][20] = y < 7 || y > 13 ? '#' : y > 10 ? jamb : '.';
+  for (const std::size_t y : {std::size_t{0}, rows.size() - 1}) rows[y].assign(41, '#');
+  for (std::string& row : rows) row.front() = row.back() = '#';
+  return drawn_map(rows);
+}
+
+std::optional<CellIndex> end_in(const DenseMap& map, double within_m) {
+  const TravelRules rules{.radius_m = kRadius_m, .preferred_m = 0.2, .crowding = 1.0, .start_m = 0.0};
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelField field = travel_field(map, clearance, {8, 10}, rules);
+  const auto end = end_of_way(map, field, {30, 11}, kRadius_m, within_m);
+  EXPECT_TRUE(!end || !std::isinf(field.cost_m[map.index(*end)]));
+  return end;
+}
+
+TEST(EndOfWay, IsTheGoalWhereTheRobotFitsThroughTheDoor) {
+  EXPECT_EQ(end_in(two_rooms('.'), 1.0), (CellIndex{30, 11}));
+}
+
+TEST(EndOfWay, IsInFrontOfADoorThatIsKnownInPart) {
+  const auto end = end_in(two_rooms('?'), 1.0);
+  ASSERT_TRUE(end);
+  EXPECT_LE(end->x, 19);
+  EXPECT_GE(end->x, 17);
+  EXPECT_NEAR(end->y, 11, 3);
+}
+
+TEST(EndOfWay, IsNowhereWhereWallsLeaveTooLittleRoom) { EXPECT_FALSE(end_in(two_rooms('#'), 1.0)); }
+
+TEST(EndOfWay, IsNowhereFartherThanAskedFor) { EXPECT_FALSE(end_in(two_rooms('?'), 0.4)); }
+
+TEST(EndOfWay, IsNowhereForAGoalThatIsNotFreeOrOutside) {
+  const DenseMap map = two_rooms('?');
+  TravelField field;
+  field.cost_m.assign(map.cells.size(), 0.0F);
+  EXPECT_FALSE(end_of_way(map, field, {0, 0}, kRadius_m, 1.0));
+  EXPECT_FALSE(end_of_way(map, field, {500, -500}, kRadius_m, 1.0));
+}
+
+}  // namespace
+}  // namespace topo::grid
