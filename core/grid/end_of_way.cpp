@@ -9,24 +9,31 @@
 
 namespace topo::grid {
 
-std::optional<CellIndex> end_of_way(const DenseMap& map, const TravelField& field, CellIndex goal,
-                                    double radius_m, double within_m) {
+std::optional<CellIndex> end_of_way(const DenseMap& map, std::span<const float> clearance_m,
+                                    const TravelField& field, CellIndex goal, double radius_m,
+                                    double within_m) {
   const auto reach = static_cast<std::int32_t>(within_m / map.resolution_m);
   DiscRoom room(map, {{goal.x - reach, goal.y - reach}, {goal.x + reach, goal.y + reach}}, radius_m);
-  std::vector<CellIndex> queue;
-  const auto enter = [&](CellIndex cell) {
+  struct Step {
+    CellIndex cell;
+    bool past_unknown;  // so near to it that the robot may not fit through
+  };
+  std::vector<Step> queue;
+  const auto enter = [&](CellIndex cell, bool past_unknown) {
     if (!room.is_open(cell) || map.state(cell) != CellState::kFree) return;
     room.close(cell);
-    queue.push_back(cell);
+    const bool has_room = static_cast<double>(clearance_m[map.index(cell)]) >= radius_m;
+    queue.push_back({cell, past_unknown || !has_room});
   };
-  enter(goal);
+  enter(goal, false);
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    const CellIndex cell = queue[i];
-    if (!std::isinf(field.cost_m[map.index(cell)])) return cell;
-    enter({cell.x + 1, cell.y});
-    enter({cell.x - 1, cell.y});
-    enter({cell.x, cell.y + 1});
-    enter({cell.x, cell.y - 1});
+    const auto [cell, past_unknown] = queue[i];
+    if (!std::isinf(field.cost_m[map.index(cell)]))
+      return past_unknown || i == 0 ? std::optional(cell) : std::nullopt;
+    enter({cell.x + 1, cell.y}, past_unknown);
+    enter({cell.x - 1, cell.y}, past_unknown);
+    enter({cell.x, cell.y + 1}, past_unknown);
+    enter({cell.x, cell.y - 1}, past_unknown);
   }
   return std::nullopt;
 }

@@ -34,16 +34,17 @@ double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, gri
   return way_m + kTurnCost_m_per_rad * std::abs(turn_rad);
 }
 
-std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
-                                     const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     const types::Se2& T_map_base, double radius_m, types::Stamp now,
-                                     bool& cut_off) {
+std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
+                                     const GivenUpGoals& given_up, const types::Se2& T_map_base,
+                                     types::Stamp now, bool& cut_off) {
+  const auto& [map, clearance_m, field, radius_m] = reach;
   std::vector<Candidate> candidates;
   for (const goals::Goal& goal : goals) {
     if (given_up.hold(goal.p_map, now)) continue;
-    auto cell = grid::nearest_reachable(map, field, map.cell_at(goal.p_map), kGoalReach_m);
+    const grid::CellIndex at = map.cell_at(goal.p_map);
+    auto cell = grid::nearest_reachable(map, field, at, kGoalReach_m);
     if (!cell && goal.side != goals::Side::kNone)
-      cell = grid::end_of_way(map, field, map.cell_at(goal.p_map), radius_m, kUnseenWay_m);
+      cell = grid::end_of_way(map, clearance_m, field, at, radius_m, kUnseenWay_m);
     if (!cell) {
       cut_off = true;
       continue;

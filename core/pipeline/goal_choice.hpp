@@ -25,13 +25,20 @@ struct Candidate {
 double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
                   const types::Se2& T_map_base);
 
+/// What a robot can get to: by the map, and by what stands there now.
+struct Reach {
+  const grid::DenseMap& map;
+  std::span<const float> clearance_m;  ///< by the map alone, as long as its cells
+  const grid::TravelField& field;      ///< by both
+  double radius_m = 0.0;
+};
+
 /// Goals that can be reached and are not put off, in the order given; with those that only what is unknown
-/// keeps a robot of `radius_m` from, to be looked at from where the way ends (grid/end_of_way.hpp). `cut_off`
-/// becomes true when one is left out because no way leads there now.
-std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const grid::DenseMap& map,
-                                     const grid::TravelField& field, const GivenUpGoals& given_up,
-                                     const types::Se2& T_map_base, double radius_m, types::Stamp now,
-                                     bool& cut_off);
+/// keeps the robot from, to be looked at from where the way ends (grid/end_of_way.hpp). `cut_off` becomes
+/// true when one is left out because no way leads there now.
+std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
+                                     const GivenUpGoals& given_up, const types::Se2& T_map_base,
+                                     types::Stamp now, bool& cut_off);
 
 /// Those frontiers that a robot can get to, as goals: gaps beside the essential ones, and all there are for
 /// the baselines.

@@ -118,7 +118,8 @@ std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput
                                                              std::span<const goals::Goal> goals,
                                                              bool& cut_off) const {
   std::vector<Candidate> found =
-      candidates_of(goals, map, field, given_up, T_map_base.se2(), params.travel.radius_m, in.now, cut_off);
+      candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, given_up,
+                    T_map_base.se2(), in.now, cut_off);
   if (in.team != nullptr) std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c); });
   return found;
 }

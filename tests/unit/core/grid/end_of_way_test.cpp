@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/grid/distance.hpp"
 #include "tests/unit/core/grid/maps.hpp"
@@ -28,7 +29,7 @@ std::optional<CellIndex> end_in(const DenseMap& map, double within_m) {
   const TravelRules rules{.radius_m = kRadius_m, .preferred_m = 0.2, .crowding = 1.0, .start_m = 0.0};
   const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
   const TravelField field = travel_field(map, clearance, {8, 10}, rules);
-  const auto end = end_of_way(map, field, {30, 11}, kRadius_m, within_m);
+  const auto end = end_of_way(map, clearance, field, {30, 11}, kRadius_m, within_m);
   EXPECT_TRUE(!end || !std::isinf(field.cost_m[map.index(*end)]));
   return end;
 }
@@ -47,14 +48,25 @@ TEST(EndOfWay, IsInFrontOfADoorThatIsKnownInPart) {
 
 TEST(EndOfWay, IsNowhereWhereWallsLeaveTooLittleRoom) { EXPECT_FALSE(end_in(two_rooms('#'), 1.0)); }
 
+/// A person in the door: when they are gone there is a way.
+TEST(EndOfWay, IsNowhereWhereTheMapHasAWay) {
+  const DenseMap map = two_rooms('.');
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  TravelField field;
+  for (std::size_t i = 0; i < map.cells.size(); ++i)
+    field.cost_m.push_back(map.cell(i).x < 17 ? 1.0F : std::numeric_limits<float>::infinity());
+  EXPECT_FALSE(end_of_way(map, clearance, field, {30, 11}, kRadius_m, 1.0));
+}
+
 TEST(EndOfWay, IsNowhereFartherThanAskedFor) { EXPECT_FALSE(end_in(two_rooms('?'), 0.4)); }
 
 TEST(EndOfWay, IsNowhereForAGoalThatIsNotFreeOrOutside) {
   const DenseMap map = two_rooms('?');
   TravelField field;
   field.cost_m.assign(map.cells.size(), 0.0F);
-  EXPECT_FALSE(end_of_way(map, field, {0, 0}, kRadius_m, 1.0));
-  EXPECT_FALSE(end_of_way(map, field, {500, -500}, kRadius_m, 1.0));
+  const std::vector<float> room(map.cells.size(), 1.0F);
+  EXPECT_FALSE(end_of_way(map, room, field, {0, 0}, kRadius_m, 1.0));
+  EXPECT_FALSE(end_of_way(map, room, field, {500, -500}, kRadius_m, 1.0));
 }
 
 }  // namespace

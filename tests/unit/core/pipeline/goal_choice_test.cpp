@@ -56,13 +56,16 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   const types::Se2 robot{0.7, 1.0, 0.0};
   bool cut_off = false;
   const std::vector<goals::Goal> one{here}, both{here, beyond};
-  EXPECT_EQ(candidates_of(one, map, field, given_up, robot, kRadius_m, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, given_up, robot, kNow, cut_off).size(),
+            1U);
   EXPECT_FALSE(cut_off);
-  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kRadius_m, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, given_up, robot, kNow, cut_off).size(),
+            1U);
   EXPECT_TRUE(cut_off);
   cut_off = false;
   given_up.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
-  EXPECT_EQ(candidates_of(both, map, field, given_up, robot, kRadius_m, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, given_up, robot, kNow, cut_off).size(),
+            1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
 
@@ -78,7 +81,7 @@ TEST(CandidatesOf, anEssentialGoalBehindADoorSeenInPartIsLookedAtFromBeforeIt) {
   beyond.side = goals::Side::kEast;
   const auto candidates_now = [&](bool& cut_off) {
     const std::vector<goals::Goal> goals{beyond};
-    return candidates_of(goals, map, field, {}, {0.7, 1.0, 0.0}, kRadius_m, kNow, cut_off);
+    return candidates_of(goals, {map, clearance, field, kRadius_m}, {}, {0.7, 1.0, 0.0}, kNow, cut_off);
   };
   bool cut_off = false;
   const std::vector<Candidate> looked_at = candidates_now(cut_off);
