@@ -22,6 +22,10 @@ struct DenseMap {
   [[nodiscard]] bool contains(CellIndex c) const {
     return c.x >= box.min.x && c.x <= box.max.x && c.y >= box.min.y && c.y <= box.max.y;
   }
+  /// Of the array's first and last rows and columns, which are to be unknown.
+  [[nodiscard]] bool is_on_border(CellIndex c) const {
+    return c.x == box.min.x || c.x == box.max.x || c.y == box.min.y || c.y == box.max.y;
+  }
   /// Precondition: contains(c).
   [[nodiscard]] std::size_t index(CellIndex c) const {
     return static_cast<std::size_t>(c.y - box.min.y) * static_cast<std::size_t>(width()) +

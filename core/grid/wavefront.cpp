@@ -146,7 +146,7 @@ class TravelSearch::Impl {
     if (!map_->contains(start)) return;
     const auto first = static_cast<std::uint32_t>(map_->index(start));
     field_->cost_m[first] = 0.0F;
-    if (on_border(start)) return;
+    if (map_->is_on_border(start)) return;
     price_cells(static_cast<float>(rules.radius_m));
     const bool leaves = metre_cost_[first] == kUnreached;
     if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
@@ -156,11 +156,6 @@ class TravelSearch::Impl {
     may_pause_ = !is_near_something(static_cast<float>(rules.radius_m)) && !(leaves && meets_at_corners());
     queue_.push(first, 0.0F);
     complete_ = false;
-  }
-
-  [[nodiscard]] bool on_border(CellIndex c) const {
-    return c.x == map_->box.min.x || c.x == map_->box.max.x || c.y == map_->box.min.y ||
-           c.y == map_->box.max.y;
   }
 
   /// What a metre costs in every cell, so that a step asks one array.
@@ -194,7 +189,7 @@ class TravelSearch::Impl {
         if (!map_->contains(cell) || !region.allows(cell)) continue;
         const std::size_t i = map_->index(cell);
         metre_cost_[i] = crowding_.at(clearance_m_[i]);
-        if (!on_border(cell)) leaving_.extend(cell);
+        if (!map_->is_on_border(cell)) leaving_.extend(cell);
       }
     }
   }

@@ -145,7 +145,8 @@ void close_gaps(DenseMap& map, int reach) {
 
 void free_disc(DenseMap& map, const Vector2& centre, double radius_m) {
   for_each_around(map, centre, radius_m, [&](std::size_t index, double) {
-    if (map.cells[index] == CellState::kUnknown) map.cells[index] = CellState::kFree;
+    if (map.cells[index] != CellState::kUnknown || map.is_on_border(map.cell(index))) return;
+    map.cells[index] = CellState::kFree;
   });
 }
 
@@ -179,7 +180,8 @@ void apply_limits(DenseMap& map, const motion::AreaLimits& limits) {
 DenseMap prepare_map(const MapSnapshot& snapshot, const motion::AreaLimits& limits, double route_radius_m) {
   constexpr double kReach_m = 0.15;  // to either side: the spacing of 0.25 degrees at 30 m
   const int reach = static_cast<int>(std::lround(kReach_m / snapshot.grid.resolution_m()));
-  DenseMap map = grid::dense_map(snapshot.grid, 2 * reach);
+  const int disc = static_cast<int>(std::ceil(route_radius_m / snapshot.grid.resolution_m())) + 1;
+  DenseMap map = grid::dense_map(snapshot.grid, std::max(2 * reach, disc));
   occupy_faint(map, snapshot.grid);
   close_gaps(map, reach);
   constexpr double kInner =

@@ -19,7 +19,7 @@ namespace topo::pipeline {
 void close_gaps(grid::DenseMap& map, int reach);
 
 /// The disc around a place where the robot stood is free, unless something was seen there: the scanner looks
-/// over 270 degrees, and what is under the robot it never sees.
+/// over 270 degrees, and what is under the robot it never sees. The array's border stays unknown.
 void free_disc(grid::DenseMap& map, const types::Vector2& centre, double radius_m);
 
 /// Free cells in which a tenth of the keyframes saw something become occupied: glass lets most beams through,

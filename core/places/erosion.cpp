@@ -27,6 +27,7 @@ class Change {
 
   /// A cell with another clearance; whether its neighbours are on the ridge may have changed as well.
   void apply(std::uint32_t i, Settling& settling) {
+    if (map_.is_on_border(map_.cell(i))) return;
     renew(i, settling);
     for (const std::ptrdiff_t offset : offsets_)
       renew(static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset), settling);
@@ -34,7 +35,7 @@ class Change {
 
  private:
   void renew(std::uint32_t i, Settling& settling) {
-    if (map_.cells[i] != CellState::kFree) {
+    if (map_.cells[i] != CellState::kFree || map_.is_on_border(map_.cell(i))) {
       fates_[i] = 0;
       return;
     }

@@ -29,8 +29,8 @@ struct Erosion {
   static constexpr std::uint16_t kDelayed = 8;  ///< its turn came after all others of its bucket
 };
 
-/// `clearance_m`: grid::clearance_m of the map with kOccupiedOrUnknown. A pass over the cells, and some work
-/// for those on the ridge and beside what stays.
+/// `clearance_m`: grid::clearance_m of the map with kOccupiedOrUnknown; nothing on the array's border is
+/// free. A pass over the cells, and some work for those on the ridge and beside what stays.
 Erosion erode(const grid::DenseMap& map, std::span<const float> clearance_m);
 
 /// The same from the erosion of another map, of the same resolution and with a box inside of this one's:

@@ -47,6 +47,12 @@ TEST(FreeDisc, takesUnknownCellsOnly) {
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"     ", "  #  ", " ... ", "  .  ", "     "}));
 }
 
+TEST(FreeDisc, leavesTheBorderUnknown) {
+  grid::DenseMap map = drawn_map({"     ", "     ", "     ", "     ", "     "}, 1.0);
+  free_disc(map, {0.5, 2.5}, 2.6);
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"     ", " ..  ", " ..  ", " ..  ", "     "}));
+}
+
 /// A grid of one tile in which some cells have counts.
 class CountedCells {
  public:
@@ -73,6 +79,31 @@ TEST(OccupyFaint, aTenthAndTwiceAtLeast) {
   counted.put({40, 0}, 9, 0);  // outside the map
   occupy_faint(map, counted.grid());
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"#..#.."}));
+}
+
+/// A wall to the left of the robot, and nothing in range to its right.
+TEST(PrepareMap, theDiscOfARobotAtTheEdgeOfTheMapIsFreeAndTheBorderIsNot) {
+  CountedCells counted;
+  for (int x = 0; x < 32; ++x) counted.put({x, 31}, 5, 0);
+  for (int x = 0; x < 32; ++x) counted.put({x, 0}, 0, 5);
+  patricia::Arena<walls::Slabs> arena;
+  const types::Se2 at{0.8, 0.0, 0.0};
+  const MapSnapshot snapshot{.T_map_odom = {},
+                             .T_map_base = {},
+                             .grid = counted.grid(),
+                             .walls = walls::WallStore(arena, 0.05),
+                             .keyframes = {{types::Stamp{}, types::Transform2<types::Map, types::Base>(at)}}};
+  constexpr double kRoute_m = 0.95;
+  const grid::DenseMap map = prepare_map(snapshot, {}, kRoute_m);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const double away_m = (map.centre_of(map.cell(i)) - types::Vector2(0.8, 0.0)).norm();
+    if (map.is_on_border(map.cell(i))) {
+      EXPECT_EQ(map.cells[i], grid::CellState::kUnknown);
+    } else if (away_m <= kRoute_m) {
+      EXPECT_EQ(map.cells[i], grid::CellState::kFree);
+    }
+  }
+  EXPECT_EQ(map.state(map.cell_at({0.8, -0.9})), grid::CellState::kFree);
 }
 
 TEST(FreeTrail, whereTheRobotStoodASuspicionIsNone) {

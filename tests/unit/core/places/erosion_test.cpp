@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
@@ -122,6 +123,24 @@ TEST(Erosion, AgainIsThatOfTheWholeMap) {
       RC_ASSERT(erosion.kept == whole.kept);
     }
   }));
+}
+
+/// A map that is none: what is free there would have neighbours outside the array.
+TEST(Erosion, NeverLooksBeyondTheArray) {
+  DrawnMap drawn(70, 110);
+  drawn.free(2, 2, 68, 108);
+  DenseMap map = drawn.map();
+  Erosion erosion = erode(map, clearance_of(map));
+  for (std::uint32_t i = 0; i < map.cells.size(); ++i)
+    if (map.is_on_border(map.cell(i))) map.cells[i] = CellState::kFree;
+  std::vector<std::uint32_t> all(map.cells.size());
+  std::iota(all.begin(), all.end(), 0U);
+  erosion = erode_again(map, clearance_of(map), erosion, all);
+  for (std::uint32_t i = 0; i < map.cells.size(); ++i) {
+    if (map.is_on_border(map.cell(i))) {
+      EXPECT_EQ(erosion.fates[i], 0);
+    }
+  }
 }
 
 TEST(Erosion, OfNothingIsNothing) {
