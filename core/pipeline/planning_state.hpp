@@ -119,9 +119,8 @@ struct PlanningState::Impl {
   [[nodiscard]] team::Word make_word(const PlanningInput& in) const;
   /// Is what is there a mate that will go on? One that stands for good is an obstacle like any other.
   [[nodiscard]] bool is_going_mate(const types::Vector2& p_map) const;
-  /// Two robots see each other where they were: what is free of one when it is looked at is not when it gets
-  /// there. Is a mate that moves so near that it matters?
-  [[nodiscard]] bool is_beside_moving_mate(const PlanningInput& in) const;
+  /// Is a mate that moves so near that this robot has to go slowly (core/team/precedence.hpp)?
+  [[nodiscard]] bool slows_for_mate(const PlanningInput& in) const;
   /// Would backing off lead towards a mate? The rear sees nothing, and the way it came is no longer free.
   [[nodiscard]] bool is_mate_behind(const PlanningInput& in) const;
   /// Routes lead round mates that are going where there is room, and through where they stand where there is

@@ -223,7 +223,7 @@ void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) const {
   plan.located = located;
   if (ended || mission.paused || !has_target || route.size() < 2) return;
   plan.moving = true;
-  if (in.team != nullptr && is_beside_moving_mate(in)) plan.v_max_mps = kBesideMate_mps;
+  if (in.team != nullptr && slows_for_mate(in)) plan.v_max_mps = kBesideMate_mps;
   plan.mate_behind = in.team != nullptr && is_mate_behind(in);
   put_path(route, T_map_odom, plan);
 }

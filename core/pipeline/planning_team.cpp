@@ -19,7 +19,6 @@ constexpr double kWaySpacing_m = 0.3;   // finer than a robot is wide
 constexpr double kRoomSearch_m = 12.0;  // to the next door or junction of a corridor
 constexpr double kRoomReached_m = 0.25;
 constexpr double kCrowd_m = 1.2;   // around a mate, where a route is dear
-constexpr double kBeside_m = 2.0;  // of a mate, as it was when it last said so
 constexpr double kBehind_m = 1.5;  // half a metre of backing off, and two robots' length
 constexpr types::Duration kRoomFor = std::chrono::seconds(30);  // then it is of no use
 
@@ -68,11 +67,13 @@ bool PlanningState::Impl::is_going_mate(const Vector2& p_map) const {
                      [&](const Vector2& mate) { return (mate - p_map).norm() <= team::kMateRadius_m; });
 }
 
-bool PlanningState::Impl::is_beside_moving_mate(const PlanningInput& in) const {
-  const Vector2 here = T_map_base.se2().translation();
+bool PlanningState::Impl::slows_for_mate(const PlanningInput& in) const {
+  team::Word self;
+  self.robot = in.team->robot;
+  self.T_map_base = T_map_base.se2();
   const auto heard = roster.heard(in.now);
-  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
-    return !word->way_map.empty() && (word->T_map_base.translation() - here).norm() <= kBeside_m;
+  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* mate) {
+    return team::slows_for(self, *mate, types::to_seconds(roster.age_of(*mate, in.now)));
   });
 }
 

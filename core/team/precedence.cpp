@@ -19,6 +19,16 @@ bool leads_through(std::span<const Vector2> way, const Vector2& p, double room_m
 
 }  // namespace
 
+bool slows_for(const Word& self, const Word& mate, double age_s, const PrecedenceParams& params) {
+  if (mate.way_map.empty()) return false;
+  const double moved_m = params.speed_mps * std::max(0.0, age_s);
+  const Vector2 at = self.T_map_base.inverse() * mate.T_map_base.translation();
+  if (at.norm() > params.beside_m + moved_m) return false;
+  const double clearly_m = params.abreast_m + moved_m;
+  if (std::abs(at.x()) <= clearly_m) return mate.robot < self.robot || at.norm() <= moved_m;
+  return at.x() > 0.0;
+}
+
 const Word* who_needs_room(const Word& self, std::span<const Word* const> mates,
                            const PrecedenceParams& params) {
   const Vector2 here = self.T_map_base.translation();

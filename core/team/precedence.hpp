@@ -15,7 +15,18 @@ namespace topo::team {
 struct PrecedenceParams {
   double near_m = 3.0;  ///< mates further away are no matter yet
   double room_m = 0.9;  ///< between the centres of two robots that pass each other: two discs and a little
+  /// Two swing radii (0.53 m), both slowing down from 0.65 m/s (0.72), and closing at twice that for a
+  /// planning period and the scanner's and the base's delay (0.65).
+  double beside_m = 2.0;
+  double abreast_m = 0.3;  ///< ahead or behind by less is neither
+  double speed_mps = 0.7;  ///< of a mate since it was last heard of
 };
+
+/// Has a robot to go slowly for a mate that moves, and was heard of `age_s` ago? Two robots see each other
+/// where they were: what is free of one when it is looked at is not when it gets there. Who has the mate
+/// clearly behind it drives on, so that two with one way do not crawl side by side; of two abreast the one
+/// with the lower id.
+bool slows_for(const Word& self, const Word& mate, double age_s, const PrecedenceParams& params = {});
 
 /// The mate that this robot has to make room for: near, with a way that leads through where this robot is;
 /// and either this one stands, or their ways lead through each other and the mate's id is lower. Null when

@@ -35,6 +35,10 @@ class Roster {
 
   /// Those heard of lately, by id: where they are is known. Good until the next take().
   [[nodiscard]] std::vector<const Word*> heard(types::Stamp now) const;
+  /// How long ago one of those was heard of.
+  [[nodiscard]] types::Duration age_of(const Word& word, types::Stamp now) const {
+    return now - mates_.at(word.robot).heard;
+  }
   /// Of those the ones whose bids and claims count: neither home nor, for a while now, unable or stuck.
   [[nodiscard]] std::vector<const Word*> counted(types::Stamp now) const;
   /// Where those are that can go out of the way, heard of within kPlaceAgeMax: counted ones, and those that

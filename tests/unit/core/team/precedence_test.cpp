@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/grid/distance.hpp"
 #include "tests/unit/core/grid/maps.hpp"
 #include "tests/unit/core/team/generators.hpp"
@@ -45,6 +47,65 @@ TEST(Precedence, whoStandsInTheWayMakesRoomWhateverItsId) {
   const Word b = robot(2, {0.0, 0.0}, line({0.0, 0.0}, {4.0, 0.0}));
   EXPECT_TRUE(makes_room(a, b));
   EXPECT_FALSE(makes_room(b, a));
+}
+
+Word heading(Word word, double theta_rad) {
+  word.T_map_base.theta_rad = theta_rad;
+  return word;
+}
+
+constexpr double kFresh_s = 0.4;
+
+TEST(SlowsFor, bothOfTwoHeadOnAndNoneOfAMateThatStands) {
+  const Word a = robot(1, {0.0, 0.0}, line({0.0, 0.0}, {4.0, 0.0}));
+  const Word b = heading(robot(2, {2.2, 0.0}, line({2.2, 0.0}, {-4.0, 0.0})), M_PI);
+  EXPECT_TRUE(slows_for(a, b, kFresh_s));
+  EXPECT_TRUE(slows_for(b, a, kFresh_s));
+  EXPECT_FALSE(slows_for(a, robot(2, {2.2, 0.0}), kFresh_s)) << "the scanner sees it where it is";
+  EXPECT_FALSE(slows_for(a, robot(2, {4.0, 0.0}, line({4.0, 0.0}, {0.0, 0.0})), kFresh_s)) << "far";
+}
+
+TEST(SlowsFor, whoIsBehindOfTwoWithOneWay) {
+  const Word first = robot(2, {1.0, 0.5}, line({1.0, 0.5}, {6.0, 0.5}));
+  const Word second = robot(1, {0.0, 0.0}, line({0.0, 0.0}, {6.0, 0.0}));
+  EXPECT_FALSE(slows_for(first, second, kFresh_s));
+  EXPECT_TRUE(slows_for(second, first, kFresh_s));
+}
+
+TEST(SlowsFor, ofTwoAbreastTheHigherId) {
+  const Word left = robot(1, {0.1, 0.9}, line({0.1, 0.9}, {6.0, 0.9}));
+  const Word right = robot(2, {0.0, 0.0}, line({0.0, 0.0}, {6.0, 0.0}));
+  EXPECT_FALSE(slows_for(left, right, kFresh_s));
+  EXPECT_TRUE(slows_for(right, left, kFresh_s));
+}
+
+TEST(SlowsFor, aMateMayBeAnywhereItCanHaveGoneSinceItWasHeardOf) {
+  const Word self = robot(1, {0.0, 0.0}, line({0.0, 0.0}, {4.0, 0.0}));
+  const Word behind = robot(2, {-1.5, 0.0}, line({-1.5, 0.0}, {4.0, 0.0}));
+  EXPECT_FALSE(slows_for(self, behind, kFresh_s));
+  EXPECT_TRUE(slows_for(self, behind, 5.0));
+  const Word far = robot(2, {4.0, 0.0}, line({4.0, 0.0}, {0.0, 0.0}));
+  EXPECT_FALSE(slows_for(self, far, kFresh_s));
+  EXPECT_TRUE(slows_for(self, far, 5.0));
+}
+
+TEST(SlowsFor, neverNeitherOfTwoThatComeNearer) {
+  const std::vector<Vector2> on{{0.0, 0.0}};
+  const Word self = robot(1, {0.0, 0.0}, on);
+  int nearer = 0;
+  for (double x = -1.4; x <= 1.4; x += 0.1) {
+    for (double y = -1.4; y <= 1.4; y += 0.1) {
+      for (double theta_rad = 0.0; theta_rad < 6.2; theta_rad += 0.1) {
+        const Word mate = heading(robot(2, {x, y}, on), theta_rad);
+        const Vector2 closing = Vector2(1.0, 0.0) - Vector2(std::cos(theta_rad), std::sin(theta_rad));
+        if (closing.dot(Vector2(x, y)) < 1e-6) continue;
+        ++nearer;
+        ASSERT_TRUE(slows_for(self, mate, 0.0) || slows_for(mate, self, 0.0))
+            << x << ' ' << y << ' ' << theta_rad;
+      }
+    }
+  }
+  EXPECT_GT(nearer, 10000);
 }
 
 TEST(Precedence, nobodyMakesRoomForOneThatIsBehindFarOrBesideIt) {
