@@ -182,8 +182,14 @@ Result<CarmenLog> read_carmen_log(const std::string& path) {
   }
   CarmenLog log = std::move(found.log);
   if (!found.robotlaser.empty()) log.flaser_ignored = static_cast<int>(found.flaser.size());
-  log.scans = std::move(found.robotlaser.empty() ? found.flaser : found.robotlaser);
-  if (const auto limit_m = piled_up_range_m(log.scans)) mark_no_return(log.scans, *limit_m);
+  const bool states_limit = !found.robotlaser.empty();  // in every message
+  log.scans = std::move(states_limit ? found.robotlaser : found.flaser);
+  if (!states_limit) {
+    if (const auto limit_m = piled_up_range_m(log.scans)) {
+      log.range_limit_m = static_cast<double>(*limit_m);
+      log.readings_beyond = mark_no_return(log.scans, *limit_m);
+    }
+  }
   log.stamp_inversions = sort_by_stamp(log.scans);
   log.odometry_inversions = sort_by_stamp(log.odometry);
   return log;

@@ -38,11 +38,14 @@ struct CarmenLog {
   int stamp_inversions = 0;     ///< scans in the file whose stamp is before the one of the scan above them
   int odometry_inversions = 0;  ///< likewise for odometry
   int other_lines = 0;          ///< messages that say nothing about scans or odometry
-  int flaser_ignored = 0;       ///< FLASER lines of a log that has the richer ROBOTLASER1 too
+  double range_limit_m =
+      0.0;  ///< from which FLASER readings were taken for none (range_limit.hpp); 0: none were
+  std::size_t readings_beyond = 0;  ///< so many were
+  int flaser_ignored = 0;           ///< FLASER lines of a log that has the richer ROBOTLASER1 too
 };
 
 /// Reads a CARMEN log (.clf, .clf.gz, .clf.bz2): FLASER, ROBOTLASER1 and ODOM; other messages are counted.
-/// Readings that pile up at the log's longest range did not come back (piled_up_range_m).
+/// FLASER readings that pile up at the log's longest range did not come back (piled_up_range_m).
 /// Errors say file, line, what was found and what is expected: kNotFound, kPermission, kIo, and kInvalidInput
 /// for damaged or truncated input, a wrong count, a number that is none, a missing stamp, and a log with no
 /// scan.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "core/types/scan.hpp"
 
@@ -12,46 +13,67 @@ namespace {
 
 /// A SICK LMS sends 8183 to 8191 units, whatever its unit, where it has no range (telegram listing).
 constexpr float kCodes = 8183.0F / 8192.0F;
-constexpr float kBelow_m = 1.0F;           ///< the band before the pile that it is held against
-constexpr double kShare_min = 1e-3;        ///< of all readings in the pile
-constexpr std::size_t kReadings_min = 50;  ///< fewer may be one wall, seen by a robot that stands
-constexpr double kSteepness = 20.0;        ///< readings a metre of the pile against those before it
+constexpr float kBelow_m = 1.0F;     ///< the band before the pile that it is held against
+constexpr double kShare_min = 1e-3;  ///< of all readings in the pile
+constexpr std::size_t kReadings_min = 50;
+constexpr double kBearings_min = 0.1;   ///< of all beams: fewer may be one wall, seen by a robot that stands
+constexpr std::size_t kStrays = 10000;  ///< readings of which one may be beyond the pile
+constexpr double kSteepness = 20.0;     ///< readings a metre of the pile against those before it
 
 template <class Visit>
 void for_each_hit(std::span<const CarmenScan> scans, Visit&& visit) {
   for (const CarmenScan& scan : scans) {
-    for (const float range : scan.range_m) {
-      if (types::is_hit(range)) visit(range);
+    for (std::size_t beam = 0; beam < scan.range_m.size(); ++beam) {
+      if (types::is_hit(scan.range_m[beam])) visit(beam, scan.range_m[beam]);
     }
   }
+}
+
+/// The longest reading but for the strays; 0 when there is none.
+float furthest_m(std::span<const CarmenScan> scans) {
+  std::vector<float> ranges;
+  for_each_hit(scans, [&](std::size_t, float range) { ranges.push_back(range); });
+  if (ranges.empty()) return 0.0F;
+  const auto last = ranges.end() - 1 - static_cast<std::ptrdiff_t>(ranges.size() / kStrays);
+  std::nth_element(ranges.begin(), last, ranges.end());
+  return *last;
 }
 
 }  // namespace
 
 std::optional<float> piled_up_range_m(std::span<const CarmenScan> scans) {
-  float furthest = 0.0F;
-  for_each_hit(scans, [&](float range) { furthest = std::max(furthest, range); });
+  const float furthest = furthest_m(scans);
   const float limit = furthest * kCodes;
-  std::size_t all = 0, piled = 0, below = 0;
-  for_each_hit(scans, [&](float range) {
+  std::size_t all = 0, piled = 0, below = 0, beams = 0;
+  std::vector<bool> bearings;
+  for (const CarmenScan& scan : scans) beams = std::max(beams, scan.range_m.size());
+  bearings.resize(beams);
+  for_each_hit(scans, [&](std::size_t beam, float range) {
     ++all;
     piled += range >= limit ? 1U : 0U;
     below += range < limit && range >= limit - kBelow_m ? 1U : 0U;
+    if (range >= limit) bearings[beam] = true;
   });
   if (piled < kReadings_min || static_cast<double>(piled) < kShare_min * static_cast<double>(all))
     return std::nullopt;
+  const auto bearings_piled = std::count(bearings.begin(), bearings.end(), true);
+  if (static_cast<double>(bearings_piled) < kBearings_min * static_cast<double>(beams)) return std::nullopt;
   const double density = static_cast<double>(piled) / static_cast<double>(furthest - limit);
   if (density < kSteepness * static_cast<double>(below) / static_cast<double>(kBelow_m)) return std::nullopt;
   return limit;
 }
 
-void mark_no_return(std::span<CarmenScan> scans, float limit_m) {
+std::size_t mark_no_return(std::span<CarmenScan> scans, float limit_m) {
+  std::size_t marked = 0;
   for (CarmenScan& scan : scans) {
     scan.range_max_m = std::min(scan.range_max_m, limit_m);
     for (float& range : scan.range_m) {
-      if (types::is_hit(range) && range >= limit_m) range = types::kNoReturn;
+      if (!types::is_hit(range) || range < limit_m) continue;
+      range = types::kNoReturn;
+      ++marked;
     }
   }
+  return marked;
 }
 
 }  // namespace topo::daemon

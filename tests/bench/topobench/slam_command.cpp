@@ -77,6 +77,10 @@ types::Status map_log(const SlamCommand& command) {
   json["log"] = command.log;
   json["scans"] = log->scans.size();
   json["stamp_inversions"] = log->stamp_inversions;
+  if (log->readings_beyond > 0) {
+    json["range_limit_m"] = log->range_limit_m;
+    json["readings_beyond_limit"] = log->readings_beyond;
+  }
   json["read_cpu_s"] = 1e-3 * reading.cpu_ms.front();
   if (!command.relations.empty()) {
     auto errors = relation_errors(command.relations, run.trajectory);

@@ -19,7 +19,7 @@ std::vector<CarmenScan> scans_with(float reach_m, float no_return_m) {
     scans[i].range_max_m = 80.0F;
     for (std::size_t k = 0; k < 180; ++k) {
       const float share = static_cast<float>((7 * i + 13 * k) % 180) / 180.0F;
-      scans[i].range_m.push_back(k % 10 == 0 ? no_return_m : 1.0F + share * (reach_m - 1.0F));
+      scans[i].range_m.push_back((k + i) % 10 == 0 ? no_return_m : 1.0F + share * (reach_m - 1.0F));
     }
   }
   return scans;
@@ -56,12 +56,31 @@ TEST(RangeLimit, IsNotAWallAtTheEndOfTheView) {
   EXPECT_FALSE(piled_up_range_m(scans).has_value());
 }
 
+TEST(RangeLimit, IsNotTheEndOfACorridorThatARobotStandsIn) {
+  auto scans = scans_with(7.0F, types::kNoReturn);
+  for (CarmenScan& scan : scans) {
+    for (std::size_t k = 85; k < 95; ++k) scan.range_m[k] = 8.0F;  // to the millimetre, as simulators have it
+  }
+  EXPECT_FALSE(piled_up_range_m(scans).has_value());
+}
+
+TEST(RangeLimit, IsFoundBelowAStrayReading) {
+  const auto some = scans_with(7.9F, 8.0F);
+  std::vector<CarmenScan> scans;
+  for (int i = 0; i < 4; ++i) scans.insert(scans.end(), some.begin(), some.end());  // 14400 readings
+  scans[7].range_m[4] = 9.0F;
+  const auto found = piled_up_range_m(scans);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(*found, 8.0F, 0.02F);
+  EXPECT_EQ(mark_no_return(scans, *found), 1441U);
+}
+
 TEST(RangeLimit, MarksWhatDidNotComeBackAndNothingElse) {
   auto scans = scans_with(9.9F, 10.0F);
-  mark_no_return(scans, 9.99F);
+  EXPECT_EQ(mark_no_return(scans, 9.99F), 360U);
   EXPECT_EQ(scans[3].range_max_m, 9.99F);
-  EXPECT_EQ(scans[3].range_m[10], types::kNoReturn);
-  EXPECT_EQ(scans[3].range_m[11], scans_with(9.9F, 10.0F)[3].range_m[11]);
+  EXPECT_EQ(scans[3].range_m[7], types::kNoReturn);
+  EXPECT_EQ(scans[3].range_m[8], scans_with(9.9F, 10.0F)[3].range_m[8]);
 }
 
 }  // namespace
