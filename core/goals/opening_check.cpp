@@ -26,14 +26,19 @@ class Surroundings {
 
   /// Closes all in which the middle of a disc of this radius, in cells, would touch something occupied.
   void close_around_occupied(const grid::DenseMap& map, double radius) {
-    const auto reach = static_cast<std::int32_t>(std::ceil(radius));
+    const std::vector<std::int32_t> half = half_widths(radius);
+    const auto reach = static_cast<std::int32_t>(half.size()) - 1;
     const std::int32_t y_from = std::max(box_.min.y - reach, map.box.min.y);
     const std::int32_t y_to = std::min(box_.max.y + reach, map.box.max.y);
     const std::int32_t x_from = std::max(box_.min.x - reach, map.box.min.x);
     const std::int32_t x_to = std::min(box_.max.x + reach, map.box.max.x);
     for (std::int32_t y = y_from; y <= y_to; ++y) {
-      for (std::int32_t x = x_from; x <= x_to; ++x) {
-        if (map.cells[map.index({x, y})] == CellState::kOccupied) close_disc({x, y}, radius);
+      const CellState* const row = &map.cells[map.index({x_from, y})];
+      for (std::int32_t x = 0; x <= x_to - x_from; ++x) {
+        if (row[x] != CellState::kOccupied) continue;
+        const std::int32_t first = x;
+        while (x < x_to - x_from && row[x + 1] == CellState::kOccupied) ++x;
+        close_around(y, x_from + first, x_from + x, half);
       }
     }
   }
@@ -42,16 +47,22 @@ class Surroundings {
   void close(CellIndex c) { closed_[index(c)] = 1; }
 
  private:
-  void close_disc(CellIndex centre, double radius) {
-    const auto reach = static_cast<std::int32_t>(std::ceil(radius));
+  /// Of a disc: half the width of each row, from the middle one on, where it has any.
+  static std::vector<std::int32_t> half_widths(double radius) {
+    std::vector<std::int32_t> half;
+    for (double v = 0.0; radius * radius - v * v > 0.0; v += 1.0)
+      half.push_back(static_cast<std::int32_t>(std::ceil(std::sqrt(radius * radius - v * v))) - 1);
+    return half;
+  }
+  /// Closes the discs around cells [first, last] of row `y`.
+  void close_around(std::int32_t y, std::int32_t first, std::int32_t last,
+                    const std::vector<std::int32_t>& half) {
+    const auto reach = static_cast<std::int32_t>(half.size()) - 1;
     for (std::int32_t v = -reach; v <= reach; ++v) {
-      const double left = radius * radius - static_cast<double>(v) * v;
-      if (left <= 0.0) continue;
-      const auto half = static_cast<std::int32_t>(std::ceil(std::sqrt(left))) - 1;
-      for (std::int32_t u = -half; u <= half; ++u) {
-        const CellIndex c{centre.x + u, centre.y + v};
-        if (contains(c)) close(c);
-      }
+      if (y + v < box_.min.y || y + v > box_.max.y) continue;
+      const std::int32_t wide = half[static_cast<std::size_t>(std::abs(v))];
+      const std::int32_t from = std::max(first - wide, box_.min.x), to = std::min(last + wide, box_.max.x);
+      if (from <= to) std::fill_n(&closed_[index({from, y + v})], to - from + 1, std::uint8_t{1});
     }
   }
   [[nodiscard]] bool contains(CellIndex c) const {
