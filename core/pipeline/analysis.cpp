@@ -10,11 +10,10 @@
 namespace topo::pipeline {
 namespace {
 
-/// The map without furniture, with its distances and what thinning begins with.
+/// The map without furniture, with its distances.
 struct OpenMap {
   const grid::DenseMap& map;
   const std::vector<float>& clearance_m;
-  const places::Erosion& erosion;
 };
 
 /// The stages from the compass to the furniture, and those behind: what lies between is done in two ways.
@@ -47,11 +46,18 @@ class Stages {
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
   }
-  void find_places_and_goals(const OpenMap& open) {
-    a_.skeleton = places::skeletonise(open.map, open.clearance_m, open.erosion);
+  void find_skeleton(const OpenMap& open, const places::Erosion& erosion) {
+    a_.skeleton = places::skeletonise(open.map, open.clearance_m, erosion);
     tell(Stage::kSkeleton);
-    const places::FirstLabels first =
-        places::first_labels(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m);
+  }
+  [[nodiscard]] places::FirstLabels first_labels(const OpenMap& open) const {
+    return places::first_labels(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m);
+  }
+  void relabel(const OpenMap& open, std::span<const std::uint32_t> changed,
+               places::FirstLabels& first) const {
+    places::relabel(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m, changed, first);
+  }
+  void find_places_and_goals(const OpenMap& open, const places::FirstLabels& first) {
     tell(Stage::kLabels);
     a_.places = places::reduce_labels(open.map, open.clearance_m, a_.skeleton, first, a_.walls, compass_rad(),
                                       params_.places);
@@ -88,7 +94,8 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
     without_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
   const std::vector<float>& open_m = without_m.empty() ? stages.so_far().clearance_m : without_m;
   stages.tell(Stage::kFurniture);
-  stages.find_places_and_goals({open, open_m, places::erode(open, open_m)});
+  stages.find_skeleton({open, open_m}, places::erode(open, open_m));
+  stages.find_places_and_goals({open, open_m}, stages.first_labels({open, open_m}));
   return stages.take();
 }
 
@@ -105,9 +112,15 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
   const auto& changed = memory.open.changed();
   const bool was_own = std::exchange(memory.is_own, is_own);
   stages.tell(Stage::kFurniture);
-  memory.erosion = is_own && was_own && changed ? places::erode_again(open, open_m, memory.erosion, *changed)
-                                                : places::erode(open, open_m);
-  stages.find_places_and_goals({open, open_m, memory.erosion});
+  const bool again = is_own && was_own && changed;
+  memory.erosion =
+      again ? places::erode_again(open, open_m, memory.erosion, *changed) : places::erode(open, open_m);
+  stages.find_skeleton({open, open_m}, memory.erosion);
+  if (again && memory.first.box == open.box)
+    stages.relabel({open, open_m}, *changed, memory.first);
+  else
+    memory.first = stages.first_labels({open, open_m});
+  stages.find_places_and_goals({open, open_m}, memory.first);
   return stages.take();
 }
 

@@ -59,6 +59,7 @@ struct AnalysisMemory {
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
   bool is_own = false;  ///< the erosion is by the distances of `open`
+  places::FirstLabels first;
 };
 
 /// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a

@@ -69,10 +69,17 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
   const auto numbers = number_places(regions, map.resolution_m, params, out);
   add_borders(regions, numbers, map.resolution_m, out);
-  std::vector<std::uint16_t> of_label(first.pieces + std::size_t{1}, 0);
-  for (std::uint32_t p = 0; p < first.pieces; ++p) of_label[p + 1] = numbers[roots[p]];
+  const PieceNumbers piece_numbers(first, map.cells.size());
   grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
-    for (std::size_t i = run.first; i < run.end; ++i) out.labels[i] = of_label[first.labels[i]];
+    std::uint32_t label = 0;
+    std::uint16_t place = 0;
+    for (std::size_t i = run.first; i < run.end; ++i) {
+      if (first.labels[i] != label) {
+        label = first.labels[i];
+        place = label == 0 ? std::uint16_t{0} : numbers[roots[piece_numbers.of(label)]];
+      }
+      out.labels[i] = place;
+    }
   });
   return out;
 }

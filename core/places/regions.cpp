@@ -35,7 +35,12 @@ class CellPass {
  public:
   CellPass(const DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
            const CompassFrame& frame)
-      : map_(map), clearance_m_(clearance_m), labels_(first.labels), frame_(frame), regions(first.pieces) {}
+      : map_(map),
+        clearance_m_(clearance_m),
+        labels_(first.labels),
+        numbers_(first, map.cells.size()),
+        frame_(frame),
+        regions(first.pieces.size()) {}
 
   void run() {
     const std::uint32_t* const labels = labels_.data();
@@ -51,6 +56,7 @@ class CellPass {
     });
     pad_boxes();
   }
+  [[nodiscard]] const PieceNumbers& numbers() const { return numbers_; }
   void add_cores(std::span<const std::uint32_t> axis) {
     const double compass_rad = std::atan2(frame_.sin, frame_.cos),
                  step_rad = std::numbers::pi / 2.0 / (kTurns + 1);
@@ -59,7 +65,7 @@ class CellPass {
       turns.emplace_back(compass_rad + static_cast<double>(k + 1) * step_rad);
     for (const std::uint32_t i : axis) {
       if (labels_[i] == 0) continue;
-      Region& region = regions[labels_[i] - 1];
+      Region& region = regions[numbers_.of(labels_[i])];
       const types::Vector2 centre = map_.centre_of(map_.cell(i));
       const double r = static_cast<double>(clearance_m_[i]) - 0.5 * map_.resolution_m;
       extend_by_disc(region.core, frame_.from_map(centre), r);
@@ -74,7 +80,7 @@ class CellPass {
  private:
   /// Cells with one label side by side.
   void add_run(grid::CellIndex cell, std::size_t first, std::size_t count) {
-    Region& region = regions[labels_[first] - 1];
+    Region& region = regions[numbers_.of(labels_[first])];
     const types::Vector2 a = map_.centre_of(cell);
     const types::Vector2 b = a + types::Vector2(static_cast<double>(count - 1) * map_.resolution_m, 0.0);
     region.box.extend(frame_.from_map(a));
@@ -117,7 +123,7 @@ class CellPass {
   }
   void note(std::uint32_t label, std::uint32_t other, Pair pair) {
     if (other == 0 || other == label) return;
-    pair.key = key_of(label - 1, other - 1);
+    pair.key = key_of(numbers_.of(label), numbers_.of(other));
     pairs.push_back(pair);
   }
   /// From the centres of cells to their sides.
@@ -132,6 +138,7 @@ class CellPass {
   const DenseMap& map_;
   std::span<const float> clearance_m_;
   const std::vector<std::uint32_t>& labels_;
+  PieceNumbers numbers_;
   const CompassFrame& frame_;
 
  public:
@@ -151,7 +158,7 @@ std::uint32_t label_beside(const DenseMap& map, const std::vector<std::uint32_t>
   return 0;
 }
 
-void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels,
+void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels, const PieceNumbers& numbers,
                 std::span<const types::Segment> walls, std::vector<Region>& regions,
                 std::vector<Pair>& pairs) {
   constexpr double kStepM = 0.10;
@@ -164,9 +171,9 @@ void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels,
       const std::uint32_t a = label_beside(map, labels, p, across), b = label_beside(map, labels, p, -across);
       if (a == 0 || b == 0) continue;
       if (a == b)
-        regions[a - 1].straddled_m += static_cast<float>(kStepM);
+        regions[numbers.of(a)].straddled_m += static_cast<float>(kStepM);
       else
-        pairs.push_back({key_of(a - 1, b - 1), 0, 0, static_cast<float>(kStepM), 0.0F});
+        pairs.push_back({key_of(numbers.of(a), numbers.of(b)), 0, 0, static_cast<float>(kStepM), 0.0F});
     }
   }
 }
@@ -261,7 +268,7 @@ std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clear
   CellPass pass(map, clearance_m, first, frame);
   pass.run();
   pass.add_cores(axis);
-  note_walls(map, first.labels, walls, pass.regions, pass.pairs);
+  note_walls(map, first.labels, pass.numbers(), walls, pass.regions, pass.pairs);
   add_contacts(pass.pairs, pass.regions);
   return std::move(pass.regions);
 }
