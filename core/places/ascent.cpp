@@ -10,14 +10,8 @@ Ascent::Ascent(const grid::DenseMap& map, const std::vector<Slope>& slopes,
                std::vector<std::uint32_t>& labels)
     : slopes_(slopes.data()), labels_(labels.data()), offsets_(neighbour_offsets(map)) {}
 
-void Ascent::climb_all(std::size_t first, std::size_t end) {
-  for (std::size_t i = first; i < end; ++i) {
-    if (labels_[i] == 0 && (slopes_[i] & kNumber) != kClosed) climb(static_cast<std::uint32_t>(i));
-  }
-}
-
 /// From a cell to the first one with a label, which all cells on the way get.
-void Ascent::climb(std::uint32_t start) {
+void Ascent::climb_up(std::uint32_t start) {
   std::uint32_t label = 0, i = start;
   std::size_t steps = 0;
   while ((label = labels_[i]) == 0) {

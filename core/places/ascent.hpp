@@ -19,15 +19,17 @@ class Ascent {
  public:
   Ascent(const grid::DenseMap& map, const std::vector<Slope>& slopes, std::vector<std::uint32_t>& labels);
 
-  /// Cells of [first, end) without a label, one after the other: where clearance rises nowhere the way goes
+  /// Labels a free cell, if it has none, and those on its way up. Where clearance rises nowhere the way goes
   /// on to a neighbour that has its label already. Whoever comes nowhere is kLost.
-  void climb_all(std::size_t first, std::size_t end);
+  void climb(std::uint32_t start) {
+    if (labels_[start] == 0) climb_up(start);
+  }
 
   /// Those that came nowhere.
   [[nodiscard]] const std::vector<std::uint32_t>& lost() const { return lost_; }
 
  private:
-  void climb(std::uint32_t start);
+  void climb_up(std::uint32_t start);
   [[nodiscard]] std::uint32_t labelled_beside(std::uint32_t i) const;
   [[nodiscard]] std::uint32_t beside(std::uint32_t i, std::size_t k) const {
     return static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offsets_[k]);

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
@@ -11,38 +13,34 @@
 
 namespace topo::places {
 
-/// Finds the cells whose label hangs on something that has changed.
+/// Cells in blocks, so that those with something in them are found again in rising order.
+class CellBlocks {
+ public:
+  explicit CellBlocks(std::size_t cells) : cells_(cells), holds_((cells >> kShift) + 1, 0) {}
+
+  void add(std::uint32_t cell) { holds_[cell >> kShift] = 1; }
+
+  /// Calls f(first, end) for the cells of each block to which one was added.
+  template <class F>
+  void for_each(F&& f) const {
+    for (std::size_t b = 0; b < holds_.size(); ++b)
+      if (holds_[b] != 0) f(b << kShift, std::min((b + 1) << kShift, cells_));
+  }
+
+ private:
+  static constexpr unsigned kShift = 7;
+  std::size_t cells_;
+  std::vector<std::uint8_t> holds_;
+};
+
+/// The cells whose label hangs on one of these, each with another slope than before or another relation to
+/// the axis, none at the array's border. They are marked kVisited in `slopes`; returned is where they are.
 ///
 /// A cell's label hangs on the way up from it to the axis; where that way is flat, on which neighbours were
 /// labelled before, and so on the ways that lead to those. Both go from cell to cell along slopes and across
 /// what is flat, and none goes through the axis. So whatever is connected in this manner, up and down, with a
 /// cell that has changed or was beside it is labelled anew, and nothing else.
-class Catchments {
- public:
-  /// `slopes` with kOnAxis on the axis; kVisited marks what is found.
-  Catchments(const grid::DenseMap& map, std::vector<Slope>& slopes);
-
-  /// This cell's slope has changed, or what it is to the axis. It is not at the array's border.
-  void spread_from(std::uint32_t cell);
-
-  /// All that were found, of [first, end) rows of cells, each no wider than need be.
-  struct Span {
-    std::uint32_t first = UINT32_MAX, end = 0;
-  };
-  [[nodiscard]] const std::vector<Span>& rows() const { return rows_; }
-
- private:
-  void visit(std::uint32_t i);
-  void spread();
-  [[nodiscard]] std::uint32_t beside(std::uint32_t i, std::size_t k) const {
-    return static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offsets_[k]);
-  }
-
-  Slope* slopes_;
-  std::uint32_t width_;
-  std::array<std::ptrdiff_t, 8> offsets_;
-  std::vector<Span> rows_;
-  std::vector<std::uint32_t> queue_;
-};
+CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
+                           std::vector<Slope>& slopes);
 
 }  // namespace topo::places

@@ -10,6 +10,7 @@
 #include "core/grid/free_runs.hpp"
 #include "core/places/ascent.hpp"
 #include "core/places/catchments.hpp"
+#include "core/places/sparse_scan.hpp"
 
 namespace topo::places {
 namespace {
@@ -174,15 +175,6 @@ void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels&
   }
 }
 
-/// Of what the catchments have found in a row.
-void take_labels(const Catchments::Span& row, FirstLabels& first) {
-  for (std::uint32_t i = row.first; i < row.end; ++i) {
-    if ((first.slopes[i] & kVisited) == 0) continue;
-    first.slopes[i] &= static_cast<Slope>(~kVisited);
-    first.labels[i] = 0;
-  }
-}
-
 }  // namespace
 
 FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
@@ -192,7 +184,10 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   first.slopes = slopes_of(map, clearance_m);
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first, [](std::uint32_t) {});
   Ascent ascent(map, first.slopes, first.labels);
-  grid::for_each_free_run(map, [&](const grid::FreeRun& run) { ascent.climb_all(run.first, run.end); });
+  grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
+    for (std::size_t i = run.first; i < run.end; ++i)
+      if (first.slopes[i] != kClosed) ascent.climb(static_cast<std::uint32_t>(i));
+  });
   first.lost = ascent.lost();
   label_lost(map, first);
   return first;
@@ -207,14 +202,22 @@ void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skel
     if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
              [&](std::uint32_t i) { others.push_back(i); });
-  Catchments catchments(map, first.slopes);
-  for (const std::uint32_t i : others) catchments.spread_from(i);
+  const CellBlocks again = find_catchments(map, others, first.slopes);
   std::erase_if(first.lost,
                 [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
   for (const std::uint32_t i : first.lost) first.labels[i] = kLost;
-  for (const Catchments::Span& row : catchments.rows()) take_labels(row, first);
+  const auto for_each_again = [&](auto&& f) {
+    again.for_each([&](std::size_t from, std::size_t end) {
+      for_each_with<Slope>(kVisited, std::span(first.slopes).subspan(from, end - from),
+                           [&](std::size_t i) { f(from + i); });
+    });
+  };
+  for_each_again([&](std::size_t i) { first.labels[i] = 0; });
   Ascent ascent(map, first.slopes, first.labels);
-  for (const Catchments::Span& row : catchments.rows()) ascent.climb_all(row.first, row.end);
+  for_each_again([&](std::size_t i) {
+    first.slopes[i] &= static_cast<Slope>(~kVisited);
+    ascent.climb(static_cast<std::uint32_t>(i));
+  });
   first.lost.insert(first.lost.end(), ascent.lost().begin(), ascent.lost().end());
   label_lost(map, first);
 }

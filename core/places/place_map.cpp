@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/grid/free_runs.hpp"
 #include "core/places/box_counts.hpp"
 #include "core/places/corners.hpp"
 #include "core/places/first_labels.hpp"
+#include "core/places/piece_runs.hpp"
 #include "core/places/reduction.hpp"
 #include "core/places/regions.hpp"
 
@@ -62,25 +62,16 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
   out.labels.assign(map.cells.size(), 0);
   const CompassFrame frame(out.compass_rad);
-  std::vector<Region> regions = regions_of(map, clearance_m, first, skeleton.axis, walls, frame);
+  const std::vector<PieceRun> runs = piece_runs(map, first);
+  std::vector<Region> regions = regions_of(map, clearance_m, first, runs, skeleton.axis, walls, frame);
   const BoxCounts counts(map, frame);
   const std::vector<Region> pieces = regions;
   std::vector<std::uint32_t> roots = reduce(regions, counts, map.resolution_m, params);
   if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
   const auto numbers = number_places(regions, map.resolution_m, params, out);
   add_borders(regions, numbers, map.resolution_m, out);
-  const PieceNumbers piece_numbers(first, map.cells.size());
-  grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
-    std::uint32_t label = 0;
-    std::uint16_t place = 0;
-    for (std::size_t i = run.first; i < run.end; ++i) {
-      if (first.labels[i] != label) {
-        label = first.labels[i];
-        place = label == 0 ? std::uint16_t{0} : numbers[roots[piece_numbers.of(label)]];
-      }
-      out.labels[i] = place;
-    }
-  });
+  for (const PieceRun& run : runs)
+    std::fill(out.labels.begin() + run.first, out.labels.begin() + run.end, numbers[roots[run.piece]]);
   return out;
 }
 

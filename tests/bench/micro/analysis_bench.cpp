@@ -6,12 +6,14 @@
 // bytes per known cell.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/frontiers.hpp"
@@ -167,9 +169,19 @@ void BM_Goals(benchmark::State& state) {
 /// From the map to the goals, distances included.
 void BM_Whole(benchmark::State& state) {
   measure(state, [](const Stages& on) {
-    pipeline::ClearMap free{on.map, grid::clearance_m(on.map, grid::Boundary::kOccupiedOrUnknown)};
-    return pipeline::analyse({1, std::move(free), {}, {}}, {});
+    const std::vector<float> clearance_m = grid::clearance_m(on.map, grid::Boundary::kOccupiedOrUnknown);
+    return pipeline::analyse({1, on.map, clearance_m, {}, {}}, {});
   });
+}
+
+/// Of BM_Again: milliseconds of distances and input, then of each pipeline::Stage.
+constexpr std::array kStageNames = {"a_input_ms",    "b_compass_ms", "c_walls_ms",     "d_furniture_ms",
+                                    "e_skeleton_ms", "f_labels_ms",  "g_reduction_ms", "h_goals_ms"};
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// The same from snapshot to snapshot: what one keyframe sees in the corridor comes, and goes again.
@@ -186,12 +198,23 @@ void BM_Again(benchmark::State& state) {
   grid::ClearanceUpdate clearance;
   pipeline::AnalysisMemory memory;
   bool is_before = false;
+  std::array<double, kStageNames.size()> stage_s{};
   measure(state, [&](const Stages&) {
     is_before = !is_before;
     const DenseMap& map = is_before ? before : on.map;
+    double last_s = cpu_seconds();
+    const auto note = [&](std::size_t stage) {
+      const double now_s = cpu_seconds();
+      stage_s[stage] += now_s - std::exchange(last_s, now_s);
+    };
     clearance.take(map);
-    return pipeline::analyse({1, {map, clearance.clearance_m()}, {}, {}}, {}, memory);
+    pipeline::AnalysisInput input{1, map, clearance.clearance_m(), {}, {}};
+    note(0);
+    return pipeline::analyse(std::move(input), {}, memory,
+                             [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
   });
+  for (std::size_t i = 0; i < stage_s.size(); ++i)
+    state.counters[kStageNames[i]] = benchmark::Counter(1e3 * stage_s[i], benchmark::Counter::kAvgIterations);
 }
 
 constexpr std::array kStages = {BM_DenseMap,  BM_Clearance, BM_ClearanceUnknownOpen,
