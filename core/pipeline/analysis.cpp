@@ -32,13 +32,13 @@ class Stages {
 
   [[nodiscard]] const grid::DenseMap& map() const { return a_.map; }
 
-  void find_walls() {
+  void find_walls(walls::CompassMemory& memory) {
     // The store's walls are the confident ones; without a coronal scanner there are none, and what is
     // occupied must do.
     const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
     walls::CompassParams compass = params_.compass;
     compass.cell_m = a_.map.resolution_m;
-    a_.compass = walls::entropy_compass(occupied, compass);
+    a_.compass = walls::entropy_compass(occupied, compass, memory);
     tell(Stage::kCompass);
     const bool has_store = !wall_points_.empty() && params_.wall_store;
     a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls);
@@ -95,7 +95,8 @@ std::vector<float> clearance_of(const Analysis& analysis) {
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done) {
   std::span<const float> open_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls();
+  walls::CompassMemory none;
+  stages.find_walls(none);
   const grid::DenseMap map = stages.without_furniture();
   std::vector<float> without_m;
   if (map.cells != stages.map().cells)
@@ -111,7 +112,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
                  const StageWatch& done) {
   const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls();
+  stages.find_walls(memory.compass);
   const grid::DenseMap map = stages.without_furniture();
   memory.open.take(map);
   // A coarse map's distances are not its own: they count where there is no furniture.

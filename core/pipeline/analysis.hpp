@@ -61,6 +61,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 
 /// What one analysis leaves to the next.
 struct AnalysisMemory {
+  walls::CompassMemory compass;
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
   bool is_own = false;  ///< the erosion is by the distances of `open`
