@@ -44,6 +44,10 @@ class Stages {
     a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls);
     tell(Stage::kWalls);
   }
+  void find_walls() {
+    walls::CompassMemory none;
+    find_walls(none);
+  }
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
   }
@@ -60,8 +64,8 @@ class Stages {
   }
   void find_places_and_goals(const OpenMap& open, const places::FirstLabels& first) {
     tell(Stage::kLabels);
-    a_.places = places::reduce_labels(open.map, open.clearance_m, a_.skeleton, first, a_.walls, compass_rad(),
-                                      params_.places);
+    a_.places =
+        places::reduce_labels(open.map, open.clearance_m, first, a_.walls, compass_rad(), params_.places);
     places::leave_free_space(a_.map, a_.places.labels);
     tell(Stage::kReduction);
     a_.goals =
@@ -95,8 +99,7 @@ std::vector<float> clearance_of(const Analysis& analysis) {
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done) {
   std::span<const float> open_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  walls::CompassMemory none;
-  stages.find_walls(none);
+  stages.find_walls();
   const grid::DenseMap map = stages.without_furniture();
   std::vector<float> without_m;
   if (map.cells != stages.map().cells)
@@ -104,7 +107,9 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
   stages.tell(Stage::kFurniture);
   const OpenMap open{map, open_m};
   stages.find_skeleton(open, places::erode(map, open_m));
-  stages.find_places_and_goals(open, stages.first_labels(open));
+  places::FirstLabels first = stages.first_labels(open);
+  first.slopes = {};  // nothing is labelled again
+  stages.find_places_and_goals(open, first);
   return stages.take();
 }
 

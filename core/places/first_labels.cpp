@@ -179,7 +179,7 @@ void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels&
 
 FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
                          double piece_m) {
-  FirstLabels first{map.box, std::vector<std::uint32_t>(map.cells.size(), 0), {}, {}, {}, {}};
+  FirstLabels first{map.box, std::vector<std::uint32_t>(map.cells.size(), 0), {}, {}, {}, {}, {}};
   if (map.cells.empty()) return first;
   first.slopes = slopes_of(map, clearance_m);
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first, [](std::uint32_t) {});
@@ -190,6 +190,7 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   });
   first.lost = ascent.lost();
   label_lost(map, first);
+  first.runs = piece_runs(map, clearance_m, first.labels);
   return first;
 }
 
@@ -202,7 +203,7 @@ void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skel
     if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
              [&](std::uint32_t i) { others.push_back(i); });
-  const CellBlocks again = find_catchments(map, others, first.slopes);
+  CellBlocks again = find_catchments(map, others, first.slopes);
   std::erase_if(first.lost,
                 [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
   for (const std::uint32_t i : first.lost) first.labels[i] = kLost;
@@ -220,6 +221,10 @@ void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skel
   });
   first.lost.insert(first.lost.end(), ascent.lost().begin(), ascent.lost().end());
   label_lost(map, first);
+  for (const auto& cells :
+       {changed, std::span<const std::uint32_t>(others), std::span<const std::uint32_t>(first.lost)})
+    for (const std::uint32_t i : cells) again.add(i);
+  first.runs = renewed_runs(first.runs, again, clearance_m, first.labels);
 }
 
 }  // namespace topo::places

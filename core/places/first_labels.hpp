@@ -8,6 +8,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/places/cell_numbers.hpp"
+#include "core/places/piece_runs.hpp"
 #include "core/places/skeleton.hpp"
 #include "core/places/slopes.hpp"
 
@@ -23,6 +24,7 @@ struct FirstLabels {
   std::vector<Slope> slopes;
   std::vector<std::uint32_t> axis;
   std::vector<std::uint32_t> lost;  ///< cells that do not lead up to the axis
+  std::vector<PieceRun> runs;
 };
 
 /// The number of a piece by its label.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <bit>
 #include <numbers>
 
 #include "core/places/regions.hpp"
@@ -51,8 +50,13 @@ class Borders {
 class CellSums {
  public:
   CellSums(const DenseMap& map, std::span<const float> clearance_m, const CompassFrame& frame,
-           std::vector<Region>& regions, Borders& borders)
-      : map_(map), clearance_m_(clearance_m), frame_(frame), regions_(regions), borders_(borders) {}
+           const PieceNumbers& numbers, std::vector<Region>& regions, Borders& borders)
+      : map_(map),
+        clearance_m_(clearance_m),
+        frame_(frame),
+        numbers_(numbers),
+        regions_(regions),
+        borders_(borders) {}
 
   void add(std::span<const PieceRun> runs) {
     const auto width = static_cast<std::uint32_t>(map_.width());
@@ -60,17 +64,17 @@ class CellSums {
     for (std::size_t k = 0; k < runs.size(); ++k) {
       const PieceRun& run = runs[k];
       add_run(run);
-      if (k + 1 < runs.size() && runs[k + 1].first == run.end) note_upright(run, runs[k + 1].piece);
+      if (k + 1 < runs.size() && runs[k + 1].first == run.end) note_upright(run, runs[k + 1]);
       while (above < runs.size() && runs[above].end <= run.first + width) ++above;
       for (std::size_t a = above; a < runs.size() && runs[a].first < run.end + width; ++a)
-        if (runs[a].piece != run.piece) note_level(run, runs[a], width);
+        if (runs[a].label != run.label) note_level(run, runs[a], width);
     }
     pad_boxes();
   }
 
  private:
   void add_run(const PieceRun& run) {
-    Region& region = regions_[run.piece];
+    Region& region = regions_[numbers_.of(run.label)];
     const std::uint32_t count = run.end - run.first;
     const types::Vector2 a = map_.centre_of(map_.cell(run.first));
     const types::Vector2 b = a + types::Vector2(static_cast<double>(count - 1) * map_.resolution_m, 0.0);
@@ -79,24 +83,16 @@ class CellSums {
     region.sum += 0.5 * static_cast<double>(count) * (a + b);
     region.cells += count;
     region.first = std::min(region.first, run.first);
-    region.clearance_m = std::max(region.clearance_m, clearest(run.first, count));
+    region.clearance_m = std::max(region.clearance_m, run.clearance_m);
   }
-  /// Floats that are not negative are in the order of their bits, and of whole numbers the compiler makes
-  /// vector instructions.
-  [[nodiscard]] float clearest(std::size_t first, std::size_t count) const {
-    std::int32_t most = 0;
-    for (const float& clearance_m : clearance_m_.subspan(first, count))
-      most = std::max(most, std::bit_cast<std::int32_t>(clearance_m));
-    return std::bit_cast<float>(most);
-  }
-  void note_upright(const PieceRun& run, std::uint32_t other) {
-    Contact& contact = borders_.between(run.piece, other);
+  void note_upright(const PieceRun& run, const PieceRun& next) {
+    Contact& contact = borders_.between(numbers_.of(run.label), numbers_.of(next.label));
     ++contact.upright;
     const float here_m = std::min(clearance_m_[run.end - 1], clearance_m_[run.end]);
     contact.clearance_m = std::max(contact.clearance_m, here_m);
   }
   void note_level(const PieceRun& run, const PieceRun& above, std::uint32_t width) {
-    Contact& contact = borders_.between(run.piece, above.piece);
+    Contact& contact = borders_.between(numbers_.of(run.label), numbers_.of(above.label));
     const std::uint32_t first = std::max(run.first, above.first - width),
                         end = std::min(run.end, above.end - width);
     contact.level += end - first;
@@ -115,25 +111,24 @@ class CellSums {
   const DenseMap& map_;
   std::span<const float> clearance_m_;
   const CompassFrame& frame_;
+  const PieceNumbers& numbers_;
   std::vector<Region>& regions_;
   Borders& borders_;
 };
 
-void extend_by_disc(types::Rectangle& box, const types::Vector2& centre, double radius_m) {
+inline void extend_by_disc(types::Rectangle& box, const types::Vector2& centre, double radius_m) {
   box.min = box.min.cwiseMin(centre - types::Vector2(radius_m, radius_m));
   box.max = box.max.cwiseMax(centre + types::Vector2(radius_m, radius_m));
 }
 
-void add_cores(const DenseMap& map, std::span<const float> clearance_m, std::span<const std::uint32_t> axis,
-               const FirstLabels& first, const PieceNumbers& numbers, const CompassFrame& frame,
-               std::vector<Region>& regions) {
+void add_cores(const DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
+               const PieceNumbers& numbers, const CompassFrame& frame, std::vector<Region>& regions) {
   const double compass_rad = std::atan2(frame.sin, frame.cos),
                step_rad = std::numbers::pi / 2.0 / (kTurns + 1);
   std::vector<CompassFrame> turns;
   for (std::size_t k = 0; k < kTurns; ++k)
     turns.emplace_back(compass_rad + static_cast<double>(k + 1) * step_rad);
-  for (const std::uint32_t i : axis) {
-    if (first.labels[i] == 0) continue;
+  for (const std::uint32_t i : first.axis) {
     Region& region = regions[numbers.of(first.labels[i])];
     const types::Vector2 centre = map.centre_of(map.cell(i));
     const double r = std::abs(static_cast<double>(clearance_m[i]) - 0.5 * map.resolution_m);
@@ -179,14 +174,13 @@ void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels, c
 }  // namespace
 
 std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const PieceRun> runs,
-                               std::span<const std::uint32_t> axis, std::span<const types::Segment> walls,
+                               const FirstLabels& first, std::span<const types::Segment> walls,
                                const CompassFrame& frame) {
   std::vector<Region> regions(first.pieces.size());
   Borders borders(regions.size());
   const PieceNumbers numbers(first, map.cells.size());
-  CellSums(map, clearance_m, frame, regions, borders).add(runs);
-  add_cores(map, clearance_m, axis, first, numbers, frame, regions);
+  CellSums(map, clearance_m, frame, numbers, regions, borders).add(first.runs);
+  add_cores(map, clearance_m, first, numbers, frame, regions);
   note_walls(map, first.labels, numbers, walls, regions, borders);
   borders.hand_out(regions);
   return regions;

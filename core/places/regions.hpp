@@ -11,7 +11,6 @@
 #include "core/grid/dense_map.hpp"
 #include "core/places/box_counts.hpp"
 #include "core/places/first_labels.hpp"
-#include "core/places/piece_runs.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -48,11 +47,9 @@ struct Region {
   std::vector<Contact> contacts;
 };
 
-/// Regions of the first labels, in the order of the pieces, with their contacts; `runs` of all pieces; walls
-/// as in segment_places.
+/// Regions of the first labels, in the order of the pieces, with their contacts; walls as in segment_places.
 std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const PieceRun> runs,
-                               std::span<const std::uint32_t> axis, std::span<const types::Segment> walls,
+                               const FirstLabels& first, std::span<const types::Segment> walls,
                                const CompassFrame& frame);
 
 /// Moves everything of region `from` to region `into`, whose core only grows by a part of equal rank.

@@ -46,7 +46,7 @@ struct Stages {
     open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
     skeleton = places::skeletonise(open, open_m);
     first = places::first_labels(open, open_m, skeleton, params.piece_m);
-    places = places::reduce_labels(open, open_m, skeleton, first, walls, compass_rad, params);
+    places = places::reduce_labels(open, open_m, first, walls, compass_rad, params);
     places::leave_free_space(map, places.labels);
     known = static_cast<double>(map.cells.size()) -
             static_cast<double>(std::count(map.cells.begin(), map.cells.end(), CellState::kUnknown));
@@ -156,8 +156,7 @@ void BM_Labels(benchmark::State& state) {
 }
 void BM_Reduction(benchmark::State& state) {
   measure(state, [](const Stages& on) {
-    return places::reduce_labels(on.open, on.open_m, on.skeleton, on.first, on.walls, on.compass_rad,
-                                 on.params);
+    return places::reduce_labels(on.open, on.open_m, on.first, on.walls, on.compass_rad, on.params);
   });
 }
 void BM_Goals(benchmark::State& state) {

@@ -45,6 +45,7 @@ TEST(FirstLabels, OfAMapThatChangedAreThoseOfTheWholeMap) {
       RC_ASSERT(first.pieces == whole.pieces);
       RC_ASSERT(first.labels == whole.labels);
       RC_ASSERT(first.slopes == whole.slopes);
+      RC_ASSERT(first.runs == whole.runs);
     }
   }));
 }
