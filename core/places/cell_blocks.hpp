@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace topo::places {
@@ -20,16 +21,23 @@ class CellBlocks {
   /// once.
   template <class F>
   void for_each(F&& f) const {
-    for (std::size_t b = 0; b < holds_.size();) {
-      const std::size_t first = b++;
-      if (holds_[first] == 0) continue;
+    for (std::size_t b = 0; (b = next(b)) < holds_.size();) {
+      const std::size_t first = b;
       while (b < holds_.size() && holds_[b] != 0) ++b;
       f(first << kShift, std::min(b << kShift, cells_));
     }
   }
 
  private:
-  static constexpr unsigned kShift = 7;
+  /// From a block on the first that holds one; most hold none, and the library looks at many at once.
+  [[nodiscard]] std::size_t next(std::size_t block) const {
+    const void* const found =
+        block < holds_.size() ? std::memchr(&holds_[block], 1, holds_.size() - block) : nullptr;
+    if (found == nullptr) return holds_.size();
+    return static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - holds_.data());
+  }
+
+  static constexpr unsigned kShift = 5;
   std::size_t cells_;
   std::vector<std::uint8_t> holds_;
 };
