@@ -11,15 +11,14 @@
 namespace topo::goals {
 namespace {
 
-Goal goal_of(const GoalInput& input, const Opening& opening, const GoalParams& params,
-             std::vector<bool>& taken) {
+Goal goal_of(const GoalInput& input, const Opening& opening, const GoalParams& params, FreeNodes& nodes) {
   Goal goal;
   goal.opening = goal.p_map = input.map.centre_of(input.map.cell(opening.middle));
   goal.opening_m = opening.width_m;
   goal.place = opening.place;
   goal.side = opening.side;
   const bool leads = leads_to_unknown(input.map, opening, params);
-  const auto p = leads ? steer(input, opening, params, taken) : std::nullopt;
+  const auto p = leads ? steer(input, opening, params, nodes) : std::nullopt;
   if (p) goal.p_map = *p;
   if (!p) goal.verdict = Verdict::kNoOpening;
   return goal;
@@ -38,7 +37,7 @@ Goal closed_side(const GoalInput& input, std::uint16_t place, Side side) {
 /// All candidates, by place and side; what has no opening or no room already judged.
 std::vector<Goal> candidates(const GoalInput& input, const GoalParams& params) {
   const std::vector<Opening> openings = find_openings(input, params);
-  std::vector<bool> taken(input.skeleton.nodes.size(), false);
+  FreeNodes nodes(input.skeleton);
   std::vector<Goal> all;
   auto opening = openings.begin();
   for (std::size_t p = 1; p <= input.places.places.size(); ++p) {
@@ -46,7 +45,7 @@ std::vector<Goal> candidates(const GoalInput& input, const GoalParams& params) {
     for (const Side side : {Side::kEast, Side::kNorth, Side::kWest, Side::kSouth}) {
       const auto first = opening;
       for (; opening != openings.end() && opening->place == place && opening->side == side; ++opening)
-        all.push_back(goal_of(input, *opening, params, taken));
+        all.push_back(goal_of(input, *opening, params, nodes));
       if (first == opening) all.push_back(closed_side(input, place, side));
     }
   }

@@ -42,27 +42,24 @@ double reach_of(const places::PlaceMap& places, const Goal& goal) {
   return (goal.p_map - place.centroid).norm() / half;
 }
 
-/// Goals that can stand in for each other, both ways.
-class StandIns {
- public:
-  StandIns(const grid::DenseMap& map, std::span<Goal* const> goals, const GoalParams& params)
-      : count_(goals.size()), is_(count_ * count_, false) {
-    for (std::size_t a = 0; a < count_; ++a) {
-      for (std::size_t b = 0; b <= a; ++b) {
-        const double away_m = (goals[a]->p_map - goals[b]->p_map).norm();
-        is_[a * count_ + b] = is_[b * count_ + a] =
-            away_m < params.separation_m ||
-            (away_m < params.in_sight_m &&
-             sees(map, map.cell_at(goals[a]->p_map), map.cell_at(goals[b]->p_map)));
-      }
+/// Of each goal those that can stand in for it, and it for them; itself among them. Ascending.
+using StandIns = std::vector<std::vector<std::uint32_t>>;
+
+StandIns stand_ins(const grid::DenseMap& map, std::span<Goal* const> goals, const GoalParams& params) {
+  StandIns found(goals.size());
+  for (std::uint32_t a = 0; a < goals.size(); ++a) {
+    for (std::uint32_t b = 0; b <= a; ++b) {
+      const double away_m = (goals[a]->p_map - goals[b]->p_map).norm();
+      if (away_m >= params.separation_m &&
+          (away_m >= params.in_sight_m ||
+           !sees(map, map.cell_at(goals[a]->p_map), map.cell_at(goals[b]->p_map))))
+        continue;
+      found[a].push_back(b);
+      if (a != b) found[b].push_back(a);
     }
   }
-  [[nodiscard]] bool operator()(std::size_t a, std::size_t b) const { return is_[a * count_ + b]; }
-
- private:
-  std::size_t count_;
-  std::vector<bool> is_;
-};
+  return found;
+}
 
 }  // namespace
 
@@ -134,30 +131,22 @@ void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const Goa
   }
   std::stable_sort(left.begin(), left.end(),
                    [](const Goal* a, const Goal* b) { return a->opening_m > b->opening_m; });
-  const StandIns stands_in(map, left, params);
+  const StandIns near = stand_ins(map, left, params);
   std::vector<bool> settled(left.size(), false);
-  const auto unsettled_by = [&](std::size_t a) {
-    std::size_t count = 0;
-    for (std::size_t b = 0; b < left.size(); ++b) count += !settled[b] && stands_in(a, b) ? 1U : 0U;
-    return count;
-  };
+  std::vector<std::size_t> unsettled_by;  ///< how many that nobody stands in for yet, by who could
+  for (const auto& of_goal : near) unsettled_by.push_back(of_goal.size());
   // A goal that was settled by another may yet stand in for more than any that is left.
   for (std::size_t todo = left.size(); todo > 0;) {
-    std::size_t best = 0, most = 0;
-    for (std::size_t a = 0; a < left.size(); ++a) {
-      const std::size_t count = unsettled_by(a);
-      if (count > most) {
-        best = a;
-        most = count;
-      }
-    }
-    for (std::size_t b = 0; b < left.size(); ++b) {
-      if (settled[b] || !stands_in(best, b)) continue;
+    const auto most = std::max_element(unsettled_by.begin(), unsettled_by.end());
+    const auto best = static_cast<std::size_t>(most - unsettled_by.begin());
+    for (const std::uint32_t b : near[best]) {
+      if (settled[b]) continue;
       settled[b] = true;
       left[b]->verdict = Verdict::kDuplicate;
+      --todo;
+      for (const std::uint32_t by : near[b]) --unsettled_by[by];
     }
     left[best]->verdict = Verdict::kAccepted;
-    todo -= most;
   }
 }
 

@@ -20,19 +20,20 @@ double clear_at(const GoalInput& input, CellIndex cell) {
   return static_cast<double>(input.clearance_m[input.map.index(cell)]);
 }
 
-std::optional<std::size_t> free_node(const GoalInput& input, CellIndex from, const GoalParams& params,
-                                     const std::vector<bool>& taken) {
+std::optional<std::uint32_t> free_node(const GoalInput& input, CellIndex from, const GoalParams& params,
+                                       const FreeNodes& nodes) {
   const types::Vector2 p = input.map.centre_of(from);
-  std::optional<std::size_t> best;
+  const auto reach = static_cast<std::int32_t>(std::ceil(params.node_reach_m / input.map.resolution_m));
+  std::optional<std::uint32_t> best;
   double best_m = params.node_reach_m;
-  for (std::size_t n = 0; n < input.skeleton.nodes.size(); ++n) {
-    const places::SkeletonNode& node = input.skeleton.nodes[n];
-    if (taken[n] || clear_at(input, node.cell) < params.robot_radius_m) continue;
+  nodes.for_each_in_rows(from.y - reach, from.y + reach, [&](std::uint32_t n, const auto& node) {
     const double away_m = (input.map.centre_of(node.cell) - p).norm();
-    if (away_m >= best_m || !sees(input.map, from, node.cell)) continue;
+    const bool nearer = away_m < best_m || (best && away_m == best_m && n < *best);
+    if (!nearer || clear_at(input, node.cell) < params.robot_radius_m || !sees(input.map, from, node.cell))
+      return;
     best = n;
     best_m = away_m;
-  }
+  });
   return best;
 }
 
@@ -79,6 +80,13 @@ std::optional<CellIndex> nearest_room(const GoalInput& input, CellIndex from, co
 
 }  // namespace
 
+FreeNodes::FreeNodes(const places::Skeleton& skeleton)
+    : nodes_(&skeleton.nodes), taken_(skeleton.nodes.size(), false) {
+  for (std::uint32_t n = 0; n < nodes_->size(); ++n) rows_.push_back({(*nodes_)[n].cell.y, n});
+  std::sort(rows_.begin(), rows_.end(),
+            [](const Row& a, const Row& b) { return a.y != b.y ? a.y < b.y : a.node < b.node; });
+}
+
 bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
   const int steps = 2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
   const types::Vector2 from = map.centre_of(a), step = (map.centre_of(b) - from) / std::max(steps, 1);
@@ -89,10 +97,10 @@ bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
 }
 
 std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
-                                    std::vector<bool>& taken) {
+                                    FreeNodes& nodes) {
   const CellIndex from = input.map.cell(opening.middle);
-  if (const auto node = free_node(input, from, params, taken)) {
-    taken[*node] = true;
+  if (const auto node = free_node(input, from, params, nodes)) {
+    nodes.take(*node);
     return input.map.centre_of(input.skeleton.nodes[*node].cell);
   }
   const CellIndex up = climb(input, from, params);

@@ -29,6 +29,19 @@ bool are_same(const T* a, const T* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(T)) == 0;
 }
 
+/// Cells [from, end) of a row.
+struct Cells {
+  int from, end;
+};
+
+/// What it takes to renew rows, one after the other.
+struct RowRenewal {
+  RowRenewal(std::size_t width, double resolution_m) : pass(width, resolution_m, false), now_m(width) {}
+
+  RowPass pass;
+  std::vector<float> was_m, now_m;
+};
+
 }  // namespace
 
 /// The map taken last, and its distances with what they were made of. Outside of it all is unknown, and so it
@@ -45,8 +58,8 @@ struct ClearanceUpdate::Impl {
   void lay_out(const DenseMap& map);
   /// Rows whose distances from above are other ones.
   [[nodiscard]] std::vector<bool> renew_from_above(const DenseMap& map);
-  void renew_row(std::size_t at, const std::vector<Steps>& now, RowPass& pass, std::vector<float>& row_m);
-  void take_over(std::size_t at, int from, int end, const std::vector<float>& row_m);
+  void renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal);
+  Cells renew_around(Cells there, const Steps* row, float* row_m, int width, RowRenewal& renewal) const;
 };
 
 void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
@@ -81,14 +94,15 @@ std::vector<bool> ClearanceUpdate::Impl::renew_from_above(const DenseMap& map) {
   return renewed;
 }
 
-/// `now`: the distances along the columns of the row that begins at cell `at`. A run of open cells in a row
-/// lies between boundary cells; its distances depend on nothing but those along the columns within it.
-void ClearanceUpdate::Impl::renew_row(std::size_t at, const std::vector<Steps>& now, RowPass& pass,
-                                      std::vector<float>& row_m) {
+/// `now`: the distances along the columns of the row that begins at cell `at`.
+void ClearanceUpdate::Impl::renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal) {
   constexpr int kAtOnce = 64;  // in most of a row nothing has changed
   const int width = static_cast<int>(now.size());
-  const Steps *const is = now.data(), *const was = &steps[at];
-  const auto boundary = [&](int x) { return is[x] == 0 && was[x] == 0; };
+  const Steps* const is = now.data();
+  Steps* const was = &steps[at];
+  float* const row_m = &clearance_m[at];
+  renewal.was_m.assign(row_m, row_m + width);
+  Cells other{width, 0};
   for (int x = 0; x < width;) {
     const int block_end = std::min(x + kAtOnce, width);
     if (are_same(is + x, was + x, static_cast<std::size_t>(block_end - x))) {
@@ -96,24 +110,50 @@ void ClearanceUpdate::Impl::renew_row(std::size_t at, const std::vector<Steps>& 
       continue;
     }
     while (is[x] == was[x]) ++x;
-    int from = x, end = x + 1;
-    while (from > 0 && !boundary(from - 1)) --from;
-    while (end < width && !boundary(end)) ++end;
-    std::fill(row_m.begin() + from, row_m.begin() + end, 0.0F);
-    pass.cells(is, from, end, row_m.data());
-    take_over(at, from, end, row_m);
-    std::copy(is + from, is + end, &steps[at] + from);
-    x = end;
+    const int from = x;
+    int same = 0;  // a few that are the same lie between others
+    for (; x < width && same < kAtOnce; ++x) same = is[x] == was[x] ? same + 1 : 0;
+    std::copy(is + from, is + x - same, was + from);
+    const Cells renewed = renew_around({from, x - same}, was, row_m, width, renewal);
+    other = {std::min(other.from, renewed.from), std::max(other.end, renewed.end)};
+  }
+  if (!changed) return;
+  for (int i = other.from; i < other.end; ++i) {
+    if (row_m[i] != renewal.was_m[static_cast<std::size_t>(i)])
+      changed->push_back(static_cast<std::uint32_t>(at + static_cast<std::size_t>(i)));
   }
 }
 
-void ClearanceUpdate::Impl::take_over(std::size_t at, int from, int end, const std::vector<float>& row_m) {
-  for (auto x = static_cast<std::size_t>(from); x < static_cast<std::size_t>(end); ++x) {
-    float& was_m = clearance_m[at + x];
-    if (row_m[x] == was_m) continue;
-    was_m = row_m[x];
-    if (changed) changed->push_back(static_cast<std::uint32_t>(at + x));
+/// Distances of a row, of which those along the columns have changed there; returns where others have.
+Cells ClearanceUpdate::Impl::renew_around(Cells there, const Steps* row, float* row_m, int width,
+                                          RowRenewal& renewal) const {
+  const auto cell_m = static_cast<float>(resolution_m);
+  // What is no farther from its nearest boundary than from there has none nearer there, and had none; beyond
+  // it the less so, because distance rises by a cell a cell at most. Half a cell for rounding.
+  const auto reaches = [&](int x, int away) { return row_m[x] > (static_cast<float>(away) - 0.5F) * cell_m; };
+  const auto is_open = [&](int x) { return x >= 0 && x < width && row[x] != 0; };
+  Cells other = there;
+  while (other.from > 0 && reaches(other.from - 1, there.from - other.from + 1)) --other.from;
+  while (other.end < width && reaches(other.end, other.end - there.end + 1)) ++other.end;
+  // By the same rule the nearest boundary of these is no farther beyond an end than that of the cell there.
+  const auto reach_of = [&](int x) {
+    return x >= 0 && x < width ? static_cast<int>(row_m[x] / cell_m) + 2 : 0;
+  };
+  const int from = other.from - reach_of(other.from - 1), end = other.end + reach_of(other.end);
+  for (int x = other.from; x < other.end;) {
+    if (!is_open(x)) {
+      renewal.now_m[static_cast<std::size_t>(x++)] = 0.0F;
+      continue;
+    }
+    Cells run{x, x};
+    while (is_open(run.from - 1) && run.from > from) --run.from;
+    while (is_open(run.end) && run.end < end) ++run.end;
+    renewal.pass.open_cells(row, run.from, run.end, !is_open(run.from - 1), !is_open(run.end),
+                            renewal.now_m.data());
+    x = run.end;
   }
+  std::copy(renewal.now_m.begin() + other.from, renewal.now_m.begin() + other.end, row_m + other.from);
+  return other;
 }
 
 ClearanceUpdate::ClearanceUpdate() : impl_(std::make_unique<Impl>()) {}
@@ -131,8 +171,7 @@ void ClearanceUpdate::take(const DenseMap& map) {
   const auto width = static_cast<std::size_t>(map.width());
   const std::vector<Steps> outside(width, 0);
   std::vector<Steps> now(width);
-  std::vector<float> row_m(width);
-  RowPass pass(width, map.resolution_m, false);
+  RowRenewal renewal(width, map.resolution_m);
   bool below_is_other = false;
   for (std::size_t y = 0; y < renewed.size(); ++y) {
     if (!renewed[y] && !below_is_other) continue;
@@ -140,7 +179,7 @@ void ClearanceUpdate::take(const DenseMap& map) {
     std::copy_n(&impl.from_above[at], width, now.data());
     steps_back(y == 0 ? outside.data() : &impl.steps[at - width], now.data(), width);
     below_is_other = !are_same(now.data(), &impl.steps[at], width);
-    if (below_is_other) impl.renew_row(at, now, pass, row_m);
+    if (below_is_other) impl.renew_row(at, now, renewal);
   }
 }
 

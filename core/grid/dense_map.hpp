@@ -9,6 +9,12 @@
 
 namespace topo::grid {
 
+/// Towards minus infinity; std::floor is a call where the machine need not have an instruction for it.
+inline std::int32_t floor_of(double value) {
+  const auto towards_zero = static_cast<std::int32_t>(value);
+  return towards_zero - (static_cast<double>(towards_zero) > value ? 1 : 0);
+}
+
 /// A rectangle of the occupancy grid as one array, row by row from below (y up), with at least one unknown
 /// cell on every side of what is known: the analysis and the route search run over it without asking for
 /// borders. A value; independent of the grid it was made from.
@@ -37,8 +43,7 @@ struct DenseMap {
             box.min.y + static_cast<std::int32_t>(index / w)};
   }
   [[nodiscard]] CellIndex cell_at(const types::Vector2& p_map) const {
-    return {static_cast<std::int32_t>(std::floor(p_map.x() / resolution_m)),
-            static_cast<std::int32_t>(std::floor(p_map.y() / resolution_m))};
+    return {floor_of(p_map.x() / resolution_m), floor_of(p_map.y() / resolution_m)};
   }
   [[nodiscard]] types::Vector2 centre_of(CellIndex c) const {
     return {(c.x + 0.5) * resolution_m, (c.y + 0.5) * resolution_m};

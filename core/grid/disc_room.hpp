@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
@@ -25,7 +26,9 @@ class DiscRoom {
   void close(CellIndex cell) { closed_[index(cell)] = 1; }
 
  private:
-  void close_disc(CellIndex centre, double radius);
+  /// Closes the discs around cells [first, last] of row `y`; `half` the widths of a disc's rows.
+  void close_around(std::int32_t y, std::int32_t first, std::int32_t last,
+                    std::span<const std::int32_t> half);
   [[nodiscard]] bool contains(CellIndex c) const {
     return c.x >= box_.min.x && c.x <= box_.max.x && c.y >= box_.min.y && c.y <= box_.max.y;
   }

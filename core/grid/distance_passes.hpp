@@ -125,6 +125,12 @@ class RowPass {
     }
   }
 
+  /// Of cells [from, end), none of which is boundary, by what is there and the walls beside them.
+  void open_cells(const Steps* steps, int from, int end, bool wall_before, bool wall_after, float* out) {
+    envelope_.run(steps, from, end, wall_before, wall_after, squares_.data());
+    metres(from, end, out);
+  }
+
  private:
   /// From `x` on the first cell that is not boundary, or the end. Most of a map is boundary.
   static int skip_boundary(const Steps* steps, int x, int end) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/analysis.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/grid/distance.hpp"
@@ -10,11 +11,10 @@
 namespace topo::pipeline {
 namespace {
 
-/// The map without furniture, with its distances and what thinning begins with.
+/// The map without furniture, with its distances.
 struct OpenMap {
   const grid::DenseMap& map;
-  const std::vector<float>& clearance_m;
-  const places::Erosion& erosion;
+  std::span<const float> clearance_m;
 };
 
 /// The stages from the compass to the furniture, and those behind: what lies between is done in two ways.
@@ -23,42 +23,53 @@ class Stages {
   Stages(AnalysisInput input, const AnalysisParams& params, const StageWatch& done)
       : params_(params),
         done_(done),
+        clearance_m_(input.clearance_m),
         wall_points_(std::move(input.wall_points)),
         visited_(std::move(input.visited)) {
     a_.revision = input.revision;
-    a_.map = std::move(input.free.map);
-    a_.clearance_m = std::move(input.free.clearance_m);
+    a_.map = std::move(input.map);
   }
 
-  [[nodiscard]] const Analysis& so_far() const { return a_; }
+  [[nodiscard]] const grid::DenseMap& map() const { return a_.map; }
 
-  void find_walls() {
+  void find_walls(walls::CompassMemory& memory) {
     // The store's walls are the confident ones; without a coronal scanner there are none, and what is
     // occupied must do.
     const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
     walls::CompassParams compass = params_.compass;
     compass.cell_m = a_.map.resolution_m;
-    a_.compass = walls::entropy_compass(occupied, compass);
+    a_.compass = walls::entropy_compass(occupied, compass, memory);
     tell(Stage::kCompass);
     const bool has_store = !wall_points_.empty() && params_.wall_store;
     a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls);
     tell(Stage::kWalls);
   }
+  void find_walls() {
+    walls::CompassMemory none;
+    find_walls(none);
+  }
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
   }
-  void find_places_and_goals(const OpenMap& open) {
-    a_.skeleton = places::skeletonise(open.map, open.clearance_m, open.erosion);
+  void find_skeleton(const OpenMap& open, const places::Erosion& erosion) {
+    a_.skeleton = places::skeletonise(open.map, open.clearance_m, erosion);
     tell(Stage::kSkeleton);
-    const places::FirstLabels first =
-        places::first_labels(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m);
+  }
+  [[nodiscard]] places::FirstLabels first_labels(const OpenMap& open) const {
+    return places::first_labels(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m);
+  }
+  void relabel(const OpenMap& open, std::span<const std::uint32_t> changed,
+               places::FirstLabels& first) const {
+    places::relabel(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m, changed, first);
+  }
+  void find_places_and_goals(const OpenMap& open, const places::FirstLabels& first) {
     tell(Stage::kLabels);
-    a_.places = places::reduce_labels(open.map, open.clearance_m, a_.skeleton, first, a_.walls, compass_rad(),
-                                      params_.places);
+    a_.places =
+        places::reduce_labels(open.map, open.clearance_m, first, a_.walls, compass_rad(), params_.places);
     places::leave_free_space(a_.map, a_.places.labels);
     tell(Stage::kReduction);
     a_.goals =
-        goals::essential_goals({a_.map, a_.clearance_m, a_.skeleton, a_.places, visited_}, params_.goals);
+        goals::essential_goals({a_.map, clearance_m_, a_.skeleton, a_.places, visited_}, params_.goals);
     tell(Stage::kGoals);
   }
   void tell(Stage stage) const {
@@ -72,6 +83,7 @@ class Stages {
 
   const AnalysisParams& params_;
   const StageWatch& done_;
+  std::span<const float> clearance_m_;
   std::vector<types::Vector2> wall_points_;
   std::vector<std::vector<types::Vector2>> visited_;
   Analysis a_;
@@ -79,35 +91,51 @@ class Stages {
 
 }  // namespace
 
+std::vector<float> clearance_of(const Analysis& analysis) {
+  if (!analysis.coarse_m.empty()) return analysis.coarse_m;
+  return grid::clearance_m(analysis.map, grid::Boundary::kOccupiedOrUnknown);
+}
+
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done) {
+  std::span<const float> open_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
   stages.find_walls();
-  const grid::DenseMap open = stages.without_furniture();
+  const grid::DenseMap map = stages.without_furniture();
   std::vector<float> without_m;
-  if (open.cells != stages.so_far().map.cells)
-    without_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
-  const std::vector<float>& open_m = without_m.empty() ? stages.so_far().clearance_m : without_m;
+  if (map.cells != stages.map().cells)
+    open_m = without_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
   stages.tell(Stage::kFurniture);
-  stages.find_places_and_goals({open, open_m, places::erode(open, open_m)});
+  const OpenMap open{map, open_m};
+  stages.find_skeleton(open, places::erode(map, open_m));
+  places::FirstLabels first = stages.first_labels(open);
+  first.slopes = {};  // nothing is labelled again
+  stages.find_places_and_goals(open, first);
   return stages.take();
 }
 
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
                  const StageWatch& done) {
+  const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls();
-  const grid::DenseMap open = stages.without_furniture();
-  memory.open.take(open);
+  stages.find_walls(memory.compass);
+  const grid::DenseMap map = stages.without_furniture();
+  memory.open.take(map);
   // A coarse map's distances are not its own: they count where there is no furniture.
-  const Analysis& given = stages.so_far();
-  const bool is_own = open.cells != given.map.cells || memory.open.clearance_m() == given.clearance_m;
-  const std::vector<float>& open_m = is_own ? memory.open.clearance_m() : given.clearance_m;
+  const std::span<const float> own_m = memory.open.clearance_m();
+  const bool is_own = map.cells != stages.map().cells || std::ranges::equal(own_m, given_m);
+  const OpenMap open{map, is_own ? own_m : given_m};
   const auto& changed = memory.open.changed();
   const bool was_own = std::exchange(memory.is_own, is_own);
   stages.tell(Stage::kFurniture);
-  memory.erosion = is_own && was_own && changed ? places::erode_again(open, open_m, memory.erosion, *changed)
-                                                : places::erode(open, open_m);
-  stages.find_places_and_goals({open, open_m, memory.erosion});
+  const bool again = is_own && was_own && changed;
+  memory.erosion = again ? places::erode_again(map, own_m, std::move(memory.erosion), *changed)
+                         : places::erode(map, open.clearance_m);
+  stages.find_skeleton(open, memory.erosion);
+  if (again && memory.first.box == map.box)
+    stages.relabel(open, *changed, memory.first);
+  else
+    memory.first = stages.first_labels(open);
+  stages.find_places_and_goals(open, memory.first);
   return stages.take();
 }
 

@@ -4,13 +4,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/pipeline/clear_map.hpp"
 #include "core/places/erosion.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
@@ -30,7 +30,8 @@ struct AnalysisParams {
 struct Analysis {
   std::uint64_t revision = 0;
   grid::DenseMap map;
-  std::vector<float> clearance_m;  ///< kOccupiedOrUnknown
+  /// Of a coarse map, whose distances are not those between its own cells (clear_map.hpp); else empty.
+  std::vector<float> coarse_m;
   walls::Compass compass;
   std::vector<types::Segment> walls;
   places::Skeleton skeleton;  ///< of the map without furniture (core/places/furniture.hpp)
@@ -38,15 +39,19 @@ struct Analysis {
   goals::GoalSet goals;
 };
 
+/// That by which the map was analysed, with kOccupiedOrUnknown.
+std::vector<float> clearance_of(const Analysis& analysis);
+
 enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabels, kReduction, kGoals };
 
 /// Told after each stage, in the order of the enumeration: who measures brings the clock.
 using StageWatch = std::function<void(Stage)>;
 
-/// What is analysed, a value of its own: whoever analyses it needs no snapshot.
+/// What is analysed: whoever analyses it needs no snapshot.
 struct AnalysisInput {
   std::uint64_t revision = 0;
-  ClearMap free;                                     ///< made of a snapshot (prepared_map.hpp)
+  grid::DenseMap map;                                ///< made of a snapshot (prepared_map.hpp)
+  std::span<const float> clearance_m;                ///< of the map, or of a finer one; borrowed for the call
   std::vector<types::Vector2> wall_points;           ///< of the wall store; none without a coronal scanner
   std::vector<std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map
 };
@@ -56,9 +61,11 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 
 /// What one analysis leaves to the next.
 struct AnalysisMemory {
+  walls::CompassMemory compass;
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
   bool is_own = false;  ///< the erosion is by the distances of `open`
+  places::FirstLabels first;
 };
 
 /// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a

@@ -136,11 +136,14 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   const bool waits = in.team != nullptr && !goal && analysed >= idle_since;
   if (analysis != nullptr && (goal || waits) && in.now - analysed < period) return;
   analysed = in.now;
-  ClearMap free =
-      params.coarse_analysis ? coarser(map, clearance.clearance_m()) : ClearMap{map, clearance.clearance_m()};
-  analysis = std::make_shared<const Analysis>(
-      analyse({map_revision, std::move(free), walls::wall_points(in.map->walls), visited(*in.map)},
-              params.analysis, analysis_memory));
+  ClearMap wide;
+  if (params.coarse_analysis) wide = coarser(map, clearance.clearance_m());
+  AnalysisInput input{map_revision, params.coarse_analysis ? std::move(wide.map) : map,
+                      params.coarse_analysis ? wide.clearance_m : clearance.clearance_m(),
+                      walls::wall_points(in.map->walls), visited(*in.map)};
+  Analysis made = analyse(std::move(input), params.analysis, analysis_memory);
+  made.coarse_m = std::move(wide.clearance_m);
+  analysis = std::make_shared<const Analysis>(std::move(made));
 }
 
 std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {

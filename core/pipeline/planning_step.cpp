@@ -319,7 +319,7 @@ types::Status check_target(const Analysis& analysis, const PlannerParams& params
       break;
   }
   const grid::TravelField field =
-      grid::travel_field(map, analysis.clearance_m, map.cell_at(from), params.travel);
+      grid::travel_field(map, clearance_of(analysis), map.cell_at(from), params.travel);
   if (!grid::nearest_reachable(map, field, cell, 0.25))
     return types::fail(Errc::kInvalidInput, "no way that is wide enough for the robot leads to the target");
   return {};

@@ -3,6 +3,7 @@
 #include "core/places/erosion.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/places/fate.hpp"
 #include "core/places/first_fates.hpp"
@@ -62,8 +63,8 @@ class Change {
 };
 
 /// Fates in the array of a map whose box holds the other's.
-std::vector<Fate> moved(const Erosion& before, const DenseMap& map) {
-  if (before.box == map.box) return before.fates;
+std::vector<Fate> moved(Erosion before, const DenseMap& map) {
+  if (before.box == map.box) return std::move(before.fates);
   std::vector<Fate> fates(map.cells.size(), 0);
   const auto width = static_cast<std::size_t>(before.box.width());
   for (std::int32_t y = before.box.min.y; y <= before.box.max.y; ++y) {
@@ -104,9 +105,9 @@ Erosion erode(const DenseMap& map, std::span<const float> clearance_m) {
   return erosion;
 }
 
-Erosion erode_again(const DenseMap& map, std::span<const float> clearance_m, const Erosion& before,
+Erosion erode_again(const DenseMap& map, std::span<const float> clearance_m, Erosion before,
                     std::span<const std::uint32_t> changed) {
-  Erosion erosion{map.box, moved(before, map), {}};
+  Erosion erosion{map.box, moved(std::move(before), map), {}};
   if (map.cells.empty()) return erosion;
   Settling settling(map, erosion.fates);
   Change change(map, clearance_m, erosion.fates);

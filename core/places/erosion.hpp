@@ -37,7 +37,7 @@ Erosion erode(const grid::DenseMap& map, std::span<const float> clearance_m);
 /// equal to that of the whole map when `changed` has all cells whose clearance is not what it was there,
 /// those outside of it counted as none, ascending. Costs what has changed, and a pass over the cells for what
 /// is kept.
-Erosion erode_again(const grid::DenseMap& map, std::span<const float> clearance_m, const Erosion& before,
+Erosion erode_again(const grid::DenseMap& map, std::span<const float> clearance_m, Erosion before,
                     std::span<const std::uint32_t> changed);
 
 }  // namespace topo::places

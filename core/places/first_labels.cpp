@@ -3,10 +3,14 @@
 #include "core/places/first_labels.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <optional>
 
+#include "core/grid/free_runs.hpp"
 #include "core/places/ascent.hpp"
-#include "core/places/thinning.hpp"
+#include "core/places/catchments.hpp"
+#include "core/places/sparse_scan.hpp"
 
 namespace topo::places {
 namespace {
@@ -38,27 +42,33 @@ void find_passages(std::span<const std::uint32_t> cells, std::span<const float> 
   }
 }
 
-/// Hands out labels of pieces to the cells of the axis.
-class AxisLabels {
+/// Divides the axis into pieces: to each of its cells, as in Skeleton::axis, the number of one.
+class AxisPieces {
  public:
-  AxisLabels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
-             double piece_m, std::vector<std::uint32_t>& labels)
-      : skeleton_(skeleton), clearance_m_(clearance_m), labels_(labels) {
+  AxisPieces(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
+             double piece_m)
+      : skeleton_(skeleton), clearance_m_(clearance_m), numbers_(skeleton.axis.size(), 0) {
     piece_cells_ =
         std::max<std::size_t>(static_cast<std::size_t>(std::lround(piece_m / map.resolution_m)), 1);
+    count_ = static_cast<std::uint32_t>(skeleton_.nodes.size());
+    for (std::uint32_t n = 0; n < skeleton_.nodes.size(); ++n) {
+      const SkeletonNode& node = skeleton_.nodes[n];
+      std::fill_n(numbers_.begin() + node.first_cell, node.cell_count, n);
+    }
+    for (const SkeletonEdge& edge : skeleton_.edges) divide_edge(edge);
   }
 
-  std::uint32_t give() {
-    pieces_ = static_cast<std::uint32_t>(skeleton_.nodes.size());
-    for (std::uint32_t n = 0; n < skeleton_.nodes.size(); ++n) {
-      for (const std::uint32_t i : skeleton_.cells_of(skeleton_.nodes[n])) labels_[i] = n + 1;
-    }
-    for (const SkeletonEdge& edge : skeleton_.edges) label_edge(edge);
-    return pieces_;
+  /// The pieces' labels.
+  [[nodiscard]] std::vector<std::uint32_t> labels() const {
+    std::vector<std::uint32_t> lowest(count_, kLost);
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      lowest[numbers_[k]] = std::min(lowest[numbers_[k]], skeleton_.axis[k] + 1);
+    return lowest;
   }
+  [[nodiscard]] std::uint32_t number(std::size_t axis_cell) const { return numbers_[axis_cell]; }
 
  private:
-  void label_edge(const SkeletonEdge& edge) {
+  void divide_edge(const SkeletonEdge& edge) {
     const auto cells = skeleton_.cells_of(edge);
     find_passages(cells, clearance_m_, skeleton_.nodes[edge.a].clearance_m,
                   skeleton_.nodes[edge.b].clearance_m, passages_);
@@ -66,29 +76,33 @@ class AxisLabels {
     for (std::size_t p = 0; p <= passages_.size(); ++p) {
       const bool last = p == passages_.size();
       const std::size_t end = last ? cells.size() : passages_[p];
-      label_stretch(cells.subspan(begin, end - begin), p == 0 ? edge.a + 1 : 0, last ? edge.b + 1 : 0);
+      const std::span stretch = std::span(numbers_).subspan(edge.first_cell + begin, end - begin);
+      divide_stretch(stretch, p == 0 ? std::optional(edge.a) : std::nullopt,
+                     last ? std::optional(edge.b) : std::nullopt);
       begin = end;
     }
   }
 
-  /// Even pieces; the first and the last go to the nodes `a` and `b` (labels, 0: there is none).
-  void label_stretch(std::span<const std::uint32_t> cells, std::uint32_t a, std::uint32_t b) {
-    const std::size_t least = a != 0 && b != 0 ? 2 : 1;
+  /// Even pieces; the first and the last go to the nodes `a` and `b`.
+  void divide_stretch(std::span<std::uint32_t> cells, std::optional<std::uint32_t> a,
+                      std::optional<std::uint32_t> b) {
+    const std::size_t least = a && b ? 2 : 1;
     const std::size_t count = std::max(least, (cells.size() + piece_cells_ / 2) / piece_cells_);
     for (std::size_t piece = 0; piece < count; ++piece) {
       const std::size_t begin = piece * cells.size() / count, end = (piece + 1) * cells.size() / count;
       if (begin == end) continue;
-      const bool to_a = piece == 0 && a != 0, to_b = piece + 1 == count && b != 0;
-      const std::uint32_t label = to_a ? a : to_b ? b : ++pieces_;
-      for (const std::uint32_t i : cells.subspan(begin, end - begin)) labels_[i] = label;
+      const bool to_a = piece == 0 && a, to_b = piece + 1 == count && b;
+      const std::uint32_t number = to_a ? *a : to_b ? *b : count_++;
+      std::fill(cells.begin() + static_cast<std::ptrdiff_t>(begin),
+                cells.begin() + static_cast<std::ptrdiff_t>(end), number);
     }
   }
 
   const Skeleton& skeleton_;
   std::span<const float> clearance_m_;
-  std::vector<std::uint32_t>& labels_;
-  std::size_t piece_cells_;
-  std::uint32_t pieces_ = 0;
+  std::size_t piece_cells_ = 1;
+  std::uint32_t count_ = 0;
+  std::vector<std::uint32_t> numbers_;
   std::vector<std::size_t> passages_;
 };
 
@@ -132,20 +146,85 @@ std::vector<std::uint32_t> labelled_beside(const DenseMap& map, std::span<const 
   return beside;
 }
 
+/// Who came nowhere gets the label of whoever is nearest.
+void label_lost(const DenseMap& map, FirstLabels& first) {
+  if (first.lost.empty()) return;
+  for (const std::uint32_t i : first.lost) first.labels[i] = 0;
+  bar_border(map, kBarred, first.labels);
+  std::vector<std::uint32_t> queue = labelled_beside(map, first.lost, first.labels);
+  spread(map, neighbour_offsets(map), first.labels, queue);
+  bar_border(map, 0, first.labels);
+}
+
+/// Gives the axis its labels. Calls changed(cell) where it is another, or has another label.
+template <class F>
+void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
+  for (const std::uint32_t i : first.axis) {
+    if (skeleton.on[i] != 0) continue;
+    first.slopes[i] &= static_cast<Slope>(~kOnAxis);
+    changed(i);
+  }
+  first.axis = skeleton.axis;
+  first.pieces = pieces.labels();
+  for (std::size_t k = 0; k < first.axis.size(); ++k) {
+    const std::uint32_t i = first.axis[k], label = first.pieces[pieces.number(k)];
+    if ((first.slopes[i] & kOnAxis) != 0 && first.labels[i] == label) continue;
+    first.slopes[i] |= kOnAxis;
+    first.labels[i] = label;
+    changed(i);
+  }
+}
+
 }  // namespace
 
 FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
                          double piece_m) {
-  FirstLabels first{std::vector<std::uint32_t>(map.cells.size(), 0), 0};
+  FirstLabels first{map.box, std::vector<std::uint32_t>(map.cells.size(), 0), {}, {}, {}, {}, {}};
   if (map.cells.empty()) return first;
-  first.pieces = AxisLabels(map, clearance_m, skeleton, piece_m, first.labels).give();
-  const std::vector<std::uint32_t> lost = climb_to_labels(map, clearance_m, first.labels);
-  if (lost.empty()) return first;
-  bar_border(map, kBarred, first.labels);
-  std::vector<std::uint32_t> queue = labelled_beside(map, lost, first.labels);
-  spread(map, neighbour_offsets(map), first.labels, queue);
-  bar_border(map, 0, first.labels);
+  first.slopes = slopes_of(map, clearance_m);
+  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first, [](std::uint32_t) {});
+  Ascent ascent(map, first.slopes, first.labels);
+  grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
+    for (std::size_t i = run.first; i < run.end; ++i)
+      if (first.slopes[i] != kClosed) ascent.climb(static_cast<std::uint32_t>(i));
+  });
+  first.lost = ascent.lost();
+  label_lost(map, first);
+  first.runs = piece_runs(map, clearance_m, first.labels);
   return first;
+}
+
+void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
+             double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first) {
+  assert(first.box == map.box);
+  if (map.cells.empty()) return;
+  std::vector<std::uint32_t> others = renew_slopes(map, clearance_m, changed, first.slopes);
+  for (const std::uint32_t i : others)
+    if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
+  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
+             [&](std::uint32_t i) { others.push_back(i); });
+  CellBlocks again = find_catchments(map, others, first.slopes);
+  std::erase_if(first.lost,
+                [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
+  for (const std::uint32_t i : first.lost) first.labels[i] = kLost;
+  const auto for_each_again = [&](auto&& f) {
+    again.for_each([&](std::size_t from, std::size_t end) {
+      for_each_with<Slope>(kVisited, std::span(first.slopes).subspan(from, end - from),
+                           [&](std::size_t i) { f(from + i); });
+    });
+  };
+  for_each_again([&](std::size_t i) { first.labels[i] = 0; });
+  Ascent ascent(map, first.slopes, first.labels);
+  for_each_again([&](std::size_t i) {
+    first.slopes[i] &= static_cast<Slope>(~kVisited);
+    ascent.climb(static_cast<std::uint32_t>(i));
+  });
+  first.lost.insert(first.lost.end(), ascent.lost().begin(), ascent.lost().end());
+  label_lost(map, first);
+  for (const auto& cells :
+       {changed, std::span<const std::uint32_t>(others), std::span<const std::uint32_t>(first.lost)})
+    for (const std::uint32_t i : cells) again.add(i);
+  first.runs = renewed_runs(first.runs, again, clearance_m, first.labels);
 }
 
 }  // namespace topo::places

@@ -7,14 +7,36 @@
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
+#include "core/places/cell_numbers.hpp"
+#include "core/places/piece_runs.hpp"
 #include "core/places/skeleton.hpp"
+#include "core/places/slopes.hpp"
 
 namespace topo::places {
 
-/// The over-segmentation that the reduction begins with (paper section II-C).
+/// The over-segmentation that the reduction begins with (paper section II-C), and what it was made of.
 struct FirstLabels {
-  std::vector<std::uint32_t> labels;  ///< piece + 1, 0 outside free space; as map.cells
-  std::uint32_t pieces = 0;
+  grid::CellBox box;                  ///< of the map
+  std::vector<std::uint32_t> labels;  ///< its piece's, 0 outside free space; as map.cells
+  /// The pieces' labels: the lowest cell of a piece on the axis + 1, so that of a piece that stays as it was
+  /// on another map no cell changes.
+  std::vector<std::uint32_t> pieces;
+  std::vector<Slope> slopes;
+  std::vector<std::uint32_t> axis;
+  std::vector<std::uint32_t> lost;  ///< cells that do not lead up to the axis
+  std::vector<PieceRun> runs;
+};
+
+/// The number of a piece by its label.
+class PieceNumbers {
+ public:
+  PieceNumbers(const FirstLabels& first, std::size_t cells) : numbers_(cells) {
+    for (std::uint32_t p = 0; p < first.pieces.size(); ++p) numbers_.set(first.pieces[p] - 1, p);
+  }
+  [[nodiscard]] std::uint32_t of(std::uint32_t label) const { return numbers_.at(label - 1); }
+
+ private:
+  CellNumbers numbers_;
 };
 
 /// Every axis cell gets the label of the node nearest to it along the axis, and every free cell that of the
@@ -25,5 +47,11 @@ struct FirstLabels {
 /// of `piece_m`, as if it had nodes there.
 FirstLabels first_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                          const Skeleton& skeleton, double piece_m);
+
+/// Makes of the labels of another map with the same box those of this one. `changed`: the cells whose
+/// clearance is not what it was there, ascending. Costs what leads up through a change, to another axis, or
+/// to another piece.
+void relabel(const grid::DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
+             double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first);
 
 }  // namespace topo::places

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/grid/free_runs.hpp"
 #include "core/places/box_counts.hpp"
 #include "core/places/corners.hpp"
 #include "core/places/first_labels.hpp"
+#include "core/places/piece_runs.hpp"
 #include "core/places/reduction.hpp"
 #include "core/places/regions.hpp"
 
@@ -54,26 +54,24 @@ void add_borders(const std::vector<Region>& regions, std::span<const std::uint16
 }  // namespace
 
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
-                       const Skeleton& skeleton, const FirstLabels& first,
-                       std::span<const types::Segment> walls, double compass_rad, const PlaceParams& params) {
+                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
+                       const PlaceParams& params) {
   assert(clearance_m.size() == map.cells.size());
   PlaceMap out;
   // A quarter more or less is the same compass; the one nearest to the map's axes keeps north up.
   out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
-  out.labels.assign(map.cells.size(), 0);
   const CompassFrame frame(out.compass_rad);
-  std::vector<Region> regions = regions_of(map, clearance_m, first, skeleton.axis, walls, frame);
-  const BoxCounts counts(map, frame);
+  std::vector<Region> regions = regions_of(map, clearance_m, first, walls, frame);
   const std::vector<Region> pieces = regions;
-  std::vector<std::uint32_t> roots = reduce(regions, counts, map.resolution_m, params);
+  std::vector<std::uint32_t> roots = reduce(regions, BoxCounts(map, frame), map.resolution_m, params);
   if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
   const auto numbers = number_places(regions, map.resolution_m, params, out);
   add_borders(regions, numbers, map.resolution_m, out);
-  std::vector<std::uint16_t> of_label(first.pieces + std::size_t{1}, 0);
-  for (std::uint32_t p = 0; p < first.pieces; ++p) of_label[p + 1] = numbers[roots[p]];
-  grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
-    for (std::size_t i = run.first; i < run.end; ++i) out.labels[i] = of_label[first.labels[i]];
-  });
+  out.labels.assign(map.cells.size(), 0);
+  const PieceNumbers pieces_by_label(first, map.cells.size());
+  for (const PieceRun& run : first.runs)
+    std::fill(out.labels.begin() + run.first, out.labels.begin() + run.end,
+              numbers[roots[pieces_by_label.of(run.label)]]);
   return out;
 }
 
@@ -89,7 +87,7 @@ PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> cleara
                         const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
                         const PlaceParams& params) {
   const FirstLabels first = first_labels(map, clearance_m, skeleton, params.piece_m);
-  return reduce_labels(map, clearance_m, skeleton, first, walls, compass_rad, params);
+  return reduce_labels(map, clearance_m, first, walls, compass_rad, params);
 }
 
 }  // namespace topo::places

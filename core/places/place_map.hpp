@@ -58,8 +58,7 @@ struct PlaceMap {
 /// paper section II-C: the union's box in the compass frame is mostly free, and no wall is crossed.
 /// Independent of the order of nodes. Without a compass the map's own axes.
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
-                       const Skeleton& skeleton, const FirstLabels& first,
-                       std::span<const types::Segment> walls, double compass_rad,
+                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params = {});
 
 /// Takes the labels from all cells that are not free: of places found without furniture, where it stands.

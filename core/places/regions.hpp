@@ -47,10 +47,10 @@ struct Region {
   std::vector<Contact> contacts;
 };
 
-/// Regions of the first labels with their contacts; walls as in segment_places.
+/// Regions of the first labels, in the order of the pieces, with their contacts; walls as in segment_places.
 std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const std::uint32_t> axis,
-                               std::span<const types::Segment> walls, const CompassFrame& frame);
+                               const FirstLabels& first, std::span<const types::Segment> walls,
+                               const CompassFrame& frame);
 
 /// Moves everything of region `from` to region `into`, whose core only grows by a part of equal rank.
 void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core);

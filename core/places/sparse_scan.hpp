@@ -23,12 +23,19 @@ void for_each_with(T bits, std::span<const T> values, F&& f) {
     for (; i < end; ++i)
       if ((values[i] & bits) != 0) f(i);
   };
-  for (std::uint64_t several = 0; i + kAtOnce <= values.size();) {
-    std::memcpy(&several, &values[i], sizeof several);
-    if ((several & mask) == 0)
-      i += kAtOnce;
-    else
-      visit(i + kAtOnce);
+  constexpr std::size_t kWords = 4;
+  for (std::array<std::uint64_t, kWords> words{}; i + kWords * kAtOnce <= values.size();) {
+    std::memcpy(words.data(), &values[i], sizeof words);
+    if (((words[0] | words[1] | words[2] | words[3]) & mask) == 0) {
+      i += kWords * kAtOnce;
+      continue;
+    }
+    for (const std::uint64_t several : words) {
+      if ((several & mask) == 0)
+        i += kAtOnce;
+      else
+        visit(i + kAtOnce);
+    }
   }
   visit(values.size());
 }

@@ -4,9 +4,8 @@
 #include "core/walls/compass.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
+#include <functional>
 #include <numbers>
 
 #include "core/types/geometry.hpp"
@@ -31,138 +30,8 @@ constexpr double kJitters = 6.0;
 /// Bins get wider where a few points far out would ask for more.
 constexpr double kHalfBinsMax = 30000.0;
 
-/// n log n of small whole numbers: most bins hold few points, and a logarithm costs as much as ten of them.
-class WeightedLog {
- public:
-  WeightedLog() {
-    for (std::size_t n = 1; n < table_.size(); ++n) table_[n] = of(n);
-  }
-  [[nodiscard]] float operator()(std::uint32_t n) const { return n < table_.size() ? table_[n] : of(n); }
-
- private:
-  static float of(std::size_t n) {
-    const auto x = static_cast<float>(n);
-    return x * std::log(x);
-  }
-  std::array<float, 1024> table_{};
-};
-
-/// Points around their middle, in half bins.
-struct Cloud {
-  std::vector<float> x;
-  std::vector<float> y;
-};
-
-/// Entropy of the two projections of a cloud. Bins overlap by half: where a wall lies between two bins then
-/// does not matter.
-class Projections {
- public:
-  explicit Projections(float radius) : middle_(std::floor(radius) + 2.5F) {
-    const auto bins = static_cast<std::size_t>(2.0F * middle_) + 2;
-    along_.resize(bins);
-    across_.resize(bins);
-  }
-
-  double entropy(const Cloud& cloud, double angle_rad) {
-    count(cloud, static_cast<float>(std::cos(angle_rad)), static_cast<float>(std::sin(angle_rad)));
-    // Every point is in two bins.
-    const double points = 2.0 * static_cast<double>(cloud.x.size());
-    return 2.0 * std::log(points) - sum_and_clear() / points;
-  }
-
- private:
-  /// Projects a block in vector instructions, then counts it.
-  void count(const Cloud& cloud, float c, float s) {
-    constexpr std::size_t kBlock = 256;
-    std::array<std::int32_t, kBlock> u{}, v{};
-    for (std::size_t first = 0; first < cloud.x.size(); first += kBlock) {
-      const std::size_t size = std::min(kBlock, cloud.x.size() - first);
-      const float* x = &cloud.x[first];
-      const float* y = &cloud.y[first];
-      for (std::size_t i = 0; i < size; ++i) {
-        u[i] = static_cast<std::int32_t>(middle_ + c * x[i] + s * y[i]);
-        v[i] = static_cast<std::int32_t>(middle_ + c * y[i] - s * x[i]);
-      }
-      for (std::size_t i = 0; i < size; ++i) {
-        ++along_[static_cast<std::size_t>(u[i])];
-        ++across_[static_cast<std::size_t>(v[i])];
-      }
-    }
-  }
-
-  /// Both at once: each sum waits for its own last term only.
-  double sum_and_clear() {
-    double along = 0.0, across = 0.0;
-    std::uint32_t along_before = 0, across_before = 0;
-    for (std::size_t i = 0; i < along_.size(); ++i) {
-      const std::uint32_t along_here = along_[i], across_here = across_[i];
-      along += static_cast<double>(weighted_log_(along_before + along_here));
-      across += static_cast<double>(weighted_log_(across_before + across_here));
-      along_before = along_here;
-      across_before = across_here;
-      along_[i] = across_[i] = 0;
-    }
-    return along + across;
-  }
-
-  float middle_;
-  WeightedLog weighted_log_;
-  std::vector<std::uint32_t> along_;
-  std::vector<std::uint32_t> across_;
-};
-
-/// Mixes the bits of a point's place in millimetres: which points are left out must not depend on their
-/// order.
-std::uint64_t hash_of(const types::Vector2& p) {
-  const auto mm = [](double v_m) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(v_m * 1000.0));
-  };
-  std::uint64_t h = mm(p.x()) * 0x9E3779B97F4A7C15U + mm(p.y()) * 0xC2B2AE3D27D4EB4FU;
-  h ^= h >> 32U;
-  h *= 0xD6E8FEB86659FD93U;
-  return h ^ (h >> 32U);
-}
-
-/// How points become a cloud.
-struct Placing {
-  types::Vector2 middle;  ///< of the points
-  double half_bin_m;
-  double cell_m;
-};
-
-/// As cards are dealt, so that neighbours of one wall, which fall into one bin, are counted far from each
-/// other: no count then waits for the one before it.
-std::vector<float> dealt(const std::vector<float>& values) {
-  constexpr std::size_t kHands = 16;
-  std::vector<float> out;
-  out.reserve(values.size());
-  const std::size_t each = (values.size() + kHands - 1) / kHands;
-  for (std::size_t i = 0; i < each; ++i)
-    for (std::size_t k = i; k < values.size(); k += each) out.push_back(values[k]);
-  return out;
-}
-
-/// About `size` of the points, the same ones whatever their order. Each is put somewhere in its cell: rows of
-/// cell centres would be a direction of their own, that of the raster.
-Cloud thinned(std::span<const types::Vector2> points, std::size_t size, const Placing& placing) {
-  const double share = static_cast<double>(size) / static_cast<double>(points.size());
-  constexpr double kHashes = 18446744073709551616.0;  // 2 to the power of 64
-  const std::uint64_t limit = share >= 1.0 ? UINT64_MAX : static_cast<std::uint64_t>(share * kHashes);
-  const double dither = placing.cell_m / 65536.0, corner = placing.cell_m / 2.0;
-  Cloud cloud;
-  cloud.x.reserve(std::min(points.size(), size + size / 8));
-  cloud.y.reserve(cloud.x.capacity());
-  for (const types::Vector2& p : points) {
-    const std::uint64_t hash = hash_of(p);
-    if (hash > limit) continue;
-    const double x = p.x() - placing.middle.x() - corner + static_cast<double>(hash & 0xFFFFU) * dither;
-    const double y =
-        p.y() - placing.middle.y() - corner + static_cast<double>(hash >> 16U & 0xFFFFU) * dither;
-    cloud.x.push_back(static_cast<float>(x / placing.half_bin_m));
-    cloud.y.push_back(static_cast<float>(y / placing.half_bin_m));
-  }
-  return {dealt(cloud.x), dealt(cloud.y)};
-}
+/// Entropy at an angle.
+using Curve = std::function<double(double)>;
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -218,9 +87,8 @@ std::vector<std::size_t> lowest_dips(const std::vector<double>& curve, std::size
 /// Finds the minimum of the entropy of all points, starting from the coarse curve's.
 class Refinement {
  public:
-  Refinement(Projections& projections, const Cloud& cloud, const CompassParams& params)
-      : projections_(projections),
-        cloud_(cloud),
+  Refinement(const Curve& entropy, const CompassParams& params)
+      : entropy_(entropy),
         step_(2.0 * params.fine_step_rad),
         reach_(static_cast<int>(std::ceil(params.coarse_step_rad / step_))) {}
 
@@ -230,7 +98,7 @@ class Refinement {
     for (const double dip_rad : dips_rad) {
       for (int i = -1; i <= 1; ++i) {
         const double angle_rad = dip_rad + i * step_ * reach_ / 2.0;
-        const double entropy = projections_.entropy(cloud_, angle_rad);
+        const double entropy = entropy_(angle_rad);
         if (entropy < best) best_rad = angle_rad;
         best = std::min(best, entropy);
       }
@@ -243,7 +111,7 @@ class Refinement {
   [[nodiscard]] double refined(double angle_rad) {
     std::vector<double> values;
     for (int i = -2 * reach_; i <= 2 * reach_; ++i) {
-      values.push_back(projections_.entropy(cloud_, angle_rad + i * step_));
+      values.push_back(entropy_(angle_rad + i * step_));
     }
     const auto lowest = std::min_element(values.begin() + reach_, values.end() - reach_) - values.begin();
     const double middle = dip_middle(values, static_cast<double>(lowest), 1.5 * reach_);
@@ -251,8 +119,7 @@ class Refinement {
   }
 
  private:
-  Projections& projections_;
-  const Cloud& cloud_;
+  const Curve& entropy_;
   double step_;  ///< the middle of a dip is known to less than half of it
   int reach_;    ///< a coarse step in these
 };
@@ -263,23 +130,11 @@ double wrapped(double angle_rad) {
   return positive < kQuarterTurn ? positive : 0.0;
 }
 
-}  // namespace
-
-Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
+/// `few`: of the points for the coarse curve; `all`: of all that count.
+Compass compass_of(const Curve& few, const Curve& all, const CompassParams& params) {
   Compass compass;
-  if (points.size() < kPointsMin) return compass;
-  types::Rectangle box;
-  for (const types::Vector2& p : points) box.extend(p);
-  const double radius_m = (box.max - box.min).norm() / 2.0 + params.cell_m;
-  const double half_bin_m = std::max(params.bin_m / 2.0, radius_m / kHalfBinsMax);
-  const Placing placing{(box.min + box.max) / 2.0, half_bin_m, params.cell_m};
-
-  Projections projections(static_cast<float>(radius_m / half_bin_m));
-  const Cloud few = thinned(points, std::min(params.points_max, kCoarsePoints), placing);
   const auto steps = std::max(4, static_cast<int>(std::lround(kQuarterTurn / params.coarse_step_rad)));
-  for (int i = 0; i < steps; ++i) {
-    compass.entropy.push_back(projections.entropy(few, i * kQuarterTurn / steps));
-  }
+  for (int i = 0; i < steps; ++i) compass.entropy.push_back(few(i * kQuarterTurn / steps));
   const auto lowest = std::min_element(compass.entropy.begin(), compass.entropy.end());
   const double median = median_of(compass.entropy), depth = median - *lowest;
   compass.confidence = median > 0.0 ? depth / median : 0.0;
@@ -290,10 +145,101 @@ Compass entropy_compass(std::span<const types::Vector2> points, const CompassPar
   for (const std::size_t dip : lowest_dips(compass.entropy, kDips)) {
     dips_rad.push_back(static_cast<double>(dip) * kQuarterTurn / steps);
   }
-  const Cloud all = thinned(points, params.points_max, placing);
-  Refinement refinement(projections, all, params);
+  Refinement refinement(all, params);
   compass.angle_rad = wrapped(refinement.refined(refinement.lowest_of(dips_rad)));
   return compass;
+}
+
+/// Points that come to a curve and that go from it.
+struct Change {
+  Cloud come, gone;
+
+  void note(const Sample& sample, const Placing& placing, bool was, bool is) {
+    if (was == is) return;
+    Cloud& cloud = is ? come : gone;
+    cloud.x.push_back(sample.x(placing));
+    cloud.y.push_back(sample.y(placing));
+  }
+  void apply_to(KeptCurve& curve) const {
+    for (auto& [angle_rad, kept] : curve.at) {
+      kept.projection.add(come);
+      kept.projection.remove(gone);
+    }
+  }
+};
+
+/// Makes of the curves those by these points.
+void renew(CompassMemory& memory, std::span<const types::Vector2> points, std::uint64_t few_limit,
+           std::uint64_t all_limit) {
+  Change few, all;
+  const auto change = [&](const types::Vector2& p, bool was, bool is) {
+    const Sample sample(p);
+    few.note(sample, memory.placing, was && sample.hash <= memory.few.limit, is && sample.hash <= few_limit);
+    all.note(sample, memory.placing, was && sample.hash <= memory.all.limit, is && sample.hash <= all_limit);
+  };
+  // Both go row by row over a map; of points in other orders more are taken for others than need be.
+  const auto comes_before = [](const types::Vector2& a, const types::Vector2& b) {
+    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+  };
+  auto old = memory.points.begin();
+  for (const types::Vector2& p : points) {
+    for (; old != memory.points.end() && comes_before(*old, p); ++old) change(*old, true, false);
+    const bool was = old != memory.points.end() && *old == p;
+    change(p, was, true);
+    if (was) ++old;
+  }
+  for (; old != memory.points.end(); ++old) change(*old, true, false);
+  few.apply_to(memory.few);
+  all.apply_to(memory.all);
+}
+
+}  // namespace
+
+Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params,
+                        CompassMemory& memory) {
+  if (points.size() < kPointsMin) {
+    memory = {};
+    return {};
+  }
+  types::Rectangle box;
+  for (const types::Vector2& p : points) box.extend(p);
+  const double radius_m = (box.max - box.min).norm() / 2.0 + params.cell_m;
+  const double half_bin_m = std::max(params.bin_m / 2.0, radius_m / kHalfBinsMax);
+  const Placing placing{(box.min + box.max) / 2.0, half_bin_m, params.cell_m};
+  const auto radius = static_cast<float>(radius_m / half_bin_m);
+  const std::size_t most = std::min<std::size_t>(params.points_max, UINT16_MAX);
+  const std::uint64_t few_limit = hash_limit(points.size(), std::min(most, kCoarsePoints));
+  const std::uint64_t all_limit = hash_limit(points.size(), most);
+  if (memory.placing != placing || memory.radius != radius)
+    memory = {placing, radius, {}, {}, {}};
+  else
+    renew(memory, points, few_limit, all_limit);
+  memory.points.assign(points.begin(), points.end());
+  memory.few.limit = few_limit;
+  memory.all.limit = all_limit;
+  const auto curve = [&](KeptCurve& kept) {
+    return [&, cloud = Cloud{}](double angle_rad) mutable {
+      const auto [at, is_new] = kept.at.try_emplace(angle_rad, radius, angle_rad);
+      if (is_new) {
+        if (cloud.x.empty()) cloud = sampled(points, kept.limit, placing);
+        at->second.projection.add(cloud);
+      }
+      at->second.unused = 0;
+      return at->second.projection.entropy();
+    };
+  };
+  for (KeptCurve* const kept : {&memory.few, &memory.all})
+    for (auto& [angle_rad, at] : kept->at) ++at.unused;
+  const Compass compass = compass_of(curve(memory.few), curve(memory.all), params);
+  // What looks best may change to and fro.
+  for (KeptCurve* const kept : {&memory.few, &memory.all})
+    std::erase_if(kept->at, [](const auto& entry) { return entry.second.unused > 2; });
+  return compass;
+}
+
+Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
+  CompassMemory memory;
+  return entropy_compass(points, params, memory);
 }
 
 }  // namespace topo::walls

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/types/se2.hpp"
+#include "core/walls/projection.hpp"
+#include "core/walls/sampling.hpp"
 
 namespace topo::walls {
 
@@ -16,7 +20,7 @@ struct CompassParams {
   double coarse_step_rad = 0.01745;  ///< 1 degree
   double fine_step_rad = 0.001745;   ///< 0.1 degree
   double confidence_min = 0.01;      ///< below: no dominant direction (crowded floor plans have 0.02)
-  std::size_t points_max = 20000;    ///< more are thinned evenly
+  std::size_t points_max = 20000;    ///< more are thinned evenly; at most UINT16_MAX
 };
 
 /// The direction that a building is aligned to (paper section II-A).
@@ -31,5 +35,30 @@ struct Compass {
 /// fewer than 30 points and for a curve whose minimum is no deeper than its jitter explains. Coordinates must
 /// be finite.
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params = {});
+
+/// A curve of entropy at the angles at which it was asked for last, with the histograms behind it.
+struct KeptCurve {
+  struct Kept {
+    Kept(float radius, double angle_rad) : projection(radius, angle_rad) {}
+    Projection projection;
+    int unused = 0;  ///< for so many compasses
+  };
+  std::uint64_t limit = 0;    ///< of its points' hashes
+  std::map<double, Kept> at;  ///< by angle
+};
+
+/// What one compass leaves to the next.
+struct CompassMemory {
+  Placing placing;
+  float radius = 0.0F;
+  std::vector<types::Vector2> points;
+  KeptCurve few, all;
+};
+
+/// The same, equal to the bit, from what the compass of other points left, and leaves it of these: points
+/// come and go in the histograms. Costs those, and a pass over the points, when both are in the order of a
+/// map's rows and within the same box.
+Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params,
+                        CompassMemory& memory);
 
 }  // namespace topo::walls

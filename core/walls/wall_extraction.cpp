@@ -34,20 +34,25 @@ class Lines {
  public:
   /// Direction (c, s) of the walls.
   Lines(Points points, double c, double s, double half_bin_m) {
-    const auto across = [&](const types::Vector2& p) { return c * p.y() - s * p.x(); };
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const types::Vector2& p : points) {
-      low = std::min(low, across(p));
-      high = std::max(high, across(p));
-    }
+    std::vector<double> across;
+    across.reserve(points.size());
+    for (const types::Vector2& p : points) across.push_back(c * p.y() - s * p.x());
+    const auto [low, high] = std::minmax_element(across.begin(), across.end());
     // A few points far out must not ask for more bins than there are points to put into them.
     const double bins_max = 1000.0 + 8.0 * static_cast<double>(points.size());
-    const double width_m = std::max(half_bin_m, (high - low) / bins_max);
-    first_.assign(static_cast<std::size_t>((high - low) / width_m) + 2, 0);
-    const auto bin = [&](const types::Vector2& p) {
-      return static_cast<std::size_t>((across(p) - low) / width_m);
-    };
-    sort_into_bins(points, bin, c, s);
+    const double low_m = *low, wide_m = *high - low_m, width_m = std::max(half_bin_m, wide_m / bins_max);
+    first_.assign(static_cast<std::size_t>(wide_m / width_m) + 2, 0);
+    std::vector<std::uint32_t> bins;
+    bins.reserve(points.size());
+    for (const double v : across) bins.push_back(static_cast<std::uint32_t>((v - low_m) / width_m));
+    for (const std::uint32_t bin : bins) ++first_[bin + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    places_.resize(points.size());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      places_[next[bins[k]]++] = {static_cast<float>(c * points[k].x() + s * points[k].y()),
+                                  static_cast<float>(across[k])};
+    sort_bins();
   }
 
   [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
@@ -56,16 +61,7 @@ class Lines {
   }
 
  private:
-  template <class Bin>
-  void sort_into_bins(Points points, const Bin& bin, double c, double s) {
-    for (const types::Vector2& p : points) ++first_[bin(p) + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    places_.resize(points.size());
-    for (const types::Vector2& p : points) {
-      places_[next[bin(p)]++] = {static_cast<float>(c * p.x() + s * p.y()),
-                                 static_cast<float>(c * p.y() - s * p.x())};
-    }
+  void sort_bins() {
     const auto before = [](const Place& a, const Place& b) {
       return std::tie(a.u, a.v) < std::tie(b.u, b.v);
     };

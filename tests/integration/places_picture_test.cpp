@@ -25,8 +25,8 @@ using daemon::Picture;
 using daemon::Rgb;
 
 pipeline::Analysis analysis_of(const grid::DenseMap& map) {
-  return pipeline::analyse({1, {map, grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown)}, {}, {}},
-                           {});
+  const std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  return pipeline::analyse({1, map, clearance_m, {}, {}}, {});
 }
 
 /// Of the whole analysis what a picture shall show.

@@ -6,12 +6,14 @@
 // bytes per known cell.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/frontiers.hpp"
@@ -44,7 +46,7 @@ struct Stages {
     open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
     skeleton = places::skeletonise(open, open_m);
     first = places::first_labels(open, open_m, skeleton, params.piece_m);
-    places = places::reduce_labels(open, open_m, skeleton, first, walls, compass_rad, params);
+    places = places::reduce_labels(open, open_m, first, walls, compass_rad, params);
     places::leave_free_space(map, places.labels);
     known = static_cast<double>(map.cells.size()) -
             static_cast<double>(std::count(map.cells.begin(), map.cells.end(), CellState::kUnknown));
@@ -154,8 +156,7 @@ void BM_Labels(benchmark::State& state) {
 }
 void BM_Reduction(benchmark::State& state) {
   measure(state, [](const Stages& on) {
-    return places::reduce_labels(on.open, on.open_m, on.skeleton, on.first, on.walls, on.compass_rad,
-                                 on.params);
+    return places::reduce_labels(on.open, on.open_m, on.first, on.walls, on.compass_rad, on.params);
   });
 }
 void BM_Goals(benchmark::State& state) {
@@ -167,9 +168,19 @@ void BM_Goals(benchmark::State& state) {
 /// From the map to the goals, distances included.
 void BM_Whole(benchmark::State& state) {
   measure(state, [](const Stages& on) {
-    pipeline::ClearMap free{on.map, grid::clearance_m(on.map, grid::Boundary::kOccupiedOrUnknown)};
-    return pipeline::analyse({1, std::move(free), {}, {}}, {});
+    const std::vector<float> clearance_m = grid::clearance_m(on.map, grid::Boundary::kOccupiedOrUnknown);
+    return pipeline::analyse({1, on.map, clearance_m, {}, {}}, {});
   });
+}
+
+/// Of BM_Again: milliseconds of distances and input, then of each pipeline::Stage.
+constexpr std::array kStageNames = {"a_input_ms",    "b_compass_ms", "c_walls_ms",     "d_furniture_ms",
+                                    "e_skeleton_ms", "f_labels_ms",  "g_reduction_ms", "h_goals_ms"};
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// The same from snapshot to snapshot: what one keyframe sees in the corridor comes, and goes again.
@@ -186,12 +197,23 @@ void BM_Again(benchmark::State& state) {
   grid::ClearanceUpdate clearance;
   pipeline::AnalysisMemory memory;
   bool is_before = false;
+  std::array<double, kStageNames.size()> stage_s{};
   measure(state, [&](const Stages&) {
     is_before = !is_before;
     const DenseMap& map = is_before ? before : on.map;
+    double last_s = cpu_seconds();
+    const auto note = [&](std::size_t stage) {
+      const double now_s = cpu_seconds();
+      stage_s[stage] += now_s - std::exchange(last_s, now_s);
+    };
     clearance.take(map);
-    return pipeline::analyse({1, {map, clearance.clearance_m()}, {}, {}}, {}, memory);
+    pipeline::AnalysisInput input{1, map, clearance.clearance_m(), {}, {}};
+    note(0);
+    return pipeline::analyse(std::move(input), {}, memory,
+                             [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
   });
+  for (std::size_t i = 0; i < stage_s.size(); ++i)
+    state.counters[kStageNames[i]] = benchmark::Counter(1e3 * stage_s[i], benchmark::Counter::kAvgIterations);
 }
 
 constexpr std::array kStages = {BM_DenseMap,  BM_Clearance, BM_ClearanceUnknownOpen,

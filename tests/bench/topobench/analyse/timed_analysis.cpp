@@ -22,7 +22,7 @@ TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
   TimedAnalysis timed;
   for (int run = 0; run < std::max(repeat, 1); ++run) {
     // A picture has no height columns and nobody was anywhere.
-    pipeline::AnalysisInput input{1, {map, {}}, {}, {}};
+    pipeline::AnalysisInput input{1, map, {}, {}, {}};
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
     const auto note = [&](std::size_t stage) {
@@ -30,7 +30,8 @@ TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
       timed.ms[stage].push_back(ms_between(before, now));
       before = now;
     };
-    input.free.clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    const std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    input.clearance_m = clearance_m;
     note(0);
     timed.analysis = pipeline::analyse(
         std::move(input), {}, [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });

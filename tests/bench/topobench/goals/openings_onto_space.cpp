@@ -83,15 +83,14 @@ class UnexploredSpace {
 };
 
 /// Where a robot would stand for a frontier: the nearest cell with room for it, through free space.
-std::optional<grid::CellIndex> stand_for(const pipeline::Analysis& analysis, const Frontier& frontier) {
-  const grid::DenseMap& map = analysis.map;
+std::optional<grid::CellIndex> stand_for(const grid::DenseMap& map, const std::vector<float>& clearance_m,
+                                         const Frontier& frontier) {
   std::vector<std::uint8_t> seen(map.cells.size(), 0);
   std::vector<std::uint32_t> queue = frontier.cells;
   for (const std::uint32_t i : queue) seen[i] = 1;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const grid::CellIndex c = map.cell(queue[next]);
-    if (static_cast<double>(analysis.clearance_m[queue[next]]) >= goals::GoalParams{}.robot_radius_m)
-      return c;
+    if (static_cast<double>(clearance_m[queue[next]]) >= goals::GoalParams{}.robot_radius_m) return c;
     for (const grid::CellIndex by : {grid::CellIndex{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
       const grid::CellIndex to{c.x + by.x, c.y + by.y};
       if (map.state(to) != grid::CellState::kFree || seen[map.index(to)] != 0) continue;
@@ -144,6 +143,7 @@ DrivableTruth drivable_truth(sim::Raster poses, double radius_m) {
 OpeningsOntoSpace openings_onto_space(const pipeline::Analysis& analysis, const DrivableTruth& truth,
                                       const types::Se2& T_building_map, double space_min_m2) {
   const grid::DenseMap& map = analysis.map;
+  const std::vector<float> clearance_m = pipeline::clearance_of(analysis);
   const UnexploredSpace space(map, truth, T_building_map);
   OpeningsOntoSpace out;
   std::vector<bool> is_there_for_one(analysis.goals.goals.size(), false);
@@ -155,7 +155,7 @@ OpeningsOntoSpace openings_onto_space(const pipeline::Analysis& analysis, const 
     if (opening.space_m2 < space_min_m2) continue;
     opening.p_map = map.centre_of(map.cell(goals::middle_of(map, frontier.cells)));
     opening.width_m = frontier.width_m;
-    const std::optional<grid::CellIndex> stand = stand_for(analysis, frontier);
+    const std::optional<grid::CellIndex> stand = stand_for(map, clearance_m, frontier);
     for (std::size_t k = 0; k < analysis.goals.goals.size(); ++k) {
       if (!serves(map, analysis.goals.goals[k], frontier, stand)) continue;
       opening.has_goal = is_there_for_one[k] = true;

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/grid/distance.hpp"
+#include "core/pipeline/clear_map.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -56,7 +57,7 @@ class Exploration {
   void change(int x, int y, int side, CellState state) { fill(seen_, x, y, x + side, y + side, state); }
 
   /// As a snapshot has it: no greater than what is known.
-  [[nodiscard]] AnalysisInput input(std::uint64_t revision) const {
+  [[nodiscard]] AnalysisInput input(std::uint64_t revision) {
     grid::CellBox known;
     for (std::size_t i = 0; i < seen_.cells.size(); ++i)
       if (seen_.cells[i] != CellState::kUnknown) known.extend(seen_.cell(i));
@@ -65,13 +66,14 @@ class Exploration {
     map.box = {{known.min.x - 1, known.min.y - 1}, {known.max.x + 1, known.max.y + 1}};
     map.cells.resize(static_cast<std::size_t>(map.width() * map.height()));
     for (std::size_t i = 0; i < map.cells.size(); ++i) map.cells[i] = seen_.state(map.cell(i));
-    std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    return {revision, {std::move(map), std::move(clearance_m)}, {}, {at_}};
+    clearance_m_ = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    return {revision, std::move(map), clearance_m_, {}, {at_}};
   }
 
  private:
   DenseMap building_, seen_;
   std::vector<types::Vector2> at_;
+  std::vector<float> clearance_m_;  ///< of the newest input
 };
 
 void check_skeleton(const places::Skeleton& a, const places::Skeleton& b) {
@@ -139,7 +141,11 @@ TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
       exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
                               *rc::gen::inRange(10, 60));
       AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
-      if (*rc::gen::inRange(0, 3) != 0) input.free = coarser(input.free.map, input.free.clearance_m);
+      ClearMap wide = coarser(input.map, input.clearance_m);
+      if (*rc::gen::inRange(0, 3) != 0) {
+        input.map = std::move(wide.map);
+        input.clearance_m = wide.clearance_m;
+      }
       const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
       check_skeleton(again.skeleton, whole.skeleton);
       check_places(again.places, whole.places);
@@ -155,7 +161,8 @@ TEST(Analysis, AnotherMapIsAnotherMap) {
     one.look_around(100, 60, 90);
     other.look_around(40, 30, 30);
     (void)analyse(one.input(1), {}, memory);
-    const Analysis again = analyse(other.input(2), {}, memory), whole = analyse(other.input(2), {});
+    const AnalysisInput input = other.input(2);
+    const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
     check_skeleton(again.skeleton, whole.skeleton);
     check_places(again.places, whole.places);
   }));

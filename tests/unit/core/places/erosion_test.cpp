@@ -12,7 +12,7 @@
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/places/simple_cell.hpp"
-#include "tests/unit/core/places/drawn_map.hpp"
+#include "tests/unit/core/places/patches.hpp"
 
 namespace topo::places {
 namespace {
@@ -22,19 +22,6 @@ using grid::DenseMap;
 
 std::vector<float> clearance_of(const DenseMap& map) {
   return grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-}
-
-/// Patches of the three states anywhere but on the margin.
-void draw_patches(DenseMap& map, int count, int side_max) {
-  const grid::CellIndex min{map.box.min.x + 1, map.box.min.y + 1}, max{map.box.max.x, map.box.max.y};
-  for (int k = 0; k < count; ++k) {
-    const int x0 = *rc::gen::inRange(min.x, max.x), y0 = *rc::gen::inRange(min.y, max.y);
-    const int x1 = std::min(x0 + *rc::gen::inRange(1, side_max), max.x),
-              y1 = std::min(y0 + *rc::gen::inRange(1, side_max), max.y);
-    const auto state = *rc::gen::element(CellState::kOccupied, CellState::kUnknown, CellState::kFree);
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) map.cells[map.index({x, y})] = state;
-  }
 }
 
 /// Higher than several strips of rows that are settled together.
