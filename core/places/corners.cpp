@@ -3,7 +3,6 @@
 #include "core/places/corners.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "core/places/reduction.hpp"
@@ -20,7 +19,8 @@ class Corners {
         places_(places),
         resolution_m_(resolution_m),
         params_(params),
-        members_(pieces.size()) {
+        members_(pieces.size()),
+        is_left_(pieces.size(), false) {
     for (std::uint32_t p = 0; p < pieces.size(); ++p) members_[places[p]].push_back(p);
   }
 
@@ -78,17 +78,21 @@ class Corners {
 
   /// The piece, and those of its place that hang on the rest by it alone: all but the largest part that is
   /// left without it.
-  [[nodiscard]] std::vector<std::uint32_t> with_its_spurs(std::uint32_t p) const {
-    std::set<std::uint32_t> left(members_[places_[p]].begin(), members_[places_[p]].end());
-    left.erase(p);
+  [[nodiscard]] std::vector<std::uint32_t> with_its_spurs(std::uint32_t p) {
+    std::vector<std::uint32_t> members = members_[places_[p]];
+    std::sort(members.begin(), members.end());
+    for (const std::uint32_t member : members) is_left_[member] = member != p;
     std::vector<std::uint32_t> spurs{p}, largest;
     std::uint32_t most = 0;
-    while (!left.empty()) {
-      std::vector<std::uint32_t> part{*left.begin()};
-      left.erase(left.begin());
+    for (const std::uint32_t seed : members) {
+      if (!is_left_[seed]) continue;
+      is_left_[seed] = false;
+      std::vector<std::uint32_t> part{seed};
       for (std::size_t next = 0; next < part.size(); ++next) {
         for (const Contact& c : pieces_[part[next]].contacts) {
-          if (c.upright + c.level != 0 && left.erase(c.other) != 0) part.push_back(c.other);
+          if (c.upright + c.level == 0 || !is_left_[c.other]) continue;
+          is_left_[c.other] = false;
+          part.push_back(c.other);
         }
       }
       const std::uint32_t cells = together(part).cells;
@@ -135,6 +139,7 @@ class Corners {
   double resolution_m_;
   const PlaceParams& params_;
   std::vector<std::vector<std::uint32_t>> members_;  ///< by the number of the place
+  std::vector<bool> is_left_;  ///< of a place's pieces, while those that hang together are looked for
 };
 
 }  // namespace

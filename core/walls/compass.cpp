@@ -230,7 +230,7 @@ Compass entropy_compass(std::span<const types::Vector2> points, const CompassPar
   };
   for (KeptCurve* const kept : {&memory.few, &memory.all})
     for (auto& [angle_rad, at] : kept->at) ++at.unused;
-  const Compass compass = compass_of(curve(memory.few), curve(memory.all), params);
+  Compass compass = compass_of(curve(memory.few), curve(memory.all), params);
   // What looks best may change to and fro.
   for (KeptCurve* const kept : {&memory.few, &memory.all})
     std::erase_if(kept->at, [](const auto& entry) { return entry.second.unused > 2; });

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/grid/distance.hpp"
 
 namespace topo::bench {
 namespace {
@@ -29,7 +28,6 @@ pipeline::Analysis hall() {
       a.map.cells[a.map.index({x, y})] = wall ? CellState::kOccupied : CellState::kFree;
     }
   }
-  a.clearance_m = grid::clearance_m(a.map, grid::Boundary::kOccupiedOrUnknown);
   return a;
 }
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+
 namespace topo::grid {
 namespace {
 
@@ -68,6 +70,11 @@ TEST(DenseMap, CountsUpToTheirLimitsGiveTheStateOfTheCell) {
     for (const std::uint16_t misses : values) g.set({x++, 0}, {hits, misses});
   const DenseMap map = dense_map(g.grid);
   for (int i = 0; i < x; ++i) EXPECT_EQ(map.state({i, 0}), g.grid.state({i, 0})) << i;
+}
+
+TEST(DenseMap, CellsBeginBelowTheirPoints) {
+  for (const double value : {-3.0, -2.5, -1e-9, -0.0, 0.0, 0.5, 1.0, 7.999999, 2147483646.5, -2147483648.0})
+    EXPECT_EQ(floor_of(value), static_cast<std::int32_t>(std::floor(value))) << value;
 }
 
 }  // namespace
