@@ -64,12 +64,13 @@ struct AnalysisMemory {
   walls::CompassMemory compass;
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
-  bool is_own = false;  ///< the erosion is by the distances of `open`
+  bool is_own = false;  ///< erosion and labels are by the distances of `open`
   places::FirstLabels first;
 };
 
 /// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a
-/// map that has grown or was corrected, distances and thinning are redone where something has changed. What
+/// map that has grown or was corrected, distances and thinning are redone where something has changed; first
+/// labels, too, while the box stays the same, and the compass's histograms while its walls' box does. What
 /// the compass turns is done anew: with every wall that is seen it turns a little, and with it all boxes.
 /// Empty: of no map.
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/grid/distance.hpp"
 #include "daemon/mapfile/outlines.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/places_geojson.hpp"
@@ -28,9 +27,9 @@ pipeline::Analysis sample() {
       a.map.cells[a.map.index({x, y})] = wall || pillar ? CellState::kOccupied : CellState::kFree;
     }
   }
-  a.clearance_m = grid::clearance_m(a.map, grid::Boundary::kOccupiedOrUnknown);
-  a.skeleton = places::skeletonise(a.map, a.clearance_m);
-  a.places = places::segment_places(a.map, a.clearance_m, a.skeleton, {}, 0.0);
+  const std::vector<float> clearance_m = pipeline::clearance_of(a);
+  a.skeleton = places::skeletonise(a.map, clearance_m);
+  a.places = places::segment_places(a.map, clearance_m, a.skeleton, {}, 0.0);
   a.walls = {{{0.0, 0.0}, {4.0, 0.0}}};
   goals::Goal goal;
   goal.p_map = {3.0, 2.5};
