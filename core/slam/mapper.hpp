@@ -123,7 +123,8 @@ class Mapper {
 
  private:
   [[nodiscard]] Prior predict(const types::Se2& motion, double seconds) const;
-  Match track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched);
+  [[nodiscard]] Prior going_on(double seconds) const;
+  Match track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched);
   [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
                                                  const types::Se2& predicted, const Point& sensor) const;
   [[nodiscard]] FreeGround local_ground() const;

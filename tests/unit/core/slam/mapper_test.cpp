@@ -136,6 +136,26 @@ TEST(Mapper, GoesOnWhereOdometryIsSetToAnotherPlace) {
   }
 }
 
+/// A turn while driving, and odometry that says nothing for a second and then everything at once.
+TEST(Mapper, OdometryThatWasHeldUpIsNotFollowedASecondTime) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  std::vector<Se2> truth{{3.0, 3.0, 0.0}};
+  while (truth.size() < 12) truth.push_back(truth.back() * Se2{0.08, 0.0, 0.3});
+  constexpr std::size_t kFirst = 4, kLast = 8;
+  std::mt19937 random(9);
+  Mapper mapper({}, {}, truth.front());
+  walls::ColumnCollector columns({});
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    testing::View view = testing::view_of(world, truth[i], 0.02, random);
+    view.cloud.stamp = types::stamp_from_seconds(0.2 * static_cast<double>(i));
+    const Se2 odometry = truth[i >= kFirst && i <= kLast ? kFirst : i];
+    const MatchReport report = mapper.add(view.cloud, odometry, columns);
+    EXPECT_TRUE(report.matched) << i;
+    EXPECT_LT((report.T_map_base.translation() - truth[i].translation()).norm(), 0.05) << i;
+    EXPECT_LT(std::abs(types::wrap_angle(report.T_map_base.theta_rad - truth[i].theta_rad)), 0.03) << i;
+  }
+}
+
 /// Where the robot is said to be when it was turned on the spot between two scans, and no wheel moved.
 MatchReport turned_unheard(const mocks::FlatWorld& world, const Se2& pose, double turn_rad) {
   std::mt19937 random(6);
