@@ -35,6 +35,10 @@ bool is_good(const Match& match, const TrackParams& params) {
   return match.fit() >= params.response_good && match.response >= params.response_lost;
 }
 
+bool is_within(const SearchWindow& window, const types::Se2& off) {
+  return std::hypot(off.x_m, off.y_m) <= window.half_m && std::abs(off.theta_rad) <= window.half_rad;
+}
+
 }  // namespace
 
 Mapper::Mapper(const MapperParams& params, const Maker& maker, const types::Se2& start)
@@ -87,14 +91,11 @@ Prior Mapper::going_on(double seconds) const {
   return {T_map_base_ * guess, motion_information(guess, params_.motion) / kUnheard};
 }
 
-/// Where what odometry says does not fit, a robot that went on as before is tried: odometry that was held up
-/// for a second says nothing and then everything at once, which has been matched meanwhile.
+/// Where nothing fits near what odometry says, a robot that went on as before is tried: odometry that was
+/// held up for a second says nothing and then everything at once, which has been matched meanwhile.
 Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched) {
   const types::Se2& predicted = prior.T_map_base;
   Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
-  if (is_good(match, params_.track)) return match;
-  const Match gone_on = refine(local_map_, points_, sensor, going_on.T_map_base, going_on, params_.refine);
-  if (gone_on.response > match.response + kSearchResponse) match = gone_on;
   if (is_good(match, params_.track)) return match;
   searched = true;
   const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
@@ -107,6 +108,11 @@ Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sens
   if (const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search)) {
     const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
     if (other.response > match.response + kSearchResponse) match = other;
+  }
+  if (!is_within(window, predicted.inverse() * going_on.T_map_base)) {
+    const Match gone_on = refine(local_map_, points_, sensor, going_on.T_map_base, going_on, params_.refine);
+    if (is_good(gone_on, params_.track) && gone_on.response > match.response + kSearchResponse)
+      match = gone_on;
   }
   if (match.response >= params_.track.response_lost) return match;
   return find_turned(pyramid, predicted, sensor).value_or(match);

@@ -140,7 +140,7 @@ TEST(Mapper, GoesOnWhereOdometryIsSetToAnotherPlace) {
 TEST(Mapper, OdometryThatWasHeldUpIsNotFollowedASecondTime) {
   const mocks::FlatWorld world = mocks::two_rooms();
   std::vector<Se2> truth{{3.0, 3.0, 0.0}};
-  while (truth.size() < 12) truth.push_back(truth.back() * Se2{0.08, 0.0, 0.3});
+  while (truth.size() < 12) truth.push_back(truth.back() * Se2{0.08, 0.0, 0.2});
   constexpr std::size_t kFirst = 4, kLast = 8;
   std::mt19937 random(9);
   Mapper mapper({}, {}, truth.front());
