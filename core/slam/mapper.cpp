@@ -42,7 +42,12 @@ bool is_within(const SearchWindow& window, const types::Se2& off) {
 }  // namespace
 
 Mapper::Mapper(const MapperParams& params, const Maker& maker, const types::Se2& start)
-    : params_(params), maker_(maker), start_(start), local_map_(params.refine.reach_m) {}
+    : params_(params),
+      maker_(maker),
+      start_(start),
+      local_map_(params.refine.reach_m),
+      open_questions_(0.5 * params.loop.search_floor_m, 0.5 * params.loop.search_floor_rad,
+                      static_cast<std::size_t>(params.loop.group_half)) {}
 
 MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns) {
   MatchReport report;

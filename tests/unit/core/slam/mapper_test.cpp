@@ -90,6 +90,43 @@ TEST(Mapper, ClosesARing) {
   EXPECT_LT(end_error(out.estimate, out.truth), 0.08);
 }
 
+/// The answers to all questions are lost but one, which bends the way back by half a metre.
+TEST(Mapper, AsksAgainWhatACorrectionMoved) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  const auto truth =
+      drive({{1.5, 1.5}, {5.0, 1.5}, {5.0, 3.6}, {9.0, 3.6}, {5.0, 3.6}, {5.0, 1.5}, {1.5, 1.5}});
+  std::mt19937 random(2);
+  Mapper mapper({}, {}, truth.front());
+  walls::ColumnCollector columns({});
+  std::optional<LoopQuery> last;
+  for (const Se2& pose : truth) {
+    (void)mapper.add(testing::view_of(world, pose, 0.02, random).cloud, pose, columns);
+    if (auto query = mapper.take_query()) last = std::move(query);
+  }
+  ASSERT_TRUE(last);
+  EXPECT_FALSE(mapper.take_second_query()) << "nothing was corrected";
+  LoopAnswer answer = find_closures(*last);
+  ASSERT_EQ(answer.candidates.at(0).rejection, LoopRejection::kNone);
+  answer.candidates[0].edge.T_from_to = answer.candidates[0].edge.T_from_to * Se2{0.0, 0.5, 0.0};
+  ASSERT_GE(mapper.apply(answer).accepted, 1);
+  (void)mapper.optimise();
+  std::vector<std::size_t> asked;
+  int closures = 0;
+  for (std::size_t i = 0; i < mapper.keyframes().size(); ++i) {
+    const auto query = mapper.take_second_query();
+    if (!query) continue;
+    asked.push_back(query->node);
+    const LoopAnswer again = find_closures(*query);
+    closures += mapper.apply(again).accepted;
+    const std::size_t edges = mapper.edges().size();
+    (void)mapper.apply(again);
+    EXPECT_EQ(mapper.edges().size(), edges) << "the same answer twice says nothing new";
+  }
+  EXPECT_GE(closures, 1);
+  EXPECT_TRUE(std::is_sorted(asked.begin(), asked.end()));
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), last->node), 0) << "it has its closure";
+}
+
 TEST(Mapper, TheSameInputGivesTheSamePosesToTheBit) {
   const auto truth = drive({{1.2, 1.2}, {22.8, 1.2}, {22.8, 8.0}});
   const Trial a = run(mocks::ring_corridor(), truth, {}, 3), b = run(mocks::ring_corridor(), truth, {}, 3);
