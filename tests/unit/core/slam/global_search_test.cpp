@@ -79,6 +79,7 @@ std::vector<double> peaks_by_trying(const Place& place, const std::vector<Point>
       peaks.push_back(hit);
   }
   std::vector<double> scores;
+  scores.reserve(peaks.size());
   for (const SearchHit& peak : peaks) scores.push_back(peak.score);
   return scores;
 }
