@@ -109,8 +109,15 @@ TEST(SearchEverywhere, PeaksAreThoseOfTryingEveryPose) {
 
 /// What fits in more places than are remembered still has as many peaks as were asked for.
 TEST(SearchEverywhere, AScanThatFitsAlmostEverywhereHasPeaks) {
-  std::mt19937 random(8);
-  const SurfelMap map = testing::map_of(mocks::two_rooms(), {{3.0, 3.0, 0.0}, {9.0, 4.0, 2.0}}, 0.0, random);
+  SurfelMap map(0.35);
+  map.reset(Point::Zero(), 25.0);
+  std::vector<Surfel> walls;  // 21 of 40 m: blocks of places by the hundred thousand
+  for (int row = -10; row <= 10; ++row) {
+    for (int i = -200; i <= 200; ++i)
+      walls.push_back(
+          {Point(0.1F * static_cast<float>(i), 2.0F * static_cast<float>(row)), Point::UnitY(), true});
+  }
+  map.add(walls, {});
   const PlaceLevels levels(map, {0.1, 0.15, 100, 0});
   StandingRoom room(levels.pyramid(), map.width_m());
   const auto width = static_cast<float>(map.width_m());
