@@ -150,6 +150,7 @@ void MappingState::Impl::boundary(MappingOutput& output) {
   answers.clear();
   has_mates_answer = false;
   if (has_news()) join_news(output);
+  if (auto query = mapper.take_second_query()) output.loop_queries.push_back(std::move(*query));
   for (slam::LoopQuery& query : mapper.take_mate_queries(kMateQueries))
     output.loop_queries.push_back(std::move(query));
   if (auto query = mapper.take_alignment_query()) output.alignment_query = std::move(query);

@@ -13,11 +13,14 @@ namespace {
 
 constexpr double kReach_m = 10.0;  ///< a step of the angle moves a point here by one cell
 
-/// A square of places for one direction of the robot: lower left cell, 2^level wide.
+/// Blocks that are remembered: many more than the places that one peak excludes lie in, so that the best half
+/// of them holds as many peaks as anyone asks for.
+constexpr std::size_t kPromisingMax = 1U << 16U;
+
+/// A square of places for one direction of the robot, by its lower left cell.
 struct MapNode {
   int rotation = 0;
   int x = 0, y = 0;
-  int level = 0;
   int score = 0;
 };
 
@@ -27,51 +30,60 @@ bool before(const MapNode& a, const MapNode& b) {
   if (a.rotation != b.rotation) return a.rotation < b.rotation;
   return a.y != b.y ? a.y < b.y : a.x < b.x;
 }
+bool after(const MapNode& a, const MapNode& b) { return before(b, a); }
 
 class MapSearcher {
  public:
-  MapSearcher(const LikelihoodPyramid& pyramid, const StandingRoom& room, std::span<const Point> points,
-              Exclusions excluded, const SearchParams& params)
-      : pyramid_(pyramid), room_(room), excluded_(excluded) {
-    const std::size_t stride =
-        std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(params.points_max));
+  MapSearcher(const PlaceLevels& levels, const StandingRoom& room, std::span<const Point> points,
+              const PeakSearch& wanted, const SearchParams& params)
+      : levels_(levels), room_(room), wanted_(wanted) {
+    const std::size_t most = std::min(static_cast<std::size_t>(params.points_max), PlaceBlocks::kPoints / 2);
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / most);
     std::vector<Point> used;
     for (std::size_t i = 0; i < points.size(); i += stride) used.push_back(points[i]);
     count_ = used.size();
-    rotations_ = static_cast<int>(std::ceil(2.0 * std::numbers::pi * kReach_m / pyramid.cell_m()));
+    floor_ = least_ = units(wanted.score_min);
+    const double cell = levels_.pyramid().cell_m();
+    rotations_ = static_cast<int>(std::ceil(2.0 * std::numbers::pi * kReach_m / cell));
     cells_.reserve(count_ * static_cast<std::size_t>(rotations_));
     for (int r = 0; r < rotations_; ++r) rotate(used, angle_of(r));
   }
 
-  std::optional<SearchHit> run(double score_min) {
-    best_.score = static_cast<int>(std::ceil(score_min * 255.0 * static_cast<double>(count_))) - 1;
-    const int level = pyramid_.depth(), width = 1 << level;
-    std::vector<MapNode> nodes;
-    for (int y = 0; y < room_.width(); y += width) {
-      for (int x = 0; x < room_.width(); x += width) {
-        if (!room_.any(level, x, y)) continue;
-        for (int r = 0; r < rotations_; ++r) add(nodes, {r, x, y, level, 0});
-      }
+  std::vector<SearchHit> run() {
+    std::vector<MapNode> roots = promising_roots();
+    std::sort(roots.begin(), roots.end(), before);
+    for (const MapNode& root : roots) {
+      if (root.score <= floor_) break;
+      look_through(root);
     }
-    descend(nodes);
-    if (!found_) return std::nullopt;
-    return SearchHit{pose_of(best_), best_.score / (255.0 * static_cast<double>(count_))};
+    return peaks();
   }
 
  private:
+  /// What a score must be more than.
+  [[nodiscard]] int units(double score) const {
+    return static_cast<int>(std::ceil(score * 255.0 * static_cast<double>(count_))) - 1;
+  }
+  [[nodiscard]] double score_of(const MapNode& node) const {
+    return node.score / (255.0 * static_cast<double>(count_));
+  }
   [[nodiscard]] double angle_of(int rotation) const {
     return 2.0 * std::numbers::pi * rotation / rotations_ - std::numbers::pi;
   }
   /// The middle of a finest square's cell.
   [[nodiscard]] types::Se2 pose_of(const MapNode& node) const {
-    const double cell = pyramid_.cell_m();
-    return {static_cast<double>(pyramid_.origin().x()) + (node.x + 0.5) * cell,
-            static_cast<double>(pyramid_.origin().y()) + (node.y + 0.5) * cell,
+    const Point& origin = levels_.pyramid().origin();
+    const double cell = levels_.pyramid().cell_m();
+    return {static_cast<double>(origin.x()) + (node.x + 0.5) * cell,
+            static_cast<double>(origin.y()) + (node.y + 0.5) * cell,
             types::wrap_angle(angle_of(node.rotation))};
+  }
+  [[nodiscard]] std::span<const CellOffset> cells_of(const MapNode& node) const {
+    return std::span(cells_).subspan(static_cast<std::size_t>(node.rotation) * count_, count_);
   }
 
   void rotate(std::span<const Point> points, double theta) {
-    const double c = std::cos(theta), s = std::sin(theta), cell = pyramid_.cell_m();
+    const double c = std::cos(theta), s = std::sin(theta), cell = levels_.pyramid().cell_m();
     for (const Point& p : points) {
       const double x = static_cast<double>(p.x()), y = static_cast<double>(p.y());
       cells_.push_back({static_cast<int>(std::floor((c * x - s * y) / cell + 0.5)),
@@ -79,57 +91,124 @@ class MapSearcher {
     }
   }
 
-  /// Keeps the node when it can be better than the best; looks at no more points than that takes.
-  void add(std::vector<MapNode>& nodes, MapNode node) const {
-    const CellOffset* cells = &cells_[static_cast<std::size_t>(node.rotation) * count_];
-    int possible = 255 * static_cast<int>(count_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      possible -= 255 - pyramid_.at(node.level, cells[i].x + node.x, cells[i].y + node.y);
-      if (possible <= best_.score) return;
+  /// The widest squares with the score of the best square of the next level in each, which says more about
+  /// where the best places are than their own.
+  [[nodiscard]] std::vector<MapNode> promising_roots() const {
+    constexpr int kWidth = 1 << PlaceLevels::kRoot;
+    std::vector<MapNode> roots;
+    for (int y = 0; y < room_.width(); y += kWidth) {
+      for (int x = 0; x < room_.width(); x += kWidth) {
+        if (!room_.any(PlaceLevels::kRoot, x, y)) continue;
+        for (int r = 0; r < rotations_; ++r) {
+          MapNode root{r, x, y, 0};
+          if (!can_be_better(root)) continue;
+          for (const MapNode& square : better_in(root, levels_.coarse(), PlaceBlocks::kSide))
+            root.score = std::max(root.score, square.score);
+          if (root.score > floor_) roots.push_back(root);
+        }
+      }
     }
-    node.score = possible;
-    if (node.level == 0 && is_excluded(pose_of(node))) return;
-    nodes.push_back(node);
+    return roots;
+  }
+
+  /// Looks at no more points than it takes to say no.
+  [[nodiscard]] bool can_be_better(const MapNode& root) const {
+    int possible = 255 * static_cast<int>(count_);
+    for (const CellOffset& cell : cells_of(root)) {
+      possible -= 255 - levels_.pyramid().at(PlaceLevels::kRoot, cell.x + root.x, cell.y + root.y);
+      if (possible <= floor_) return false;
+    }
+    return true;
+  }
+
+  /// The squares of a block, `step` cells wide, that are better than the floor and have room.
+  [[nodiscard]] std::vector<MapNode> better_in(const MapNode& block, const PlaceBlocks& places,
+                                               int step) const {
+    const PlaceBlocks::Scores scores = places.score(cells_of(block), block.x, block.y);
+    std::vector<MapNode> better;
+    for (int i = 0; i < PlaceBlocks::kSide * PlaceBlocks::kSide; ++i) {
+      const MapNode square{block.rotation, block.x + i % PlaceBlocks::kSide * step,
+                           block.y + i / PlaceBlocks::kSide * step, scores[static_cast<std::size_t>(i)]};
+      if (square.score > floor_ && room_.any(PlaceLevels::kCoarse, square.x, square.y))
+        better.push_back(square);
+    }
+    return better;
+  }
+
+  /// A block's best place that no peak excludes; not better than the floor when there is none.
+  [[nodiscard]] MapNode best_in(const MapNode& block) const {
+    MapNode best{block.rotation, block.x, block.y, floor_};
+    for (const MapNode& place : better_in(block, levels_.fine(), 1)) {
+      if (place.score > best.score && !is_excluded(pose_of(place))) best = place;
+    }
+    return best;
   }
 
   [[nodiscard]] bool is_excluded(const types::Se2& pose) const {
-    return std::any_of(excluded_.begin(), excluded_.end(), [&](const Exclusion& e) {
-      return std::hypot(pose.x_m - e.centre.x_m, pose.y_m - e.centre.y_m) < e.radius_m &&
-             std::abs(types::wrap_angle(pose.theta_rad - e.centre.theta_rad)) < e.radius_rad;
+    return std::any_of(peaks_.begin(), peaks_.end(), [&](const SearchHit& peak) {
+      const types::Se2& other = peak.T_map_base;
+      return std::hypot(pose.x_m - other.x_m, pose.y_m - other.y_m) < wanted_.apart_m &&
+             std::abs(types::wrap_angle(pose.theta_rad - other.theta_rad)) < wanted_.apart_rad;
     });
   }
 
-  void descend(std::vector<MapNode>& nodes) {
-    std::sort(nodes.begin(), nodes.end(), before);
-    for (const MapNode& node : nodes) {
-      if (node.score <= best_.score) return;
-      if (node.level == 0) {
-        best_ = node;
-        found_ = true;
-        return;
-      }
-      const int level = node.level - 1, half = 1 << level;
-      std::vector<MapNode> children;
-      children.reserve(4);
-      for (const auto& [dx, dy] : {std::pair{0, 0}, {half, 0}, {0, half}, {half, half}}) {
-        if (room_.any(level, node.x + dx, node.y + dy))
-          add(children, {node.rotation, node.x + dx, node.y + dy, level, 0});
-      }
-      descend(children);
+  /// Notes the finest blocks in which there is a place that may be a peak.
+  void look_through(const MapNode& root) {
+    std::vector<MapNode> squares = better_in(root, levels_.coarse(), PlaceBlocks::kSide);
+    std::sort(squares.begin(), squares.end(), before);
+    for (MapNode& square : squares) {
+      if (square.score <= floor_) return;
+      square.score = best_in(square).score;
+      if (square.score <= floor_) continue;
+      promising_.push_back(square);
+      least_ = std::max(least_, units(wanted_.ratio * score_of(square)));
+      floor_ = std::max(floor_, least_);
+      if (promising_.size() == kPromisingMax) keep_better_half();
     }
   }
 
-  const LikelihoodPyramid& pyramid_;
+  /// Of a scan that fits everywhere (one wall, from near) no more is remembered than can count.
+  void keep_better_half() {
+    const auto middle = promising_.begin() + kPromisingMax / 2;
+    std::nth_element(promising_.begin(), middle, promising_.end(), before);
+    promising_.erase(middle, promising_.end());
+    floor_ = std::max(floor_, std::max_element(promising_.begin(), promising_.end(), before)->score);
+  }
+
+  /// One after the other, each the best place that those before it leave.
+  [[nodiscard]] std::vector<SearchHit> peaks() {
+    floor_ = least_;
+    std::make_heap(promising_.begin(), promising_.end(), after);
+    while (!promising_.empty() && peaks_.size() < wanted_.count_max) {
+      std::pop_heap(promising_.begin(), promising_.end(), after);
+      MapNode& block = promising_.back();
+      const MapNode best = best_in(block);
+      if (best.score == block.score && best.score > floor_) peaks_.push_back({pose_of(best), score_of(best)});
+      block.score = best.score;
+      if (best.score > floor_)
+        std::push_heap(promising_.begin(), promising_.end(), after);
+      else
+        promising_.pop_back();
+    }
+    return peaks_;
+  }
+
+  const PlaceLevels& levels_;
   const StandingRoom& room_;
-  Exclusions excluded_;
+  PeakSearch wanted_;
   std::vector<CellOffset> cells_;  ///< of all points in one direction after the other
   std::size_t count_ = 0;
   int rotations_ = 0;
-  MapNode best_;
-  bool found_ = false;
+  int least_ = 0;                   ///< what is no better is no peak
+  int floor_ = 0;                   ///< what is no better is not looked at
+  std::vector<MapNode> promising_;  ///< finest blocks, with their best places' scores
+  std::vector<SearchHit> peaks_;
 };
 
 }  // namespace
+
+PlaceLevels::PlaceLevels(const SurfelMap& map, SearchParams params)
+    : pyramid_(map, (params.depth = kRoot, params)), fine_(pyramid_, 0), coarse_(pyramid_, kCoarse) {}
 
 StandingRoom::StandingRoom(const LikelihoodPyramid& pyramid, double width_m)
     : width_(static_cast<int>(std::ceil(width_m / pyramid.cell_m()))),
@@ -182,11 +261,11 @@ bool StandingRoom::any(int level, int x, int y) const {
                     static_cast<std::size_t>(x >> shift)] != 0;
 }
 
-std::optional<SearchHit> search_everywhere(const LikelihoodPyramid& pyramid, const StandingRoom& room,
-                                           std::span<const Point> points, double score_min,
-                                           Exclusions excluded, const SearchParams& params) {
-  if (points.empty()) return std::nullopt;
-  return MapSearcher(pyramid, room, points, excluded, params).run(score_min);
+std::vector<SearchHit> search_everywhere(const PlaceLevels& levels, const StandingRoom& room,
+                                         std::span<const Point> points, const PeakSearch& wanted,
+                                         const SearchParams& params) {
+  if (points.empty()) return {};
+  return MapSearcher(levels, room, points, wanted, params).run();
 }
 
 }  // namespace topo::slam

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/place_blocks.hpp"
 #include "core/slam/search.hpp"
 
 namespace topo::slam {
@@ -37,14 +38,37 @@ class StandingRoom {
   std::vector<int> side_;
 };
 
-/// Poses that are no answer any more.
-using Exclusions = std::span<const Exclusion>;
+/// A map's likelihood on the three levels that are searched one after the other.
+class PlaceLevels {
+ public:
+  static constexpr int kCoarse = 3, kRoot = 6;  ///< squares of 8 and of 64 cells
 
-/// The best pose of the points anywhere in the room and in any direction, by branch and bound over squares of
-/// the pyramid; exact on its cells and on angle steps of a cell at 10 m. Nothing when no pose scores
-/// `score_min`.
-std::optional<SearchHit> search_everywhere(const LikelihoodPyramid& pyramid, const StandingRoom& room,
-                                           std::span<const Point> points, double score_min,
-                                           Exclusions excluded, const SearchParams& params);
+  /// `params.depth` is not asked: it is kRoot.
+  PlaceLevels(const SurfelMap& map, SearchParams params);
+
+  [[nodiscard]] const LikelihoodPyramid& pyramid() const { return pyramid_; }
+  [[nodiscard]] const PlaceBlocks& fine() const { return fine_; }
+  [[nodiscard]] const PlaceBlocks& coarse() const { return coarse_; }
+
+ private:
+  LikelihoodPyramid pyramid_;
+  PlaceBlocks fine_, coarse_;
+};
+
+/// Which places are looked for.
+struct PeakSearch {
+  double score_min = 0.35;  ///< likelihood from which a place is one
+  double ratio = 0.80;      ///< and its least share of the best one's
+  std::size_t count_max = 5;
+  double apart_m = 0.7;  ///< nearer poses are one place, of which the best counts
+  double apart_rad = 0.3;
+};
+
+/// The best places of the points in the room and in all directions, the best first, by branch and bound over
+/// blocks of squares: exact on the likelihood's cells and on angle steps of a cell at 10 m. Each is the best
+/// that is apart from those before it.
+std::vector<SearchHit> search_everywhere(const PlaceLevels& levels, const StandingRoom& room,
+                                         std::span<const Point> points, const PeakSearch& wanted,
+                                         const SearchParams& params);
 
 }  // namespace topo::slam

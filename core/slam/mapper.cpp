@@ -31,10 +31,23 @@ bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& no
   return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
 }
 
+bool is_good(const Match& match, const TrackParams& params) {
+  return match.fit() >= params.response_good && match.response >= params.response_lost;
+}
+
+bool is_within(const SearchWindow& window, const types::Se2& off) {
+  return std::hypot(off.x_m, off.y_m) <= window.half_m && std::abs(off.theta_rad) <= window.half_rad;
+}
+
 }  // namespace
 
 Mapper::Mapper(const MapperParams& params, const Maker& maker, const types::Se2& start)
-    : params_(params), maker_(maker), start_(start), local_map_(params.refine.reach_m) {}
+    : params_(params),
+      maker_(maker),
+      start_(start),
+      local_map_(params.refine.reach_m),
+      open_questions_(0.5 * params.loop.search_floor_m, 0.5 * params.loop.search_floor_rad,
+                      static_cast<std::size_t>(params.loop.group_half)) {}
 
 MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns) {
   MatchReport report;
@@ -53,7 +66,7 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   const double seconds = types::to_seconds(cloud.stamp - stamp_);
   const Prior prior = predict(motion, seconds);
   const types::Se2& predicted = prior.T_map_base;
-  report.match = track(predicted, prior, cloud.sensor, report.searched);
+  report.match = track(prior, going_on(seconds), cloud.sensor, report.searched);
   report.matched = report.match.response >= params_.track.response_lost && report.match.overlap > 0.0;
   const types::Se2 pose = report.matched ? report.match.T_map_base : predicted;
   T_previous_last_ = T_map_base_.inverse() * pose;
@@ -73,17 +86,22 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
 
 /// Where odometry says a way that no robot drives, this one is held to have gone on as before.
 Prior Mapper::predict(const types::Se2& motion, double seconds) const {
-  if (is_drivable(motion, seconds, params_.motion))
-    return {T_map_base_ * motion, motion_information(motion, params_.motion)};
+  if (!is_drivable(motion, seconds, params_.motion)) return going_on(seconds);
+  return {T_map_base_ * motion, motion_information(motion, params_.motion)};
+}
+
+Prior Mapper::going_on(double seconds) const {
   const double times = previous_last_s_ > 0.0 ? std::clamp(seconds / previous_last_s_, 0.0, 1.0) : 0.0;
   const types::Se2 guess = types::interpolate({}, T_previous_last_, times);
   return {T_map_base_ * guess, motion_information(guess, params_.motion) / kUnheard};
 }
 
-Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched) {
+/// Where nothing fits near what odometry says, a robot that went on as before is tried: odometry that was
+/// held up for a second says nothing and then everything at once, which has been matched meanwhile.
+Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched) {
+  const types::Se2& predicted = prior.T_map_base;
   Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
-  if (match.fit() >= params_.track.response_good && match.response >= params_.track.response_lost)
-    return match;
+  if (is_good(match, params_.track)) return match;
   searched = true;
   const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
   const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
@@ -95,6 +113,11 @@ Match Mapper::track(const types::Se2& predicted, const Prior& prior, const Point
   if (const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search)) {
     const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
     if (other.response > match.response + kSearchResponse) match = other;
+  }
+  if (!is_within(window, predicted.inverse() * going_on.T_map_base)) {
+    const Match gone_on = refine(local_map_, points_, sensor, going_on.T_map_base, going_on, params_.refine);
+    if (is_good(gone_on, params_.track) && gone_on.response > match.response + kSearchResponse)
+      match = gone_on;
   }
   if (match.response >= params_.track.response_lost) return match;
   return find_turned(pyramid, predicted, sensor).value_or(match);

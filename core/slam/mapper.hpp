@@ -15,6 +15,7 @@
 #include "core/slam/keyframe.hpp"
 #include "core/slam/loop_candidates.hpp"
 #include "core/slam/loop_closure.hpp"
+#include "core/slam/open_questions.hpp"
 #include "core/slam/refine.hpp"
 #include "core/slam/relation_set.hpp"
 #include "core/slam/session.hpp"
@@ -66,6 +67,10 @@ class Mapper {
 
   /// The question that the newest keyframe raised, once.
   [[nodiscard]] std::optional<LoopQuery> take_query();
+
+  /// The oldest question that came to nothing when it was raised and whose keyframe has been corrected since;
+  /// nothing when there is none, or when no other visit is near it now either.
+  std::optional<LoopQuery> take_second_query();
 
   /// Takes in keyframes and relations of team-mates, in any order and with any repetition. A keyframe enters
   /// the map when relations tie it to one that is in it; what nothing ties waits. Relations passed
@@ -123,7 +128,8 @@ class Mapper {
 
  private:
   [[nodiscard]] Prior predict(const types::Se2& motion, double seconds) const;
-  Match track(const types::Se2& predicted, const Prior& prior, const Point& sensor, bool& searched);
+  [[nodiscard]] Prior going_on(double seconds) const;
+  Match track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched);
   [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
                                                  const types::Se2& predicted, const Point& sensor) const;
   [[nodiscard]] FreeGround local_ground() const;
@@ -131,6 +137,7 @@ class Mapper {
   void add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                     walls::ColumnCollector& columns);
   void ask(std::size_t node);
+  [[nodiscard]] bool is_known(const Edge& edge) const;
   void extend_local_map();
   void rebuild_local_map();
 
@@ -169,6 +176,7 @@ class Mapper {
   std::size_t window_first_ = 0;  ///< first keyframe in the local map
   Point local_centre_ = Point::Zero();
   std::optional<LoopQuery> query_;
+  OpenQuestions open_questions_;
   std::vector<Point> points_;            ///< scratch
   std::size_t edges_asked_ = 0;          ///< that the newest question about the graph had
   std::size_t edges_solved_ = 0;         ///< that the poses obey

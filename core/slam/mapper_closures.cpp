@@ -3,6 +3,7 @@
 
 // The mapper's half that asks for closures and takes them in; tracking and keyframes are in mapper.cpp.
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -32,6 +33,7 @@ LoopQuery Mapper::query_about(std::size_t node) const {
 }
 
 void Mapper::ask(std::size_t node) {
+  open_questions_.ask(node, poses_[node]);
   const std::size_t end = end_of_other_visits(poses_, own_, own_.size() - 1, params_.loop);
   if (end == 0 && mates_.empty()) return;
   const std::vector<double> distances_m = links_.distances_m(poses_.size(), node);
@@ -40,6 +42,22 @@ void Mapper::ask(std::size_t node) {
     query.groups.push_back(group_of(run, own_));
   for (LoopGroup& group : groups_of_mates(node, distances_m)) query.groups.push_back(std::move(group));
   if (!query.groups.empty()) query_ = std::move(query);
+}
+
+/// One node a call: each costs as much as a new keyframe's question.
+std::optional<LoopQuery> Mapper::take_second_query() {
+  const auto node = open_questions_.take();
+  if (!node) return std::nullopt;
+  open_questions_.ask(*node, poses_[*node]);
+  const auto place =
+      static_cast<std::size_t>(std::lower_bound(own_.begin(), own_.end(), *node) - own_.begin());
+  const std::size_t end = end_of_other_visits(poses_, own_, place, params_.loop);
+  const std::vector<double> distances_m = links_.distances_m(poses_.size(), *node);
+  LoopQuery query = query_about(*node);
+  for (const LoopRun& run : find_loop_runs(poses_, distances_m, *node, own_, end, params_.loop))
+    query.groups.push_back(group_of(run, own_));
+  if (query.groups.empty()) return std::nullopt;
+  return query;
 }
 
 std::optional<LoopQuery> Mapper::take_query() { return std::exchange(query_, std::nullopt); }
@@ -52,7 +70,8 @@ LoopVerdict Mapper::apply(const LoopAnswer& answer) {
       continue;
     }
     ++verdict.accepted;
-    add_found_edge(candidate.edge);
+    open_questions_.close(answer.node);
+    if (!is_known(candidate.edge)) add_found_edge(candidate.edge);
   }
   return verdict;
 }
@@ -68,6 +87,10 @@ bool Mapper::is_far_off(const Edge& edge) const {
   const Eigen::Vector3d error = edge_error(edge, poses_[edge.from], poses_[edge.to]);
   return error.head<2>().norm() > 0.5 * params_.loop.search_floor_m ||
          std::abs(error.z()) > 0.5 * params_.loop.search_floor_rad;
+}
+
+bool Mapper::is_known(const Edge& edge) const {
+  return known_.contains({keyframes_[edge.from]->id, keyframes_[edge.to]->id});
 }
 
 /// A way over an edge that the poses do not obey yet would make them look surer than they are.
@@ -116,6 +139,7 @@ void Mapper::adopt(std::vector<types::Se2> poses) {
   solving_ = false;
   edges_solved_ = edges_asked_;
   relink();
+  open_questions_.correct(poses_);
   rebuild_local_map();
 }
 

@@ -36,6 +36,7 @@ class LikelihoodPyramid {
   [[nodiscard]] int depth() const { return static_cast<int>(levels_.size()) - 1; }
   [[nodiscard]] double cell_m() const { return cell_m_; }
   [[nodiscard]] const Point& origin() const { return origin_; }
+  [[nodiscard]] int width() const { return width_; }  ///< cells of the window's side
   /// Zero outside.
   [[nodiscard]] std::uint8_t at(int level, int x, int y) const {
     if (static_cast<unsigned>(x) >= static_cast<unsigned>(width_) ||

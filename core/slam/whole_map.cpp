@@ -107,8 +107,8 @@ WholeMap::WholeMap(const Session& session, const types::Rectangle& box, double h
     : search_(search),
       refine_(refine),
       map_(thinned_map(session, 0.5 * (box.min + box.max), half_m, refine.reach_m)),
-      pyramid_(map_, search.search),
-      room_(pyramid_, map_.width_m()),
+      levels_(map_, search.search),
+      room_(levels_.pyramid(), map_.width_m()),
       ground_(map_.origin(), map_.width_m()) {
   see_through(session, room_, ground_);
 }
@@ -123,16 +123,11 @@ std::optional<WholeMap> WholeMap::of(const Session& session, const WholeSearch& 
 }
 
 std::vector<Peak> WholeMap::peaks(std::span<const Point> points, const Point& sensor) const {
-  std::vector<Exclusion> known;
+  const PeakSearch wanted{search_.score_min, kPeakRatio, static_cast<std::size_t>(search_.rivals_max) + 1,
+                          search_.apart_m, search_.apart_rad};
   std::vector<Peak> peaks;
-  double score_min = search_.score_min;
-  for (int i = 0; i <= search_.rivals_max; ++i) {
-    const auto hit = search_everywhere(pyramid_, room_, points, score_min, known, search_.search);
-    if (!hit) break;
-    if (i == 0) score_min = kPeakRatio * hit->score;
-    known.push_back({hit->T_map_base, search_.apart_m, search_.apart_rad});
-    peaks.push_back(at(points, sensor, hit->T_map_base));
-  }
+  for (const SearchHit& hit : search_everywhere(levels_, room_, points, wanted, search_.search))
+    peaks.push_back(at(points, sensor, hit.T_map_base));
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const Peak& a, const Peak& b) { return a.evidence > b.evidence; });
   return peaks;

@@ -66,7 +66,7 @@ class WholeMap {
   WholeSearch search_;
   RefineParams refine_;
   SurfelMap map_;
-  LikelihoodPyramid pyramid_;
+  PlaceLevels levels_;
   StandingRoom room_;
   FreeGround ground_;
 };

@@ -90,6 +90,43 @@ TEST(Mapper, ClosesARing) {
   EXPECT_LT(end_error(out.estimate, out.truth), 0.08);
 }
 
+/// The answers to all questions are lost but one, which bends the way back by half a metre.
+TEST(Mapper, AsksAgainWhatACorrectionMoved) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  const auto truth =
+      drive({{1.5, 1.5}, {5.0, 1.5}, {5.0, 3.6}, {9.0, 3.6}, {5.0, 3.6}, {5.0, 1.5}, {1.5, 1.5}});
+  std::mt19937 random(2);
+  Mapper mapper({}, {}, truth.front());
+  walls::ColumnCollector columns({});
+  std::optional<LoopQuery> last;
+  for (const Se2& pose : truth) {
+    (void)mapper.add(testing::view_of(world, pose, 0.02, random).cloud, pose, columns);
+    if (auto query = mapper.take_query()) last = std::move(query);
+  }
+  ASSERT_TRUE(last);
+  EXPECT_FALSE(mapper.take_second_query()) << "nothing was corrected";
+  LoopAnswer answer = find_closures(*last);
+  ASSERT_EQ(answer.candidates.at(0).rejection, LoopRejection::kNone);
+  answer.candidates[0].edge.T_from_to = answer.candidates[0].edge.T_from_to * Se2{0.0, 0.5, 0.0};
+  ASSERT_GE(mapper.apply(answer).accepted, 1);
+  (void)mapper.optimise();
+  std::vector<std::size_t> asked;
+  int closures = 0;
+  for (std::size_t i = 0; i < mapper.keyframes().size(); ++i) {
+    const auto query = mapper.take_second_query();
+    if (!query) continue;
+    asked.push_back(query->node);
+    const LoopAnswer again = find_closures(*query);
+    closures += mapper.apply(again).accepted;
+    const std::size_t edges = mapper.edges().size();
+    (void)mapper.apply(again);
+    EXPECT_EQ(mapper.edges().size(), edges) << "the same answer twice says nothing new";
+  }
+  EXPECT_GE(closures, 1);
+  EXPECT_TRUE(std::is_sorted(asked.begin(), asked.end()));
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), last->node), 0) << "it has its closure";
+}
+
 TEST(Mapper, TheSameInputGivesTheSamePosesToTheBit) {
   const auto truth = drive({{1.2, 1.2}, {22.8, 1.2}, {22.8, 8.0}});
   const Trial a = run(mocks::ring_corridor(), truth, {}, 3), b = run(mocks::ring_corridor(), truth, {}, 3);
@@ -133,6 +170,26 @@ TEST(Mapper, GoesOnWhereOdometryIsSetToAnotherPlace) {
     const MatchReport report = mapper.add(view.cloud, odometry, columns);
     EXPECT_TRUE(report.matched) << i;
     EXPECT_LT((report.T_map_base.translation() - truth[i].translation()).norm(), 0.05) << i;
+  }
+}
+
+/// A turn while driving, and odometry that says nothing for a second and then everything at once.
+TEST(Mapper, OdometryThatWasHeldUpIsNotFollowedASecondTime) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  std::vector<Se2> truth{{3.0, 3.0, 0.0}};
+  while (truth.size() < 12) truth.push_back(truth.back() * Se2{0.08, 0.0, 0.2});
+  constexpr std::size_t kFirst = 4, kLast = 8;
+  std::mt19937 random(9);
+  Mapper mapper({}, {}, truth.front());
+  walls::ColumnCollector columns({});
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    testing::View view = testing::view_of(world, truth[i], 0.02, random);
+    view.cloud.stamp = types::stamp_from_seconds(0.2 * static_cast<double>(i));
+    const Se2 odometry = truth[i >= kFirst && i <= kLast ? kFirst : i];
+    const MatchReport report = mapper.add(view.cloud, odometry, columns);
+    EXPECT_TRUE(report.matched) << i;
+    EXPECT_LT((report.T_map_base.translation() - truth[i].translation()).norm(), 0.05) << i;
+    EXPECT_LT(std::abs(types::wrap_angle(report.T_map_base.theta_rad - truth[i].theta_rad)), 0.03) << i;
   }
 }
 
