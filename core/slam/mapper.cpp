@@ -158,9 +158,16 @@ FreeGround Mapper::local_ground() const {
 }
 
 bool Mapper::due(const types::Se2& T_map_base) const {
-  const types::Se2& last = poses_[own_.back()];
-  return travel(last, T_map_base) > params_.keyframe.travel_m ||
-         std::abs(types::wrap_angle(T_map_base.theta_rad - last.theta_rad)) > params_.keyframe.turn_rad;
+  const auto apart = [&](const types::Se2& pose, double way_m, double turn_rad) {
+    return travel(pose, T_map_base) > way_m ||
+           std::abs(types::wrap_angle(T_map_base.theta_rad - pose.theta_rad)) > turn_rad;
+  };
+  const KeyframeParams& params = params_.keyframe;
+  if (!apart(poses_[own_.back()], params.travel_m, params.turn_rad)) return false;
+  const auto alike =
+      std::count_if(own_.begin() + static_cast<std::ptrdiff_t>(window_first_), own_.end(),
+                    [&](std::size_t node) { return !apart(poses_[node], params.alike_m, params.alike_rad); });
+  return alike < params.alike_max;
 }
 
 void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,

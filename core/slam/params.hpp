@@ -68,6 +68,11 @@ struct KeyframeParams {
   double turn_rad = 0.35;
   double window_travel_m = 8.0;  ///< path length of the keyframes that tracking matches against
   int window_min = 6;
+  /// Among these so many as near and turned as little tell all: a robot that turns on the spot for minutes
+  /// makes no more of them, nor of the closures between them.
+  int alike_max = 3;
+  double alike_m = 0.10;
+  double alike_rad = 0.10;
 };
 
 struct LoopParams {

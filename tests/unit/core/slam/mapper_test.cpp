@@ -143,6 +143,27 @@ TEST(Mapper, StandingStillMakesNoKeyframes) {
   EXPECT_EQ(mapper.keyframes().size(), 1U);
 }
 
+TEST(Mapper, TurningOnTheSpotMakesNoMoreKeyframesThanThePlaceNeeds) {
+  const auto keyframes_after = [](int turns) {
+    std::mt19937 random(1);
+    const MapperParams params;
+    Mapper mapper(params);
+    walls::ColumnCollector columns(params.coronal);
+    const mocks::FlatWorld world = mocks::two_rooms();
+    constexpr int kViews = 24;  // a turn
+    for (int i = 0; i < turns * kViews; ++i) {
+      const double turned_rad = types::wrap_angle(2.0 * M_PI * i / kViews);
+      const testing::View view = testing::view_of(world, {2.0, 2.0, turned_rad}, 0.02, random);
+      EXPECT_TRUE(mapper.add(view.cloud, {0.0, 0.0, turned_rad}, columns).matched) << i;
+    }
+    return mapper.keyframes().size();
+  };
+  const std::size_t some = keyframes_after(6);
+  EXPECT_GT(some, 30U);
+  EXPECT_LE(some, 80U);
+  EXPECT_EQ(keyframes_after(20), some);
+}
+
 TEST(Mapper, BlindScansAreCarriedByOdometry) {
   const mocks::FlatWorld world = mocks::two_rooms();
   std::mt19937 random(5);
