@@ -6,7 +6,9 @@
 #include <cassert>
 
 #include "core/goals/filters.hpp"
+#include "core/goals/opening_check.hpp"
 #include "core/goals/openings.hpp"
+#include "core/goals/steering.hpp"
 
 namespace topo::goals {
 namespace {

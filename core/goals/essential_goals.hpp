@@ -24,7 +24,7 @@ struct GoalParams {
   double visited_radius_m = 1.0;  ///< the pose-history filter (paper section II-E)
   double room_reach_m = 6.0;      ///< so far from an opening a goal may be, through free space
   double behind_m = 2.4;          ///< an opening leads so far into unknown space,
-  double behind_m2 = 4.0;         ///< and so wide; a room worth the way is no smaller
+  double behind_m2 = 4.0;         ///< and onto so much of it; a room worth the way is no smaller
 };
 
 /// What the filters look at. Spans are borrowed for the call.

@@ -76,39 +76,6 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side)
   return false;
 }
 
-double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
-                         std::span<const std::uint32_t> cells) {
-  constexpr double kReachM = 1.2;
-  const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
-  const int side = 2 * reach + 1;
-  std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
-  std::vector<grid::CellIndex> queue;
-  bool leaves = false;
-  const auto visit = [&](grid::CellIndex c) {
-    if (map.state(c) != CellState::kUnknown) return;
-    const int u = c.x - centre.x + reach, v = c.y - centre.y + reach;
-    if (u < 0 || v < 0 || u >= side || v >= side) {
-      leaves = true;
-      return;
-    }
-    std::uint8_t& mark = seen[static_cast<std::size_t>(v * side + u)];
-    if (mark == 0) queue.push_back(c);
-    mark = 1;
-  };
-  const auto visit_sides = [&](grid::CellIndex c) {
-    visit({c.x + 1, c.y});
-    visit({c.x, c.y + 1});
-    visit({c.x - 1, c.y});
-    visit({c.x, c.y - 1});
-  };
-  for (const std::uint32_t i : cells) {
-    const grid::CellIndex c = map.cell(i);
-    if (std::abs(c.x - centre.x) < reach && std::abs(c.y - centre.y) < reach) visit_sides(c);
-  }
-  for (std::size_t next = 0; next < queue.size() && !leaves; ++next) visit_sides(queue[next]);
-  return leaves ? HUGE_VAL : static_cast<double>(queue.size()) * map.resolution_m * map.resolution_m;
-}
-
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
                         const GoalParams& params) {
   double furthest = 0.0;

@@ -16,49 +16,6 @@ namespace topo::goals {
 /// Internal boundaries: is there another place right behind the middle of this side?
 bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side);
 
-/// Unknown space behind a frontier of these cells, as far as 1.2 m around `centre`: m2, or HUGE_VAL when it
-/// goes on beyond. Costs the cells of that square.
-double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
-                         std::span<const std::uint32_t> cells);
-
-/// Opening check: can the robot's disc, as far as anything occupied is known, go on through the opening for
-/// behind_m into unknown space, of which at least behind_m2 can be had so? Shadows of furniture, slots and
-/// niches are less. Costs the cells of the opening's box and as far around it.
-bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params);
-
-/// The nodes of a skeleton that have no goal yet, by their rows: who looks for one that is near need not look
-/// at all.
-class FreeNodes {
- public:
-  explicit FreeNodes(const places::Skeleton& skeleton);
-
-  /// Calls f(number, node) for those in the rows [low, high].
-  template <class F>
-  void for_each_in_rows(std::int32_t low, std::int32_t high, F&& f) const {
-    const auto below = [](const Row& row, std::int32_t y) { return row.y < y; };
-    for (auto it = std::lower_bound(rows_.begin(), rows_.end(), low, below);
-         it != rows_.end() && it->y <= high; ++it)
-      if (!taken_[it->node]) f(it->node, (*nodes_)[it->node]);
-  }
-  void take(std::uint32_t node) { taken_[node] = true; }
-
- private:
-  struct Row {
-    std::int32_t y;
-    std::uint32_t node;
-  };
-  const std::vector<places::SkeletonNode>* nodes_;
-  std::vector<Row> rows_;  ///< ascending, and by number in each
-  std::vector<bool> taken_;
-};
-
-/// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening
-/// and is one of `nodes` (from which it is taken); else up the distance field until clear_m or the axis.
-/// Where that ends too narrow, the nearest cell through free space with robot_radius_m of clearance; nothing
-/// when there is none within reach.
-std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
-                                    FreeNodes& nodes);
-
 /// Centroid filter over the goals of one place: what is nearer to the centroid than centroid_ratio of the
 /// half extent is dropped where another goal of the place is further out, and near enough to stand in for it.
 /// Of a place more than twice as long as wide, what stands on a long side counts as at that side's midpoint,

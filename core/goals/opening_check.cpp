@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/goals/opening_check.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/goals/filters.hpp"
 #include "core/grid/disc_room.hpp"
 
 namespace topo::goals {

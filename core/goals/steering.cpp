@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/goals/steering.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

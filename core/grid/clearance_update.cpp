@@ -6,23 +6,11 @@
 #include <cstring>
 #include <utility>
 
+#include "core/grid/box_array.hpp"
 #include "core/grid/distance_passes.hpp"
 
 namespace topo::grid {
 namespace {
-
-/// An array over a box in the place that its rows have in a greater one; zero elsewhere.
-template <class T>
-std::vector<T> moved(const std::vector<T>& from, const CellBox& box, const CellBox& to) {
-  std::vector<T> out(static_cast<std::size_t>(to.width()) * static_cast<std::size_t>(to.height()), T{});
-  const std::ptrdiff_t width = static_cast<std::ptrdiff_t>(box.width()),
-                       to_width = static_cast<std::ptrdiff_t>(to.width());
-  for (std::ptrdiff_t row = 0; row < box.height(); ++row) {
-    const std::ptrdiff_t to_row = row + box.min.y - to.min.y;
-    std::copy_n(from.begin() + row * width, width, out.begin() + to_row * to_width + box.min.x - to.min.x);
-  }
-  return out;
-}
 
 template <class T>
 bool are_same(const T* a, const T* b, std::size_t count) {
@@ -68,10 +56,10 @@ void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
   if (is_same && box == map.box) return;
   const CellBox before = is_same ? box : CellBox{};
-  cells = moved(cells, before, map.box);
-  from_above = moved(from_above, before, map.box);
-  steps = moved(steps, before, map.box);
-  clearance_m = moved(clearance_m, before, map.box);
+  cells = over_box(cells, before, map.box);
+  from_above = over_box(from_above, before, map.box);
+  steps = over_box(steps, before, map.box);
+  clearance_m = over_box(clearance_m, before, map.box);
   box = map.box;
   resolution_m = map.resolution_m;
 }

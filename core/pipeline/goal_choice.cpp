@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/goals/filters.hpp"
+#include "core/goals/frontiers.hpp"
 #include "core/grid/end_of_way.hpp"
 
 namespace topo::pipeline {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/grid/cell_block.hpp"
 #include "core/types/beam_directions.hpp"
 
 namespace topo::pipeline {
@@ -17,8 +18,7 @@ using grid::CellState;
 using grid::DenseMap;
 using types::Vector2;
 
-/// Cells side by side that are looked at together, so that the compiler makes vector instructions of them.
-constexpr int kBlock = 64;
+constexpr int kBlock = grid::kCellBlock;
 using Block = std::array<std::uint8_t, kBlock>;
 
 /// For each of `count` cells from `from` on: is the nearest known cell in steps of `stride` free?

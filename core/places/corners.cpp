@@ -10,7 +10,9 @@
 namespace topo::places {
 namespace {
 
-constexpr double kMost = 0.6;
+constexpr double kInLine = 0.6;  ///< so much of a piece's width lies in the strip in which a corridor runs
+
+/// The members of places while corner pieces go from one to another.
 class Corners {
  public:
   Corners(const std::vector<Region>& pieces, std::vector<std::uint32_t>& places, double resolution_m,
@@ -24,7 +26,8 @@ class Corners {
     for (std::uint32_t p = 0; p < pieces.size(); ++p) members_[places[p]].push_back(p);
   }
 
-  /// Ends: every move makes a larger place larger at the cost of a smaller one.
+  /// Ends: who gets the pieces is larger than what is left of who had them, so that the sum of the squares of
+  /// the places' sizes grows with every move.
   bool settle() {
     bool any = false;
     for (bool moved = true; moved;) {
@@ -120,7 +123,7 @@ class Corners {
     const int across = side.x() < side.y() ? 0 : 1;
     const double from = std::max(corridor.core.min[across], piece.core.min[across]);
     const double to = std::min(corridor.core.max[across], piece.core.max[across]);
-    return to - from >= kMost * (piece.core.max[across] - piece.core.min[across]);
+    return to - from >= kInLine * (piece.core.max[across] - piece.core.min[across]);
   }
 
   [[nodiscard]] Region together(const std::vector<std::uint32_t>& members) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/grid/box_array.hpp"
 #include "core/places/fate.hpp"
 #include "core/places/first_fates.hpp"
 #include "core/places/settling.hpp"
@@ -63,15 +64,9 @@ class Change {
 };
 
 /// Fates in the array of a map whose box holds the other's.
-std::vector<Fate> moved(Erosion before, const DenseMap& map) {
+std::vector<Fate> carried_over(Erosion before, const DenseMap& map) {
   if (before.box == map.box) return std::move(before.fates);
-  std::vector<Fate> fates(map.cells.size(), 0);
-  const auto width = static_cast<std::size_t>(before.box.width());
-  for (std::int32_t y = before.box.min.y; y <= before.box.max.y; ++y) {
-    const auto row = before.fates.begin() + static_cast<std::ptrdiff_t>(width) * (y - before.box.min.y);
-    std::copy_n(row, width, fates.begin() + static_cast<std::ptrdiff_t>(map.index({before.box.min.x, y})));
-  }
-  return fates;
+  return grid::over_box(before.fates, before.box, map.box);
 }
 
 /// Cells that are kept, in the order of their turns: within one by number.
@@ -107,7 +102,7 @@ Erosion erode(const DenseMap& map, std::span<const float> clearance_m) {
 
 Erosion erode_again(const DenseMap& map, std::span<const float> clearance_m, Erosion before,
                     std::span<const std::uint32_t> changed) {
-  Erosion erosion{map.box, moved(std::move(before), map), {}};
+  Erosion erosion{map.box, carried_over(std::move(before), map), {}};
   if (map.cells.empty()) return erosion;
   Settling settling(map, erosion.fates);
   Change change(map, clearance_m, erosion.fates);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 
+#include "core/grid/cell_block.hpp"
 #include "core/places/sparse_scan.hpp"
 
 namespace topo::places {
@@ -12,9 +13,7 @@ namespace {
 
 using grid::CellState;
 using grid::DenseMap;
-
-/// Cells side by side that are looked at together, so that the compiler makes vector instructions of them.
-constexpr std::size_t kBlock = 64;
+using grid::kCellBlock;
 
 /// First fates: everything that is not on the ridge goes when its turn comes.
 class Assumption {
@@ -42,7 +41,7 @@ class Assumption {
 
  private:
   using Row = std::vector<std::int16_t>;  ///< buckets
-  using Marks = std::array<std::uint8_t, kBlock>;
+  using Marks = std::array<std::uint8_t, kCellBlock>;
   struct Rows {
     const std::int16_t *low, *mid, *high;
   };
@@ -52,8 +51,8 @@ class Assumption {
   }
   void fill(std::size_t y, Row& row) const {
     const float per_m = buckets_per_m_;
-    for (std::size_t x = 0; x < width_; x += kBlock) {
-      const std::size_t count = std::min(kBlock, width_ - x);
+    for (std::size_t x = 0; x < width_; x += kCellBlock) {
+      const std::size_t count = std::min(kCellBlock, width_ - x);
       std::int16_t* const to = &row[x];
       const float* const from = &clearance_m_[y * width_ + x];
       if (!has_free(y * width_ + x, count)) {
@@ -65,8 +64,8 @@ class Assumption {
     }
   }
   void assume_row(std::size_t y, const Rows& rows) {
-    for (std::size_t x = 1; x + 1 < width_; x += kBlock) {
-      const std::size_t count = std::min(kBlock, width_ - 1 - x);
+    for (std::size_t x = 1; x + 1 < width_; x += kCellBlock) {
+      const std::size_t count = std::min(kCellBlock, width_ - 1 - x);
       if (has_free(y * width_ + x, count))
         assume(y * width_ + x, count, {rows.low + x, rows.mid + x, rows.high + x});
     }
@@ -91,7 +90,7 @@ class Assumption {
     const auto cell_m = static_cast<float>(map_.resolution_m);
     const float* const mid = &clearance_m_[first];
     const float *const low = mid - width_, *const high = mid + width_;
-    std::array<std::int32_t, kBlock> is{};
+    std::array<std::int32_t, kCellBlock> is{};
     for (std::size_t i = 0; i < count; ++i) {
       const float side = larger(larger(mid[i - 1], mid[i + 1]), larger(low[i], high[i]));
       const float corner = larger(larger(low[i - 1], low[i + 1]), larger(high[i - 1], high[i + 1]));

@@ -6,19 +6,19 @@
 #include <array>
 #include <cstring>
 
+#include "core/grid/cell_block.hpp"
+
 namespace topo::places {
 namespace {
 
 using grid::CellState;
 using grid::DenseMap;
-
-/// Cells side by side that are looked at together, so that the compiler makes vector instructions of them.
-constexpr std::size_t kBlock = 64;
+using grid::kCellBlock;
 
 /// Of free cells with clearances `at`, in rows of `width`. Not through the corner where two walls meet.
 void point_up(const float* at, std::size_t width, std::size_t count, Slope* slopes) {
   const float *const low = at - width, *const high = at + width;
-  std::array<std::int32_t, kBlock> numbers{};
+  std::array<std::int32_t, kCellBlock> numbers{};
   for (std::size_t i = 0; i < count; ++i) {
     const float here = at[i];
     const float east = at[i + 1], west = at[i - 1], north = high[i], south = low[i];
@@ -49,8 +49,8 @@ std::vector<Slope> slopes_of(const DenseMap& map, std::span<const float> clearan
   std::vector<Slope> slopes(map.cells.size(), kClosed);
   const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
   for (std::size_t y = 1; y + 1 < height; ++y) {
-    for (std::size_t x = 1; x + 1 < width; x += kBlock) {
-      const std::size_t first = y * width + x, count = std::min(kBlock, width - 1 - x);
+    for (std::size_t x = 1; x + 1 < width; x += kCellBlock) {
+      const std::size_t first = y * width + x, count = std::min(kCellBlock, width - 1 - x);
       const CellState* const state = &map.cells[first];
       if (std::memchr(state, static_cast<int>(CellState::kFree), count) == nullptr) continue;
       point_up(&clearance_m[first], width, count, &slopes[first]);
@@ -64,7 +64,7 @@ std::vector<Slope> slopes_of(const DenseMap& map, std::span<const float> clearan
 std::vector<std::uint32_t> renew_slopes(const DenseMap& map, std::span<const float> clearance_m,
                                         std::span<const std::uint32_t> cells, std::vector<Slope>& slopes) {
   const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  std::array<Slope, kBlock> now{};
+  std::array<Slope, kCellBlock> now{};
   std::vector<std::uint32_t> others;
   const auto renew = [&](std::size_t first, std::size_t count) {
     point_up(&clearance_m[first], width, count, now.data());
@@ -78,7 +78,7 @@ std::vector<std::uint32_t> renew_slopes(const DenseMap& map, std::span<const flo
   };
   for (std::size_t k = 0; k < cells.size();) {
     const std::size_t begin = k++, row = cells[begin] / width;
-    while (k < cells.size() && k - begin < kBlock - 2 && cells[k] == cells[k - 1] + 1) ++k;
+    while (k < cells.size() && k - begin < kCellBlock - 2 && cells[k] == cells[k - 1] + 1) ++k;
     const std::size_t x = std::max<std::size_t>(cells[begin] % width, 2) - 1;
     const std::size_t end = std::min(cells[begin] % width + (k - begin) + 1, width - 1);
     for (std::size_t y = std::max<std::size_t>(row, 2) - 1; y <= row + 1 && y + 1 < height && x < end; ++y)

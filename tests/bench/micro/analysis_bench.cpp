@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What each stage of the analysis costs on buildings of 1, 4, 16 and 64 times the paper's size: 1.26 million
+// What each stage of the analysis costs on buildings of 1, 4, 16 and 49 times the paper's size: 1.26 million
 // cells of 0.05 m, a quarter of them known. `per_known` is time per known cell; `passes` how often one could
 // have read the map's cells; `peak_B` the memory that a stage asks for at most, and `kept_B` its result, in
 // bytes per known cell.

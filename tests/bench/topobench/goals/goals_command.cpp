@@ -22,6 +22,18 @@ using nlohmann::json;
 
 constexpr std::size_t kClustersMin = 8;  // fewer are a handful by themselves
 
+types::Result<std::vector<TableWorld>> worlds_of(const GoalsCommand& command) {
+  const auto files = world_files(command.worlds);
+  if (!files) return tl::unexpected(files.error());
+  std::vector<TableWorld> worlds;
+  for (const std::filesystem::path& file : *files) {
+    auto world = load_table_world(file, command.seeds, true, 1);
+    if (!world) return tl::unexpected(world.error());
+    worlds.push_back(std::move(*world));
+  }
+  return worlds;
+}
+
 types::Result<std::vector<GoalStage>> stages_of(const TableWorld& table_world, const GoalsCommand& command,
                                                 std::uint64_t seed) {
   const auto world = sim::World::load(table_world.file);
@@ -89,23 +101,21 @@ types::Status save_picture(const GoalsCommand& command, const std::string& name,
 }  // namespace
 
 types::Status run_goals(const GoalsCommand& command) {
-  const auto files = world_files(command.worlds);
-  if (!files) return tl::unexpected(files.error());
+  const auto worlds = worlds_of(command);
+  if (!worlds) return tl::unexpected(worlds.error());
   if (!command.out.empty()) {
     if (auto made = make_folder(command.out); !made) return made;
   }
   Sums sums;
   json each = json::array();
-  for (const std::filesystem::path& file : *files) {
-    const auto world = load_table_world(file, command.seeds, true, 1);
-    if (!world) return tl::unexpected(world.error());
+  for (const TableWorld& world : *worlds) {
     for (int seed = 1; seed <= command.seeds; ++seed) {
-      const auto stages = stages_of(*world, command, static_cast<std::uint64_t>(seed));
+      const auto stages = stages_of(world, command, static_cast<std::uint64_t>(seed));
       if (!stages) return tl::unexpected(stages.error());
       for (const GoalStage& stage : *stages) {
         json without = openings_without_goal(stage);
         sums.add(stage, without.size());
-        const std::string name = fmt::format("{}-{}-{:.0f}s", world->name, seed, stage.t_s);
+        const std::string name = fmt::format("{}-{}-{:.0f}s", world.name, seed, stage.t_s);
         fmt::print(stderr,
                    "{}: {:.0f} % known, {} clusters, {} goals, {} openings onto space, {} without goal\n",
                    name, 100.0 * stage.known, stage.clusters, stage.goals, stage.onto_space.openings.size(),

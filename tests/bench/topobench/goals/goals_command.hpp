@@ -20,8 +20,9 @@ struct GoalsCommand {
 };
 
 /// `topobench goals`: how few goals the analysis has on partial maps met while exploring, and whether one is
-/// missing. Prints sums over the maps with eight frontier clusters or more, and each map; with `out` a
-/// picture of each map on which an opening is without a goal.
+/// missing. Prints sums of clusters and goals over the maps with eight frontier clusters or more, of openings
+/// over all maps, and each map; with `out` a picture of each map on which an opening is without a goal. All
+/// worlds are read before the first is explored.
 types::Status run_goals(const GoalsCommand& command);
 
 }  // namespace topo::bench

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/goals/filters.hpp"
+#include "core/goals/opening_check.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
 namespace topo::goals {

@@ -15,7 +15,7 @@ Region piece(double x0, double y0, double x1, double y1, std::vector<std::uint32
   Region region;
   region.box = region.core = {{x0, y0}, {x1, y1}};
   region.cells = static_cast<std::uint32_t>((x1 - x0) * (y1 - y0) / (kCell_m * kCell_m));
-  region.first = static_cast<std::uint32_t>(1000.0 * y0 + x0);
+  region.first = static_cast<std::uint32_t>(1000.0 * y0 + x0 + 100.0);
   region.clearance_m = 1.0F;
   region.sum = region.cells * types::Vector2(0.5 * (x0 + x1), 0.5 * (y0 + y1));
   for (const std::uint32_t other : beside) region.contacts.push_back({other, 40, 0, 0.0F, 1.0F, 40.0F});

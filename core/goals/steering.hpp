@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/goals/essential_goals.hpp"
+#include "core/goals/openings.hpp"
+
+namespace topo::goals {
+
+/// The nodes of a skeleton that have no goal yet, by their rows: who looks for one that is near need not look
+/// at all.
+class FreeNodes {
+ public:
+  explicit FreeNodes(const places::Skeleton& skeleton);
+
+  /// Calls f(number, node) for those in the rows [low, high].
+  template <class F>
+  void for_each_in_rows(std::int32_t low, std::int32_t high, F&& f) const {
+    const auto below = [](const Row& row, std::int32_t y) { return row.y < y; };
+    for (auto it = std::lower_bound(rows_.begin(), rows_.end(), low, below);
+         it != rows_.end() && it->y <= high; ++it)
+      if (!taken_[it->node]) f(it->node, (*nodes_)[it->node]);
+  }
+  void take(std::uint32_t node) { taken_[node] = true; }
+
+ private:
+  struct Row {
+    std::int32_t y;
+    std::uint32_t node;
+  };
+  const std::vector<places::SkeletonNode>* nodes_;
+  std::vector<Row> rows_;  ///< ascending, and by number in each
+  std::vector<bool> taken_;
+};
+
+/// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening
+/// and is one of `nodes` (from which it is taken); else up the distance field until clear_m or the axis.
+/// Where that ends too narrow, the nearest cell through free space with robot_radius_m of clearance; nothing
+/// when there is none within reach.
+std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
+                                    FreeNodes& nodes);
+
+}  // namespace topo::goals
