@@ -78,16 +78,23 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side)
 
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
                         const GoalParams& params) {
-  double furthest = 0.0;
-  for (const Goal& goal : goals_of_place) furthest = std::max(furthest, reach_of(places, goal));
-  for (Goal& goal : goals_of_place) {
-    const double reach = reach_of(places, goal);
-    const bool has_stand_in =
-        std::any_of(goals_of_place.begin(), goals_of_place.end(), [&](const Goal& other) {
-          return reach_of(places, other) > reach && (other.p_map - goal.p_map).norm() < params.stand_in_m;
-        });
-    if (has_stand_in && reach < params.centroid_ratio && reach < 0.7 * furthest)
-      goal.verdict = Verdict::kNearCentroid;
+  struct Judged {
+    double reach;
+    Goal* goal;
+  };
+  std::vector<Judged> outermost_first, kept;
+  for (Goal& goal : goals_of_place) outermost_first.push_back({reach_of(places, goal), &goal});
+  std::stable_sort(outermost_first.begin(), outermost_first.end(),
+                   [](const Judged& a, const Judged& b) { return a.reach > b.reach; });
+  for (const Judged& at : outermost_first) {
+    const bool is_near = at.reach < params.centroid_ratio && at.reach < 0.7 * outermost_first.front().reach;
+    const bool has_stand_in = std::any_of(kept.begin(), kept.end(), [&](const Judged& out) {
+      return out.reach > at.reach && (out.goal->p_map - at.goal->p_map).norm() < params.stand_in_m;
+    });
+    if (is_near && has_stand_in)
+      at.goal->verdict = Verdict::kNearCentroid;
+    else
+      kept.push_back(at);
   }
 }
 

@@ -17,7 +17,8 @@ namespace topo::goals {
 bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side);
 
 /// Centroid filter over the goals of one place: what is nearer to the centroid than centroid_ratio of the
-/// half extent is dropped where another goal of the place is further out, and near enough to stand in for it.
+/// half extent is dropped where another goal of the place that stays is further out, and near enough to stand
+/// in for it.
 /// Of a place more than twice as long as wide, what stands on a long side counts as at that side's midpoint,
 /// where the paper has it.
 void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,

@@ -76,7 +76,7 @@ class LockStep {
 
  private:
   struct Waiting {
-    std::size_t due;
+    std::size_t due = 0;
     slam::LoopAnswer answer;
   };
   void collect(const pipeline::MappingOutput& output);

@@ -10,6 +10,7 @@
 
 #include "core/goals/filters.hpp"
 #include "core/goals/opening_check.hpp"
+#include "core/goals/steering.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
 namespace topo::goals {
@@ -190,26 +191,46 @@ TEST(Filters, OneNodeIsOneGoals) {
   EXPECT_NE(*first, *second);
 }
 
+Goal goal_at(double x, double y, Side side) {
+  Goal goal;
+  goal.p_map = {x, y};
+  goal.place = 1;
+  goal.side = side;
+  return goal;
+}
+
 TEST(Filters, TheLongSidesOfACorridorGiveWayToItsEnds) {
   places::PlaceMap places;
   places.places = {{{{0.0, 0.0}, {20.0, 2.0}}, {10.0, 1.0}, 40.0, 1.0F}};
-  const auto goal = [](double x, double y, Side side) {
-    Goal g;
-    g.p_map = {x, y};
-    g.place = 1;
-    g.side = side;
-    return g;
-  };
-  std::vector<Goal> goals = {goal(19.5, 1.0, Side::kEast), goal(17.0, 1.2, Side::kNorth),
-                             goal(16.0, 0.8, Side::kSouth), goal(9.0, 0.8, Side::kSouth)};
+  std::vector<Goal> goals = {goal_at(19.5, 1.0, Side::kEast), goal_at(17.0, 1.2, Side::kNorth),
+                             goal_at(16.0, 0.8, Side::kSouth), goal_at(9.0, 0.8, Side::kSouth)};
   drop_near_centroid(places, goals, {});
   EXPECT_EQ(goals[0].verdict, Verdict::kAccepted);
   EXPECT_EQ(goals[1].verdict, Verdict::kNearCentroid);
   EXPECT_EQ(goals[2].verdict, Verdict::kNearCentroid);
   EXPECT_EQ(goals[3].verdict, Verdict::kAccepted) << "who is at the end does not see what it is for";
-  std::vector<Goal> sides_only = {goal(3.0, 1.2, Side::kNorth)};
+  std::vector<Goal> sides_only = {goal_at(3.0, 1.2, Side::kNorth)};
   drop_near_centroid(places, sides_only, {});
   EXPECT_EQ(sides_only[0].verdict, Verdict::kAccepted) << "there is no other";
+}
+
+TEST(Filters, AGoalThatGivesWayStandsInForNoOther) {
+  places::PlaceMap places;
+  places.places = {{{{0.0, 0.0}, {20.0, 20.0}}, {10.0, 10.0}, 400.0, 5.0F}};
+  // Each is less than 4 m from the next alone, and nearer to the centroid.
+  std::vector<Goal> goals = {goal_at(10.0, 16.5, Side::kNorth), goal_at(10.0, 13.0, Side::kNorth),
+                             goal_at(8.27, 11.0, Side::kWest), goal_at(10.0, 8.9, Side::kSouth)};
+  std::sort(goals.begin(), goals.end(),
+            [](const Goal& a, const Goal& b) { return a.p_map.y() < b.p_map.y(); });
+  do {
+    std::vector<Goal> judged = goals;
+    drop_near_centroid(places, judged, {});
+    for (const Goal& goal : judged) {
+      const bool gives_way = goal.p_map.y() == 13.0 || goal.p_map.y() == 8.9;
+      EXPECT_EQ(goal.verdict, gives_way ? Verdict::kNearCentroid : Verdict::kAccepted) << goal.p_map.y();
+    }
+  } while (std::next_permutation(goals.begin(), goals.end(),
+                                 [](const Goal& a, const Goal& b) { return a.p_map.y() < b.p_map.y(); }));
 }
 
 TEST(Filters, OfTwoGoalsTheWiderOpeningStays) {

@@ -12,6 +12,7 @@
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/places/simple_cell.hpp"
+#include "tests/unit/core/places/drawn_map.hpp"
 #include "tests/unit/core/places/patches.hpp"
 
 namespace topo::places {
