@@ -203,8 +203,7 @@ std::optional<CellIndex> approach_cell(const DenseMap& map, const Frontier& fron
   return std::nullopt;
 }
 
-double unknown_behind_m2(const DenseMap& map, CellIndex centre,
-                         std::span<const std::uint32_t> cells) {
+double unknown_behind_m2(const DenseMap& map, CellIndex centre, std::span<const std::uint32_t> cells) {
   constexpr double kReachM = 1.2;
   const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
   const int side = 2 * reach + 1;

@@ -17,8 +17,8 @@ namespace topo::places {
 bool settle_corners(const std::vector<Region>& pieces, std::vector<std::uint32_t>& places,
                     double resolution_m, const PlaceParams& params);
 
-/// The regions of places as far as a place map is made of them: box, sum, cells, first cell, clearance and the
-/// borders' sums of contacts; no core, no passages. Each under the number of its place, the others empty.
+/// The regions of places as far as a place map is made of them: box, sum, cells, first cell, clearance and
+/// the borders' sums of contacts; no core, no passages. Each under the number of its place, the others empty.
 std::vector<Region> joined(const std::vector<Region>& pieces, const std::vector<std::uint32_t>& places);
 
 }  // namespace topo::places

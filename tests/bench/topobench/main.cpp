@@ -186,7 +186,8 @@ void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
 
 void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
   app.footer(
-      "Clusters and goals are those of maps with eight frontier clusters (0.75 m) or more, openings those of\n"
+      "Clusters and goals are those of maps with eight frontier clusters (0.75 m) or more, openings those "
+      "of\n"
       "all maps. An opening onto space: a cluster through which the robot can drive into 10 m2 or more that\n"
       "its map does not know. It is without a goal when none has its own opening there or sees it from\n"
       "within 3 m.");
