@@ -27,7 +27,7 @@ constexpr types::Duration kBlockedFor =
 std::string metres(double value) {
   std::array<char, 24> text{};
   const int n = std::snprintf(text.data(), text.size(), "%.1f m", value);
-  return {text.data(), static_cast<std::size_t>(std::max(n, 0))};
+  return {text.data(), std::min(static_cast<std::size_t>(std::max(n, 0)), text.size() - 1)};
 }
 
 /// Label of the place that a point is in; 0: none.

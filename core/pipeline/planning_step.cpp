@@ -19,8 +19,8 @@ constexpr types::Duration kControlAgeMax = std::chrono::milliseconds(500);
 // leaves on either side. A person who fills the view is gone sooner.
 constexpr types::Duration kReckonedMax = std::chrono::seconds(2);
 constexpr types::Duration kBatteryLowFor = std::chrono::seconds(10);
-// A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
 constexpr double kBesideMate_mps = 0.25;  // two of them, closing for a scan's age, are still apart
+// A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
 constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
@@ -205,6 +205,7 @@ void PlanningState::Impl::think(const PlanningInput& in) {
   told(PlanningStage::kMap);
   refresh_analysis(in);
   told(PlanningStage::kAnalysis);
+  if (mission.paused) thought = {};  // whoever goes on thinks first: a route from before is worth nothing
   if (ended || mission.paused) return;
   refresh_travel(in);
   told(PlanningStage::kTravel);
@@ -282,7 +283,6 @@ PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
       activity = Activity::kPaused;
       reason = "paused by the operator";
       last_progress = in.now;
-      thought = {};
     }
     if (!mission.paused && route_holds(in))
       trim_route();

@@ -244,6 +244,7 @@ Vector2 PlanningState::Impl::home_of(const PlanningInput& in) {
     const auto cell = cell_at(p);
     return cell ? static_cast<double>(field.cost_m[map.index(*cell)]) : HUGE_VAL;
   };
+  if (home) search.settle(params.home_reached_m);  // before, nothing is in reach
   if (home && !cell_at(home->p_map)) home.reset();
   const std::optional<team::Home> chosen =
       team::choose_home(self, roster.heard(in.now), home, who_needs_room(in), cost_m);

@@ -58,19 +58,23 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goal
 /// Candidates that the fine search has not come to get the costs of the coarse map.
 void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) {
   constexpr double kReach_m = 0.6;
-  const auto is_far = [&](const Candidate& c) {
-    return static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m();
-  };
-  if (std::none_of(candidates.begin(), candidates.end(), is_far)) return;
-  need_coarse();
+  std::vector<Candidate*> far;
   for (Candidate& c : candidates) {
-    if (!is_far(c)) continue;
-    const auto cell = grid::nearest_reachable(coarse.map, coarse_field,
-                                              coarse.map.cell_at(map.centre_of(c.cell)), kReach_m);
-    if (!cell) search.settle(HUGE_VAL);  // a way that only the fine map has
-    c.cost_m = cell ? way_cost_m(coarse.map, coarse_field, *cell, T_map_base.se2())
-                    : way_cost_m(map, field, c.cell, T_map_base.se2());
+    if (static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m()) far.push_back(&c);
   }
+  if (far.empty()) return;
+  need_coarse();
+  const auto coarse_cell = [&](const Candidate& c) {
+    return grid::nearest_reachable(coarse.map, coarse_field, coarse.map.cell_at(map.centre_of(c.cell)),
+                                   kReach_m);
+  };
+  // Where one has a way on the fine map alone, that map has to tell of all.
+  const bool tells =
+      std::all_of(far.begin(), far.end(), [&](const Candidate* c) { return coarse_cell(*c).has_value(); });
+  if (!tells) search.settle(HUGE_VAL);
+  for (Candidate* c : far)
+    c->cost_m = tells ? way_cost_m(coarse.map, coarse_field, *coarse_cell(*c), T_map_base.se2())
+                      : way_cost_m(map, field, c->cell, T_map_base.se2());
 }
 
 goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* const> candidates) {

@@ -71,7 +71,7 @@ bool read_axis(ByteReader& in, std::vector<float>& axis) {
   return in.ok();
 }
 
-/// Items of at least `bytes_each` with their positions.
+/// As many items, with their positions. What is left to read bounds `count`: whoever calls has looked.
 template <class T>
 bool read_positions(ByteReader& in, std::size_t count, std::vector<T>& items) {
   std::vector<float> x(count), y(count);

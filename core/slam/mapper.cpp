@@ -75,7 +75,10 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   T_odom_base_ = T_odom_base;
   stamp_ = cloud.stamp;
   report.T_map_base = T_map_base_;
-  if (due(T_map_base_)) {
+  const bool due = is_apart(own_.back(), params_.keyframe.travel_m, params_.keyframe.turn_rad);
+  if (due && has_enough_alike()) {
+    columns.drop();
+  } else if (due) {
     add_keyframe(cloud, report, prior, columns);
     report.keyframe = true;
   }
@@ -157,17 +160,20 @@ FreeGround Mapper::local_ground() const {
   return seen_through(keyframes, poses, local_map_);
 }
 
-bool Mapper::due(const types::Se2& T_map_base) const {
-  const auto apart = [&](const types::Se2& pose, double way_m, double turn_rad) {
-    return travel(pose, T_map_base) > way_m ||
-           std::abs(types::wrap_angle(T_map_base.theta_rad - pose.theta_rad)) > turn_rad;
-  };
+/// Is the robot that far from where a keyframe was made, or turned that much?
+bool Mapper::is_apart(std::size_t node, double way_m, double turn_rad) const {
+  const types::Se2& pose = poses_[node];
+  return travel(pose, T_map_base_) > way_m ||
+         std::abs(types::wrap_angle(T_map_base_.theta_rad - pose.theta_rad)) > turn_rad;
+}
+
+/// Does the tracking window have as many keyframes of here as it needs?
+bool Mapper::has_enough_alike() const {
   const KeyframeParams& params = params_.keyframe;
-  if (!apart(poses_[own_.back()], params.travel_m, params.turn_rad)) return false;
   const auto alike =
       std::count_if(own_.begin() + static_cast<std::ptrdiff_t>(window_first_), own_.end(),
-                    [&](std::size_t node) { return !apart(poses_[node], params.alike_m, params.alike_rad); });
-  return alike < params.alike_max;
+                    [&](std::size_t node) { return !is_apart(node, params.alike_m, params.alike_rad); });
+  return alike >= params.alike_max;
 }
 
 void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,

@@ -133,7 +133,8 @@ class Mapper {
   [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
                                                  const types::Se2& predicted, const Point& sensor) const;
   [[nodiscard]] FreeGround local_ground() const;
-  bool due(const types::Se2& T_map_base) const;
+  [[nodiscard]] bool is_apart(std::size_t node, double way_m, double turn_rad) const;
+  [[nodiscard]] bool has_enough_alike() const;
   void add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                     walls::ColumnCollector& columns);
   void ask(std::size_t node);

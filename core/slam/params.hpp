@@ -45,7 +45,7 @@ struct RefineParams {
 struct SearchParams {
   double cell_m = 0.05;
   double kernel_sigma_m = 0.10;
-  int points_max = 120;
+  int points_max = 120;  ///< every n-th point, n rounded down: fewer than twice as many
   int depth = 5;  ///< coarsest node is 2^depth cells wide
 };
 

@@ -57,14 +57,15 @@ class LikelihoodPyramid {
   std::vector<std::vector<std::uint8_t>> levels_;
 };
 
-/// The best pose of the points (base_link) within the window around `centre`, by branch and bound (Hess et
-/// al. 2016): exact on the grid of cells and angle steps. Nothing when no pose scores at least `score_min`.
-/// Poses within `excluded` of `exclude_centre` are left out: the second peak.
+/// Poses around one that was found: without them, a search finds the second peak.
 struct Exclusion {
   types::Se2 centre;
   double radius_m = 0.5;
   double radius_rad = 0.2;
 };
+
+/// The best pose of the points (base_link) within the window around `centre`, by branch and bound (Hess et
+/// al. 2016): exact on the grid of cells and angle steps. Nothing when no pose scores at least `score_min`.
 std::optional<SearchHit> search(const LikelihoodPyramid& pyramid, std::span<const Point> points,
                                 const types::Se2& centre, const SearchWindow& window, double score_min,
                                 const SearchParams& params, const std::optional<Exclusion>& exclusion = {});

@@ -55,7 +55,6 @@ CostTable table_of(std::span<const Word* const> team) {
   return table;
 }
 
-/// The robot's cheapest bid for a goal.
 /// The same; a goal costs who has claimed it no more than when it was taken.
 CostTable with_claims(CostTable table, std::span<const Word* const> team) {
   for (std::size_t row = 0; row < team.size(); ++row) {
@@ -69,6 +68,7 @@ CostTable with_claims(CostTable table, std::span<const Word* const> team) {
   return table;
 }
 
+/// The robot's cheapest bid for a goal.
 const Bid& cheapest_for(const Word& self, const CostTable& table, std::size_t goal) {
   const Bid* best = nullptr;
   for (const Bid& bid : self.bids) {

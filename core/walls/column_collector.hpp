@@ -24,7 +24,7 @@ struct CoronalMount {
 };
 
 /// Gathers what the coronal laser sees between two keyframes, as height columns in odom. Standing still adds
-/// nothing, so that its memory is bounded by the way travelled.
+/// nothing, so that its memory is bounded by the way travelled and turned since it was emptied.
 class ColumnCollector {
  public:
   explicit ColumnCollector(const CoronalMount& mount) : mount_(mount) {}
@@ -34,6 +34,10 @@ class ColumnCollector {
 
   /// What was gathered, one column per 5 cm cell, in the frame of the given transform; empties the collector.
   [[nodiscard]] std::vector<ColumnPoint> take(const types::Se2& T_base_odom);
+
+  /// Forgets what was gathered: where no keyframe is made of it, it would wait for one, and be placed by an
+  /// odometry that has drifted since.
+  void drop() { columns_odom_.clear(); }
 
  private:
   CoronalMount mount_;

@@ -148,6 +148,20 @@ TEST_F(WithAMate, comesToItsOwnStartWhenTheOperatorSendsItHome) {
   EXPECT_LT((building_.robot() - start).norm(), 0.3);
 }
 
+TEST_F(WithAMate, comesHomeOnALowBatteryToOnePlace) {
+  const Vector2 start = building_.robot();
+  mate_.start = start + Vector2(1.5, 0.0);
+  for (int i = 0; i < 30 && (building_.robot() - mate_.start).norm() < 4.0; ++i) (void)period();
+  ASSERT_GT((building_.robot() - mate_.start).norm(), 4.0);
+  building_.control().battery_v = 11.2F;
+  for (int i = 0; i < 60 && out_.report->activity != Activity::kReturning; ++i) (void)period();
+  ASSERT_EQ(out_.report->reason, "the battery is low");
+  const std::uint64_t goal_id = out_.plan.goal_id;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(period().plan.goal_id, goal_id) << "control begins anew with each";
+  for (int i = 0; i < 100 && out_.word->duty != team::Duty::kOver; ++i) (void)period();
+  EXPECT_LT((building_.robot() - mate_.start).norm(), 0.5) << "the nearer of the two";
+}
+
 TEST_F(WithAMate, comesHomeOnlyWhenNobodyHasAGoalLeftAndEndsWhenAllAreHome) {
   mate_.bids = {{{200.0, 1.0}, 3.0}};  // in a part of the building that this robot cannot see
   mate_.claim = mate_.bids.front();

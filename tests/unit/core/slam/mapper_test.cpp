@@ -164,6 +164,33 @@ TEST(Mapper, TurningOnTheSpotMakesNoMoreKeyframesThanThePlaceNeeds) {
   EXPECT_EQ(keyframes_after(20), some);
 }
 
+/// What the coronal laser sees while the robot turns would wait for a keyframe, in an odometry that drifts.
+TEST(Mapper, ColumnsOfATurnThatMakesNoKeyframeAreForgotten) {
+  std::mt19937 random(1);
+  const MapperParams params;
+  Mapper mapper(params);
+  walls::ColumnCollector columns(params.coronal);
+  const mocks::FlatWorld world = mocks::two_rooms();
+  types::Scan coronal;
+  coronal.geometry.angle_min_rad = static_cast<float>(-0.5 * M_PI);
+  coronal.geometry.angle_increment_rad = static_cast<float>(M_PI);
+  coronal.geometry.range_max_m = 30.0F;
+  coronal.beams = 2;
+  coronal.range_m[0] = coronal.range_m[1] = 3.0F;
+  constexpr int kViews = 24;  // a turn
+  std::size_t keyframes = 0;
+  for (int i = 0; i < 12 * kViews; ++i) {
+    const double turned_rad = types::wrap_angle(2.0 * M_PI * i / kViews);
+    const types::Se2 T_odom_base{0.002 * i, 0.0, turned_rad};
+    columns.add(coronal, T_odom_base, T_odom_base);
+    (void)mapper.add(testing::view_of(world, {2.0, 2.0, turned_rad}, 0.02, random).cloud, T_odom_base,
+                     columns);
+    keyframes = mapper.keyframes().size();
+  }
+  EXPECT_GT(keyframes, 30U);
+  EXPECT_LE(columns.take({}).size(), 2U * 3U) << "those of the views since it was last time for a keyframe";
+}
+
 TEST(Mapper, BlindScansAreCarriedByOdometry) {
   const mocks::FlatWorld world = mocks::two_rooms();
   std::mt19937 random(5);
