@@ -19,7 +19,7 @@ Goal goal_of(const GoalInput& input, const Opening& opening, const GoalParams& p
   goal.opening_m = opening.width_m;
   goal.place = opening.place;
   goal.side = opening.side;
-  const bool leads = leads_to_unknown(input.map, opening, params);
+  const bool leads = leads_to_unknown(input.map, opening.cells, params);
   const auto p = leads ? steer(input, opening, params, nodes) : std::nullopt;
   if (p) goal.p_map = *p;
   if (!p) goal.verdict = Verdict::kNoOpening;

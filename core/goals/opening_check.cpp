@@ -17,9 +17,9 @@ using grid::CellState;
 constexpr std::array<CellIndex, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 /// The cells around an opening, as far as it is looked into.
-grid::CellBox surroundings_of(const grid::DenseMap& map, const Opening& opening, int reach) {
+grid::CellBox surroundings_of(const grid::DenseMap& map, std::span<const std::uint32_t> opening, int reach) {
   grid::CellBox box;
-  for (const std::uint32_t i : opening.cells) box.extend(map.cell(i));
+  for (const std::uint32_t i : opening) box.extend(map.cell(i));
   return {{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
 }
 
@@ -29,7 +29,8 @@ struct Step {
 
 }  // namespace
 
-bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const GoalParams& params) {
+bool leads_to_unknown(const grid::DenseMap& map, std::span<const std::uint32_t> opening,
+                      const GoalParams& params) {
   const int reach = static_cast<int>(std::lround(params.behind_m / map.resolution_m));
   const auto enough =
       static_cast<std::size_t>(std::ceil(params.behind_m2 / (map.resolution_m * map.resolution_m)));
@@ -46,7 +47,7 @@ bool leads_to_unknown(const grid::DenseMap& map, const Opening& opening, const G
       steps.push_back({to, step.from});
     }
   };
-  for (const std::uint32_t i : opening.cells) {
+  for (const std::uint32_t i : opening) {
     const CellIndex c = map.cell(i);
     if (room.is_open(c)) visit_sides({c, c});
   }

@@ -25,18 +25,19 @@
 namespace topo::pipeline {
 
 enum class Finish : std::uint8_t {
-  kEssential,  ///< home when no essential goal is left
+  kEssential,  ///< home when no essential goal is left, and no gap onto a room (TourParams::overlooked_m2)
   kComplete,   ///< the remaining frontiers as well, in one tour with the essential goals
 };
 std::string_view to_text(Finish finish);
 
 /// The order in which a robot means to visit its goals (core/goals/tour.hpp).
 struct TourParams {
-  double length_share = 0.2;   ///< see goals::tour_cost_m
-  double gap_share = 0.5;      ///< what a gap is worth, against an essential goal at an opening as wide
-  double pocket_m2 = 0.1;      ///< a gap onto less unknown space, enclosed, is nobody's goal
-  double switch_share = 0.1;   ///< of the way to the present goal: what another tour has to save
-  std::size_t goals_max = 20;  ///< the nearest; the others can wait
+  double length_share = 0.2;    ///< see goals::tour_cost_m
+  double gap_share = 0.5;       ///< what a gap is worth, against an essential goal at an opening as wide
+  double pocket_m2 = 0.1;       ///< a gap onto less unknown space, enclosed, is nobody's goal
+  double overlooked_m2 = 10.0;  ///< Finish::kEssential: onto more, a gap is looked at before going home
+  double switch_share = 0.1;    ///< of the way to the present goal: what another tour has to save
+  std::size_t goals_max = 20;   ///< the nearest; the others can wait
 };
 
 struct PlannerParams {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/goals/opening_check.hpp"
 #include "core/goals/tour.hpp"
 #include "core/pipeline/planning_state.hpp"
 
@@ -31,17 +32,29 @@ double worth_of(const goals::Goal& goal, double gap_share) {
 
 }  // namespace
 
-/// Essential goals, and gaps that are worth a look when the exploration is to be complete.
+/// Essential goals, and gaps that are worth a look: all when the exploration is to be complete; else, when no
+/// essential goal is left, those through which the building goes on all the same.
 std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput& in, bool& cut_off) {
   search.settle(kExact_m);
   cut_off = false;
-  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
+  std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());
   std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
-  second_phase = candidates.empty() && params.finish == Finish::kComplete;
-  if (params.finish == Finish::kComplete) add_gaps(in, frontiers, candidates, cut_off);
+  second_phase = candidates.empty();
+  if (params.finish == Finish::kEssential) leave_overlooked(candidates.empty(), frontiers);
+  add_gaps(in, frontiers, candidates, cut_off);
   estimate_far_ones(candidates);
   return candidates;
+}
+
+/// The few goals that stand in for all others are gone, and something big may still be behind a door that one
+/// of them was to show. Nobody goes home before that was looked at.
+void PlanningState::Impl::leave_overlooked(bool nothing_else, std::vector<goals::Frontier>& frontiers) const {
+  goals::GoalParams onto_much = params.analysis.goals;
+  onto_much.behind_m2 = params.tour.overlooked_m2;
+  std::erase_if(frontiers, [&](const goals::Frontier& frontier) {
+    return !nothing_else || !goals::leads_to_unknown(map, frontier.cells, onto_much);
+  });
 }
 
 void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,

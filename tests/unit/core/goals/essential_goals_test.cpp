@@ -147,7 +147,7 @@ bool any_leads_to_unknown(const DrawnMap& drawn) {
   const Scene scene(drawn);
   const auto openings = find_openings(scene.input(), {});
   return std::any_of(openings.begin(), openings.end(),
-                     [&](const Opening& o) { return leads_to_unknown(scene.map, o, {}); });
+                     [&](const Opening& o) { return leads_to_unknown(scene.map, o.cells, {}); });
 }
 
 TEST(Filters, APocketIsNotSpaceToEnter) {

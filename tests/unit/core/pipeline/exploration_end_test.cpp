@@ -53,6 +53,27 @@ class Door : public ::testing::Test {
   PlanningOutput out;
 };
 
+/// Without a single essential goal; how much of the floor is known in the end.
+double known_in_the_end(ToyBuilding& building, double overlooked_m2) {
+  PlannerParams params;
+  params.finish = Finish::kEssential;
+  params.analysis.goals.opening_min_m = 100.0;
+  params.tour.overlooked_m2 = overlooked_m2;
+  PlanningState state(params);
+  PlanningOutput out;
+  do {
+    out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
+  } while (!out.report->mission_ended && building.now() < types::stamp_from_seconds(600.0));
+  EXPECT_EQ(out.report->activity, Activity::kDone) << out.report->reason;
+  return building.coverage();
+}
+
+TEST_F(Door, whatNoEssentialGoalStandsForIsLookedAtBeforeGoingHome) {
+  EXPECT_GT(known_in_the_end(building, 10.0), 0.9);
+  ToyBuilding other{floor(), 4.0};
+  EXPECT_LT(known_in_the_end(other, 1e6), 0.4);
+}
+
 TEST_F(Door, shutForGoodEndsTheExplorationAfterAWhileOfPatience) {
   go_to_the_door();
   shut();
