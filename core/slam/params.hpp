@@ -46,7 +46,7 @@ struct SearchParams {
   double cell_m = 0.05;
   double kernel_sigma_m = 0.10;
   int points_max = 120;  ///< every n-th point, n rounded down: fewer than twice as many
-  int depth = 5;  ///< coarsest node is 2^depth cells wide
+  int depth = 5;         ///< coarsest node is 2^depth cells wide
 };
 
 struct TrackParams {
