@@ -78,7 +78,8 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
                  "places in cells of 0.1 m, and a quiet way thought over every 4 s")
       ->check(CLI::IsMember({"full", "plan"}))
       ->capture_default_str();
-  app.add_option("--finish", explore.finish, "essential: home when the paper's goals are visited")
+  app.add_option("--finish", explore.finish,
+                 "essential: home when the paper's goals are visited, and no gap leads on to 10 m2 or more")
       ->check(CLI::IsMember({"essential", "complete"}))
       ->capture_default_str();
   app.add_option("--limit", explore.limit_s, "Seconds of the robot's time")->capture_default_str();
