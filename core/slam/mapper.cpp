@@ -35,6 +35,13 @@ bool is_good(const Match& match, const TrackParams& params) {
   return match.fit() >= params.response_good && match.response >= params.response_lost;
 }
 
+SearchWindow window_around(const Prior& prior, const TrackParams& params) {
+  const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
+  const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
+  return {std::min(params.search_max_m, params.search_floor_m + params.search_sigmas * sigma_m),
+          std::min(params.search_max_rad, params.search_floor_rad + params.search_sigmas * sigma_rad)};
+}
+
 bool is_within(const SearchWindow& window, const types::Se2& off) {
   return std::hypot(off.x_m, off.y_m) <= window.half_m && std::abs(off.theta_rad) <= window.half_rad;
 }
@@ -99,44 +106,58 @@ Prior Mapper::going_on(double seconds) const {
   return {T_map_base_ * guess, motion_information(guess, params_.motion) / kUnheard};
 }
 
-/// Where nothing fits near what odometry says, a robot that went on as before is tried: odometry that was
-/// held up for a second says nothing and then everything at once, which has been matched meanwhile.
+/// Where nothing fits near what odometry says, the robot is looked for. After a long way it is also where
+/// what fits is little: wheels that slip, or that do not tell forwards from backwards, make it up to twice as
+/// wrong as it is long, and half of another room may fit there.
 Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched) {
   const types::Se2& predicted = prior.T_map_base;
-  Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
-  if (is_good(match, params_.track)) return match;
-  searched = true;
-  const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
-  const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
   const TrackParams& limits = params_.track;
-  const SearchWindow window{
-      std::min(limits.search_max_m, limits.search_floor_m + limits.search_sigmas * sigma_m),
-      std::min(limits.search_max_rad, limits.search_floor_rad + limits.search_sigmas * sigma_rad)};
+  Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
+  const SearchWindow near = window_around(prior, limits);
+  const double astray_m = limits.search_ways * travel(T_map_base_, predicted);
+  const auto is_doubtful = [&] {
+    return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned_response);
+  };
+  if (!is_doubtful()) return match;
+  searched = true;
   const LikelihoodPyramid pyramid(local_map_, params_.search);
-  if (const auto hit = search(pyramid, points_, predicted, window, 0.2, params_.search)) {
+  if (!is_good(match, limits)) match = search_near(pyramid, prior, going_on, sensor, match);
+  if (astray_m > near.half_m && is_doubtful()) {
+    const SearchWindow far{std::min(limits.search_max_m, near.half_m + astray_m), near.half_rad};
+    if (const auto other = find_elsewhere(pyramid, predicted, far, sensor)) return *other;
+  }
+  if (match.response >= limits.response_lost) return match;
+  const SearchWindow all_round{limits.turned_m, std::numbers::pi};
+  return find_elsewhere(pyramid, predicted, all_round, sensor).value_or(match);
+}
+
+/// Beside the window a robot that went on as before is tried: odometry that was held up for a second says
+/// nothing and then everything at once, which has been matched meanwhile.
+Match Mapper::search_near(const LikelihoodPyramid& pyramid, const Prior& prior, const Prior& going_on,
+                          const Point& sensor, Match match) const {
+  const SearchWindow window = window_around(prior, params_.track);
+  if (const auto hit = search(pyramid, points_, prior.T_map_base, window, 0.2, params_.search)) {
     const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
     if (other.response > match.response + kSearchResponse) match = other;
   }
-  if (!is_within(window, predicted.inverse() * going_on.T_map_base)) {
+  if (!is_within(window, prior.T_map_base.inverse() * going_on.T_map_base)) {
     const Match gone_on = refine(local_map_, points_, sensor, going_on.T_map_base, going_on, params_.refine);
     if (is_good(gone_on, params_.track) && gone_on.response > match.response + kSearchResponse)
       match = gone_on;
   }
-  if (match.response >= params_.track.response_lost) return match;
-  return find_turned(pyramid, predicted, sensor).value_or(match);
+  return match;
 }
 
-/// Wheels slip and robots are turned by hand, and odometry hears nothing of it: where nothing fits, all
-/// headings are tried. Where two of them fit (a corridor up and down), odometry is followed, and so it is
-/// where it leads to ground that nobody has seen: there nothing can fit, and what does elsewhere is chance.
-std::optional<Match> Mapper::find_turned(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
-                                         const Point& sensor) const {
+/// Wheels slip and robots are turned by hand, and odometry hears nothing of it. Where two places fit (a
+/// corridor up and down), odometry is followed, and so it is where it leads to ground that nobody has seen:
+/// there nothing can fit, and what does elsewhere is chance.
+std::optional<Match> Mapper::find_elsewhere(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
+                                            const SearchWindow& window, const Point& sensor) const {
   const TrackParams& track = params_.track;
-  const SearchWindow all_round{track.turned_m, std::numbers::pi};
-  const auto hit = search(pyramid, points_, predicted, all_round, kTurnedScore, params_.search);
+  const auto hit = search(pyramid, points_, predicted, window, kTurnedScore, params_.search);
   if (!hit) return std::nullopt;
   const Exclusion found{hit->T_map_base, track.turned_m, kTurnedApart_rad};
-  if (search(pyramid, points_, predicted, all_round, track.turned_peak_ratio * hit->score, params_.search,
+  if (search(pyramid, points_, predicted, window, track.turned_peak_ratio * hit->score, params_.search,
              found))
     return std::nullopt;
   const Match match = refine(local_map_, points_, sensor, hit->T_map_base, std::nullopt, params_.refine);

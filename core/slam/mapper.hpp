@@ -130,8 +130,11 @@ class Mapper {
   [[nodiscard]] Prior predict(const types::Se2& motion, double seconds) const;
   [[nodiscard]] Prior going_on(double seconds) const;
   Match track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched);
-  [[nodiscard]] std::optional<Match> find_turned(const LikelihoodPyramid& pyramid,
-                                                 const types::Se2& predicted, const Point& sensor) const;
+  [[nodiscard]] Match search_near(const LikelihoodPyramid& pyramid, const Prior& prior, const Prior& going_on,
+                                  const Point& sensor, Match match) const;
+  [[nodiscard]] std::optional<Match> find_elsewhere(const LikelihoodPyramid& pyramid,
+                                                    const types::Se2& predicted, const SearchWindow& window,
+                                                    const Point& sensor) const;
   [[nodiscard]] FreeGround local_ground() const;
   [[nodiscard]] bool is_apart(std::size_t node, double way_m, double turn_rad) const;
   [[nodiscard]] bool has_enough_alike() const;

@@ -57,6 +57,7 @@ struct TrackParams {
   double search_floor_rad = 0.25;
   double search_max_m = 3.0;  ///< however long nothing was seen: a search takes a time that is bounded
   double search_max_rad = 1.2;
+  double search_ways = 2.0;         ///< so many times the way since the last scan may odometry be wrong
   double turned_m = 0.6;            ///< half width of the search over all headings for a robot that is lost
   double turned_response = 0.60;    ///< what it finds is believed from here on,
   double turned_peak_ratio = 0.90;  ///< when the next best place is no better than this share of it

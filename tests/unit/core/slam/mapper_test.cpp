@@ -241,13 +241,19 @@ TEST(Mapper, OdometryThatWasHeldUpIsNotFollowedASecondTime) {
   }
 }
 
-/// Where the robot is said to be when it was turned on the spot between two scans, and no wheel moved.
-MatchReport turned_unheard(const mocks::FlatWorld& world, const Se2& pose, double turn_rad) {
+/// Where the robot is said to be when it moved so between two scans, and odometry heard something else.
+MatchReport moved_as_heard(const mocks::FlatWorld& world, const Se2& pose, const Se2& moved,
+                           const Se2& heard) {
   std::mt19937 random(6);
   Mapper mapper({}, {}, pose);
   walls::ColumnCollector columns({});
   (void)mapper.add(testing::view_of(world, pose, 0.02, random).cloud, {}, columns);
-  return mapper.add(testing::view_of(world, pose * Se2{0.0, 0.0, turn_rad}, 0.02, random).cloud, {}, columns);
+  return mapper.add(testing::view_of(world, pose * moved, 0.02, random).cloud, heard, columns);
+}
+
+/// The same of a robot that was turned on the spot, and no wheel moved.
+MatchReport turned_unheard(const mocks::FlatWorld& world, const Se2& pose, double turn_rad) {
+  return moved_as_heard(world, pose, {0.0, 0.0, turn_rad}, {});
 }
 
 TEST(Mapper, FindsItsHeadingAfterATurnThatOdometryDidNotHear) {
@@ -255,6 +261,14 @@ TEST(Mapper, FindsItsHeadingAfterATurnThatOdometryDidNotHear) {
   EXPECT_TRUE(report.matched);
   EXPECT_NEAR(report.T_map_base.theta_rad, 1.4, 0.02);
   EXPECT_NEAR(report.T_map_base.x_m, 3.0, 0.03);
+}
+
+TEST(Mapper, FindsItselfAfterALongWayBackThatOdometryHeardAsOneAhead) {
+  const MatchReport report =
+      moved_as_heard(mocks::two_rooms(), {3.0, 3.0, 0.0}, {-0.8, 0.0, 0.1}, {0.8, 0.0, 0.1});
+  EXPECT_TRUE(report.matched);
+  EXPECT_NEAR(report.T_map_base.x_m, 2.2, 0.03);
+  EXPECT_NEAR(report.T_map_base.y_m, 3.0, 0.03);
 }
 
 /// Ends of beams on two walls that meet in a corner, all seen from the origin turned by an angle.
