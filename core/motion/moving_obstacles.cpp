@@ -47,6 +47,7 @@ struct MovingObstacles::Fit {
     }
     if (sightings > 1) lay(track);
   }
+  std::size_t anchor = kCentre;
   std::size_t sightings = 0;
   Vector2 velocity_mps{0.0, 0.0};
   double off_m = 0.0;  ///< of the sighting farthest off the line
@@ -75,7 +76,6 @@ struct MovingObstacles::Fit {
     }
     span_s = track.newest().at_s - track.seen[begin].at_s;
   }
-  std::size_t anchor = kCentre;
 };
 
 Vector2 MovingObstacles::Track::expected(double at_s) const {

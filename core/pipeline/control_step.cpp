@@ -27,7 +27,6 @@ using types::Twist2;
 constexpr std::size_t kObstaclesMax = 512;
 constexpr double kObstacleReach_m = 2.8;  // more than the way that 0.7 m/s needs free
 constexpr double kObstacleSpacing_m = 0.03;
-constexpr double kExtrapolateMax_s = 0.3;
 constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wished for no longer: off
 constexpr double kSameGoal_m = 0.2;
 const motion::Trail kNoTrail;
@@ -42,13 +41,6 @@ struct Wish {
 
 bool is_fresh(types::Stamp stamp, types::Stamp now, types::Duration age_max) {
   return !motion::is_stale(stamp, now, age_max);
-}
-
-/// Where the robot is now by its newest reckoning, which is up to some 200 ms old.
-Se2 extrapolated(const types::Odometry& odometry, types::Stamp now) {
-  const double dt_s = std::clamp(types::to_seconds(now - odometry.stamp), 0.0, kExtrapolateMax_s);
-  const double turn = odometry.twist.omega_radps * dt_s, way = odometry.twist.v_mps * dt_s;
-  return odometry.T_odom_base.se2() * Se2{way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn};
 }
 
 /// Reasons that have to do with the place and not with the state of the robot.
@@ -178,7 +170,7 @@ motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, cons
 std::optional<Se2> ControlState::Impl::place(const ControlSetup& setup, const ControlInput& in) const {
   if (in.plan == nullptr || !in.plan->located || in.state == nullptr) return std::nullopt;
   if (!is_fresh(in.plan->stamp, in.now, setup.plan_age_max)) return std::nullopt;
-  return in.plan->T_map_odom.se2() * extrapolated(in.state->odometry, in.now);
+  return in.plan->T_map_odom.se2() * motion::pose_at(in.state->odometry, in.now);
 }
 
 std::span<const motion::MovingObstacle> ControlState::Impl::look_for_movers(const ControlSetup& setup,
@@ -267,7 +259,7 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
     recovery.pause(in.now);
     return wish;
   }
-  const Se2 T_odom_base = extrapolated(gate_in.base->odometry, in.now);
+  const Se2 T_odom_base = motion::pose_at(gate_in.base->odometry, in.now);
   const motion::FollowOutput out = way(plan, T_odom_base, gate_in);
   yielding.update(in.now, is_held_up(out.blocked, last_reason, gate_in.moving), gate_in.moving);
   if (!recovering && !out.arrived && (yielding.waits() || yielding.lets_go_first())) {

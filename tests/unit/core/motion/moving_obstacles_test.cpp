@@ -64,7 +64,7 @@ TEST(MovingObstacles, WhatStandsNeverMovesHoweverTheRobotGoes) {
                                 {0.5, {0.7, 0.0}, 0.5}, {2.0, {0.3, -0.1}, 0.0}, {3.0, {0.0, 1.2}, 0.0},
                                 {0.5, {0.0, 1.2}, 0.6}, {3.0, {0.4, 0.6}, 0.0},  {2.0, {0.2, -1.0}, 0.0},
                                 {0.6, {0.3, 0.0}, 0.4}};
-  for (unsigned seed = 1; seed <= 4; ++seed) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
     MovingScene scene(seed);
     scene.walls = rooms();
     scene.free_of_gate = true;
@@ -126,7 +126,7 @@ TEST(MovingObstacles, TheRobotStandsBeforeWhatComesTouchesIt) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   int hit_when_all_stands = 0;
-  for (int i = 0; i < 80; ++i) {
+  for (int i = 0; i < 40; ++i) {
     Encounter e{i % 2 == 0, between(0.5, 1.6), (i % 4 < 2 ? 1.0 : -1.0) * between(60.0, 180.0),
                 between(-0.9, 0.9)};
     const Outcome with = meet(e, 7, 5.0);
@@ -136,7 +136,7 @@ TEST(MovingObstacles, TheRobotStandsBeforeWhatComesTouchesIt) {
     e.takes_all_for_standing = true;
     if (i % 4 == 0 && meet(e, 7, 5.0).contact_speed_mps > 0.1) ++hit_when_all_stands;
   }
-  EXPECT_GT(hit_when_all_stands, 5) << "of 20: these encounters are no test";
+  EXPECT_GT(hit_when_all_stands, 2) << "of 10: these encounters are no test";
 }
 
 TEST(MovingObstacles, NothingHoldsUpTheRobotWhenItGoesByBehindItOrAway) {
