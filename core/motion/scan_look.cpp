@@ -14,7 +14,7 @@ using types::Vector2;
 std::size_t ScanLook::beam_towards(const Vector2& p) const {
   const double beam = (std::atan2(p.y(), p.x()) - first_rad) / step_rad;
   if (!(beam > -0.5 && beam < static_cast<double>(beams) - 0.5)) return beams;
-  return static_cast<std::size_t>(beam + 0.5);
+  return static_cast<std::size_t>(std::lround(beam));
 }
 
 double ScanLook::clear_towards_m(const Vector2& p, double radius_m) const {
