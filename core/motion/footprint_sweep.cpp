@@ -139,6 +139,10 @@ bool contains(const Footprint& f, const Vector2& p) {
          p.squaredNorm() <= f.swing_radius_m * f.swing_radius_m;
 }
 
+double distance_m(const Vector2& p, const Footprint& f) {
+  return contains(f, p) ? 0.0 : (p - nearest_in(f, p)).norm();
+}
+
 double contact_time_s(const Vector2& p, const Twist2& twist, const Footprint& f) {
   if (contains(f, p)) return 0.0;
   if (std::abs(twist.omega_radps) < kStraight_radps) return straight_contact_s(p, twist.v_mps, f);

@@ -55,5 +55,7 @@ class FirstContact {
 };
 
 bool contains(const Footprint& footprint, const types::Vector2& p_base);
+/// From the outline to a point outside of it; 0 inside.
+double distance_m(const types::Vector2& p_base, const Footprint& footprint);
 
 }  // namespace topo::motion

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/motion/footprint_sweep.hpp"
+#include "core/motion/giving_way.hpp"
 
 namespace topo::motion {
 namespace {
@@ -116,6 +117,8 @@ bool must_brake_hard(const GateInput& in) {
   constexpr double kSlow_mps = 0.1;
   const Twist2& measured = in.base->odometry.twist;
   if (!(measured.v_mps > kSlow_mps)) return false;
+  const Twist2 slower{kLate * measured.v_mps, kLate * measured.omega_radps};
+  if (!stands_in_time(slower, in.moving, alive_time_s(in), 0.0, in.limits)) return true;
   RobotLimits bare = in.limits;
   bare.margin_m = 0.0;
   const double free_s = free_time_s(measured, bare, surroundings(in));
@@ -137,6 +140,10 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   out.free_distance_m = free_distance_m(next, free_s);
   double scale = stopping_scale(next, free_s, blind_s, in.limits);
   scale = std::min(scale, slip_scale(next, in));
+  // By a daemon that is alive, as beside what may be touched when a wheel slips.
+  const double yielding = giving_way_scale(next, in.moving, alive_time_s(in), in.limits);
+  const bool gives_way = yielding < scale;
+  scale = std::min(scale, yielding);
   bool at_edge = false;
   if (has_area(in) && scale > 0.0) {
     const Twist2 clear{next.v_mps * scale, next.omega_radps * scale};
@@ -151,7 +158,7 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   const Twist2 safe{next.v_mps * scale, next.omega_radps * scale};
   const bool creeps = std::abs(safe.v_mps) < kCreep_mps && std::abs(safe.omega_radps) < kCreep_radps;
   if (scale < 1.0 && creeps) {
-    out.reason = at_edge ? GateReason::kAreaLimit : GateReason::kBlocked;
+    out.reason = at_edge ? GateReason::kAreaLimit : gives_way ? GateReason::kGivesWay : GateReason::kBlocked;
     return;
   }
   out.command.twist = safe;
@@ -291,6 +298,8 @@ std::string_view to_text(GateReason reason) {
       return "stopped: the edge of the allowed area is too near";
     case GateReason::kNoPlace:
       return "stopped: there are area limits, and the robot's place is not known";
+    case GateReason::kGivesWay:
+      return "stopped: gives way to something that moves";
   }
   return "unknown";
 }

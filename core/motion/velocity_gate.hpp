@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/motion/area_limits.hpp"
+#include "core/motion/moving_obstacle.hpp"
 #include "core/motion/robot_limits.hpp"
 #include "core/motion/stop_zone.hpp"
 #include "core/types/base_state.hpp"
@@ -35,6 +36,7 @@ enum class GateReason {
   kReverse,    ///< the rear is blind
   kAreaLimit,  ///< the edge of the allowed area is too near
   kNoPlace,    ///< there are area limits, and nobody knows where the robot is
+  kGivesWay,   ///< something that moves comes across the way
 };
 
 /// One sentence for a person.
@@ -54,6 +56,7 @@ struct GateInput {
   const types::Scan* front_scan = nullptr;
   types::Se2 T_base_laser;
   std::span<const ScanPoint> front_points;  ///< as Surroundings::points
+  std::span<const MovingObstacle> moving;   ///< in base, at the scan's first beam
   std::span<const types::Se2> T_base_sonar;
   bool estop_pressed = false;
   bool estop_cleared = false;  ///< by the operator, in this period; does nothing while something is pressed

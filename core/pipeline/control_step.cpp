@@ -8,11 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "core/motion/moving_obstacles.hpp"
 #include "core/motion/path_follower.hpp"
 #include "core/motion/recovery.hpp"
 #include "core/motion/stop_zone.hpp"
 #include "core/motion/trail.hpp"
 #include "core/motion/unseen_echoes.hpp"
+#include "core/motion/yielding.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -25,7 +27,6 @@ using types::Twist2;
 constexpr std::size_t kObstaclesMax = 512;
 constexpr double kObstacleReach_m = 2.8;  // more than the way that 0.7 m/s needs free
 constexpr double kObstacleSpacing_m = 0.03;
-constexpr double kExtrapolateMax_s = 0.3;
 constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wished for no longer: off
 constexpr double kSameGoal_m = 0.2;
 const motion::Trail kNoTrail;
@@ -42,16 +43,16 @@ bool is_fresh(types::Stamp stamp, types::Stamp now, types::Duration age_max) {
   return !motion::is_stale(stamp, now, age_max);
 }
 
-/// Where the robot is now by its newest reckoning, which is up to some 200 ms old.
-Se2 extrapolated(const types::Odometry& odometry, types::Stamp now) {
-  const double dt_s = std::clamp(types::to_seconds(now - odometry.stamp), 0.0, kExtrapolateMax_s);
-  const double turn = odometry.twist.omega_radps * dt_s, way = odometry.twist.v_mps * dt_s;
-  return odometry.T_odom_base.se2() * Se2{way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn};
-}
-
 /// Reasons that have to do with the place and not with the state of the robot.
 bool is_in_the_way(GateReason reason) {
   return reason == GateReason::kBlocked || reason == GateReason::kAreaLimit;
+}
+
+/// Does something that moves hold up a robot that finds no way, or only it?
+bool is_held_up(bool blocked, GateReason last, std::span<const motion::MovingObstacle> moving) {
+  constexpr double kBeside_m = 1.5;
+  if (last == GateReason::kGivesWay) return true;
+  return (blocked || is_in_the_way(last)) && !moving.empty() && moving.front().centre.norm() < kBeside_m;
 }
 
 bool is_touch(GateReason reason) { return reason == GateReason::kStall || reason == GateReason::kBumper; }
@@ -107,9 +108,14 @@ struct ControlState::Impl {
   types::Vector2 touched_odom{0.0, 0.0};
   std::array<types::Vector2, kObstaclesMax> obstacles{};
   std::array<motion::ScanPoint, types::Scan::kMaxBeams> points{};
+  motion::MovingObstacles tracker;
+  std::array<motion::MovingObstacle, motion::MovingObstacles::kMax> moving{};
+  motion::Yielding yielding;
 
   [[nodiscard]] motion::GateInput gate_input(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] std::optional<Se2> place(const ControlSetup& setup, const ControlInput& in) const;
+  [[nodiscard]] std::span<const motion::MovingObstacle> look_for_movers(const ControlSetup& setup,
+                                                                        const ControlInput& in);
   void drive_on(const ControlInput& in);
   void count_touches(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] bool may_follow(const ControlSetup& setup, const ControlInput& in);
@@ -148,6 +154,7 @@ motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, cons
   g.T_base_laser = setup.T_base_laser;
   if (in.front != nullptr)
     g.front_points = {points.data(), motion::scan_points(*in.front, setup.T_base_laser, points)};
+  g.moving = look_for_movers(setup, in);
   g.T_base_sonar = in.T_base_sonar;
   g.estop_pressed = in.estop;
   g.estop_cleared = in.estop_cleared;
@@ -163,7 +170,14 @@ motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, cons
 std::optional<Se2> ControlState::Impl::place(const ControlSetup& setup, const ControlInput& in) const {
   if (in.plan == nullptr || !in.plan->located || in.state == nullptr) return std::nullopt;
   if (!is_fresh(in.plan->stamp, in.now, setup.plan_age_max)) return std::nullopt;
-  return in.plan->T_map_odom.se2() * extrapolated(in.state->odometry, in.now);
+  return in.plan->T_map_odom.se2() * motion::pose_at(in.state->odometry, in.now);
+}
+
+std::span<const motion::MovingObstacle> ControlState::Impl::look_for_movers(const ControlSetup& setup,
+                                                                            const ControlInput& in) {
+  if (in.front == nullptr || in.state == nullptr || !motion::is_finite(*in.state)) return {};
+  tracker.update(*in.front, setup.T_base_laser, in.state->odometry);
+  return {moving.data(), tracker.around(in.state->odometry, in.front->first_beam, moving)};
 }
 
 /// The trail takes every reckoning once.
@@ -239,13 +253,21 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
   }
   const bool able = gate_in.base != nullptr && gate_in.front_scan != nullptr &&
                     motion::is_finite(*gate_in.base) &&
-                    (lets_move(last_reason) || is_in_the_way(last_reason) || is_touch(last_reason));
+                    (lets_move(last_reason) || is_in_the_way(last_reason) || is_touch(last_reason) ||
+                     last_reason == GateReason::kGivesWay);
   if (!able) {  // the gate says why; it is nobody's fault that the robot does not get on
     recovery.pause(in.now);
     return wish;
   }
-  const Se2 T_odom_base = extrapolated(gate_in.base->odometry, in.now);
+  const Se2 T_odom_base = motion::pose_at(gate_in.base->odometry, in.now);
   const motion::FollowOutput out = way(plan, T_odom_base, gate_in);
+  yielding.update(in.now, is_held_up(out.blocked, last_reason, gate_in.moving), gate_in.moving);
+  if (!recovering && !out.arrived && (yielding.waits() || yielding.lets_go_first())) {
+    recovery.pause(in.now);
+    wish.mode = ControlMode::kWaiting;
+    if (yielding.waits()) wish.twist = out.twist;
+    return wish;
+  }
   motion::RecoveryInput r;
   r.now = in.now;
   r.goal_id = plan.goal_id;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <memory>
 
 #include "tests/unit/support/allocation_counter.hpp"
@@ -282,6 +283,43 @@ TEST_F(ControlStepTest, TheHandCreepsOffAPressedRearBumperAndNothingElseMovesIt)
   EXPECT_GT(run(40).command.twist.v_mps, 0.25) << "and off it all is as before";
 }
 
+/// Somebody walks to and fro across the way, 0.6 m ahead, two metres to either side.
+void put_walker(types::Scan& scan, double t_s) {
+  constexpr double kAhead_m = 0.6, kAside_m = 2.0, kSpeed_mps = 1.0, kRadius_m = 0.2;
+  const double way_m = std::fmod(kSpeed_mps * t_s, 4.0 * kAside_m);
+  const types::Vector2 at(kAhead_m, way_m < 2.0 * kAside_m ? way_m - kAside_m : 3.0 * kAside_m - way_m);
+  scan.range_m.fill(10.0F);
+  for (std::size_t i = 0; i < scan.beams; ++i) {
+    const double angle = static_cast<double>(scan.angle_rad(i));
+    const double along = at.dot(types::Vector2(std::cos(angle), std::sin(angle)));
+    const double through = kRadius_m * kRadius_m - at.squaredNorm() + along * along;
+    if (along > 0.0 && through > 0.0) scan.range_m[i] = static_cast<float>(along - std::sqrt(through));
+  }
+}
+
+TEST_F(ControlStepTest, WhoWalksAcrossIsWaitedForAndNoReasonToBackOffUntilPatienceEnds) {
+  input.teleop = nullptr;
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  const types::Stamp from = now;
+  bool waited = false, moved_before_it = false;
+  std::uint32_t recoveries_soon = 0, recoveries = 0;
+  for (int i = 0; i < 600; ++i) {
+    plan.stamp = now;
+    put_walker(*scan, types::to_seconds(now - from));
+    const ControlOutput out = run(1);
+    waited = waited || out.report.mode == ControlMode::kWaiting;
+    moved_before_it = moved_before_it ||
+                      (out.report.reason == GateReason::kGivesWay && out.command.twist != types::Twist2{});
+    recoveries = out.report.recoveries;
+    if (i < 190) recoveries_soon = recoveries;
+  }
+  EXPECT_TRUE(waited);
+  EXPECT_FALSE(moved_before_it);
+  EXPECT_EQ(recoveries_soon, 0U) << "in nine seconds, in which it does not get on";
+  EXPECT_GE(recoveries, 1U) << "but not for ever";
+}
+
 TEST_F(ControlStepTest, AllocatesNothing) {
   Plan plan = plan_ahead(now);
   input.plan = &plan;
@@ -292,6 +330,7 @@ TEST_F(ControlStepTest, AllocatesNothing) {
     plan.stamp = now;
     if (i == 20) input.teleop = nullptr;
     if (i == 80) scan->range_m.fill(0.35F);  // blocked: waits, backs off, turns
+    if (i >= 140) put_walker(*scan, 0.05 * i);
     if (i % 10 == 0) ++plan.sequence;
     run(1);
   }
