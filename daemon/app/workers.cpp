@@ -122,14 +122,19 @@ Status Workers::start() {
   return launch(base_thread_, real_time("base", config.base_priority), *base_);
 }
 
+void Workers::close_devices() {
+  hand_overs_.devices_closing.store(true, std::memory_order_release);
+  base_thread_.join();
+  front_thread_.join();
+  coronal_thread_.join();
+}
+
 void Workers::stop() {
+  close_devices();
   hand_overs_.stopping.store(true, std::memory_order_release);
   hand_overs_.planning_wakeup.post();
   hand_overs_.closure_wakeup.post();
   hand_overs_.journal_wakeup.post();
-  base_thread_.join();
-  front_thread_.join();
-  coronal_thread_.join();
   closure_thread_.join();
   planning_thread_.join();
   journal_thread_.join();  // the mapping thread answers it to the last

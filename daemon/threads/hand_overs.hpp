@@ -88,8 +88,9 @@ struct ScanHandOver {
 
 /// Everything that goes from one thread to another (DESIGN section 2). Large: for the heap.
 struct HandOvers {
-  std::atomic<bool> stopping{false};      ///< every thread but mapping's ends soon after
-  std::atomic<bool> readers_gone{false};  ///< nobody pins maps any more: the mapping thread ends
+  std::atomic<bool> devices_closing{false};  ///< first of all: the base's and the scanners' threads end
+  std::atomic<bool> stopping{false};         ///< then every other thread but mapping's
+  std::atomic<bool> readers_gone{false};     ///< nobody pins maps any more: the mapping thread ends
 
   ScanHandOver front, coronal;
 

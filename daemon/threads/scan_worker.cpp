@@ -13,7 +13,7 @@ ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
     : hand_overs_(hand_overs), out_(out), front_(front), session_(std::move(session)), vitals_(vitals) {}
 
 void ScanWorker::run() noexcept {
-  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+  while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
     // Paced by the sensor, or by the time-out: a session returns earlier only with news.
     const hokuyo::StepOutcome outcome = step();
     vitals_.beat();
