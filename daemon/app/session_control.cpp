@@ -9,6 +9,7 @@
 
 #include "daemon/config/key_table.hpp"
 #include "daemon/recording/format.hpp"
+#include "daemon/session/maker.hpp"
 #include "daemon/session/session_writer.hpp"
 #include "drivers/io/posix.hpp"
 
@@ -214,9 +215,10 @@ Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
   const auto news = client_.ask(ask, kPatience);
   if (news == nullptr) return fail(Errc::kTimeout, "the mapping thread does not answer");
   if (news->session.keyframes.empty()) return fail(Errc::kBusy, "no scan came since the start");
-  const auto found = place(file.session, *news, pose, hint);
+  const slam::Session session = claimed(file.session, configuration_.robot.id);
+  const auto found = place(session, *news, pose, hint);
   if (!found) return tl::unexpected(found.error());
-  if (auto s = hand_over(file.session, *news, found->match); !s) return tl::unexpected(s.error());
+  if (auto s = hand_over(session, *news, found->match); !s) return tl::unexpected(s.error());
   return Loaded{file.session.keyframes.size(), file.closed, file.params_hash != params_hash_,
                 describe(*found), found->match.T_map_base};
 }
@@ -247,7 +249,8 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
     return fail(Errc::kBusy, "the mapping thread has not taken the session before over yet");
   slot->content = std::make_unique<pipeline::MappingState>(
       mapper_params(configuration_), session,
-      slam::Arrival{news.cloud, news.T_odom_base, match.T_map_base, match.scan_information});
+      slam::Arrival{news.cloud, news.T_odom_base, match.T_map_base, match.scan_information},
+      new_maker(configuration_.robot.id));
   hand_overs_.take_over.commit();
   SessionAsk known;
   known.map = news.map;

@@ -3,6 +3,7 @@
 #include "daemon/app/workers.hpp"
 
 #include "daemon/app/session_control.hpp"
+#include "daemon/session/maker.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -59,7 +60,8 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
         workers->coronal_vitals_);
     workers->vital_.push_back(&workers->coronal_vitals_);
   }
-  workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), workers->mapping_vitals_);
+  workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id),
+                                                      workers->mapping_vitals_);
   workers->planning_ = std::make_unique<PlanningWorker>(hand_overs, planner_params(c),
                                                         types::from_seconds(c.exploration.planning_period_s),
                                                         workers->planning_vitals_);

@@ -8,13 +8,14 @@
 
 namespace topo::daemon {
 
-MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, Vitals& vitals)
-    : hand_overs_(hand_overs), params_(params), vitals_(vitals) {
+MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params,
+                             const slam::Maker& maker, Vitals& vitals)
+    : hand_overs_(hand_overs), params_(params), maker_(maker), vitals_(vitals) {
   odometry_.reserve(kOdometryRing);
 }
 
 void MappingWorker::run() noexcept {
-  auto state = std::make_unique<pipeline::MappingState>(params_);
+  auto state = std::make_unique<pipeline::MappingState>(params_, maker_);
   publish(*state);
   while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
     hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));

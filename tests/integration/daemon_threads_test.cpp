@@ -23,6 +23,7 @@
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/control/unix_socket.hpp"
+#include "daemon/session/session_reader.hpp"
 #include "daemon/topoctl/client.hpp"
 #include "drivers/io/posix.hpp"
 #include "drivers/io/unique_fd.hpp"
@@ -116,6 +117,13 @@ class DaemonThreads : public ::testing::Test {
     });
   }
 
+  /// The session that the folder has under the name.
+  slam::Session kept(const std::string& name) {
+    const auto loaded = load_session(folder.file(name + ".session"));
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    return loaded ? loaded->session : slam::Session{};
+  }
+
   std::ostringstream log;
   std::shared_ptr<spdlog::sinks::ostream_sink_mt> log_sink =
       std::make_shared<spdlog::sinks::ostream_sink_mt>(log);
@@ -174,6 +182,31 @@ TEST_F(DaemonThreads, SessionsAreKeptSavedAndGoneOnWith) {
   ASSERT_TRUE(
       until([](const Json& s) { return s["session"]["journal"]["keyframes"] == s["map"]["keyframes"]; }));
   EXPECT_EQ(ask("session.list")["sessions"].size(), 3U) << "the saved one, and a journal of each map";
+  // The map before it had grown since it was saved: nothing of the one is numbered as something of the other.
+  ASSERT_FALSE(ask("session.save", {{"name", "on"}}).empty());
+  const slam::Session room = kept("room"), on = kept("on");
+  const std::size_t shared = room.keyframes.size();
+  ASSERT_GT(on.keyframes.size(), shared);
+  for (std::size_t i = 0; i < shared; ++i) EXPECT_EQ(on.keyframes[i]->id, room.keyframes[i]->id);
+  for (std::size_t i = shared; i < on.keyframes.size(); ++i) {
+    EXPECT_EQ(on.keyframes[i]->id.robot, 1);
+    EXPECT_NE(on.keyframes[i]->id.maker(), room.keyframes[0]->id.maker());
+  }
+}
+
+TEST_F(DaemonThreads, EveryStartSignsItsKeyframesWithARunOfItsOwn) {
+  std::array<slam::Maker, 2> makers;
+  for (slam::Maker& maker : makers) {
+    if (app == nullptr) start_daemon();
+    ASSERT_TRUE(until_ready());
+    ASSERT_FALSE(ask("session.save", {{"name", "start"}}).empty());
+    maker = kept("start").keyframes.at(0)->id.maker();
+    stop_daemon();
+    app.reset();
+  }
+  EXPECT_EQ(makers[0].robot, 1);
+  EXPECT_EQ(makers[1].robot, 1);
+  EXPECT_NE(makers[0].run, makers[1].run);
 }
 
 TEST_F(DaemonThreads, EstopStopsAndLatches) {

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 TEST(MappingWorker, BeatsAndSkipsWhileItNeverCatchesUp) {
   const auto hand_overs = std::make_unique<HandOvers>();
   Vitals vitals("mapping");
-  MappingWorker worker(*hand_overs, slam::MapperParams{}, vitals);
+  MappingWorker worker(*hand_overs, slam::MapperParams{}, {}, vitals);
   std::thread thread([&worker] { worker.run(); });
   types::Odometry odometry;
   const types::Stamp limit = io::monotonic_now() + 60s;
