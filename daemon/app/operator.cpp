@@ -246,10 +246,7 @@ void Operator::load_session(const std::string& name, const std::optional<types::
   sessions_.load(name, pose, done);
 }
 
-Status Operator::begin_anew() {
-  sessions_.begin_anew();
-  return {};
-}
+Status Operator::begin_anew() { return sessions_.begin_anew(); }
 
 Status Operator::set_log_level(const std::string& level) {
   const auto parsed = parse_log_level(level);
