@@ -94,7 +94,9 @@ bool MappingWorker::step(pipeline::MappingState& state) {
   if (odometry_.empty() && input.front == nullptr && input.coronal == nullptr) return false;
   const types::Stamp begin = io::monotonic_now();
   if (input.front != nullptr) vitals_.wake.record((begin - input.front->arrival).count());
+  const pipeline::MappingLosses before = state.losses();
   auto output = pipeline::mapping_step(state, input);
+  report_.losses += state.losses() - before;
   if (input.front != nullptr) front_ring.pop();
   if (input.coronal != nullptr) coronal_ring.pop();
   use(state, output);
@@ -103,7 +105,7 @@ bool MappingWorker::step(pipeline::MappingState& state) {
 }
 
 void MappingWorker::skip_backlog(sync::Ring<types::Scan, kScanRing>& ring) {
-  if (ring.size() > kBacklog) report_.skipped += ring.skip_to_newest();
+  if (ring.size() > kBacklog) ring.skip_to_newest();  // counted there
 }
 
 void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& output) {
