@@ -116,8 +116,7 @@ DoctorFacts Monitor::facts() const {
     facts.can->faults_lately -= tallies_.front().bus;
   }
   facts.base = base_;
-  facts.battery_home_v = c.exploration.battery_home_v;
-  facts.charge_home = c.exploration.charge_home;
+  facts.battery = c.exploration.battery_limits();
   facts.has_map = has_map();
   if (!tallies_.empty()) {
     facts.scans_matched_lately = mapping_.matched - tallies_.front().matched;
