@@ -38,6 +38,15 @@ struct MappingOutput {
 struct MappingLosses {
   std::uint64_t without_odometry = 0;  ///< no dead reckoning had been heard of yet
   std::uint64_t queue_full = 0;        ///< more waited for odometry than there is room for
+
+  MappingLosses& operator+=(const MappingLosses& more) {
+    without_odometry += more.without_odometry;
+    queue_full += more.queue_full;
+    return *this;
+  }
+  friend MappingLosses operator-(const MappingLosses& later, const MappingLosses& earlier) {
+    return {later.without_odometry - earlier.without_odometry, later.queue_full - earlier.queue_full};
+  }
 };
 
 /// The mapping thread's whole state: keyframes, local map, pose graph, grid, wall store. Used by one thread.

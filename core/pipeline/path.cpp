@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/path_follower.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -84,6 +86,7 @@ std::vector<Vector2> smooth_path(const DenseMap& map, std::span<const float> cle
 void put_path(std::span<const Vector2> path_map, const types::Transform2<types::Map, types::Odom>& T_map_odom,
               Plan& plan) {
   const types::Se2 T_odom_map = T_map_odom.se2().inverse();
+  static_assert(motion::PathFollower::kMaxPoints >= Plan::kMaxPoints, "a plan's end would not be followed");
   const std::size_t points = std::min(path_map.size(), Plan::kMaxPoints);
   for (std::size_t i = 0; i < points; ++i) plan.path_odom[i] = T_odom_map * path_map[i];
   plan.points = static_cast<std::uint16_t>(points);

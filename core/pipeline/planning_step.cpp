@@ -8,6 +8,7 @@
 
 #include "core/pipeline/path.hpp"
 #include "core/pipeline/planning_state.hpp"
+#include "core/types/battery.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -18,7 +19,6 @@ constexpr types::Duration kControlAgeMax = std::chrono::milliseconds(500);
 // wheels has the robot 0.14 m beside where it believes to be, which is about the room that a door of 0.8 m
 // leaves on either side. A person who fills the view is gone sooner.
 constexpr types::Duration kReckonedMax = std::chrono::seconds(2);
-constexpr types::Duration kBatteryLowFor = std::chrono::seconds(10);
 constexpr double kBesideMate_mps = 0.25;  // two of them, closing for a scan's age, are still apart
 // A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
 constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
@@ -105,12 +105,12 @@ void PlanningState::Impl::locate(const PlanningInput& in) {
 
 void PlanningState::Impl::watch_battery(const PlanningInput& in) {
   const ControlReport& c = *in.control;
-  const bool low = (c.battery_v > 0.0F && static_cast<double>(c.battery_v) < params.battery_home_v) ||
-                   (c.state_of_charge >= 0.0F && static_cast<double>(c.state_of_charge) < params.charge_home);
+  const bool low =
+      types::is_battery_low(c.battery_v, c.state_of_charge, {params.battery_home_v, params.charge_home});
   if (!low) battery_low_since = {};
   if (low && battery_low_since == types::Stamp{}) battery_low_since = in.now;
   // It stays low for the mission: a battery that is spared recovers a little, and is as empty as before.
-  battery_low = battery_low || (low && in.now - battery_low_since >= kBatteryLowFor);
+  battery_low = battery_low || (low && in.now - battery_low_since >= types::kBatteryLowFor);
 }
 
 void PlanningState::Impl::decide(const PlanningInput& in) {

@@ -31,17 +31,27 @@ class Ring {
   /// Producer. The next free slot, to be filled and committed; the same one again until it is committed.
   /// Holds what was last written into it. Null, and counted as rejected, when the ring is full.
   [[nodiscard]] T* try_acquire() noexcept {
+    T* slot = next_free();
+    if (slot == nullptr) reject();
+    return slot;
+  }
+
+  /// Producer. As try_acquire, but a full ring is not counted: for who does not know yet whether a value
+  /// comes.
+  [[nodiscard]] T* next_free() noexcept {
     const std::uint64_t head = producer_.head.load(std::memory_order_relaxed);
     if (head - producer_.tail_seen == N) {
       producer_.tail_seen = consumer_.tail.load(std::memory_order_acquire);
-      if (head - producer_.tail_seen == N) {
-        // One writer: no read-modify-write needed.
-        producer_.rejected.store(producer_.rejected.load(std::memory_order_relaxed) + 1,
-                                 std::memory_order_relaxed);
-        return nullptr;
-      }
+      if (head - producer_.tail_seen == N) return nullptr;
     }
     return &slots_[head % N];
+  }
+
+  /// Producer. Counts a value that found no free slot.
+  void reject() noexcept {
+    // One writer: no read-modify-write needed.
+    producer_.rejected.store(producer_.rejected.load(std::memory_order_relaxed) + 1,
+                             std::memory_order_relaxed);
   }
 
   /// Producer. Hands the slot of the last successful try_acquire over to the consumer.

@@ -144,9 +144,13 @@ void App::collect(std::size_t i) {
   operator_->collect(i);
 }
 
+void App::tell_events() {
+  for (Vitals* vitals : workers_->all()) events_->drain(vitals->name, vitals->events);
+}
+
 void App::tick() {
   for (const std::string& refusal : workers_->take_refusals()) monitor_->note_refusal(refusal);
-  for (Vitals* vitals : workers_->all()) events_->drain(vitals->name, vitals->events);
+  tell_events();
   monitor_->update(io::monotonic_now());
   operator_->tick(io::monotonic_now());
   // A dead worker must not be covered up by a main loop that runs: then the service manager starts us again.
@@ -183,8 +187,10 @@ Status App::run() {
   const int looped = sd_event_loop(event_.get());
   sd_notify(0, "STOPPING=1");
   if (options_.on_stopping) options_.on_stopping();
+  workers_->close_devices();  // a job in hand may take long to end: the robot does not drive on meanwhile
   end_readers();
   workers_->stop();
+  tell_events();  // the threads' last words
   spdlog::info("stopped");
   return from_sd(looped, "event loop");
 }

@@ -48,6 +48,7 @@ class App {
   types::Status add_events();
   types::Status enter_real_time();
   void tick();
+  void tell_events();
   void collect(std::size_t i);
   void end_readers();
   types::Status watch(int fd, sd_event_io_handler_t handler, void* data, EventSource& source);

@@ -118,9 +118,8 @@ Check check_bumpers(const DoctorFacts& f) {
 
 Check check_watchdog(const DoctorFacts& f) {
   const std::string name = "firmware watchdog";
-  constexpr int kMost_ms = 2000;
   if (!f.watchdog_ms) return bad(name, "unknown: the robot has not told it yet", "first the check \"base\"");
-  if (*f.watchdog_ms > 0 && *f.watchdog_ms <= kMost_ms)
+  if (motion::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms)))
     return good(name, fmt::format("{} ms", *f.watchdog_ms));
   return bad(name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
              "set the parameter Watchdog of the robot's FLASH to 1 to 2000 ms with ARCOScfg: without it the "
@@ -129,14 +128,14 @@ Check check_watchdog(const DoctorFacts& f) {
 
 Check check_battery(const DoctorFacts& f) {
   if (!f.base.ready) return bad("battery", "unknown: the base is not ready", "first the check \"base\"");
-  const double v = static_cast<double>(f.base.state.battery_v);
-  const double charge = static_cast<double>(f.base.state.state_of_charge);
-  std::string found = fmt::format("{:.1f} V", v);
-  if (charge >= 0.0) found += fmt::format(", {:.0f} %", 100.0 * charge);
-  if (v >= f.battery_home_v && (charge < 0.0 || charge >= f.charge_home)) return good("battery", found);
+  const float v = f.base.state.battery_v;
+  const float charge = f.base.state.state_of_charge;
+  std::string found = v > 0.0F ? fmt::format("{:.1f} V", v) : "voltage not reported";
+  if (charge >= 0.0F) found += fmt::format(", {:.0f} %", 100.0 * static_cast<double>(charge));
+  if (!types::is_battery_low(v, charge, f.battery)) return good("battery", found);
   return bad("battery", found,
              fmt::format("charge it; below {:.1f} V the robot goes home (exploration.battery_home_v)",
-                         f.battery_home_v));
+                         f.battery.home_v));
 }
 
 /// What holds the base back in this moment.

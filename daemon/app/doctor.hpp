@@ -30,8 +30,7 @@ struct DoctorFacts {
   BaseReport base;
   bool estop_latched = false;      ///< as the operator knows it; base may tell of before a clear
   std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the robot was asked
-  double battery_home_v = 0.0;
-  double charge_home = 0.0;
+  types::BatteryLimits battery;
   bool has_map = false;
   std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: matched nothing
   std::uint64_t scans_matched_lately = 0;  ///< the same: matched

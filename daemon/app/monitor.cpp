@@ -116,8 +116,7 @@ DoctorFacts Monitor::facts() const {
     facts.can->faults_lately -= tallies_.front().bus;
   }
   facts.base = base_;
-  facts.battery_home_v = c.exploration.battery_home_v;
-  facts.charge_home = c.exploration.charge_home;
+  facts.battery = c.exploration.battery_limits();
   facts.has_map = has_map();
   if (!tallies_.empty()) {
     facts.scans_matched_lately = mapping_.matched - tallies_.front().matched;
@@ -183,7 +182,10 @@ Json Monitor::status() const {
           {"model", model_name(configuration_.robot.model)},
           {"state", state_text(base_)},
           {"free_distance_m", control.free_distance_m},
-          {"control", {{"mode", to_text(control.mode)}, {"recoveries", control.recoveries}}},
+          {"control",
+           {{"mode", to_text(control.mode)},
+            {"recoveries", control.recoveries},
+            {"plans_missed", hand_overs_.plan.overwritten()}}},
           {"pose", pose_json(pose())},
           {"odometry", pose_json(base_.state.odometry.T_odom_base.se2())},
           {"twist",
@@ -202,16 +204,19 @@ Json Monitor::status() const {
 }
 
 Json Monitor::map() const {
-  return {
-      {"revision", mapping_.revision},
-      {"keyframes", mapping_.keyframes},
-      {"scans_matched", mapping_.matched},
-      {"scans_lost", mapping_.lost},
-      {"scans_skipped", mapping_.skipped},
-      {"scans_rejected", hand_overs_.front.to_mapping.rejected() + hand_overs_.coronal.to_mapping.rejected()},
-      {"odometry_rejected", hand_overs_.odometry.rejected()},
-      {"closures", {{"accepted", mapping_.closures_accepted}, {"rejected", mapping_.closures_rejected}}},
-      {"response", mapping_.response}};
+  const auto& front = hand_overs_.front.to_mapping;
+  const auto& coronal = hand_overs_.coronal.to_mapping;
+  return {{"revision", mapping_.revision},
+          {"keyframes", mapping_.keyframes},
+          {"scans_matched", mapping_.matched},
+          {"scans_lost", mapping_.lost},
+          {"scans_skipped", front.skipped() + coronal.skipped()},
+          {"scans_rejected", front.rejected() + coronal.rejected()},
+          {"scans_without_odometry", mapping_.losses.without_odometry},
+          {"scans_waited_in_vain", mapping_.losses.queue_full},
+          {"odometry_rejected", hand_overs_.odometry.rejected()},
+          {"closures", {{"accepted", mapping_.closures_accepted}, {"rejected", mapping_.closures_rejected}}},
+          {"response", mapping_.response}};
 }
 
 Json Monitor::devices() const {

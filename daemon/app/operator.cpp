@@ -69,21 +69,12 @@ void Operator::add_distance() {
 
 void Operator::watch_battery(types::Stamp now) {
   const BaseReport& base = monitor_.base();
-  const ExplorationConfig& limits = configuration_.exploration;
-  constexpr types::Duration kPatience = std::chrono::seconds(10);  // starting motors pull the voltage down
-  const double battery_v = static_cast<double>(base.state.battery_v);
-  const double charge = static_cast<double>(base.state.state_of_charge);
-  const bool low =
-      base.ready && (battery_v < limits.battery_home_v || (charge >= 0.0 && charge < limits.charge_home));
-  if (!low) {
-    low_since_ = {};
-    return;
-  }
-  if (low_since_ == types::Stamp{}) low_since_ = now;
-  if (low_told_ || now - low_since_ < kPatience) return;
-  low_told_ = true;
-  spdlog::warn("battery low: {:.1f} V, home below {:.1f} V (exploration.battery_home_v)",
-               base.state.battery_v, limits.battery_home_v);
+  const types::BatteryLimits limits = configuration_.exploration.battery_limits();
+  const float battery_v = base.state.battery_v;
+  const bool low = base.ready && types::is_battery_low(battery_v, base.state.state_of_charge, limits);
+  if (!battery_.note(low, now)) return;
+  spdlog::warn("battery low: {:.1f} V, home below {:.1f} V (exploration.battery_home_v)", battery_v,
+               limits.home_v);
   announce_({{"event", "battery_low"}, {"battery_v", battery_v}});
 }
 
@@ -246,10 +237,7 @@ void Operator::load_session(const std::string& name, const std::optional<types::
   sessions_.load(name, pose, done);
 }
 
-Status Operator::begin_anew() {
-  sessions_.begin_anew();
-  return {};
-}
+Status Operator::begin_anew() { return sessions_.begin_anew(); }
 
 Status Operator::set_log_level(const std::string& level) {
   const auto parsed = parse_log_level(level);

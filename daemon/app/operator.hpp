@@ -6,6 +6,7 @@
 #include <string>
 
 #include "daemon/app/background.hpp"
+#include "daemon/app/battery_watch.hpp"
 #include "daemon/app/map_saver.hpp"
 #include "daemon/app/mission_control.hpp"
 #include "daemon/app/monitor.hpp"
@@ -84,8 +85,7 @@ class Operator final : public Operations {
   MapSaver saver_;
   SessionControl sessions_;  // before the thread that its jobs run on, which goes first
   Background files_, searches_;
-  types::Stamp low_since_{};  ///< the battery; zero: it is not
-  bool low_told_ = false;
+  BatteryWatch battery_;
   bool ready_ = false;
   double distance_m_ = 0.0;  ///< driven since the newest mission began
   types::Vector2 measured_from_{0.0, 0.0};

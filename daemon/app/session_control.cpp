@@ -9,6 +9,7 @@
 
 #include "daemon/config/key_table.hpp"
 #include "daemon/recording/format.hpp"
+#include "daemon/session/maker.hpp"
 #include "daemon/session/session_writer.hpp"
 #include "drivers/io/posix.hpp"
 
@@ -66,9 +67,28 @@ void SessionControl::release() {
   hand_overs_.journal_wakeup.post();
 }
 
-void SessionControl::begin_anew() {
-  if (resuming_) spdlog::info("session: begun anew, on the operator's word");
+std::string SessionControl::obstacle() const {
+  const bool dropped = stage_.load(std::memory_order_acquire) == Stage::kDropped;
+  return loading_ && asked_for_ && !dropped ? "a session is being loaded" : obstacle_;
+}
+
+Status SessionControl::begin_anew() {
+  auto stage = Stage::kLookedAt;
+  const bool dropped = stage_.compare_exchange_strong(stage, Stage::kDropped, std::memory_order_acq_rel) ||
+                       stage == Stage::kDropped;
+  if (loading_ && !dropped) return fail(Errc::kBusy, "the session is being taken over at this moment");
+  if (loading_ || resuming_) spdlog::info("session: begun anew, on the operator's word");
   release();
+  return {};
+}
+
+/// One at a time: who calls has looked at loading_.
+Status SessionControl::dispatch(Background::Job job) {
+  loading_ = true;
+  stage_.store(Stage::kLookedAt, std::memory_order_release);
+  auto added = files_.add(std::move(job));
+  if (!added) loading_ = false;
+  return added;
 }
 
 Result<std::optional<SessionEntry>> SessionControl::wanted() const {
@@ -101,7 +121,7 @@ SessionControl::Resumed SessionControl::try_resume() {
 }
 
 void SessionControl::resume(types::Stamp now) {
-  loading_ = true;
+  asked_for_ = false;
   next_try_ = now + kTryAgain;
   auto job = [this]() -> Background::Finish {
     return [this, resumed = try_resume()] {
@@ -109,7 +129,7 @@ void SessionControl::resume(types::Stamp now) {
       if (resuming_) settle(resumed);
     };
   };
-  if (!files_.add(std::move(job))) loading_ = false;
+  (void)dispatch(std::move(job));  // refused: tried again as after a search
 }
 
 void SessionControl::settle(const Resumed& resumed) {
@@ -177,14 +197,12 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
     return done(
         fail(Errc::kInvalidInput, fmt::format("name: found \"{}\", expected a session's name", name)));
   if (loading_) return done(fail(Errc::kBusy, "a session is being loaded already"));
-  loading_ = true;
-  const std::string before = std::exchange(obstacle_, "a session is being loaded");
-  auto job = [this, before, path = session_path(folder, name), name, pose, done]() -> Background::Finish {
+  asked_for_ = true;
+  auto job = [this, path = session_path(folder, name), name, pose, done]() -> Background::Finish {
     const auto file = load_session(path);
     const Result<Loaded> loaded = file ? go_on(*file, pose, false) : tl::unexpected(file.error());
-    return [this, before, loaded, name, done] {
+    return [this, loaded, name, done] {
       loading_ = false;
-      obstacle_ = before;
       if (!loaded) return done(tl::unexpected(loaded.error()));
       release();
       spdlog::info("session {}: goes on with {} keyframes; {}", name, loaded->keyframes, loaded->place);
@@ -199,11 +217,7 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
                   {"theta_rad", loaded->T_map_base.theta_rad}}}});
     };
   };
-  if (const auto added = files_.add(std::move(job)); !added) {
-    loading_ = false;
-    obstacle_ = before;
-    done(tl::unexpected(added.error()));
-  }
+  if (const auto added = dispatch(std::move(job)); !added) done(tl::unexpected(added.error()));
 }
 
 Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
@@ -214,9 +228,10 @@ Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
   const auto news = client_.ask(ask, kPatience);
   if (news == nullptr) return fail(Errc::kTimeout, "the mapping thread does not answer");
   if (news->session.keyframes.empty()) return fail(Errc::kBusy, "no scan came since the start");
-  const auto found = place(file.session, *news, pose, hint);
+  const slam::Session session = claimed(file.session, configuration_.robot.id);
+  const auto found = place(session, *news, pose, hint);
   if (!found) return tl::unexpected(found.error());
-  if (auto s = hand_over(file.session, *news, found->match); !s) return tl::unexpected(s.error());
+  if (auto s = hand_over(session, *news, found->match); !s) return tl::unexpected(s.error());
   return Loaded{file.session.keyframes.size(), file.closed, file.params_hash != params_hash_,
                 describe(*found), found->match.T_map_base};
 }
@@ -247,7 +262,13 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
     return fail(Errc::kBusy, "the mapping thread has not taken the session before over yet");
   slot->content = std::make_unique<pipeline::MappingState>(
       mapper_params(configuration_), session,
-      slam::Arrival{news.cloud, news.T_odom_base, match.T_map_base, match.scan_information});
+      slam::Arrival{news.cloud, news.T_odom_base, match.T_map_base, match.scan_information},
+      new_maker(configuration_.robot.id));
+  auto stage = Stage::kLookedAt;
+  if (!stage_.compare_exchange_strong(stage, Stage::kHandedOver, std::memory_order_acq_rel)) {
+    slot->content.reset();
+    return fail(Errc::kBusy, "a map was begun anew meanwhile (topoctl session new)");
+  }
   hand_overs_.take_over.commit();
   SessionAsk known;
   known.map = news.map;
@@ -263,7 +284,7 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
 
 Json SessionControl::status() const {
   return {{"folder", configuration_.session.folder},
-          {"obstacle", obstacle_},
+          {"obstacle", obstacle()},
           {"journal",
            {{"name", journal_.name.view()},
             {"keyframes", journal_.keyframes},

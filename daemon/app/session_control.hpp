@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -32,14 +33,15 @@ class SessionControl {
   /// done.
   void tick(types::Stamp now, bool has_map);
   /// Why the robot cannot be sent off because of a session; empty when it can.
-  [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+  [[nodiscard]] std::string obstacle() const;
 
   void list(const Done& done);
   void save(const std::string& name, const Done& done);
   /// Goes on with a session: the robot is looked for around the pose, or anywhere.
   void load(const std::string& name, const std::optional<types::Se2>& pose, const Done& done);
-  /// Leaves the session alone that the daemon wanted to go on with: the map made since the start is the map.
-  void begin_anew();
+  /// Leaves the session alone that the daemon wanted to go on with, be it looked for at this moment: the map
+  /// made since the start is the map. kBusy when the mapping thread is taking that session over.
+  types::Status begin_anew();
 
   [[nodiscard]] Json status() const;
   void note(const JournalReport& journal) { journal_ = journal; }
@@ -57,6 +59,13 @@ class SessionControl {
     std::string name, warning;
     std::optional<types::Result<Loaded>> loaded;  ///< nothing: there is none to go on with
   };
+  /// How far the session is that is on its way; there is one at a time.
+  enum class Stage : std::uint8_t {
+    kLookedAt,    ///< can be dropped
+    kHandedOver,  ///< is or will be the map
+    kDropped,     ///< nobody wants it any more
+  };
+  types::Status dispatch(Background::Job job);
   void resume(types::Stamp now);
   void settle(const Resumed& resumed);
   void release();
@@ -75,9 +84,11 @@ class SessionControl {
   Background& files_;
   SessionClient client_;  ///< background thread
   std::uint64_t params_hash_;
-  std::string obstacle_;
-  bool resuming_ = false;  ///< session.resume is not settled yet
-  bool loading_ = false;   ///< a job of ours is under way
+  std::string obstacle_;                        ///< because of session.resume
+  bool resuming_ = false;                       ///< session.resume is not settled yet
+  bool loading_ = false;                        ///< a job of ours is under way
+  bool asked_for_ = false;                      ///< by the operator
+  std::atomic<Stage> stage_{Stage::kLookedAt};  ///< of that job
   types::Stamp next_try_{};
   JournalReport journal_;
 };

@@ -24,8 +24,8 @@ constexpr int kOk = 0;
 constexpr int kFailed = 1;
 constexpr int kUsersFault = 2;
 
-// Stopping is bounded by the devices' closing times; should one hang nevertheless, the kernel ends us, and
-// the robot's own watchdog has stopped the wheels by then.
+// The devices are closed first, within their closing times; should one hang, or what the other threads have
+// in hand take long, the kernel ends us, and the robot's own watchdog has stopped the wheels by then.
 constexpr unsigned kStopLimit_s = 6;
 
 struct Arguments {

@@ -3,6 +3,7 @@
 #include "daemon/app/workers.hpp"
 
 #include "daemon/app/session_control.hpp"
+#include "daemon/session/maker.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -59,7 +60,8 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
         workers->coronal_vitals_);
     workers->vital_.push_back(&workers->coronal_vitals_);
   }
-  workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), workers->mapping_vitals_);
+  workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id),
+                                                      workers->mapping_vitals_);
   workers->planning_ = std::make_unique<PlanningWorker>(hand_overs, planner_params(c),
                                                         types::from_seconds(c.exploration.planning_period_s),
                                                         workers->planning_vitals_);
@@ -122,14 +124,19 @@ Status Workers::start() {
   return launch(base_thread_, real_time("base", config.base_priority), *base_);
 }
 
+void Workers::close_devices() {
+  hand_overs_.devices_closing.store(true, std::memory_order_release);
+  base_thread_.join();
+  front_thread_.join();
+  coronal_thread_.join();
+}
+
 void Workers::stop() {
+  close_devices();
   hand_overs_.stopping.store(true, std::memory_order_release);
   hand_overs_.planning_wakeup.post();
   hand_overs_.closure_wakeup.post();
   hand_overs_.journal_wakeup.post();
-  base_thread_.join();
-  front_thread_.join();
-  coronal_thread_.join();
   closure_thread_.join();
   planning_thread_.join();
   journal_thread_.join();  // the mapping thread answers it to the last

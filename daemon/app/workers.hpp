@@ -36,8 +36,12 @@ class Workers {
   ~Workers() { stop(); }
 
   types::Status start();
-  /// Tells all threads to end and waits for them: the robot stands, the lasers are off. Bounded by the
-  /// sessions' closing times and one mapping step.
+  /// Ends the threads of the devices: the robot stands, the lasers are off. Bounded by the sessions' closing
+  /// times, whatever the other threads are busy with.
+  void close_devices();
+  /// The same, then tells all other threads to end and waits for them. Bounded by what they have in hand: a
+  /// mapping step, a search for closures or the graph's solution, a planning step, and of the journal its
+  /// patience with the mapping thread (5 s) and its writes.
   void stop();
 
   /// Threads that must advance, or the daemon is not alive.

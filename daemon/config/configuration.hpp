@@ -10,6 +10,7 @@
 #include "core/pipeline/control_step.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/params.hpp"
+#include "core/types/battery.hpp"
 
 namespace topo::daemon {
 
@@ -65,6 +66,7 @@ struct ExplorationConfig {
   double goal_give_up_s = pipeline::PlannerParams{}.give_up_s;
   double battery_home_v = pipeline::PlannerParams{}.battery_home_v;
   double charge_home = pipeline::PlannerParams{}.charge_home;
+  [[nodiscard]] types::BatteryLimits battery_limits() const { return {battery_home_v, charge_home}; }
   std::string save_folder;  ///< empty: nothing is saved by itself
 };
 

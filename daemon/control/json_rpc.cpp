@@ -151,9 +151,9 @@ tl::expected<double, RpcError> real_param(const Json& params, const char* name) 
   const auto found = params.find(name);
   if (found == params.end())
     return refuse(RpcCode::kInvalidParams, fmt::format("{} is missing, expected a number", name));
-  if (!found->is_number() || !std::isfinite(found->get<double>())) {
-    return refuse(RpcCode::kInvalidParams,
-                  fmt::format("{}: found {}, expected a number", name, short_dump(*found)));
+  if (!found->is_number() || !(std::abs(found->get<double>()) <= kGreatestReal)) {  // nor NaN
+    return refuse(RpcCode::kInvalidParams, fmt::format("{}: found {}, expected a number from {} to {}", name,
+                                                       short_dump(*found), -kGreatestReal, kGreatestReal));
   }
   return found->get<double>();
 }

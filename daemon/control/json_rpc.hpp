@@ -58,6 +58,9 @@ types::Result<Json> parse_answer(std::string_view line, int id);
 /// The params when the line is a notification (a method without an id), else nothing.
 std::optional<Json> parse_notification(std::string_view line);
 
+/// Greatest number of a client's, either way: as far as a map reaches, so that no cell's number overflows.
+inline constexpr double kGreatestReal = 1e5;
+
 /// Member `name` of params. The error names the method's parameter, what was found and what is expected.
 tl::expected<double, RpcError> real_param(const Json& params, const char* name);
 tl::expected<std::string, RpcError> text_param(const Json& params, const char* name);

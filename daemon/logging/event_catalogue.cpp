@@ -13,7 +13,8 @@ namespace {
 constexpr std::array kTemplates{
     EventTemplate{"scan_ring_full", "{text}: the mapping thread is behind: {a} scans lost since the start"},
     EventTemplate{"deadline_missed", "woke {a_ms:.1f} ms late, left out {b} periods"},
-    EventTemplate{"planning_slow", "planning took {a_ms:.0f} ms, the period is {b_ms:.0f} ms"},
+    EventTemplate{"planning_slow",
+                  "planning took {a_ms:.0f} ms, the period is {b_ms:.0f} ms; {c} times since the start"},
     EventTemplate{"journal_failed", "the session is not being kept, {a} times since the start: {text}"},
     EventTemplate{"journal_goes_on", "the session is being kept again: {a} keyframes"},
 };

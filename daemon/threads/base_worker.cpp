@@ -13,7 +13,7 @@ BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setu
 
 void BaseWorker::run() noexcept {
   Period period(io::monotonic_now() + kPeriod, kPeriod);
-  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+  while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
     const types::Stamp due = period.next();
     serve_until(due);
     const types::Stamp woken = io::monotonic_now();

@@ -21,7 +21,7 @@ class BaseWorker {
   BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
              std::unique_ptr<pioneer::Session> session, Vitals& vitals);
 
-  /// The thread's body: until hand_overs.stopping, then the controlled close.
+  /// The thread's body: until hand_overs.devices_closing, then the controlled close.
   void run() noexcept;
 
  private:

@@ -10,6 +10,7 @@
 #include "core/motion/velocity_gate.hpp"
 #include "core/pipeline/control_step.hpp"
 #include "core/pipeline/map_snapshot.hpp"
+#include "core/pipeline/mapping_step.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/graph_solution.hpp"
@@ -48,8 +49,8 @@ struct MappingReport {
   std::uint64_t revision = 0;
   std::uint64_t keyframes = 0;
   std::uint64_t matched = 0;
-  std::uint64_t lost = 0;     ///< scans that matched nothing
-  std::uint64_t skipped = 0;  ///< scans left out because of a backlog
+  std::uint64_t lost = 0;          ///< scans that matched nothing
+  pipeline::MappingLosses losses;  ///< scans that were taken and never placed, of all maps
   std::uint64_t closures_accepted = 0;
   std::uint64_t closures_rejected = 0;
   double response = 0.0;
@@ -88,8 +89,9 @@ struct ScanHandOver {
 
 /// Everything that goes from one thread to another (DESIGN section 2). Large: for the heap.
 struct HandOvers {
-  std::atomic<bool> stopping{false};      ///< every thread but mapping's ends soon after
-  std::atomic<bool> readers_gone{false};  ///< nobody pins maps any more: the mapping thread ends
+  std::atomic<bool> devices_closing{false};  ///< first of all: the base's and the scanners' threads end
+  std::atomic<bool> stopping{false};         ///< then every other thread but mapping's
+  std::atomic<bool> readers_gone{false};     ///< nobody pins maps any more: the mapping thread ends
 
   ScanHandOver front, coronal;
 

@@ -17,7 +17,6 @@ namespace {
 /// out.
 constexpr std::size_t kWorthKeeping = 2;
 constexpr types::Duration kPatience = std::chrono::seconds(5);
-constexpr types::Duration kTellAgain = std::chrono::minutes(1);
 
 }  // namespace
 
@@ -87,9 +86,9 @@ void JournalWorker::close() {
 /// A disk that is full or gone is told once a minute; mapping does not mind.
 void JournalWorker::note(const types::Status& kept) {
   const types::Stamp now = io::monotonic_now();
-  const bool failed_before = report_.failing;
-  report_.failing = !kept.has_value();
+  const bool failed_before = std::exchange(report_.failing, !kept.has_value());
   if (kept) {
+    failed_.over();
     report_.keyframes = session_.keyframes.size();
     report_.bytes = file_ ? file_->bytes() : report_.bytes;
     if (failed_before) {
@@ -99,8 +98,7 @@ void JournalWorker::note(const types::Status& kept) {
   } else {
     ++report_.failures;
     report_.message = kept.error().message;
-    if (!failed_before || now - told_ >= kTellAgain) {
-      told_ = now;
+    if (failed_.due(now)) {
       post(vitals_.events, now.time_since_epoch().count(), EventId::kJournalFailed, sync::Severity::kWarning,
            {static_cast<std::int64_t>(report_.failures)}, report_.message.view());
     }

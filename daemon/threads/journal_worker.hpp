@@ -51,7 +51,7 @@ class JournalWorker {
   slam::Session session_;
   std::optional<JournalFile> file_;
   JournalReport report_;
-  types::Stamp told_{};  ///< when the last failure was told
+  Rarely failed_;
 };
 
 }  // namespace topo::daemon

@@ -8,13 +8,14 @@
 
 namespace topo::daemon {
 
-MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, Vitals& vitals)
-    : hand_overs_(hand_overs), params_(params), vitals_(vitals) {
+MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params,
+                             const slam::Maker& maker, Vitals& vitals)
+    : hand_overs_(hand_overs), params_(params), maker_(maker), vitals_(vitals) {
   odometry_.reserve(kOdometryRing);
 }
 
 void MappingWorker::run() noexcept {
-  auto state = std::make_unique<pipeline::MappingState>(params_);
+  auto state = std::make_unique<pipeline::MappingState>(params_, maker_);
   publish(*state);
   while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
     hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
@@ -93,7 +94,9 @@ bool MappingWorker::step(pipeline::MappingState& state) {
   if (odometry_.empty() && input.front == nullptr && input.coronal == nullptr) return false;
   const types::Stamp begin = io::monotonic_now();
   if (input.front != nullptr) vitals_.wake.record((begin - input.front->arrival).count());
+  const pipeline::MappingLosses before = state.losses();
   auto output = pipeline::mapping_step(state, input);
+  report_.losses += state.losses() - before;
   if (input.front != nullptr) front_ring.pop();
   if (input.coronal != nullptr) coronal_ring.pop();
   use(state, output);
@@ -102,7 +105,7 @@ bool MappingWorker::step(pipeline::MappingState& state) {
 }
 
 void MappingWorker::skip_backlog(sync::Ring<types::Scan, kScanRing>& ring) {
-  if (ring.size() > kBacklog) report_.skipped += ring.skip_to_newest();
+  if (ring.size() > kBacklog) ring.skip_to_newest();  // counted there
 }
 
 void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& output) {

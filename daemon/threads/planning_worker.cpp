@@ -52,8 +52,10 @@ void PlanningWorker::decide(pipeline::PlanningState& state, MapSnapshots::Reader
 void PlanningWorker::note_budget(types::Stamp begin, types::Stamp end) {
   // The base goes on by the last plan until it is too old.
   if (end - begin <= period_) return;
+  ++slow_;
+  if (!told_slow_.due(end)) return;
   post(vitals_.events, end.time_since_epoch().count(), EventId::kPlanningSlow, sync::Severity::kWarning,
-       {(end - begin).count(), period_.count()});
+       {(end - begin).count(), period_.count(), slow_});
 }
 
 }  // namespace topo::daemon

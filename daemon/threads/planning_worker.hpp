@@ -29,6 +29,8 @@ class PlanningWorker {
   types::Duration period_;
   Vitals& vitals_;
   pipeline::Mission mission_;
+  std::int64_t slow_ = 0;  ///< decisions that took longer than the period
+  Rarely told_slow_;
 };
 
 }  // namespace topo::daemon

@@ -13,7 +13,7 @@ ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
     : hand_overs_(hand_overs), out_(out), front_(front), session_(std::move(session)), vitals_(vitals) {}
 
 void ScanWorker::run() noexcept {
-  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+  while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
     // Paced by the sensor, or by the time-out: a session returns earlier only with news.
     const hokuyo::StepOutcome outcome = step();
     vitals_.beat();
@@ -24,11 +24,9 @@ void ScanWorker::run() noexcept {
 }
 
 hokuyo::StepOutcome ScanWorker::step() {
-  // With the ring full (counted there) the sensor is still read, so that the base sees and the line stays
-  // clean.
-  types::Scan* slot = out_.to_mapping.try_acquire();
+  // With the ring full the sensor is still read, so that the base sees and the line stays clean.
+  types::Scan* slot = out_.to_mapping.next_free();
   types::Scan& scan = slot != nullptr ? *slot : *spare_;
-  note_ring_full(slot == nullptr);
   const hokuyo::StepOutcome outcome = session_->step(scan, kTimeout);
   if (outcome != hokuyo::StepOutcome::kScan) return outcome;
   const types::Stamp woken = io::monotonic_now();
@@ -40,7 +38,10 @@ hokuyo::StepOutcome ScanWorker::step() {
   if (slot != nullptr) {
     out_.to_mapping.commit();
     hand_overs_.mapping_wakeup.post();
+  } else {
+    out_.to_mapping.reject();
   }
+  note_ring_full(slot == nullptr);
   vitals_.run.record((io::monotonic_now() - woken).count());
   return outcome;
 }

@@ -21,7 +21,7 @@ class ScanWorker {
   ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front, std::unique_ptr<hokuyo::Session> session,
              Vitals& vitals);
 
-  /// The thread's body: until hand_overs.stopping, then the laser is switched off.
+  /// The thread's body: until hand_overs.devices_closing, then the laser is switched off.
   void run() noexcept;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/sync/event_ring.hpp"
@@ -27,6 +28,23 @@ struct Vitals {
   sync::Histogram wake;                    ///< from when it was due to when it ran
   sync::Histogram run;                     ///< from when it ran to when it was done
   sync::EventRing<64> events;              ///< what it has to say; main reads and logs it
+};
+
+/// What goes on and on is told once a minute.
+class Rarely {
+ public:
+  static constexpr types::Duration kApart = std::chrono::minutes(1);
+
+  /// Whether to tell it now; then not again for a minute, or until it is over.
+  bool due(types::Stamp now) {
+    if (told_ && now - *told_ < kApart) return false;
+    told_ = now;
+    return true;
+  }
+  void over() { told_.reset(); }
+
+ private:
+  std::optional<types::Stamp> told_;
 };
 
 /// Deadlines at whole periods from the first one. A late thread goes on at the next whole period: the grid

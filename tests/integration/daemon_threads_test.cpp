@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All workers of the daemon in this process against the simulator's devices: for ThreadSanitizer, and for
 // what a test wants to see of the inside.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -17,8 +23,10 @@
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/control/unix_socket.hpp"
+#include "daemon/session/session_reader.hpp"
 #include "daemon/topoctl/client.hpp"
 #include "drivers/io/posix.hpp"
+#include "drivers/io/unique_fd.hpp"
 #include "tests/integration/room_harness.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
@@ -35,15 +43,21 @@ class DaemonThreads : public ::testing::Test {
   void SetUp() override {
     simulator = sim::start_in_room(sim::tcp_robot(), sim::Difficulty::none());
     ASSERT_NE(simulator, nullptr);
+    spdlog::default_logger()->sinks().push_back(log_sink);
     start_daemon();
   }
 
   void TearDown() override {
+    stop_daemon();
+    EXPECT_TRUE(ran) << ran.error().message;
+    app.reset();
+    spdlog::default_logger()->sinks().pop_back();
+  }
+
+  void stop_daemon() {
     client.reset();
     if (app != nullptr) app->request_stop();
     if (thread.joinable()) thread.join();
-    EXPECT_TRUE(ran) << ran.error().message;
-    app.reset();
   }
 
   void start_daemon() {
@@ -103,6 +117,16 @@ class DaemonThreads : public ::testing::Test {
     });
   }
 
+  /// The session that the folder has under the name.
+  slam::Session kept(const std::string& name) {
+    const auto loaded = load_session(folder.file(name + ".session"));
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    return loaded ? loaded->session : slam::Session{};
+  }
+
+  std::ostringstream log;
+  std::shared_ptr<spdlog::sinks::ostream_sink_mt> log_sink =
+      std::make_shared<spdlog::sinks::ostream_sink_mt>(log);
   testing::TempDir folder;
   std::string socket = folder.file("control.sock");
   std::unique_ptr<sim::SimHarness> simulator;
@@ -158,6 +182,31 @@ TEST_F(DaemonThreads, SessionsAreKeptSavedAndGoneOnWith) {
   ASSERT_TRUE(
       until([](const Json& s) { return s["session"]["journal"]["keyframes"] == s["map"]["keyframes"]; }));
   EXPECT_EQ(ask("session.list")["sessions"].size(), 3U) << "the saved one, and a journal of each map";
+  // The map before it had grown since it was saved: nothing of the one is numbered as something of the other.
+  ASSERT_FALSE(ask("session.save", {{"name", "on"}}).empty());
+  const slam::Session room = kept("room"), on = kept("on");
+  const std::size_t shared = room.keyframes.size();
+  ASSERT_GT(on.keyframes.size(), shared);
+  for (std::size_t i = 0; i < shared; ++i) EXPECT_EQ(on.keyframes[i]->id, room.keyframes[i]->id);
+  for (std::size_t i = shared; i < on.keyframes.size(); ++i) {
+    EXPECT_EQ(on.keyframes[i]->id.robot, 1);
+    EXPECT_NE(on.keyframes[i]->id.maker(), room.keyframes[0]->id.maker());
+  }
+}
+
+TEST_F(DaemonThreads, EveryStartSignsItsKeyframesWithARunOfItsOwn) {
+  std::array<slam::Maker, 2> makers;
+  for (slam::Maker& maker : makers) {
+    if (app == nullptr) start_daemon();
+    ASSERT_TRUE(until_ready());
+    ASSERT_FALSE(ask("session.save", {{"name", "start"}}).empty());
+    maker = kept("start").keyframes.at(0)->id.maker();
+    stop_daemon();
+    app.reset();
+  }
+  EXPECT_EQ(makers[0].robot, 1);
+  EXPECT_EQ(makers[1].robot, 1);
+  EXPECT_NE(makers[0].run, makers[1].run);
 }
 
 TEST_F(DaemonThreads, EstopStopsAndLatches) {
@@ -270,6 +319,49 @@ TEST_F(DaemonThreads, ReadyAndDoneArePushed) {
   EXPECT_EQ(wait_for("mission")["mission"]["order"], "home");
   EXPECT_EQ(wait_for("done")["mission"]["state"], "done");
   EXPECT_FALSE(client->call("goto", {{"x_m", 400.0}, {"y_m", 0.0}}, 30s)) << "unknown space";
+}
+
+TEST_F(DaemonThreads, AStopOfTheDaemonDoesNotWaitForAJobInHand) {
+  ASSERT_TRUE(until_ready());
+  // The job that opens this does not go on before somebody opens it to write.
+  const std::string endless = folder.file("endless.session");
+  ASSERT_EQ(::mkfifo(endless.c_str(), 0600), 0);
+  const auto other = connect_unix(socket);
+  ASSERT_TRUE(other) << other.error().message;
+  const std::string load = request_line("session.load", {{"name", "endless"}}, 1);
+  ASSERT_EQ(::send(other->get(), load.data(), load.size(), MSG_NOSIGNAL), static_cast<ssize_t>(load.size()));
+  int asked = 0;  // the job's thread has nothing else to do: it has begun after some of these
+  ASSERT_TRUE(until([&](const Json& s) {
+    return s["session"]["obstacle"] == "a session is being loaded" && ++asked == 5;
+  }));
+  const auto base_state = [this] {
+    const Json status = Json::parse(simulator->command(R"({"command":"status"})"));
+    return status["robots"][0]["base"]["state"].get<std::string>();
+  };
+  EXPECT_EQ(base_state(), "open");
+  app->request_stop();
+  const types::Stamp limit = io::monotonic_now() + 20s;
+  while (base_state() == "open" && io::monotonic_now() < limit) std::this_thread::sleep_for(20ms);
+  EXPECT_NE(base_state(), "open") << "the base is still driven while the job is in hand";
+  const io::UniqueFd writer(::open(endless.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  EXPECT_TRUE(writer.valid()) << "the job was not in hand";
+}
+
+TEST_F(DaemonThreads, WhatAThreadSaysAtItsEndIsTold) {
+  ASSERT_TRUE(until_ready());
+  const Json drive{{"v_mps", 0.3}, {"omega_radps", 0.0}};
+  ASSERT_TRUE(until([](const Json& s) { return s["map"]["keyframes"] >= 3; }, [&] { ask("drive", drive); }));
+  ASSERT_TRUE(until([](const Json& s) {
+    return s["twist"]["v_mps"] == 0.0 && s["session"]["journal"]["keyframes"] == s["map"]["keyframes"];
+  }));
+  // A disk that takes no more, not even the record that closes the journal.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit none{0, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+  stop_daemon();
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_NE(log.str().find("the session is not being kept"), std::string::npos) << log.str();
 }
 
 TEST_F(DaemonThreads, LostScannerStopsTheRobotAndComesBack) {

@@ -43,6 +43,18 @@ TEST(Ring, RejectsWhenFullAndCounts) {
   EXPECT_EQ(ring.committed(), 5U);
 }
 
+TEST(Ring, CountsNoValueThatMayStillNotCome) {
+  Ring<int, 2> ring;
+  int* slot = ring.next_free();
+  ASSERT_NE(slot, nullptr);
+  EXPECT_EQ(ring.try_acquire(), slot);
+  EXPECT_TRUE(ring.try_push(0) && ring.try_push(1));
+  EXPECT_EQ(ring.next_free(), nullptr);
+  EXPECT_EQ(ring.rejected(), 0U);
+  ring.reject();
+  EXPECT_EQ(ring.rejected(), 1U);
+}
+
 TEST(Ring, SkipsToTheNewestAndCounts) {
   Ring<int, 8> ring;
   for (int i = 0; i < 6; ++i) EXPECT_TRUE(ring.try_push(i));

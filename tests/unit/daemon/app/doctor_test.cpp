@@ -22,8 +22,7 @@ DoctorFacts healthy() {
   facts.base.control.reason = motion::GateReason::kFree;
   facts.base.state.battery_v = 12.6F;
   facts.watchdog_ms = 2000;
-  facts.battery_home_v = 11.6;
-  facts.charge_home = 0.2;
+  facts.battery = {11.6, 0.2};
   facts.has_map = true;
   facts.scans_matched_lately = 100;
   facts.folder = "/maps";
@@ -169,6 +168,9 @@ TEST(Doctor, MotorsBumpersBattery) {
   facts.base.state.battery_v = 12.6F;
   facts.base.state.state_of_charge = 0.1F;
   EXPECT_THAT(the_bad_one(facts).found, HasSubstr("10 %"));
+  facts.base.state.battery_v = 0.0F;
+  facts.base.state.state_of_charge = -1.0F;
+  for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
 }
 
 TEST(Doctor, SensorsMapAndMachine) {

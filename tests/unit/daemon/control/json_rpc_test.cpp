@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+
 #include "daemon/control/line_buffer.hpp"
 
 namespace topo::daemon {
@@ -53,9 +55,19 @@ TEST(JsonRpc, LimitsDepthAndLength) {
   EXPECT_TRUE(parse_request(R"({"jsonrpc": "2.0", "method": "[[[[[[[[[[\"[[[[[["})").has_value());
 }
 
+TEST(JsonRpc, NumbersBeyondAnyMapAreRefused) {
+  const Json params{{"x_m", -1e300}, {"y_m", 100000.5}, {"z_m", -1e5}, {"n", std::nan("")}};
+  EXPECT_EQ(real_param(params, "x_m").error().message,
+            "x_m: found -1e+300, expected a number from -100000 to 100000");
+  EXPECT_EQ(real_param(params, "y_m").error().code, RpcCode::kInvalidParams);
+  EXPECT_FALSE(real_param(params, "n"));
+  EXPECT_EQ(real_param(params, "z_m"), -1e5);
+}
+
 TEST(JsonRpc, ParametersSayWhatWasFound) {
   const Json params{{"v_mps", "fast"}, {"x", 1}};
-  EXPECT_EQ(real_param(params, "v_mps").error().message, "v_mps: found \"fast\", expected a number");
+  EXPECT_EQ(real_param(params, "v_mps").error().message,
+            "v_mps: found \"fast\", expected a number from -100000 to 100000");
   EXPECT_EQ(real_param(params, "omega_radps").error().message, "omega_radps is missing, expected a number");
   EXPECT_EQ(text_param(params, "x").error().message, "x: found 1, expected a string");
   ASSERT_TRUE(only_params(params, {"v_mps"}).has_value());

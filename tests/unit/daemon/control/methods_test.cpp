@@ -120,6 +120,14 @@ TEST_F(MethodsTest, GotoIsAnsweredWhenTheWayWasLookedFor) {
   EXPECT_EQ(late->error().message, "unknown space");
 }
 
+TEST_F(MethodsTest, PlacesBeyondAnyMapAreNotGoneTo) {
+  EXPECT_EQ(refusal("goto", {{"x_m", -1e300}, {"y_m", 0}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"x_m", 0}, {"y_m", 1e6}, {"theta_rad", 0}}),
+            RpcCode::kInvalidParams);
+  EXPECT_FALSE(operations.goto_done);
+  EXPECT_FALSE(operations.pose);
+}
+
 TEST_F(MethodsTest, SubscribersGetWhatHoldsNow) {
   const auto answer = ask("events.subscribe", Json::object(), false);
   ASSERT_TRUE(answer.has_value() && answer->has_value());

@@ -35,12 +35,12 @@ class EventLogTest : public ::testing::Test {
 };
 
 TEST_F(EventLogTest, FormatsWithSeverityThreadAndStamp) {
-  post(ring_, 2'500'000'000, EventId::kPlanningSlow, Severity::kWarning, {480'000'000, 400'000'000, 0});
+  post(ring_, 2'500'000'000, EventId::kPlanningSlow, Severity::kWarning, {480'000'000, 400'000'000, 3});
   post(ring_, 3'000'000'000, EventId::kScanRingFull, Severity::kError, {7, 0, 0}, "front");
   EXPECT_EQ(log_->drain("base", ring_), 2U);
   EXPECT_EQ(
       out_.str(),
-      "warning base: planning took 480 ms, the period is 400 ms [at 2.500000 s]\n"
+      "warning base: planning took 480 ms, the period is 400 ms; 3 times since the start [at 2.500000 s]\n"
       "error base: front: the mapping thread is behind: 7 scans lost since the start [at 3.000000 s]\n");
 }
 

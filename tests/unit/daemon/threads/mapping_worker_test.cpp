@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 TEST(MappingWorker, BeatsAndSkipsWhileItNeverCatchesUp) {
   const auto hand_overs = std::make_unique<HandOvers>();
   Vitals vitals("mapping");
-  MappingWorker worker(*hand_overs, slam::MapperParams{}, vitals);
+  MappingWorker worker(*hand_overs, slam::MapperParams{}, {}, vitals);
   std::thread thread([&worker] { worker.run(); });
   types::Odometry odometry;
   const types::Stamp limit = io::monotonic_now() + 60s;
@@ -32,9 +32,35 @@ TEST(MappingWorker, BeatsAndSkipsWhileItNeverCatchesUp) {
     hand_overs->mapping_wakeup.post();
   }
   EXPECT_GE(vitals.beats.load(), 20U) << "the service manager would take it for dead";
-  const MappingReport* report = hand_overs->mapping_report.take_new();
-  ASSERT_NE(report, nullptr);
-  EXPECT_GT(report->skipped, 0U);
+  EXPECT_GT(hand_overs->front.to_mapping.skipped(), 0U);
+  hand_overs->stopping = true;
+  hand_overs->readers_gone = true;
+  hand_overs->mapping_wakeup.post();
+  thread.join();
+}
+
+TEST(MappingWorker, ReportsTheScansThatItHadNoOdometryFor) {
+  const auto hand_overs = std::make_unique<HandOvers>();
+  Vitals vitals("mapping");
+  MappingWorker worker(*hand_overs, slam::MapperParams{}, {}, vitals);
+  std::thread thread([&worker] { worker.run(); });
+  constexpr std::uint64_t kScans = 3;
+  for (std::uint64_t i = 0; i < kScans; ++i) {
+    types::Scan* scan = hand_overs->front.to_mapping.try_acquire();
+    ASSERT_NE(scan, nullptr);
+    scan->beams = 0;
+    hand_overs->front.to_mapping.commit();
+  }
+  hand_overs->mapping_wakeup.post();
+  const types::Stamp limit = io::monotonic_now() + 60s;
+  std::uint64_t lost = 0;
+  while (lost < kScans && io::monotonic_now() < limit) {
+    if (const auto* report = hand_overs->mapping_report.take_new(); report != nullptr)
+      lost = report->losses.without_odometry;
+    else
+      std::this_thread::yield();
+  }
+  EXPECT_EQ(lost, kScans);
   hand_overs->stopping = true;
   hand_overs->readers_gone = true;
   hand_overs->mapping_wakeup.post();

@@ -57,5 +57,16 @@ TEST(FixedText, CutsWhatIsTooLong) {
   EXPECT_EQ(text.str(), "x");
 }
 
+TEST(Rarely, TellsAtOnceThenOnceAMinuteAndAtOnceWhenItBeginsAnew) {
+  const types::Stamp begin{std::chrono::seconds(5)};
+  Rarely rarely;
+  EXPECT_TRUE(rarely.due(begin));
+  EXPECT_FALSE(rarely.due(begin + std::chrono::seconds(59)));
+  EXPECT_TRUE(rarely.due(begin + std::chrono::seconds(60)));
+  EXPECT_FALSE(rarely.due(begin + std::chrono::seconds(61)));
+  rarely.over();
+  EXPECT_TRUE(rarely.due(begin + std::chrono::seconds(62)));
+}
+
 }  // namespace
 }  // namespace topo::daemon

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/app/session_control.hpp"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <random>
+
+#include "daemon/session/session_writer.hpp"
+#include "drivers/io/posix.hpp"
+#include "tests/mocks/flat_world.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
+
+namespace topo::daemon {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// The test is main and, where it says so, the mapping thread, which is asked before a session is handed
+/// over.
+class SessionControlTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    configuration.session.folder = folder.str();
+    configuration.session.resume = "";
+    const mocks::FlatWorld world = mocks::two_rooms();
+    std::mt19937 random{1};
+    for (int i = 0; i < 12; ++i) {
+      const types::Stamp stamp = types::stamp_from_seconds(0.1 * (i + 1));
+      const types::Odometry odometry{
+          stamp, types::Transform2<types::Odom, types::Base>(0.09 * i, 0.0, 0.0), {}};
+      const types::Scan scan = mocks::take_scan(world, {1.5 + 0.09 * i, 1.5, 0.0}, stamp, {}, random);
+      (void)pipeline::mapping_step(state, {{&odometry, 1}, &scan, nullptr});
+    }
+    const slam::Mapper& mapper = state.mapper();
+    const slam::Session session{{mapper.keyframes().begin(), mapper.keyframes().end()},
+                                {mapper.poses().begin(), mapper.poses().end()},
+                                {mapper.edges().begin(), mapper.edges().end()}};
+    ASSERT_FALSE(session.keyframes.empty());
+    ASSERT_TRUE(save_session(session_path(folder.str(), "room"), session, 1));
+    ASSERT_TRUE(files.start("files"));
+  }
+
+  void load(SessionControl& control, const std::string& name) {
+    control.load(name, types::Se2{0.9, 0.0, 0.0}, [this](const types::Result<Json>& r) { answer = r; });
+  }
+  template <class Pleases>
+  bool serve_until(Pleases pleases) {
+    const types::Stamp limit = io::monotonic_now() + 60s;
+    while (!pleases() && io::monotonic_now() < limit) {
+      serve_desk(hand_overs->files_desk, state, map);
+      if (io::wait_for(files.fd(), POLLIN, 1ms) > 0) files.collect();
+    }
+    return pleases();
+  }
+  bool serve_until_answered() {
+    return serve_until([this] { return answer.has_value(); });
+  }
+
+  bool serve_until_handed_over() {
+    return serve_until([this] { return hand_overs->take_over.front() != nullptr; });
+  }
+  void take_over() {
+    hand_overs->take_over.front()->content->adopt();
+    hand_overs->take_over.front()->content.reset();
+    hand_overs->take_over.pop();
+    ++map;
+  }
+
+  testing::TempDir folder;
+  Configuration configuration;
+  std::unique_ptr<HandOvers> hand_overs = std::make_unique<HandOvers>();
+  pipeline::MappingState state{mapper_params(configuration)};
+  std::uint64_t map = 1;
+  std::optional<types::Result<Json>> answer;
+  Background files;
+};
+
+TEST_F(SessionControlTest, ASessionIsHandedToTheMappingThread) {
+  SessionControl control(configuration, *hand_overs, files);
+  load(control, "room");
+  EXPECT_EQ(control.obstacle(), "a session is being loaded");
+  ASSERT_TRUE(serve_until_handed_over());
+  EXPECT_FALSE(control.begin_anew()) << "it is too late";
+  take_over();
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_TRUE(*answer) << answer->error().message;
+  EXPECT_EQ(control.obstacle(), "");
+}
+
+TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByASessionThatIsStillLookedAt) {
+  SessionControl control(configuration, *hand_overs, files);
+  load(control, "room");
+  ASSERT_TRUE(control.begin_anew());
+  EXPECT_EQ(control.obstacle(), "");
+  load(control, "room");  // the one before is in hand still
+  EXPECT_TRUE(answer && !*answer);
+  answer.reset();
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_EQ(hand_overs->take_over.front(), nullptr);
+  ASSERT_FALSE(*answer);
+  EXPECT_EQ(answer->error().code, types::Errc::kBusy);
+  answer.reset();
+  load(control, "room");  // and on the operator's word after that it is gone on with
+  ASSERT_TRUE(serve_until_handed_over());
+  take_over();
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_TRUE(*answer);
+}
+
+TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByTheSessionToResume) {
+  configuration.session.resume = "room";
+  SessionControl control(configuration, *hand_overs, files);
+  control.tick(io::monotonic_now(), true);
+  EXPECT_NE(control.obstacle(), "");
+  ASSERT_TRUE(control.begin_anew());
+  EXPECT_EQ(control.obstacle(), "");
+  // Its job comes first.
+  control.save("after", [this](const types::Result<Json>& r) { answer = r; });
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_EQ(hand_overs->take_over.front(), nullptr);
+  EXPECT_EQ(control.obstacle(), "");
+}
+
+TEST_F(SessionControlTest, ALoadThatFailsLeavesNoObstacleBehindThatIsGone) {
+  configuration.session.resume = "room";
+  SessionControl control(configuration, *hand_overs, files);
+  EXPECT_NE(control.obstacle(), "") << "nobody has looked for it yet";
+  load(control, "nowhere");
+  ASSERT_TRUE(control.begin_anew());
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_FALSE(*answer);
+  EXPECT_EQ(control.obstacle(), "");
+}
+
+}  // namespace
+}  // namespace topo::daemon
