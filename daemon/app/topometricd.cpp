@@ -14,6 +14,7 @@
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/app/logging.hpp"
 #include "daemon/config/load.hpp"
+#include "daemon/config/replayed.hpp"
 #include "daemon/recording/format.hpp"
 
 namespace topo::daemon {
@@ -29,7 +30,7 @@ constexpr int kUsersFault = 2;
 constexpr unsigned kStopLimit_s = 6;
 
 struct Arguments {
-  std::string config, check, record, replay;
+  std::string config, check, record, replay, sessions;
   bool print = false;
 };
 
@@ -116,7 +117,12 @@ int start(int argc, char** argv) {
   cli.add_flag("--print-config", arguments.print, "print every effective value with its origin and exit");
   auto* record =
       cli.add_option("--record", arguments.record, "record every byte from and to the devices into FILE");
-  cli.add_option("--replay", arguments.replay, "play a recording in place of the devices")->excludes(record);
+  auto* replay = cli.add_option("--replay", arguments.replay,
+                                "play a recording in place of the devices, and end with it")
+                     ->excludes(record);
+  cli.add_option("--sessions", arguments.sessions,
+                 "folder for the sessions of a replay, which leaves the robot's own alone")
+      ->needs(replay);
   if (const auto ended = parse_command_line(cli, "topometricd", argc, argv)) return *ended;
   LoadedConfiguration loaded;
   if (!arguments.check.empty()) {
@@ -130,6 +136,7 @@ int start(int argc, char** argv) {
     return kUsersFault;
   }
   if (const int status = load(arguments.config, loaded); status != kOk) return status;
+  if (!arguments.replay.empty()) loaded = replayed(std::move(loaded), arguments.sessions);
   if (arguments.print) {
     fmt::print("{}", effective_text(loaded));
     return kOk;

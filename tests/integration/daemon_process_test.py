@@ -266,9 +266,25 @@ def check_slow_client(daemon):
 def check_replay(folder, config):
     with open(folder + "/run.rec", "rb") as file:
         assert any(file.read(24)[16:]), "the recording does not say which configuration it was made with"
-    daemon = Daemon(folder, config, "--replay", folder + "/run.rec")
+    # The robot's own sessions: the only journal that may stay is one that a new one would push out.
+    kept = os.path.join(folder, "kept")
+    scratch = os.path.join(folder, "scratch")
+    os.mkdir(kept)
+    os.mkdir(scratch)
+    journal = os.path.join(kept, "journal-20260102T030405Z.session")
+    with open(journal, "wb") as file:
+        file.write(b"of a daemon that was killed")
+    with open(config, "a") as file:
+        file.write('[session]\nfolder = "%s"\nkeep = 1\njournal_period_s = 0.2\n' % kept)
+    daemon = Daemon(folder, config, "--replay", folder + "/run.rec", "--sessions", scratch)
     daemon.until(lambda: daemon.status()["map"]["keyframes"] >= 2, "the recording gives no map")
+    daemon.until(lambda: daemon.status()["session"]["journal"]["keyframes"] >= 2, "the replay keeps no session")
     assert daemon.stop() < 3
+    assert os.listdir(kept) == [os.path.basename(journal)], os.listdir(kept)
+    with open(journal, "rb") as file:
+        assert file.read() == b"of a daemon that was killed"
+    assert len(os.listdir(scratch)) == 1, os.listdir(scratch)
+    assert run(DAEMON, "--config", config, "--sessions", scratch).returncode == 2, "sessions of a replay, without one"
     assert run(DAEMON, "--config", config, "--replay", folder + "/nothing.rec").returncode == 2
 
 
