@@ -7,6 +7,8 @@
 
 #include <cstdio>
 #include <ctime>
+#include <functional>
+#include <memory>
 #include <span>
 
 #include "daemon/app/app.hpp"
@@ -73,21 +75,41 @@ types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file,
   return Recorder::start(std::move(options));
 }
 
+/// A recording that is cut or damaged plays up to there.
+void tell_damage(const RecordingReader& recording) {
+  if (recording.damage()) spdlog::warn("replay: {}; plays up to there", recording.damage()->message);
+  if (recording.missing_frames() > 0)
+    spdlog::warn("replay: {}: {} frames are missing, its disk did not take them", recording.path(),
+                 recording.missing_frames());
+}
+
+std::function<bool()> is_at_end(const std::shared_ptr<Replay>& replay) {
+  if (replay == nullptr) return {};
+  return [replay] {
+    if (replay->finished()) spdlog::info("replay: {}: at its end, stopping", replay->recording().path());
+    return replay->finished();
+  };
+}
+
 int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   std::shared_ptr<Replay> replay;
   if (!arguments.replay.empty()) {
     auto opened = Replay::open(arguments.replay);
     if (!opened) return complain(opened.error());
     replay = std::move(*opened);
+    tell_damage(replay->recording());
   }
   // Before a recording is begun: another daemon of this robot may be writing it.
   auto socket = ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
   auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));
   if (!recorder) return complain(recorder.error());
-  AppOptions options{loaded.values, effective_text(loaded), std::move(*socket),
+  AppOptions options{loaded.values,
+                     effective_text(loaded),
+                     std::move(*socket),
                      replay != nullptr ? replay_connectors(replay) : device_connectors(recorder->get()),
-                     [] { ::alarm(kStopLimit_s); }};
+                     [] { ::alarm(kStopLimit_s); },
+                     is_at_end(replay)};
   auto app = App::make(std::move(options));
   if (!app) return complain(app.error());
   const auto ran = (*app)->run();

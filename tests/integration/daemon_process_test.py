@@ -279,11 +279,16 @@ def check_replay(folder, config):
     daemon = Daemon(folder, config, "--replay", folder + "/run.rec", "--sessions", scratch)
     daemon.until(lambda: daemon.status()["map"]["keyframes"] >= 2, "the recording gives no map")
     daemon.until(lambda: daemon.status()["session"]["journal"]["keyframes"] >= 2, "the replay keeps no session")
-    assert daemon.stop() < 3
+    assert daemon.process.wait(PATIENCE_S) == 0, "the replay does not end with the recording: %s" % daemon.logged()
+    assert not os.path.exists(folder + "/ctl.sock"), "the socket is left behind"
     assert os.listdir(kept) == [os.path.basename(journal)], os.listdir(kept)
     with open(journal, "rb") as file:
         assert file.read() == b"of a daemon that was killed"
     assert len(os.listdir(scratch)) == 1, os.listdir(scratch)
+    with open(folder + "/run.rec", "rb") as whole, open(folder + "/cut.rec", "wb") as cut:
+        cut.write(whole.read()[:os.path.getsize(folder + "/run.rec") // 3])
+    done = run(DAEMON, "--config", config, "--replay", folder + "/cut.rec")
+    assert done.returncode == 0 and "cut.rec: at byte " in done.stderr and "cut after" in done.stderr, done
     assert run(DAEMON, "--config", config, "--sessions", scratch).returncode == 2, "sessions of a replay, without one"
     assert run(DAEMON, "--config", config, "--replay", folder + "/nothing.rec").returncode == 2
 
