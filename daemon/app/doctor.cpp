@@ -202,6 +202,19 @@ Check check_real_time(const DoctorFacts& f) {
              "set realtime.policy = \"off\" on a machine that needs none");
 }
 
+Check check_session(const DoctorFacts& f) {
+  const std::string name = "session";
+  if (!f.session_obstacle.empty()) {
+    return bad(
+        name, f.session_obstacle,
+        "topoctl session load NAME --pose X Y THETA goes on with a session (topoctl session list names "
+        "them); topoctl session new takes the map made since the start: its origin is where the robot "
+        "was then, and the areas of the configuration count from there");
+  }
+  if (f.sessions.empty()) return good(name, "none is kept");
+  return good(name, "kept in " + f.sessions);
+}
+
 Check check_disk(const DoctorFacts& f) {
   constexpr std::uint64_t kEnough = 200ULL << 20U;
   if (f.folder.empty()) return good("disk", "nothing is saved by itself");
@@ -229,6 +242,7 @@ std::vector<Check> examine(const DoctorFacts& facts) {
   checks.push_back(check_mapping(facts));
   checks.push_back(check_threads(facts));
   checks.push_back(check_real_time(facts));
+  checks.push_back(check_session(facts));
   checks.push_back(check_disk(facts));
   return checks;
 }

@@ -39,6 +39,8 @@ struct DoctorFacts {
   std::vector<std::string> stuck;           ///< threads that do not advance
   std::string folder;                       ///< where maps are saved by themselves; empty: nowhere
   std::optional<std::uint64_t> free_bytes;  ///< there; nothing when it cannot be asked
+  std::string sessions;                     ///< folder where the session is kept; empty: nowhere
+  std::string session_obstacle;             ///< why the robot is not sent off because of one; empty: it is
 };
 
 /// One finding.

@@ -125,6 +125,7 @@ DoctorFacts Monitor::facts() const {
   facts.policy = c.realtime.policy;
   facts.refusals = refusals_;
   for (const auto name : stuck_) facts.stuck.emplace_back(name);
+  if (c.session.journal) facts.sessions = c.session.folder;
   facts.folder = c.exploration.save_folder.empty() ? c.record.folder : c.exploration.save_folder;
   return facts;
 }

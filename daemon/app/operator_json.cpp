@@ -68,6 +68,7 @@ Json Operator::places() const {
 void Operator::doctor(std::function<void(Json)> done) {
   DoctorFacts facts = monitor_.facts();
   facts.estop_latched = estop_latched();
+  facts.session_obstacle = sessions_.obstacle();
   // The disk may be a slow one.
   auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {
     facts.free_bytes = free_bytes(facts.folder);

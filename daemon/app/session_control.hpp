@@ -51,13 +51,15 @@ class SessionControl {
   struct Loaded {
     std::size_t keyframes = 0;
     bool closed = false, other_params = false;
-    std::string place;  ///< one sentence
+    std::string damage;  ///< of the file, damage_text()
+    std::string place;   ///< one sentence
     types::Se2 T_map_base;
   };
   /// What became of session.resume.
   struct Resumed {
-    std::string name, warning;
-    std::optional<types::Result<Loaded>> loaded;  ///< nothing: there is none to go on with
+    std::string name;
+    std::string unusable;                         ///< why what it names cannot be read; empty: it can
+    std::optional<types::Result<Loaded>> loaded;  ///< nothing: unusable, or there is none to go on with
   };
   /// How far the session is that is on its way; there is one at a time.
   enum class Stage : std::uint8_t {
@@ -68,10 +70,13 @@ class SessionControl {
   types::Status dispatch(Background::Job job);
   void resume(types::Stamp now);
   void settle(const Resumed& resumed);
+  void hold_back(const std::string& why);
+  static void tell(const std::string& name, const Loaded& loaded);
   void release();
   // On the background thread.
   Resumed try_resume();
   types::Result<Json> save_now(const std::string& path);
+  types::Result<Loaded> load_now(const std::string& path, const std::optional<types::Se2>& pose);
   types::Result<Loaded> go_on(const LoadedSession& file, const std::optional<types::Se2>& pose, bool hint);
   types::Result<slam::Localisation> place(const slam::Session& session, const SessionNews& news,
                                           const std::optional<types::Se2>& pose, bool hint) const;

@@ -48,6 +48,15 @@ TEST(Doctor, FindsNothingWrongWithAHealthyRobot) {
   }
 }
 
+TEST(Doctor, ASessionThatCannotBeGoneOnWith) {
+  DoctorFacts facts = healthy();
+  facts.session_obstacle = "the session to go on with cannot be used: damaged";
+  const Check check = the_bad_one(facts);
+  EXPECT_EQ(check.name, "session");
+  EXPECT_EQ(check.found, facts.session_obstacle);
+  EXPECT_THAT(check.cure, HasSubstr("topoctl session new"));
+}
+
 TEST(Doctor, TheBusOfABaseOnCan) {
   DoctorFacts facts = healthy();
   facts.can.emplace().name = "can0";
