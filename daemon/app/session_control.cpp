@@ -66,7 +66,7 @@ void SessionControl::tick(types::Stamp now, bool has_map) {
 }
 
 void SessionControl::release() {
-  resuming_ = false;
+  resuming_ = held_back_ = false;
   obstacle_.clear();
   hand_overs_.journal_held.store(false, std::memory_order_release);
   hand_overs_.journal_wakeup.post();
@@ -164,6 +164,7 @@ void SessionControl::settle(const Resumed& resumed) {
 void SessionControl::hold_back(const std::string& why) {
   if (why != obstacle_) spdlog::warn("session.resume: {}", why);
   obstacle_ = why;
+  held_back_ = true;
 }
 
 void SessionControl::tell(const std::string& name, const Loaded& loaded) {
@@ -314,6 +315,11 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
     if (answer != nullptr && answer->map != news.map) return {};
   }
   return fail(Errc::kTimeout, "the mapping thread does not take the session over");
+}
+
+std::string SessionControl::trouble() const {
+  if (journal_.failing) return fmt::format("it is not being kept: {}", journal_.message.view());
+  return held_back_ ? obstacle_ : std::string();
 }
 
 Json SessionControl::status() const {

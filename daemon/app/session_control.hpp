@@ -44,6 +44,9 @@ class SessionControl {
   types::Status begin_anew();
 
   [[nodiscard]] Json status() const;
+  /// What is wrong with sessions, for a person; empty: nothing.
+  [[nodiscard]] std::string trouble() const;
+  [[nodiscard]] const JournalReport& journal() const { return journal_; }
   void note(const JournalReport& journal) { journal_ = journal; }
 
  private:
@@ -90,6 +93,7 @@ class SessionControl {
   SessionClient client_;  ///< background thread
   std::uint64_t params_hash_;
   std::string obstacle_;                        ///< because of session.resume
+  bool held_back_ = false;                      ///< it was tried in vain
   bool resuming_ = false;                       ///< session.resume is not settled yet
   bool loading_ = false;                        ///< a job of ours is under way
   bool asked_for_ = false;                      ///< by the operator

@@ -242,7 +242,12 @@ class Sessions(RobotProcesses):
         self.drive((0, 0.8, 3))
         self.assertGreater(self.status()["map"]["keyframes"], before)
         log = (self.folder / "topometricd.log").read_text()
-        self.assertIn("the session is not being kept", log)
+        self.assertIn("the session is not being kept, 1 times since the start: File too large", log)
+        self.assertIn("NOT being kept", self.ctl("status").stdout)
+        self.assertIn("session: it is not being kept: journal-", self.ctl("health").stdout)
+        doctor = self.ctl("doctor")
+        self.assertEqual(doctor.returncode, 1)
+        self.assertIn("BAD  session", doctor.stdout)
         for path in self.sessions.glob("*.session"):
             self.assertLessEqual(path.stat().st_size, limit)
 
