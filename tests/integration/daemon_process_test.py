@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """topometricd and topoctl as processes, with toposim's devices: what an operator does, and what he does wrong.
 
-usage: daemon_process_test.py TOPOMETRICD TOPOCTL TOPOSIM
+usage: daemon_process_test.py TOPOMETRICD TOPOCTL TOPOSIM TOPOMETRIC_ESTOP
 """
 import fcntl
 import json
@@ -18,7 +18,7 @@ import time
 
 from sim_client_tools import Simulation
 
-DAEMON, CTL, SIM = sys.argv[1:4]
+DAEMON, CTL, SIM, ESTOP = sys.argv[1:5]
 PATIENCE_S = 60
 STARTED = []  # daemons, so that none outlives a test that failed
 
@@ -113,6 +113,44 @@ def test_ctl_without_daemon(folder):
     assert done.returncode == 3 and "BAD  daemon" in done.stdout and "systemctl start" in done.stdout, done
     assert run(CTL, "--socket", folder + "/none.sock", "wait", "done").returncode == 3
     assert run(CTL, "--help").returncode == 0
+
+
+def test_wait_ready_waits_for_the_daemon(folder):
+    begin = time.monotonic()
+    done = run(CTL, "--socket", folder + "/ctl.sock", "wait", "ready", "--timeout", "0.5")
+    assert done.returncode == 4 and "no daemon answers" in done.stderr, done
+    assert time.monotonic() - begin >= 0.5
+    with Simulation(SIM, folder) as sim:
+        waiting = subprocess.Popen([CTL, "--socket", folder + "/ctl.sock", "wait", "ready", "--timeout", "60"])
+        STARTED.append(waiting)
+        daemon = Daemon(folder, configuration(folder, sim.robot))
+        assert waiting.wait(PATIENCE_S) == 0
+        assert daemon.ctl("start").returncode == 0
+        assert daemon.stop() < 3
+
+
+def test_a_daemon_that_hangs(folder):
+    with Simulation(SIM, folder) as sim:
+        config = configuration(folder, sim.robot)
+        daemon = Daemon(folder, config)
+        assert daemon.ctl("wait", "ready", "--timeout", "60").returncode == 0
+        done = run(ESTOP, "--config", config)
+        assert done.returncode == 3 and "topoctl estop" in done.stderr, done
+        daemon.process.send_signal(signal.SIGSTOP)
+        begin = time.monotonic()
+        done = daemon.ctl("estop")
+        assert done.returncode == 3 and "does not answer" in done.stderr and "topometric-estop" in done.stderr, done
+        done = daemon.ctl("wait", "ready", "--timeout", "0.5")
+        assert done.returncode == 4 and "does not answer" in done.stderr, done
+        assert time.monotonic() - begin < 4, "it waits longer than it was told to"
+        done = daemon.ctl("doctor")
+        assert done.returncode == 3 and "--force" in done.stdout, done
+        # The simulated port takes one client, as many a bridge does.
+        done = run(ESTOP, "--config", config)
+        assert done.returncode == 1 and "does not answer" in done.stderr and "--force" in done.stderr, done
+        done = run(ESTOP, "--config", config, "--force")
+        assert done.returncode == 0 and "E_STOP, VEL 0, RVEL 0, CLOSE written" in done.stdout, done
+        assert daemon.process.wait(PATIENCE_S) == -signal.SIGKILL
 
 
 def test_operator(folder):
@@ -343,7 +381,7 @@ def test_devices_that_are_not_there(folder):
 
 def main():
     for name, test in sorted(globals().items()):
-        if name.startswith("test_") and (len(sys.argv) < 5 or name in sys.argv[4:]):
+        if name.startswith("test_") and (len(sys.argv) < 6 or name in sys.argv[5:]):
             with tempfile.TemporaryDirectory() as folder:
                 begin = time.monotonic()
                 try:
