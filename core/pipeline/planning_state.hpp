@@ -141,6 +141,7 @@ struct PlanningState::Impl {
   Mission mission;
   Activity activity = Activity::kIdle;
   std::string reason = "no mission yet";
+  std::string hindrance;  ///< why nothing can be planned in this period; empty: it can
   bool ended = true;
   bool second_phase = false;
   bool returning = false;        ///< an exploration on its way home

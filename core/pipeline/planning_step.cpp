@@ -234,7 +234,7 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
   report->sequence = sequence;
   report->stamp = in.now;
   report->activity = activity;
-  report->reason = reason;
+  report->reason = hindrance.empty() ? reason : hindrance;
   report->mission = mission.number;
   report->mission_ended = ended;
   report->second_phase = second_phase;
@@ -258,13 +258,14 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
 /// Nothing can be planned; the mission is kept.
 void PlanningState::Impl::stand(const PlanningInput& in, const char* why) {
   if (!ended) activity = Activity::kThinking;
-  reason = why;
+  hindrance = why;
   has_target = false;
   last_progress = in.now;
 }
 
 PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   ++sequence;
+  hindrance.clear();
   take_mission(in);
   if (in.team != nullptr) hear(in);
   if (in.tracked != nullptr && in.tracked->matched) matched = in.tracked->stamp;

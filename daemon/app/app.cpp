@@ -157,6 +157,7 @@ void App::tick() {
   const std::string state =
       fmt::format("STATUS={}{}", monitor_->summary(), monitor_->alive() ? "\nWATCHDOG=1" : "");
   sd_notify(0, state.c_str());
+  if (options_.has_ended && options_.has_ended()) request_stop();
 }
 
 Status App::enter_real_time() {

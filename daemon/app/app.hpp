@@ -21,6 +21,7 @@ struct AppOptions {
   ListeningSocket socket;               ///< of configuration.control.socket
   ConnectorFactory connectors;
   std::function<void()> on_stopping;  ///< called when the stop begins; may be empty
+  std::function<bool()> has_ended{};  ///< asked every tick: the devices are at their end, stop; may be empty
 };
 
 /// The daemon: every part made in the order of dependency, and the loop of the main thread. Its members are

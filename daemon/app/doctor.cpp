@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -202,16 +203,41 @@ Check check_real_time(const DoctorFacts& f) {
              "set realtime.policy = \"off\" on a machine that needs none");
 }
 
-Check check_disk(const DoctorFacts& f) {
-  constexpr std::uint64_t kEnough = 200ULL << 20U;
-  if (f.folder.empty()) return good("disk", "nothing is saved by itself");
-  if (!f.free_bytes) {
-    return bad("disk", fmt::format("{} cannot be used", f.folder),
-               "make the folder, and let the daemon's user write to it");
+Check check_session(const DoctorFacts& f) {
+  const std::string name = "session";
+  if (!f.session_obstacle.empty()) {
+    return bad(
+        name, f.session_obstacle,
+        "topoctl session load NAME --pose X Y THETA goes on with a session (topoctl session list names "
+        "them); topoctl session new takes the map made since the start: its origin is where the robot "
+        "was then, and the areas of the configuration count from there");
   }
-  const std::string found = fmt::format("{} MiB free for {}", *f.free_bytes >> 20U, f.folder);
-  if (*f.free_bytes >= kEnough) return good("disk", found);
-  return bad("disk", found, "make room: delete old maps and recordings");
+  if (f.sessions.empty()) return good(name, "none is kept");
+  if (!f.journal.failing) return good(name, "kept in " + f.sessions);
+  const std::string message = f.journal.message.str();
+  return bad(name, fmt::format("not being kept in {}: {}", f.sessions, message),
+             mentions(message, ENOSPC)
+                 ? "make room there: delete old maps, sessions and recordings; what is not "
+                   "written yet comes then, unless the daemon ends before"
+                 : "see that it is a folder that the daemon's user may write to");
+}
+
+constexpr std::uint64_t kEnoughBytes = 200ULL << 20U;
+
+Check check_disks(const DoctorFacts& f) {
+  const std::string name = "disk";
+  if (f.disks.empty()) return good(name, "nothing is saved by itself");
+  std::string found;
+  for (const auto& [folder, free_bytes] : f.disks) {
+    if (!free_bytes) {
+      return bad(name, fmt::format("{} cannot be used", folder),
+                 "make the folder, and let the daemon's user write to it");
+    }
+    found += fmt::format("{}{} MiB free for {}", found.empty() ? "" : ", ", *free_bytes >> 20U, folder);
+  }
+  const bool enough = std::all_of(f.disks.begin(), f.disks.end(),
+                                  [](const auto& disk) { return *disk.free_bytes >= kEnoughBytes; });
+  return enough ? good(name, found) : bad(name, found, "make room: delete old maps and recordings");
 }
 
 }  // namespace
@@ -229,7 +255,8 @@ std::vector<Check> examine(const DoctorFacts& facts) {
   checks.push_back(check_mapping(facts));
   checks.push_back(check_threads(facts));
   checks.push_back(check_real_time(facts));
-  checks.push_back(check_disk(facts));
+  checks.push_back(check_session(facts));
+  checks.push_back(check_disks(facts));
   return checks;
 }
 

@@ -35,10 +35,16 @@ struct DoctorFacts {
   std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: matched nothing
   std::uint64_t scans_matched_lately = 0;  ///< the same: matched
   RealtimePolicy policy = RealtimePolicy::kOff;
-  std::vector<std::string> refusals;        ///< of the system: real-time scheduling, locked memory
-  std::vector<std::string> stuck;           ///< threads that do not advance
-  std::string folder;                       ///< where maps are saved by themselves; empty: nowhere
-  std::optional<std::uint64_t> free_bytes;  ///< there; nothing when it cannot be asked
+  std::vector<std::string> refusals;  ///< of the system: real-time scheduling, locked memory
+  std::vector<std::string> stuck;     ///< threads that do not advance
+  struct Disk {
+    std::string folder;                         ///< where something is written by itself
+    std::optional<std::uint64_t> free_bytes{};  ///< there; nothing when it is none that we may write to
+  };
+  std::vector<Disk> disks;
+  std::string sessions;          ///< folder where the session is kept; empty: nowhere
+  std::string session_obstacle;  ///< why the robot is not sent off because of one; empty: it is
+  JournalReport journal;         ///< of the session that is kept
 };
 
 /// One finding.

@@ -125,7 +125,10 @@ DoctorFacts Monitor::facts() const {
   facts.policy = c.realtime.policy;
   facts.refusals = refusals_;
   for (const auto name : stuck_) facts.stuck.emplace_back(name);
-  facts.folder = c.exploration.save_folder.empty() ? c.record.folder : c.exploration.save_folder;
+  if (c.session.journal) facts.sessions = c.session.folder;
+  for (const std::string& folder : {c.exploration.save_folder, c.record.folder, c.session.folder}) {
+    if (!folder.empty()) facts.disks.push_back({folder});
+  }
   return facts;
 }
 
@@ -162,7 +165,8 @@ std::string Monitor::device_obstacle() const {
   for (const Device& device : devices_) {
     if (device.report.working) continue;
     const std::string_view message = device.report.message.view();
-    return fmt::format("{} is not ready: {}{}{}", device.name, device.report.state.view(),
+    const std::string_view state = device.report.state.view();  // empty before its thread's first word
+    return fmt::format("{} is not ready: {}{}{}", device.name, state.empty() ? "starting" : state,
                        message.empty() ? "" : ": ", message);
   }
   return base_.ready ? "" : "base is not ready: it takes no commands yet";

@@ -34,7 +34,7 @@ class Operator final : public Operations {
   void tick(types::Stamp now);
 
   [[nodiscard]] Json status() const override;
-  [[nodiscard]] Json health() const override { return monitor_.health(); }
+  [[nodiscard]] Json health() const override;
   [[nodiscard]] Json latency() const override { return monitor_.latency(); }
   [[nodiscard]] Json config() const override { return Json{{"text", effective_}}; }
   [[nodiscard]] Json goals() const override;

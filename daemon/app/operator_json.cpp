@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -15,9 +16,10 @@ namespace {
 
 /// Room on the disk of a folder that we may write to; of the one above while it is missing.
 std::optional<std::uint64_t> free_bytes(std::string folder) {
-  if (folder.empty()) return {};
   if (::access(folder.c_str(), F_OK) != 0) folder = folder.substr(0, folder.rfind('/') + 1);
+  struct stat info {};
   struct statvfs disk {};
+  if (::stat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode)) return {};
   if (::access(folder.c_str(), W_OK) != 0 || ::statvfs(folder.c_str(), &disk) != 0) return {};
   return static_cast<std::uint64_t>(disk.f_bavail) * disk.f_frsize;
 }
@@ -38,6 +40,15 @@ Json Operator::status() const {
   json["open_goals"] = report->open_goals.size();
   json["second_phase"] = report->second_phase;
   json["known_m2"] = report->known_m2;
+  return json;
+}
+
+Json Operator::health() const {
+  Json json = monitor_.health();
+  if (const std::string trouble = sessions_.trouble(); !trouble.empty()) {
+    json["healthy"] = false;
+    json["faults"].push_back("session: " + trouble);
+  }
   return json;
 }
 
@@ -68,9 +79,11 @@ Json Operator::places() const {
 void Operator::doctor(std::function<void(Json)> done) {
   DoctorFacts facts = monitor_.facts();
   facts.estop_latched = estop_latched();
+  facts.session_obstacle = sessions_.obstacle();
+  facts.journal = sessions_.journal();
   // The disk may be a slow one.
   auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {
-    facts.free_bytes = free_bytes(facts.folder);
+    for (DoctorFacts::Disk& disk : facts.disks) disk.free_bytes = free_bytes(disk.folder);
     Json checks = Json::array();
     bool ok = true;
     for (const Check& check : examine(facts)) {

@@ -25,6 +25,11 @@ namespace {
 constexpr types::Duration kPatience = std::chrono::seconds(5);
 constexpr types::Duration kTryAgain = std::chrono::seconds(10);
 
+/// What is worth a word about a session's file: a journal that was only not closed is a killed daemon's.
+std::string lacks(const LoadedSession& file) {
+  return file.closed || file.damaged > 0 ? damage_text(file) : std::string();
+}
+
 auto no_folder() {
   return fail(Errc::kInvalidInput, "session.folder is not configured: no sessions are kept");
 }
@@ -61,7 +66,7 @@ void SessionControl::tick(types::Stamp now, bool has_map) {
 }
 
 void SessionControl::release() {
-  resuming_ = false;
+  resuming_ = held_back_ = false;
   obstacle_.clear();
   hand_overs_.journal_held.store(false, std::memory_order_release);
   hand_overs_.journal_wakeup.post();
@@ -107,14 +112,17 @@ Result<std::optional<SessionEntry>> SessionControl::wanted() const {
 SessionControl::Resumed SessionControl::try_resume() {
   Resumed resumed;
   const auto entry = wanted();
-  if (!entry) resumed.warning = entry.error().message;
+  if (!entry) resumed.unusable = entry.error().message;
   if (!entry || !*entry) return resumed;
   resumed.name = (*entry)->name;
   const auto file = load_session((*entry)->path);
   if (!file) {
-    resumed.warning = file.error().message;
-  } else if (!file->session.keyframes.empty() &&
-             !(file->closed && configuration_.session.resume == "killed")) {
+    resumed.unusable = file.error().message;
+  } else if (file->closed && configuration_.session.resume == "killed") {
+    return resumed;
+  } else if (const Status sound = check_map(*file, (*entry)->path); !sound) {
+    resumed.unusable = sound.error().message;
+  } else {
     resumed.loaded = go_on(*file, std::nullopt, true);
   }
   return resumed;
@@ -133,21 +141,36 @@ void SessionControl::resume(types::Stamp now) {
 }
 
 void SessionControl::settle(const Resumed& resumed) {
-  if (!resumed.loaded) {
-    if (!resumed.warning.empty()) spdlog::warn("session.resume: {}", resumed.warning);
-    return release();
+  if (!resumed.unusable.empty()) {
+    // Another map has another origin, from which the areas that are forbidden would be measured.
+    return hold_back(
+        fmt::format("the session to go on with cannot be used: {} (topoctl session load NAME, or "
+                    "topoctl session new)",
+                    resumed.unusable));
   }
+  if (!resumed.loaded) return release();
   const Result<Loaded>& loaded = *resumed.loaded;
   if (loaded) {
-    spdlog::info("session {}: goes on with {} keyframes; {}", resumed.name, loaded->keyframes, loaded->place);
+    tell(resumed.name, *loaded);
     return release();
   }
-  const std::string text = fmt::format(
-      "the robot does not know where it is in session {0}: {1} (topoctl session load {0} --pose X Y THETA, "
-      "or topoctl session new)",
-      resumed.name, loaded.error().message);
-  if (text != obstacle_) spdlog::warn("session.resume: {}", text);
-  obstacle_ = text;
+  hold_back(
+      fmt::format("the robot does not know where it is in session {0}: {1} (topoctl session load {0} "
+                  "--pose X Y THETA, or topoctl session new)",
+                  resumed.name, loaded.error().message));
+}
+
+/// It is tried again; what changed is told.
+void SessionControl::hold_back(const std::string& why) {
+  if (why != obstacle_) spdlog::warn("session.resume: {}", why);
+  obstacle_ = why;
+  held_back_ = true;
+}
+
+void SessionControl::tell(const std::string& name, const Loaded& loaded) {
+  if (!loaded.damage.empty())
+    spdlog::warn("session {}: {}; what is whole is gone on with", name, loaded.damage);
+  spdlog::info("session {}: goes on with {} keyframes; {}", name, loaded.keyframes, loaded.place);
 }
 
 void SessionControl::list(const Done& done) {
@@ -157,8 +180,11 @@ void SessionControl::list(const Done& done) {
     if (!sessions) return [done, error = sessions.error()] { done(tl::unexpected(error)); };
     Json entries = Json::array();
     for (const SessionEntry& s : *sessions) {
-      entries.push_back(
-          {{"name", s.name}, {"bytes", s.bytes}, {"written_s", s.written_s}, {"journal", s.journal}});
+      entries.push_back({{"name", s.name},
+                         {"bytes", s.bytes},
+                         {"written_s", s.written_s},
+                         {"journal", s.journal},
+                         {"fault", header_fault(s.path)}});
     }
     return [done, json = Json{{"folder", folder}, {"sessions", std::move(entries)}}] { done(json); };
   };
@@ -199,17 +225,17 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
   if (loading_) return done(fail(Errc::kBusy, "a session is being loaded already"));
   asked_for_ = true;
   auto job = [this, path = session_path(folder, name), name, pose, done]() -> Background::Finish {
-    const auto file = load_session(path);
-    const Result<Loaded> loaded = file ? go_on(*file, pose, false) : tl::unexpected(file.error());
+    const Result<Loaded> loaded = load_now(path, pose);
     return [this, loaded, name, done] {
       loading_ = false;
       if (!loaded) return done(tl::unexpected(loaded.error()));
       release();
-      spdlog::info("session {}: goes on with {} keyframes; {}", name, loaded->keyframes, loaded->place);
+      tell(name, *loaded);
       done(Json{{"name", name},
                 {"keyframes", loaded->keyframes},
                 {"closed", loaded->closed},
                 {"other_parameters", loaded->other_params},
+                {"damage", loaded->damage},
                 {"place", loaded->place},
                 {"pose",
                  {{"x_m", loaded->T_map_base.x_m},
@@ -220,9 +246,17 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
   if (const auto added = dispatch(std::move(job)); !added) done(tl::unexpected(added.error()));
 }
 
+Result<SessionControl::Loaded> SessionControl::load_now(const std::string& path,
+                                                        const std::optional<types::Se2>& pose) {
+  const auto file = load_session(path);
+  if (!file) return tl::unexpected(file.error());
+  if (const Status sound = check_map(*file, path); !sound) return tl::unexpected(sound.error());
+  return go_on(*file, pose, false);
+}
+
+/// Precondition: check_map().
 Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
                                                      const std::optional<types::Se2>& pose, bool hint) {
-  if (file.session.keyframes.empty()) return fail(Errc::kNotFound, "the session holds no map");
   SessionAsk ask;
   ask.sighting = true;
   const auto news = client_.ask(ask, kPatience);
@@ -232,8 +266,9 @@ Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
   const auto found = place(session, *news, pose, hint);
   if (!found) return tl::unexpected(found.error());
   if (auto s = hand_over(session, *news, found->match); !s) return tl::unexpected(s.error());
-  return Loaded{file.session.keyframes.size(), file.closed, file.params_hash != params_hash_,
-                describe(*found), found->match.T_map_base};
+  return Loaded{
+      session.keyframes.size(), file.closed, file.params_hash != params_hash_, lacks(file), describe(*found),
+      found->match.T_map_base};
 }
 
 /// Where the newest scan is in the session. `hint`: when two places look alike, a robot that was only
@@ -280,6 +315,11 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
     if (answer != nullptr && answer->map != news.map) return {};
   }
   return fail(Errc::kTimeout, "the mapping thread does not take the session over");
+}
+
+std::string SessionControl::trouble() const {
+  if (journal_.failing) return fmt::format("it is not being kept: {}", journal_.message.view());
+  return held_back_ ? obstacle_ : std::string();
 }
 
 Json SessionControl::status() const {

@@ -44,6 +44,9 @@ class SessionControl {
   types::Status begin_anew();
 
   [[nodiscard]] Json status() const;
+  /// What is wrong with sessions, for a person; empty: nothing.
+  [[nodiscard]] std::string trouble() const;
+  [[nodiscard]] const JournalReport& journal() const { return journal_; }
   void note(const JournalReport& journal) { journal_ = journal; }
 
  private:
@@ -51,13 +54,15 @@ class SessionControl {
   struct Loaded {
     std::size_t keyframes = 0;
     bool closed = false, other_params = false;
-    std::string place;  ///< one sentence
+    std::string damage;  ///< of the file, damage_text()
+    std::string place;   ///< one sentence
     types::Se2 T_map_base;
   };
   /// What became of session.resume.
   struct Resumed {
-    std::string name, warning;
-    std::optional<types::Result<Loaded>> loaded;  ///< nothing: there is none to go on with
+    std::string name;
+    std::string unusable;                         ///< why what it names cannot be read; empty: it can
+    std::optional<types::Result<Loaded>> loaded;  ///< nothing: unusable, or there is none to go on with
   };
   /// How far the session is that is on its way; there is one at a time.
   enum class Stage : std::uint8_t {
@@ -68,10 +73,13 @@ class SessionControl {
   types::Status dispatch(Background::Job job);
   void resume(types::Stamp now);
   void settle(const Resumed& resumed);
+  void hold_back(const std::string& why);
+  static void tell(const std::string& name, const Loaded& loaded);
   void release();
   // On the background thread.
   Resumed try_resume();
   types::Result<Json> save_now(const std::string& path);
+  types::Result<Loaded> load_now(const std::string& path, const std::optional<types::Se2>& pose);
   types::Result<Loaded> go_on(const LoadedSession& file, const std::optional<types::Se2>& pose, bool hint);
   types::Result<slam::Localisation> place(const slam::Session& session, const SessionNews& news,
                                           const std::optional<types::Se2>& pose, bool hint) const;
@@ -85,6 +93,7 @@ class SessionControl {
   SessionClient client_;  ///< background thread
   std::uint64_t params_hash_;
   std::string obstacle_;                        ///< because of session.resume
+  bool held_back_ = false;                      ///< it was tried in vain
   bool resuming_ = false;                       ///< session.resume is not settled yet
   bool loading_ = false;                        ///< a job of ours is under way
   bool asked_for_ = false;                      ///< by the operator

@@ -7,6 +7,8 @@
 
 #include <cstdio>
 #include <ctime>
+#include <functional>
+#include <memory>
 #include <span>
 
 #include "daemon/app/app.hpp"
@@ -14,6 +16,7 @@
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/app/logging.hpp"
 #include "daemon/config/load.hpp"
+#include "daemon/config/replayed.hpp"
 #include "daemon/recording/format.hpp"
 
 namespace topo::daemon {
@@ -29,7 +32,7 @@ constexpr int kUsersFault = 2;
 constexpr unsigned kStopLimit_s = 6;
 
 struct Arguments {
-  std::string config, check, record, replay;
+  std::string config, check, record, replay, sessions;
   bool print = false;
 };
 
@@ -72,21 +75,41 @@ types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file,
   return Recorder::start(std::move(options));
 }
 
+/// A recording that is cut or damaged plays up to there.
+void tell_damage(const RecordingReader& recording) {
+  if (recording.damage()) spdlog::warn("replay: {}; plays up to there", recording.damage()->message);
+  if (recording.missing_frames() > 0)
+    spdlog::warn("replay: {}: {} frames are missing, its disk did not take them", recording.path(),
+                 recording.missing_frames());
+}
+
+std::function<bool()> is_at_end(const std::shared_ptr<Replay>& replay) {
+  if (replay == nullptr) return {};
+  return [replay] {
+    if (replay->finished()) spdlog::info("replay: {}: at its end, stopping", replay->recording().path());
+    return replay->finished();
+  };
+}
+
 int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   std::shared_ptr<Replay> replay;
   if (!arguments.replay.empty()) {
     auto opened = Replay::open(arguments.replay);
     if (!opened) return complain(opened.error());
     replay = std::move(*opened);
+    tell_damage(replay->recording());
   }
   // Before a recording is begun: another daemon of this robot may be writing it.
   auto socket = ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
   auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));
   if (!recorder) return complain(recorder.error());
-  AppOptions options{loaded.values, effective_text(loaded), std::move(*socket),
+  AppOptions options{loaded.values,
+                     effective_text(loaded),
+                     std::move(*socket),
                      replay != nullptr ? replay_connectors(replay) : device_connectors(recorder->get()),
-                     [] { ::alarm(kStopLimit_s); }};
+                     [] { ::alarm(kStopLimit_s); },
+                     is_at_end(replay)};
   auto app = App::make(std::move(options));
   if (!app) return complain(app.error());
   const auto ran = (*app)->run();
@@ -116,7 +139,12 @@ int start(int argc, char** argv) {
   cli.add_flag("--print-config", arguments.print, "print every effective value with its origin and exit");
   auto* record =
       cli.add_option("--record", arguments.record, "record every byte from and to the devices into FILE");
-  cli.add_option("--replay", arguments.replay, "play a recording in place of the devices")->excludes(record);
+  auto* replay = cli.add_option("--replay", arguments.replay,
+                                "play a recording in place of the devices, and end with it")
+                     ->excludes(record);
+  cli.add_option("--sessions", arguments.sessions,
+                 "folder for the sessions of a replay, which leaves the robot's own alone")
+      ->needs(replay);
   if (const auto ended = parse_command_line(cli, "topometricd", argc, argv)) return *ended;
   LoadedConfiguration loaded;
   if (!arguments.check.empty()) {
@@ -130,6 +158,7 @@ int start(int argc, char** argv) {
     return kUsersFault;
   }
   if (const int status = load(arguments.config, loaded); status != kOk) return status;
+  if (!arguments.replay.empty()) loaded = replayed(std::move(loaded), arguments.sessions);
   if (arguments.print) {
     fmt::print("{}", effective_text(loaded));
     return kOk;

@@ -7,8 +7,10 @@
 #include <sys/file.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/un.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -93,12 +95,18 @@ ListeningSocket::~ListeningSocket() {
   if (socket_.valid()) ::unlink(path_.c_str());
 }
 
-Result<io::UniqueFd> connect_unix(const std::string& path) {
+Result<io::UniqueFd> connect_unix(const std::string& path, types::Duration patience) {
   const auto address = to_address(path);
   if (!address) return tl::unexpected(address.error());
   io::UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   if (!socket.valid()) return fail_path(path, "no socket");
+  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(patience).count();
+  const timeval limit{std::max<std::int64_t>(us, 1) / 1'000'000, std::max<std::int64_t>(us, 1) % 1'000'000};
+  if (::setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit) != 0)
+    return fail_path(path, "no time limit");
   if (::connect(socket.get(), generic(*address), sizeof *address) != 0) {
+    if (errno == EAGAIN)
+      return fail(Errc::kTimeout, fmt::format("control socket {}: the daemon does not answer", path));
     return fail_path(path, "no daemon answers");
   }
   return socket;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/types/result.hpp"
+#include "core/types/stamp.hpp"
 #include "drivers/io/unique_fd.hpp"
 
 namespace topo::daemon {
@@ -34,6 +35,8 @@ class ListeningSocket {
 };
 
 /// Connects to a daemon. kNotFound: nobody serves there. kPermission: the file or its folder is closed to us.
-types::Result<io::UniqueFd> connect_unix(const std::string& path);
+/// kTimeout: it took nobody up within `patience`, the longest that later sends wait, too.
+types::Result<io::UniqueFd> connect_unix(const std::string& path,
+                                         types::Duration patience = std::chrono::seconds(5));
 
 }  // namespace topo::daemon

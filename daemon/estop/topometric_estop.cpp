@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Run by the service manager after the daemon has stopped, whichever way it did (systemd/topometric.service).
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 
 #include "daemon/app/command_line.hpp"
 #include "daemon/config/load.hpp"
-#include "daemon/control/unix_socket.hpp"
+#include "daemon/control/probe.hpp"
 #include "daemon/estop/stop_robot.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
@@ -18,6 +22,9 @@ constexpr int kOk = 0;
 constexpr int kFailed = 1;
 constexpr int kUsersFault = 2;
 constexpr int kDaemonLives = 3;
+
+/// For a daemon's answer; its main loop never works that long at a stretch.
+constexpr types::Duration kPatience = std::chrono::milliseconds(200);
 
 /// stop_robot() is bounded; a name server that does not answer is not. Then the kernel ends us.
 constexpr unsigned kHardLimit_s = 2;
@@ -43,7 +50,19 @@ int stop(const std::string& address) {
   return kOk;
 }
 
-int stop_configured(const std::string& file) {
+/// A daemon that hangs may hold the port for itself: a serial one always, and many a bridge of TCP.
+int stop_beside(const std::string& socket, pid_t daemon, const std::string& address, bool force) {
+  fmt::print(stderr, "topometric-estop: the daemon on {} (process {}) does not answer\n", socket, daemon);
+  if (force && (daemon <= 0 || ::kill(daemon, SIGKILL) != 0))
+    fmt::print(stderr, "topometric-estop: it cannot be ended: {}\n",
+               daemon <= 0 ? "unknown" : std::strerror(errno));
+  const int status = stop(address);
+  if (status != kOk && !force)
+    fmt::print(stderr, "topometric-estop: it may hold the port; --force ends it first\n");
+  return status;
+}
+
+int stop_configured(const std::string& file, bool force) {
   const auto loaded = load_configuration(file);
   if (!loaded) return complain(loaded.error().message, kUsersFault);
   if (!loaded->faults.empty()) {
@@ -52,10 +71,12 @@ int stop_configured(const std::string& file) {
   }
   // A port has one master: two that write to it make the robot jerk.
   const std::string& socket = loaded->values.control.socket;
-  if (connect_unix(socket)) {
+  const Probe daemon = probe(socket, kPatience);
+  if (daemon.served == Served::kByLiving) {
     return complain(fmt::format("a daemon serves this robot on {}; use topoctl estop", socket), kDaemonLives);
   }
-  return stop(loaded->values.base.address);
+  if (daemon.served == Served::kNobody) return stop(loaded->values.base.address);
+  return stop_beside(socket, daemon.pid, loaded->values.base.address, force);
 }
 
 int start(int argc, char** argv) {
@@ -69,11 +90,14 @@ int start(int argc, char** argv) {
   cli.add_option("--address", address,
                  "the base's address: serial:/dev/NAME, tcp:HOST:PORT or can:INTERFACE:UNIT")
       ->excludes(from_file);
+  bool force = false;
+  cli.add_flag("--force", force, "end (SIGKILL) a daemon that does not answer, which may hold the port")
+      ->needs(from_file);
   if (const auto ended = parse_command_line(cli, "topometric-estop", argc, argv)) return *ended;
   if (config.empty() && address.empty())
     return complain("--config FILE or --address ADDRESS is missing (--help tells more)", kUsersFault);
   ::alarm(kHardLimit_s);
-  return config.empty() ? stop(address) : stop_configured(config);
+  return config.empty() ? stop(address) : stop_configured(config, force);
 }
 
 }  // namespace

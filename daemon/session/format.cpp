@@ -17,6 +17,26 @@ constexpr std::array<char, 8> kMagic{'T', 'O', 'P', 'O', 'S', 'E', 'S', '\0'};
 constexpr std::size_t kRecordHead = 28;
 constexpr int kLevel = 3;  // higher ones save 2 % of what varints leave
 
+struct RecordHead {
+  SessionRecord kind{};
+  std::uint32_t packed_bytes = 0, raw_bytes = 0;
+  std::uint64_t packed_sum = 0;
+};
+
+/// Nothing when it is damaged or not all there.
+std::optional<RecordHead> read_head(std::span<const std::byte> rest) {
+  if (rest.size() < kRecordHead) return std::nullopt;
+  slam::ByteReader in(rest.first(kRecordHead));
+  RecordHead head;
+  head.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
+  head.packed_bytes = in.integer<std::uint32_t>();
+  head.raw_bytes = in.integer<std::uint32_t>();
+  head.packed_sum = in.integer<std::uint64_t>();
+  const bool whole = in.integer<std::uint64_t>() == checksum(rest.first(kRecordHead - 8));
+  if (!whole || head.raw_bytes > kSessionRecordBytesMax) return std::nullopt;
+  return head;
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_session_header(const SessionHeader& header) {
@@ -58,23 +78,24 @@ bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::span<co
 }
 
 std::optional<ReadRecord> read_record(std::span<const std::byte> rest) {
-  if (rest.size() < kRecordHead) return std::nullopt;
-  slam::ByteReader in(rest.first(kRecordHead));
+  const auto head = read_head(rest);
+  if (!head || head->packed_bytes > rest.size() - kRecordHead) return std::nullopt;
+  const auto packed = rest.subspan(kRecordHead, head->packed_bytes);
+  if (head->packed_sum != checksum(packed)) return std::nullopt;
   ReadRecord record;
-  record.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
-  const auto packed_bytes = in.integer<std::uint32_t>(), raw_bytes = in.integer<std::uint32_t>();
-  const auto sum = in.integer<std::uint64_t>(), head_sum = in.integer<std::uint64_t>();
-  if (head_sum != checksum(rest.first(kRecordHead - 8)) || raw_bytes > kSessionRecordBytesMax ||
-      packed_bytes > rest.size() - kRecordHead) {
-    return std::nullopt;
-  }
-  const auto packed = rest.subspan(kRecordHead, packed_bytes);
-  if (sum != checksum(packed)) return std::nullopt;
-  record.content.resize(raw_bytes);
-  const std::size_t n = ZSTD_decompress(record.content.data(), raw_bytes, packed.data(), packed.size());
-  if (ZSTD_isError(n) != 0U || n != raw_bytes) return std::nullopt;
-  record.bytes = kRecordHead + packed_bytes;
+  record.kind = head->kind;
+  record.content.resize(head->raw_bytes);
+  const std::size_t n = ZSTD_decompress(record.content.data(), head->raw_bytes, packed.data(), packed.size());
+  if (ZSTD_isError(n) != 0U || n != head->raw_bytes) return std::nullopt;
+  record.bytes = kRecordHead + head->packed_bytes;
   return record;
+}
+
+bool is_cut(std::span<const std::byte> rest) {
+  if (rest.empty()) return false;
+  if (rest.size() < kRecordHead) return true;
+  const auto head = read_head(rest);
+  return head && head->packed_bytes > rest.size() - kRecordHead;
 }
 
 }  // namespace topo::daemon

@@ -51,5 +51,7 @@ struct ReadRecord {
 };
 /// The record at the beginning of the rest of a file; nothing when there is no whole and undamaged one.
 [[nodiscard]] std::optional<ReadRecord> read_record(std::span<const std::byte> rest);
+/// Whether the rest of a file ends within its first record, whose head is undamaged as far as it is there.
+[[nodiscard]] bool is_cut(std::span<const std::byte> rest);
 
 }  // namespace topo::daemon

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <filesystem>
+
 #include "daemon/session/format.hpp"
 #include "drivers/io/posix.hpp"
 
@@ -24,14 +26,16 @@ constexpr PoseTolerance kTolerance{0.02, 0.002};
 }  // namespace
 
 Result<JournalFile> JournalFile::create(const std::string& path, std::uint64_t params_hash) {
+  // Short, for a report of bounded length: the folder is in the configuration.
+  const std::string name = std::filesystem::path(path).filename().string();
   io::UniqueFd fd(io::retry_interrupted(
       [&] { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644); }));
   if (!fd.valid()) {
     if (errno == EEXIST)
-      return types::fail(Errc::kInvalidInput, fmt::format("{}: there is such a file already", path), EEXIST);
-    return io::fail_errno(path, "cannot create the journal", errno);
+      return types::fail(Errc::kInvalidInput, fmt::format("{}: there is such a file already", name), EEXIST);
+    return io::fail_errno(name, "cannot create the journal", errno);
   }
-  JournalFile journal(path, std::move(fd));
+  JournalFile journal(path, name, std::move(fd));
   if (auto s = journal.write(encode_session_header({params_hash})); !s) {
     ::unlink(path.c_str());
     return tl::unexpected(s.error());
@@ -49,13 +53,13 @@ Status JournalFile::write(std::span<const std::byte> bytes) {
       const int error = errno;
       // Half a record would hide every later one from a reader.
       static_cast<void>(::ftruncate(fd_.get(), static_cast<off_t>(size_)));
-      return io::fail_errno(path_, fmt::format("cannot write {} bytes at byte {}", bytes.size(), size_),
+      return io::fail_errno(name_, fmt::format("cannot write {} bytes at byte {}", bytes.size(), size_),
                             error);
     }
     done += static_cast<std::size_t>(n);
   }
   if (::fdatasync(fd_.get()) != 0 && errno != EINVAL)
-    return io::fail_errno(path_, "cannot bring it to the disk", errno);
+    return io::fail_errno(name_, "cannot bring it to the disk", errno);
   size_ += bytes.size();
   return {};
 }

@@ -29,9 +29,11 @@ class JournalFile {
   [[nodiscard]] std::uint64_t bytes() const { return size_; }
 
  private:
-  JournalFile(std::string path, io::UniqueFd fd) : path_(std::move(path)), fd_(std::move(fd)) {}
+  JournalFile(std::string path, std::string name, io::UniqueFd fd)
+      : path_(std::move(path)), name_(std::move(name)), fd_(std::move(fd)) {}
   types::Status write(std::span<const std::byte> bytes);
   std::string path_;
+  std::string name_;  ///< without its folder; errors name it
   io::UniqueFd fd_;
   std::uint64_t size_ = 0;
   SessionWriter writer_;

@@ -94,17 +94,18 @@ void trim(slam::Session& session) {
   std::erase_if(session.edges, [n](const slam::Edge& e) { return e.from >= n || e.to >= n; });
 }
 
+std::string foreign_text(std::uint32_t version) {
+  return version != 0 && version != kSessionVersion
+             ? fmt::format("found version {}, expected {}", version, kSessionVersion)
+             : std::string("the file does not begin as a session does");
+}
+
 }  // namespace
 
 Result<LoadedSession> parse_session(std::span<const std::byte> file) {
   std::uint32_t version = 0;
   const auto header = decode_session_header(file, version);
-  if (!header) {
-    return types::fail(Errc::kInvalidInput,
-                       version != 0 && version != kSessionVersion
-                           ? fmt::format("found version {}, expected {}", version, kSessionVersion)
-                           : std::string("the file does not begin as a session does"));
-  }
+  if (!header) return types::fail(Errc::kInvalidInput, foreign_text(version));
   LoadedSession loaded;
   loaded.params_hash = header->params_hash;
   loaded.bytes = SessionHeader::kSize;
@@ -114,9 +115,19 @@ Result<LoadedSession> parse_session(std::span<const std::byte> file) {
     loaded.bytes += record->bytes;
   }
   loaded.damaged = file.size() - loaded.bytes;
+  loaded.cut = is_cut(file.subspan(loaded.bytes));
   trim(loaded.session);
   if (const Status sound = slam::check_session(loaded.session); !sound) return tl::unexpected(sound.error());
   return loaded;
+}
+
+std::string damage_text(const LoadedSession& loaded) {
+  const std::size_t size = loaded.bytes + loaded.damaged;
+  if (loaded.closed && loaded.damaged == 0) return {};
+  if (loaded.closed) return fmt::format("{} bytes behind its end are no part of it", loaded.damaged);
+  if (loaded.damaged == 0) return fmt::format("it ends at byte {} and was not closed", size);
+  if (loaded.cut) return fmt::format("cut at byte {}, its last whole record ends at {}", size, loaded.bytes);
+  return fmt::format("damaged at byte {} of {}", loaded.bytes, size);
 }
 
 Result<LoadedSession> load_session(const std::string& path) {
@@ -125,6 +136,21 @@ Result<LoadedSession> load_session(const std::string& path) {
   auto loaded = parse_session(std::as_bytes(std::span(*content)));
   if (!loaded) return types::fail(loaded.error().code, fmt::format("{}: {}", path, loaded.error().message));
   return loaded;
+}
+
+Status check_map(const LoadedSession& loaded, const std::string& path) {
+  if (!loaded.session.keyframes.empty()) return {};
+  const std::string damage = damage_text(loaded);
+  return types::fail(Errc::kInvalidInput, fmt::format("{}: no keyframe with a pose is in it{}{}", path,
+                                                      damage.empty() ? "" : ": ", damage));
+}
+
+std::string header_fault(const std::string& path) {
+  const auto beginning = read_beginning(path, SessionHeader::kSize);
+  if (!beginning) return beginning.error().message;
+  std::uint32_t version = 0;
+  if (decode_session_header(std::as_bytes(std::span(*beginning)), version)) return {};
+  return foreign_text(version);
 }
 
 }  // namespace topo::daemon

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <system_error>
 #include <utility>
 
 #include "daemon/logging/event_catalogue.hpp"
@@ -17,6 +18,11 @@ namespace {
 /// out.
 constexpr std::size_t kWorthKeeping = 2;
 constexpr types::Duration kPatience = std::chrono::seconds(5);
+
+/// An event's text is short: the system's word is what matters, the file is known.
+std::string reason_of(const types::Error& error) {
+  return error.sys_errno != 0 ? std::generic_category().message(error.sys_errno) : error.message;
+}
 
 }  // namespace
 
@@ -100,7 +106,7 @@ void JournalWorker::note(const types::Status& kept) {
     report_.message = kept.error().message;
     if (failed_.due(now)) {
       post(vitals_.events, now.time_since_epoch().count(), EventId::kJournalFailed, sync::Severity::kWarning,
-           {static_cast<std::int64_t>(report_.failures)}, report_.message.view());
+           {static_cast<std::int64_t>(report_.failures)}, reason_of(kept.error()));
     }
   }
   hand_overs_.journal_report.store(report_);

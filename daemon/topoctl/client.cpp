@@ -19,8 +19,8 @@ using types::Errc;
 using types::fail;
 using types::Result;
 
-Result<Client> Client::connect(const std::string& socket) {
-  auto fd = connect_unix(socket);
+Result<Client> Client::connect(const std::string& socket, types::Duration patience) {
+  auto fd = connect_unix(socket, patience);
   if (!fd) return tl::unexpected(fd.error());
   return Client(std::move(*fd));
 }
@@ -32,6 +32,7 @@ Result<Json> Client::call(std::string_view method, const Json& params, types::Du
   while (!rest.empty()) {
     const ssize_t sent =
         io::retry_interrupted([&] { return ::send(fd_.get(), rest.data(), rest.size(), MSG_NOSIGNAL); });
+    if (sent < 0 && errno == EAGAIN) return fail(Errc::kTimeout, "the daemon does not answer", errno);
     if (sent < 0)
       return fail(Errc::kClosed, fmt::format("the daemon hung up: {}", std::strerror(errno)), errno);
     rest.remove_prefix(static_cast<std::size_t>(sent));

@@ -16,8 +16,9 @@ namespace topo::daemon {
 /// One connection to a daemon's control socket. Blocking; one thread uses it.
 class Client {
  public:
-  /// kNotFound: no daemon serves there.
-  static types::Result<Client> connect(const std::string& socket);
+  /// kNotFound: no daemon serves there. kTimeout: it took nobody up.
+  static types::Result<Client> connect(const std::string& socket,
+                                       types::Duration patience = std::chrono::seconds(5));
 
   /// Asks and waits for the answer. kTimeout, kClosed, or as parse_answer.
   /// Notifications that come meanwhile are kept for next_event().

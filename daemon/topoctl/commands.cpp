@@ -45,9 +45,13 @@ types::Result<Json> next_event_until(Client& client, types::Stamp deadline) {
   }
 }
 
+int status_of(const types::Error& error) {
+  return error.code == types::Errc::kNotFound || error.code == types::Errc::kTimeout ? kNoDaemon : kFailed;
+}
+
 int complain(const types::Error& error) {
   fmt::print(stderr, "topoctl: {}\n", error.message);
-  return error.code == types::Errc::kNotFound ? kNoDaemon : kFailed;
+  return status_of(error);
 }
 
 std::string pretty(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
@@ -55,7 +59,7 @@ std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::
 
 types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params,
                         types::Duration patience) {
-  auto client = Client::connect(arguments.socket);
+  auto client = Client::connect(arguments.socket, patience);
   if (!client) return tl::unexpected(client.error());
   auto answer = client->call(method, params, patience);
   // What the daemon refuses is no missing daemon, whatever its reason.

@@ -43,6 +43,8 @@ void pause_until(types::Stamp when);
 /// Client::next_event() that ends early, with kTimeout, when interrupted().
 types::Result<Json> next_event_until(Client& client, types::Stamp deadline);
 
+/// The exit status for what went wrong with a daemon.
+[[nodiscard]] int status_of(const types::Error& error);
 /// Prints what went wrong; the exit status for it.
 int complain(const types::Error& error);
 

@@ -14,6 +14,12 @@ Json reachable(const types::Status& status, const std::string& socket) {
       {"check", "daemon"}, {"ok", status.has_value()}, {"found", "answers on " + socket}, {"cure", ""}};
   if (status) return check;
   check["found"] = status.error().message;
+  if (status.error().code == types::Errc::kTimeout) {
+    check["cure"] =
+        "it hangs: topometric-estop --config FILE --force ends it and stops the robot; then start it "
+        "(systemctl restart topometric)";
+    return check;
+  }
   check["cure"] =
       "start it (systemctl start topometric; journalctl -u topometric says why it ended), or name its socket "
       "with --socket (control.socket of its configuration)";
@@ -34,7 +40,7 @@ int doctor(const Arguments& arguments) {
   } else {
     fmt::print("{}", doctor_table(result));
   }
-  if (!answered) return answer.error().code == types::Errc::kNotFound ? kNoDaemon : kFailed;
+  if (!answered) return status_of(answer.error());
   return text_at(result, "/ok") == "yes" ? kOk : kFailed;
 }
 

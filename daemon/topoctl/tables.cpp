@@ -32,6 +32,20 @@ std::string number(const Json& json, const char* path, int decimals) {
   return value.is_number() ? fmt::format("{:.{}f}", value.get<double>(), decimals) : "-";
 }
 
+/// Nothing where no session is kept.
+std::string session_row(const Json& session) {
+  const std::string folder = text(session, "/folder"), obstacle = text(session, "/obstacle");
+  if (folder.empty() || folder == "-") return {};
+  if (!obstacle.empty() && obstacle != "-") return row("session", obstacle);
+  if (text(session, "/journal/failing") == "yes") {
+    return row("session", fmt::format("NOT being kept, {} failures: {}", text(session, "/journal/failures"),
+                                      text(session, "/journal/message")));
+  }
+  const std::string name = text(session, "/journal/name");
+  if (name.empty()) return row("session", "nothing to be kept yet");
+  return row("session", fmt::format("{} keyframes in {}", text(session, "/journal/keyframes"), name));
+}
+
 std::string point_text(const Json& json) {
   return fmt::format("({}, {})", number(json, "/x_m", 2), number(json, "/y_m", 2));
 }
@@ -144,6 +158,7 @@ std::string status_table(const Json& status) {
                                 text(status, "/map/keyframes"), text(status, "/map/closures/accepted")));
   out += row("scans", fmt::format("{} matched, {} lost, {} skipped", text(status, "/map/scans_matched"),
                                   text(status, "/map/scans_lost"), text(status, "/map/scans_skipped")));
+  out += session_row(at(status, "/session"));
   const Json& devices = at(status, "/devices");
   if (!devices.is_object()) return out;
   for (const auto& [name, device] : devices.items()) {

@@ -11,6 +11,7 @@
 namespace topo::daemon {
 namespace {
 
+constexpr types::Duration kEstopPatience = std::chrono::seconds(1);
 constexpr types::Duration kSavePatience = std::chrono::minutes(2);
 constexpr types::Duration kSearchPatience = std::chrono::seconds(30);
 
@@ -19,6 +20,17 @@ std::string nothing(const Json&) { return {}; }
 std::string member(const Json& answer, const char* name) {
   const auto found = answer.find(name);
   return found != answer.end() && found->is_string() ? found->get<std::string>() : std::string("-");
+}
+
+/// Who stops a robot cannot wait long to hear that nobody is there to do it.
+int estop(const Arguments& arguments) {
+  const int status = show(arguments, "estop", &nothing, Json::object(), kEstopPatience);
+  if (status == kNoDaemon)
+    fmt::print(
+        stderr,
+        "topoctl: topometric-estop --config FILE stops the robot without the daemon, and with --force ends "
+        "one that hangs\n");
+  return status;
 }
 
 int save_map(const Arguments& arguments) {
@@ -63,7 +75,7 @@ void add_queries(CLI::App& cli, Arguments& a, int& status) {
 
 void add_commands(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "estop", "stop at once, and stay so until clear-estop; anybody may", status,
-      [&a] { return show(a, "estop", &nothing); });
+      [&a] { return estop(a); });
   add(cli, "clear-estop", "let the robot move again", status,
       [&a] { return show(a, "clear_estop", &nothing); });
   auto* driving = cli.add_subcommand("drive", "drive by hand: with the keys, or at V m/s and W rad/s");

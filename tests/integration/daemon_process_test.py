@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """topometricd and topoctl as processes, with toposim's devices: what an operator does, and what he does wrong.
 
-usage: daemon_process_test.py TOPOMETRICD TOPOCTL TOPOSIM
+usage: daemon_process_test.py TOPOMETRICD TOPOCTL TOPOSIM TOPOMETRIC_ESTOP
 """
 import fcntl
 import json
@@ -18,7 +18,7 @@ import time
 
 from sim_client_tools import Simulation
 
-DAEMON, CTL, SIM = sys.argv[1:4]
+DAEMON, CTL, SIM, ESTOP = sys.argv[1:5]
 PATIENCE_S = 60
 STARTED = []  # daemons, so that none outlives a test that failed
 
@@ -113,6 +113,44 @@ def test_ctl_without_daemon(folder):
     assert done.returncode == 3 and "BAD  daemon" in done.stdout and "systemctl start" in done.stdout, done
     assert run(CTL, "--socket", folder + "/none.sock", "wait", "done").returncode == 3
     assert run(CTL, "--help").returncode == 0
+
+
+def test_wait_ready_waits_for_the_daemon(folder):
+    begin = time.monotonic()
+    done = run(CTL, "--socket", folder + "/ctl.sock", "wait", "ready", "--timeout", "0.5")
+    assert done.returncode == 4 and "no daemon answers" in done.stderr, done
+    assert time.monotonic() - begin >= 0.5
+    with Simulation(SIM, folder) as sim:
+        waiting = subprocess.Popen([CTL, "--socket", folder + "/ctl.sock", "wait", "ready", "--timeout", "60"])
+        STARTED.append(waiting)
+        daemon = Daemon(folder, configuration(folder, sim.robot))
+        assert waiting.wait(PATIENCE_S) == 0
+        assert daemon.ctl("start").returncode == 0
+        assert daemon.stop() < 3
+
+
+def test_a_daemon_that_hangs(folder):
+    with Simulation(SIM, folder) as sim:
+        config = configuration(folder, sim.robot)
+        daemon = Daemon(folder, config)
+        assert daemon.ctl("wait", "ready", "--timeout", "60").returncode == 0
+        done = run(ESTOP, "--config", config)
+        assert done.returncode == 3 and "topoctl estop" in done.stderr, done
+        daemon.process.send_signal(signal.SIGSTOP)
+        begin = time.monotonic()
+        done = daemon.ctl("estop")
+        assert done.returncode == 3 and "does not answer" in done.stderr and "topometric-estop" in done.stderr, done
+        done = daemon.ctl("wait", "ready", "--timeout", "0.5")
+        assert done.returncode == 4 and "does not answer" in done.stderr, done
+        assert time.monotonic() - begin < 4, "it waits longer than it was told to"
+        done = daemon.ctl("doctor")
+        assert done.returncode == 3 and "--force" in done.stdout, done
+        # The simulated port takes one client, as many a bridge does.
+        done = run(ESTOP, "--config", config)
+        assert done.returncode == 1 and "does not answer" in done.stderr and "--force" in done.stderr, done
+        done = run(ESTOP, "--config", config, "--force")
+        assert done.returncode == 0 and "E_STOP, VEL 0, RVEL 0, CLOSE written" in done.stdout, done
+        assert daemon.process.wait(PATIENCE_S) == -signal.SIGKILL
 
 
 def test_operator(folder):
@@ -266,9 +304,30 @@ def check_slow_client(daemon):
 def check_replay(folder, config):
     with open(folder + "/run.rec", "rb") as file:
         assert any(file.read(24)[16:]), "the recording does not say which configuration it was made with"
-    daemon = Daemon(folder, config, "--replay", folder + "/run.rec")
+    # The robot's own sessions: the only journal that may stay is one that a new one would push out.
+    kept = os.path.join(folder, "kept")
+    scratch = os.path.join(folder, "scratch")
+    os.mkdir(kept)
+    os.mkdir(scratch)
+    journal = os.path.join(kept, "journal-20260102T030405Z.session")
+    with open(journal, "wb") as file:
+        file.write(b"of a daemon that was killed")
+    with open(config, "a") as file:
+        file.write('[session]\nfolder = "%s"\nkeep = 1\njournal_period_s = 0.2\n' % kept)
+    daemon = Daemon(folder, config, "--replay", folder + "/run.rec", "--sessions", scratch)
     daemon.until(lambda: daemon.status()["map"]["keyframes"] >= 2, "the recording gives no map")
-    assert daemon.stop() < 3
+    daemon.until(lambda: daemon.status()["session"]["journal"]["keyframes"] >= 2, "the replay keeps no session")
+    assert daemon.process.wait(PATIENCE_S) == 0, "the replay does not end with the recording: %s" % daemon.logged()
+    assert not os.path.exists(folder + "/ctl.sock"), "the socket is left behind"
+    assert os.listdir(kept) == [os.path.basename(journal)], os.listdir(kept)
+    with open(journal, "rb") as file:
+        assert file.read() == b"of a daemon that was killed"
+    assert len(os.listdir(scratch)) == 1, os.listdir(scratch)
+    with open(folder + "/run.rec", "rb") as whole, open(folder + "/cut.rec", "wb") as cut:
+        cut.write(whole.read()[:os.path.getsize(folder + "/run.rec") // 3])
+    done = run(DAEMON, "--config", config, "--replay", folder + "/cut.rec")
+    assert done.returncode == 0 and "cut.rec: at byte " in done.stderr and "cut after" in done.stderr, done
+    assert run(DAEMON, "--config", config, "--sessions", scratch).returncode == 2, "sessions of a replay, without one"
     assert run(DAEMON, "--config", config, "--replay", folder + "/nothing.rec").returncode == 2
 
 
@@ -322,7 +381,7 @@ def test_devices_that_are_not_there(folder):
 
 def main():
     for name, test in sorted(globals().items()):
-        if name.startswith("test_") and (len(sys.argv) < 5 or name in sys.argv[4:]):
+        if name.startswith("test_") and (len(sys.argv) < 6 or name in sys.argv[5:]):
             with tempfile.TemporaryDirectory() as folder:
                 begin = time.monotonic()
                 try:

@@ -164,6 +164,72 @@ class Sessions(RobotProcesses):
         self.ready()
         self.assert_at_the_truth(self.status())
 
+    def resume(self, name):
+        self.config.write_text(self.config.read_text() + 'resume = "%s"\n' % name)
+
+    def assert_stands_for_want_of_a_session(self, *words):
+        """The reason is in what start says, in the doctor's words and in the log."""
+        refused = wait_for(lambda: (lambda r: r if words[0] in r.stderr else None)(self.ctl("start")), "a refusal")
+        self.assertEqual(refused.returncode, 1)
+        doctor = self.ctl("doctor").stdout
+        log = (self.folder / "topometricd.log").read_text()
+        for word in words:
+            self.assertIn(word, refused.stderr)
+            self.assertIn(word, doctor)
+            self.assertIn(word, log)
+        self.assertIn("BAD  session", doctor)
+        self.assertEqual(list(self.sessions.glob("journal-*.session")), [], "a new map is begun")
+
+    def test_a_saved_session_that_lost_its_end_is_not_replaced_by_a_new_map(self):
+        daemon = self.start_daemon()
+        self.make_a_map()
+        self.assertEqual(self.ctl("session", "save", "office").returncode, 0)
+        daemon.terminate()
+        self.assertEqual(daemon.wait(), 0)
+        office = self.sessions / "office.session"
+        whole = office.read_bytes()
+        for journal in self.sessions.glob("journal-*.session"):
+            journal.unlink()
+        office.write_bytes(whole[:-300])
+        self.resume("office")
+        self.start_daemon()
+        self.assert_stands_for_want_of_a_session("office.session: no keyframe", "cut at byte %d" % (len(whole) - 300))
+        refused = self.ctl("session", "load", "office")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("office.session: no keyframe with a pose is in it: cut at byte", refused.stderr)
+        # Mended, it is gone on with.
+        office.write_bytes(whole)
+        loaded = self.ctl("session", "load", "office")
+        self.assertEqual(loaded.returncode, 0, loaded)
+        self.ready()
+        self.assertEqual(self.ctl("doctor").returncode, 0)
+
+    def test_a_session_that_is_not_there_is_not_replaced_by_a_new_map(self):
+        self.resume("office")
+        self.start_daemon()
+        self.assert_stands_for_want_of_a_session("office.session: there is no such session")
+        self.assertEqual(self.ctl("session", "new").returncode, 0)
+        self.ready()
+
+    def test_a_killed_journal_of_another_version_is_not_replaced_by_a_new_map(self):
+        daemon = self.start_daemon()
+        self.make_a_map()
+        self.journalled()
+        daemon.kill()
+        daemon.wait()
+        (journal,) = self.sessions.glob("journal-*.session")
+        newer = bytearray(journal.read_bytes())
+        newer[8] = 99
+        journal.unlink()
+        (self.sessions / "journal-20260102T030405Z.session").write_bytes(newer)
+        (self.sessions / "empty.session").touch()
+        self.start_daemon()
+        wait_for(lambda: "found version 99" in self.ctl("start").stderr, "a refusal")
+        self.assertIn("found version 99, expected 1", self.ctl("doctor").stdout)
+        listed = self.ctl("session", "list").stdout
+        self.assertRegex(listed, "journal-20260102T030405Z .* no session: found version 99, expected 1")
+        self.assertRegex(listed, "empty .* no session: the file does not begin as a session does")
+
     def test_a_full_disk_is_told_and_mapping_goes_on(self):
         limit = 12000
         self.start_daemon(preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
@@ -176,7 +242,12 @@ class Sessions(RobotProcesses):
         self.drive((0, 0.8, 3))
         self.assertGreater(self.status()["map"]["keyframes"], before)
         log = (self.folder / "topometricd.log").read_text()
-        self.assertIn("the session is not being kept", log)
+        self.assertIn("the session is not being kept, 1 times since the start: File too large", log)
+        self.assertIn("NOT being kept", self.ctl("status").stdout)
+        self.assertIn("session: it is not being kept: journal-", self.ctl("health").stdout)
+        doctor = self.ctl("doctor")
+        self.assertEqual(doctor.returncode, 1)
+        self.assertIn("BAD  session", doctor.stdout)
         for path in self.sessions.glob("*.session"):
             self.assertLessEqual(path.stat().st_size, limit)
 

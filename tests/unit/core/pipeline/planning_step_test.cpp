@@ -96,6 +96,17 @@ TEST(PlanningStep, standsUntilItIsTold) {
   EXPECT_EQ(building.path_m(), 0.0);
 }
 
+TEST(PlanningStep, whatHinderedIsTheReasonAsLongAsItHinders) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  EXPECT_EQ(planning_step(state, {}).report->reason, "no map yet");
+  EXPECT_EQ(building.run_period(state, {}).report->reason, "no mission yet");
+  building.control().estop_latched = true;
+  EXPECT_THAT(building.run_period(state, {}).report->reason, HasSubstr("emergency stop"));
+  building.control().estop_latched = false;
+  EXPECT_EQ(building.run_period(state, {}).report->reason, "no mission yet");
+}
+
 TEST(PlanningStep, pausesAndGoesOn) {
   ToyBuilding building(kFloor);
   PlanningState state({});

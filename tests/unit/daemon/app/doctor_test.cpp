@@ -25,8 +25,8 @@ DoctorFacts healthy() {
   facts.battery = {11.6, 0.2};
   facts.has_map = true;
   facts.scans_matched_lately = 100;
-  facts.folder = "/maps";
-  facts.free_bytes = 1ULL << 30U;
+  facts.disks = {{"/maps", 1ULL << 30U}, {"/sessions", 1ULL << 30U}};
+  facts.sessions = "/sessions";
   return facts;
 }
 
@@ -46,6 +46,27 @@ TEST(Doctor, FindsNothingWrongWithAHealthyRobot) {
     EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
     EXPECT_THAT(check.cure, IsEmpty()) << check.name;
   }
+}
+
+TEST(Doctor, ASessionThatCannotBeGoneOnWith) {
+  DoctorFacts facts = healthy();
+  facts.session_obstacle = "the session to go on with cannot be used: damaged";
+  const Check check = the_bad_one(facts);
+  EXPECT_EQ(check.name, "session");
+  EXPECT_EQ(check.found, facts.session_obstacle);
+  EXPECT_THAT(check.cure, HasSubstr("topoctl session new"));
+}
+
+TEST(Doctor, ASessionThatIsNotBeingKept) {
+  DoctorFacts facts = healthy();
+  facts.journal.failing = true;
+  facts.journal.message = std::string("journal-1.session: cannot write 9 bytes: ") + std::strerror(ENOSPC);
+  const Check full = the_bad_one(facts);
+  EXPECT_EQ(full.name, "session");
+  EXPECT_THAT(full.found, HasSubstr("/sessions: journal-1.session: cannot write 9 bytes: No space left"));
+  EXPECT_THAT(full.cure, HasSubstr("make room"));
+  facts.journal.message = std::string("/sessions: ") + std::strerror(ENOTDIR);
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("a folder"));
 }
 
 TEST(Doctor, TheBusOfABaseOnCan) {
@@ -188,9 +209,9 @@ TEST(Doctor, SensorsMapAndMachine) {
   facts.refusals = {"no SCHED_FIFO 45"};
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("LimitRTPRIO"));
   facts = healthy();
-  facts.free_bytes = 1 << 20;
+  facts.disks.back().free_bytes = 1 << 20;
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("make room"));
-  facts.free_bytes.reset();
+  facts.disks.back().free_bytes.reset();
   EXPECT_THAT(the_bad_one(facts).found, HasSubstr("cannot be used"));
 }
 

@@ -54,6 +54,11 @@ TEST_F(MonitorOf, ABaseOnCanTellsWhatGoesWrongOnTheBus) {
   EXPECT_EQ(monitor_->facts().can->faults_lately, io::BusFaults{});
 }
 
+TEST_F(MonitorOf, ADeviceThatHasNotBeenHeardOfIsStarting) {
+  watch("tcp:localhost:8101");
+  EXPECT_EQ(monitor_->device_obstacle(), "base is not ready: starting");
+}
+
 TEST_F(MonitorOf, ABaseOnASerialPortHasNoBus) {
   watch("tcp:localhost:8101");
   report_passive(0, types::Stamp{seconds(100)});

@@ -199,5 +199,19 @@ TEST(Recorder, AFullDiskIsToldOnceCountedAndSurvived) {
   EXPECT_TRUE(summary.damages.empty());
 }
 
+TEST(Recorder, ADiskThatIsFullToTheEndTakesNothingAgain) {
+  const testing::TempDir dir;
+  std::vector<std::string> warnings;  // written by the recorder thread, read after stop()
+  RecorderOptions o = options(dir.file("a.rec"));
+  o.on_warning = [&](const std::string& text) { warnings.push_back(text); };
+  auto recorder = Recorder::start(o);
+  ASSERT_TRUE(recorder.has_value());
+  const FullDisk full(1);
+  (*recorder)->tap("front")->on_bytes(io::Direction::kFromDevice, at(0), bytes_of("too much"));
+  EXPECT_FALSE((*recorder)->stop().has_value());
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_THAT(warnings[0], HasSubstr("lost from the recording"));
+}
+
 }  // namespace
 }  // namespace topo::daemon

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
 #include "core/slam/bytes.hpp"
@@ -16,6 +17,7 @@
 namespace topo::daemon {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::same;
 using testing::sample_session;
 
@@ -161,6 +163,56 @@ TEST(SessionFile, AnotherVersionAndAnotherFileAreNamed) {
   ASSERT_FALSE(version);
   EXPECT_EQ(version.error().message, "found version 9, expected 1");
   EXPECT_EQ(load_session(folder.file("none.session")).error().code, types::Errc::kNotFound);
+}
+
+// Poses come last: a saved session that lost its end has none.
+TEST(SessionFile, WhatItLacksIsSaid) {
+  const testing::TempDir folder;
+  const auto file = bytes_of(sample_session(6, 3));
+  const auto written = [&](std::vector<std::byte> bytes) {
+    return folder.write("a.session", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  };
+  const auto whole = parse_session(file);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(damage_text(*whole), "");
+  EXPECT_TRUE(check_map(*whole, "a"));
+
+  const std::string path = written({file.begin(), file.end() - 100});
+  const auto cut = load_session(path);
+  ASSERT_TRUE(cut) << cut.error().message;
+  EXPECT_EQ(damage_text(*cut),
+            fmt::format("cut at byte {}, its last whole record ends at {}", file.size() - 100, cut->bytes));
+  const auto refused = check_map(*cut, path);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            fmt::format("{}: no keyframe with a pose is in it: {}", path, damage_text(*cut)));
+
+  auto flipped = file;
+  flipped[SessionHeader::kSize + 40] ^= std::byte{1};
+  const auto damaged = parse_session(flipped);
+  ASSERT_TRUE(damaged);
+  EXPECT_EQ(damage_text(*damaged),
+            fmt::format("damaged at byte {} of {}", SessionHeader::kSize, file.size()));
+
+  auto longer = file;
+  longer.resize(file.size() + 5);
+  EXPECT_EQ(damage_text(*parse_session(longer)), "5 bytes behind its end are no part of it");
+}
+
+TEST(SessionFile, ItsHeaderSaysWhetherItIsOne) {
+  const testing::TempDir folder;
+  auto file = bytes_of(sample_session(3, 1));
+  const auto fault_of = [&] {
+    return header_fault(folder.write("a.session", {reinterpret_cast<const char*>(file.data()), file.size()}));
+  };
+  EXPECT_EQ(fault_of(), "");
+  file.resize(SessionHeader::kSize);
+  EXPECT_EQ(fault_of(), "") << "a journal that has only begun";
+  file[8] = std::byte{99};
+  EXPECT_EQ(fault_of(), "found version 99, expected 1");
+  file.clear();
+  EXPECT_EQ(fault_of(), "the file does not begin as a session does");
+  EXPECT_THAT(header_fault(folder.file("none.session")), HasSubstr("none.session"));
 }
 
 // What is loaded draws the same map as what was mapped, to the bit: keyframes are rounded before they enter

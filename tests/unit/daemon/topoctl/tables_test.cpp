@@ -35,6 +35,23 @@ TEST(Tables, WatchLineIsOneLineWhateverIsMissing) {
   EXPECT_THAT(watch_line(status), Not(HasSubstr("driving")));
 }
 
+TEST(Tables, StatusSaysHowTheSessionFares) {
+  Json status{
+      {"session",
+       {{"folder", "/s"},
+        {"obstacle", ""},
+        {"journal", {{"name", "journal-1"}, {"keyframes", 7}, {"failing", false}, {"failures", 0}}}}}};
+  EXPECT_THAT(status_table(status), HasSubstr("session     7 keyframes in journal-1\n"));
+  status["session"]["journal"]["failing"] = true;
+  status["session"]["journal"]["failures"] = 4;
+  status["session"]["journal"]["message"] = "the disk is full";
+  EXPECT_THAT(status_table(status), HasSubstr("session     NOT being kept, 4 failures: the disk is full\n"));
+  status["session"]["obstacle"] = "cannot be used";
+  EXPECT_THAT(status_table(status), HasSubstr("session     cannot be used\n"));
+  status["session"]["folder"] = "";
+  EXPECT_THAT(status_table(status), Not(HasSubstr("session")));
+}
+
 TEST(Tables, DoctorNamesTheCureOfWhatIsBad) {
   const Json doctor{{"checks",
                      {{{"check", "base"}, {"ok", true}, {"found", "ready"}, {"cure", ""}},

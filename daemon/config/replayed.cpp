@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/config/replayed.hpp"
+
+namespace topo::daemon {
+
+LoadedConfiguration replayed(LoadedConfiguration loaded, const std::string& sessions) {
+  loaded.values.session.folder = sessions;
+  loaded.values.session.resume.clear();
+  loaded.values.exploration.save_folder.clear();
+  for (const char* key : {"session.folder", "session.resume", "exploration.save_folder"})
+    loaded.places.erase(key);
+  return loaded;
+}
+
+}  // namespace topo::daemon

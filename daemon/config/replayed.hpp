@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "daemon/config/load.hpp"
+
+namespace topo::daemon {
+
+/// The configuration of a replay of a recording: it goes on with no session of the robot, keeps none in the
+/// robot's folder (nor removes any there), and writes no map by itself. `sessions`: a folder for the replay's
+/// own sessions; empty: it keeps none.
+[[nodiscard]] LoadedConfiguration replayed(LoadedConfiguration loaded, const std::string& sessions);
+
+}  // namespace topo::daemon
