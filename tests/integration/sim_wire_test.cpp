@@ -248,8 +248,14 @@ TEST(SimHarness, EveryCommandWorksOnARunningSimulation) {
   }
   const json box = json::parse(sim->command(R"({"command":"obstacle","distance_m":1.0})"));
   ASSERT_TRUE(box.value("ok", false)) << box.dump();
-  EXPECT_TRUE(json::parse(sim->command(json{{"command", "remove-obstacle"}, {"id", box["id"]}}.dump()))
-                  .value("ok", false));
+  const auto remove = [&sim](const json& id) {
+    return json::parse(sim->command(json{{"command", "remove-obstacle"}, {"id", id}}.dump()));
+  };
+  for (const json& none : {json(77), json(0), json(box["id"].get<double>() + 0.5), json(-1), json("box")}) {
+    EXPECT_FALSE(remove(none).value("ok", true)) << none.dump();
+    EXPECT_NE(remove(none).value("error", "").find("expected"), std::string::npos) << remove(none).dump();
+  }
+  EXPECT_TRUE(remove(box["id"]).value("ok", false));
 }
 
 TEST(SimHarness, WritesTheTruthAndAnswersOnItsSocket) {
