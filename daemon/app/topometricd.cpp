@@ -15,6 +15,7 @@
 #include "daemon/app/logging.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/recording/format.hpp"
+#include "drivers/io/run_program.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -140,4 +141,6 @@ int start(int argc, char** argv) {
 }  // namespace
 }  // namespace topo::daemon
 
-int main(int argc, char** argv) { return topo::daemon::start(argc, argv); }
+int main(int argc, char** argv) {
+  return topo::io::run_program("topometricd", topo::daemon::start, argc, argv);
+}

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
@@ -237,9 +238,7 @@ int finish(const topo::types::Status& done) {
   return exit_status(done.error());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   CLI::App app{"topobench: what Topometric's parts do on recorded data"};
   app.require_subcommand(1);
 
@@ -306,3 +305,7 @@ int main(int argc, char** argv) {
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return topo::io::run_program("topobench", start, argc, argv); }
