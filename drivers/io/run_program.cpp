@@ -44,9 +44,10 @@ int run_program(const char* name, int (*start)(int argc, char** argv), int argc,
   try {
     status = start(argc, argv);
     lost = lost_output();
-  } catch (const std::system_error& error) {  // as fmt::print() does for what is too long for the buffer
+  } catch (const std::system_error& thrown) {  // as fmt::print() does for what is too long for the buffer
     if (std::ferror(stdout) == 0) throw;
-    lost = error.code().value();
+    const std::error_code& error = thrown.code();
+    lost = error.value();
   }
   if (!lost) return status;
   std::fprintf(stderr, "%s: standard output: cannot be written%s%s\n", name, *lost == 0 ? "" : ": ",

@@ -74,6 +74,7 @@ types::Status map_log(const SlamCommand& command) {
   timer.stop({&reading});
   const auto relations = relations_of(command, *log);
   if (!relations) return tl::unexpected(relations.error());
+  if (auto made = make_folder(command.out); !made) return made;
   pipeline::MappingState state(params_for(*log));
   const MappingRun run = run_log(*log, state);
   nlohmann::json json = report_of(state, run);
@@ -99,6 +100,7 @@ types::Status map_log(const SlamCommand& command) {
 types::Status map_simulation(const SlamCommand& command) {
   auto world = sim::World::load(command.simulate);
   if (!world) return tl::unexpected(world.error());
+  if (auto made = make_folder(command.out); !made) return made;
   sim::Simulation simulation(std::move(*world), {}, command.seed);
   SimulatedSetup setup{command.minutes, command.seed, command.people, {.arrived_m = 0.10}};
   setup.limits.acceleration_mps2 = command.acceleration_mps2;
