@@ -62,6 +62,7 @@ types::Status finish(const SlamCommand& command, nlohmann::json& json, pipeline:
     auto written = write_map_files(command.out, *state.make_snapshot(), state.mapper(), run);
     if (!written) return written;
   }
+  if (const std::string doubt = doubt_of(run); !doubt.empty()) fmt::print(stderr, "topobench: {}\n", doubt);
   fmt::print("{}\n", command.json ? json.dump() : json.dump(2));
   return {};
 }
