@@ -81,7 +81,7 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
     replay = std::move(*opened);
   }
   // Before a recording is begun: another daemon of this robot may be writing it.
-  auto socket = ListeningSocket::open(loaded.values.control.socket);
+  auto socket = io::ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
   auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));
   if (!recorder) return complain(recorder.error());

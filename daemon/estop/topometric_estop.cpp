@@ -6,8 +6,8 @@
 
 #include "daemon/app/command_line.hpp"
 #include "daemon/config/load.hpp"
-#include "daemon/control/unix_socket.hpp"
 #include "daemon/estop/stop_robot.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {
@@ -52,7 +52,7 @@ int stop_configured(const std::string& file) {
   }
   // A port has one master: two that write to it make the robot jerk.
   const std::string& socket = loaded->values.control.socket;
-  if (connect_unix(socket)) {
+  if (io::connect_unix(socket)) {
     return complain(fmt::format("a daemon serves this robot on {}; use topoctl estop", socket), kDaemonLives);
   }
   return stop(loaded->values.base.address);

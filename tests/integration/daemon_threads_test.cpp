@@ -16,9 +16,9 @@
 #include "daemon/app/app.hpp"
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/config/load.hpp"
-#include "daemon/control/unix_socket.hpp"
 #include "daemon/topoctl/client.hpp"
 #include "drivers/io/posix.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "tests/integration/room_harness.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
@@ -49,7 +49,7 @@ class DaemonThreads : public ::testing::Test {
   void start_daemon() {
     const auto loaded = parse_configuration(configuration(), "test.toml");
     ASSERT_TRUE(loaded.faults.empty()) << faults_text(loaded);
-    auto listening = ListeningSocket::open(socket);
+    auto listening = io::ListeningSocket::open(socket);
     ASSERT_TRUE(listening) << listening.error().message;
     auto made = App::make(
         {loaded.values, effective_text(loaded), std::move(*listening), device_connectors(nullptr), {}});
@@ -230,7 +230,7 @@ TEST_F(DaemonThreads, AClearedEstopIsNoObstacleAnyMore) {
 TEST_F(DaemonThreads, AStopGoesBeforeAWayThatIsStillLookedFor) {
   ASSERT_TRUE(until([this](const Json&) { return !ask("places")["places"].empty(); }));
   ASSERT_TRUE(until([this](const Json&) { return ask("progress")["ready"] == true; }));
-  const auto both = connect_unix(socket);
+  const auto both = io::connect_unix(socket);
   ASSERT_TRUE(both) << both.error().message;
   // In one piece: the stop is served before the search, in another thread, can be collected.
   const std::string lines =

@@ -268,6 +268,9 @@ TEST(SimHarness, WritesTheTruthAndAnswersOnItsSocket) {
   {
     auto sim = start(config);
     ASSERT_NE(sim, nullptr);
+    const auto second = SimHarness::start(room(), config);
+    ASSERT_FALSE(second.has_value()) << "a second simulation took the socket of the first";
+    EXPECT_EQ(second.error().code, types::Errc::kBusy);
     const auto answer = ask_control(config.control_socket, R"({"command":"truth"})", 5000);
     ASSERT_TRUE(answer.has_value()) << answer.error().message;
     EXPECT_EQ(json::parse(*answer)["robots"].size(), 2U);
