@@ -18,7 +18,7 @@ namespace topo::daemon {
 struct AppOptions {
   Configuration configuration;
   std::string effective_configuration;  ///< for the `config` method
-  ListeningSocket socket;               ///< of configuration.control.socket
+  io::ListeningSocket socket;           ///< of configuration.control.socket
   ConnectorFactory connectors;
   std::function<void()> on_stopping;  ///< called when the stop begins; may be empty
   std::function<bool()> has_ended{};  ///< asked every tick: the devices are at their end, stop; may be empty

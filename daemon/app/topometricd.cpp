@@ -18,6 +18,7 @@
 #include "daemon/config/load.hpp"
 #include "daemon/config/replayed.hpp"
 #include "daemon/recording/format.hpp"
+#include "drivers/io/run_program.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -100,7 +101,7 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
     tell_damage(replay->recording());
   }
   // Before a recording is begun: another daemon of this robot may be writing it.
-  auto socket = ListeningSocket::open(loaded.values.control.socket);
+  auto socket = io::ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
   auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));
   if (!recorder) return complain(recorder.error());
@@ -169,4 +170,6 @@ int start(int argc, char** argv) {
 }  // namespace
 }  // namespace topo::daemon
 
-int main(int argc, char** argv) { return topo::daemon::start(argc, argv); }
+int main(int argc, char** argv) {
+  return topo::io::run_program("topometricd", topo::daemon::start, argc, argv);
+}

@@ -6,8 +6,8 @@
 #include <sys/socket.h>
 
 #include "daemon/control/json_rpc.hpp"
-#include "daemon/control/unix_socket.hpp"
 #include "drivers/io/posix.hpp"
+#include "drivers/io/unix_socket.hpp"
 
 namespace topo::daemon {
 
@@ -23,7 +23,7 @@ pid_t listener(int connection) {
 }  // namespace
 
 Probe probe(const std::string& socket, types::Duration patience) {
-  const auto connection = connect_unix(socket, patience);
+  const auto connection = io::connect_unix(socket, patience);
   if (!connection && connection.error().code == types::Errc::kTimeout) return {Served::kByHung};
   if (!connection) return {};
   const pid_t pid = listener(connection->get());

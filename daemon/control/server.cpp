@@ -32,7 +32,7 @@ struct ControlServer::Client {
   std::string out;
 };
 
-ControlServer::ControlServer(sd_event* event, ListeningSocket socket, std::optional<gid_t> group,
+ControlServer::ControlServer(sd_event* event, io::ListeningSocket socket, std::optional<gid_t> group,
                              Handler handler)
     : event_(event), socket_(std::move(socket)), group_(group), handler_(std::move(handler)) {}
 

@@ -14,7 +14,7 @@
 #include "daemon/control/credentials.hpp"
 #include "daemon/control/json_rpc.hpp"
 #include "daemon/control/line_buffer.hpp"
-#include "daemon/control/unix_socket.hpp"
+#include "drivers/io/unix_socket.hpp"
 
 namespace topo::daemon {
 
@@ -41,7 +41,7 @@ class ControlServer {
   using Handler = std::function<std::optional<Answer>(const Call&)>;
 
   /// `socket` is listening; `event` must outlive the server.
-  ControlServer(sd_event* event, ListeningSocket socket, std::optional<gid_t> group, Handler handler);
+  ControlServer(sd_event* event, io::ListeningSocket socket, std::optional<gid_t> group, Handler handler);
   ~ControlServer();
   ControlServer(const ControlServer&) = delete;
   ControlServer& operator=(const ControlServer&) = delete;
@@ -71,7 +71,7 @@ class ControlServer {
   void drop(const Client& client);
 
   sd_event* event_;
-  ListeningSocket socket_;
+  io::ListeningSocket socket_;
   std::optional<gid_t> group_;
   Handler handler_;
   EventSource source_;

@@ -12,6 +12,7 @@
 #include "daemon/config/load.hpp"
 #include "daemon/control/probe.hpp"
 #include "daemon/estop/stop_robot.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {

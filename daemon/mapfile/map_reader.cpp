@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/input_file.hpp"
@@ -73,6 +74,21 @@ class Keys {
   const YAML::Node& root_;
 };
 
+/// yaml-cpp would take the first of two and say nothing.
+Status no_key_twice(const std::string& path, const YAML::Node& root) {
+  std::map<std::string, int> line_of;
+  for (const auto& entry : root) {
+    if (!entry.first.IsScalar()) continue;
+    const std::string& key = entry.first.Scalar();
+    const int line = entry.first.Mark().line + 1;
+    const auto [first, fresh] = line_of.emplace(key, line);
+    if (!fresh)
+      return bad_file(path, fmt::format("line {}: key {}", line, key), "it once more",
+                      fmt::format("one only: line {} has it", first->second));
+  }
+  return {};
+}
+
 Status read_origin(const Keys& keys, MapYaml& map) {
   const YAML::Node origin = keys.node("origin");
   if (!origin.IsDefined() || !origin.IsSequence() || origin.size() != 3)
@@ -83,7 +99,10 @@ Status read_origin(const Keys& keys, MapYaml& map) {
     if (!value.has_value()) return tl::unexpected(value.error());
     values[i] = *value;
   }
-  map.origin = {values[0], values[1], types::wrap_angle(values[2])};
+  constexpr double kRounding_rad = 1e-6;
+  if (std::abs(types::wrap_angle(values[2])) > kRounding_rad)
+    return keys.bad("origin", origin[2], "a yaw of 0: turned maps are not read");
+  map.origin = {values[0], values[1], 0.0};
   return {};
 }
 
@@ -106,6 +125,7 @@ Status read_negate(const Keys& keys, MapYaml& map) {
 Result<MapYaml> read_keys(const std::string& path, const YAML::Node& root) {
   if (!root.IsMap())
     return bad_file(path, "", "no keys", "a map_server file with image, resolution and origin");
+  if (auto s = no_key_twice(path, root); !s.has_value()) return tl::unexpected(s.error());
   const Keys keys(path, root);
   MapYaml map;
   const YAML::Node image = keys.node("image");

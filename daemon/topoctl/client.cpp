@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "daemon/control/unix_socket.hpp"
 #include "drivers/io/posix.hpp"
+#include "drivers/io/unix_socket.hpp"
 
 namespace topo::daemon {
 
@@ -20,7 +20,7 @@ using types::fail;
 using types::Result;
 
 Result<Client> Client::connect(const std::string& socket, types::Duration patience) {
-  auto fd = connect_unix(socket, patience);
+  auto fd = io::connect_unix(socket, patience);
   if (!fd) return tl::unexpected(fd.error());
   return Client(std::move(*fd));
 }

@@ -7,6 +7,7 @@
 #include "daemon/app/command_line.hpp"
 #include "daemon/topoctl/commands.hpp"
 #include "daemon/topoctl/tables.hpp"
+#include "drivers/io/run_program.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -167,4 +168,4 @@ int start(int argc, char** argv) {
 }  // namespace
 }  // namespace topo::daemon
 
-int main(int argc, char** argv) { return topo::daemon::start(argc, argv); }
+int main(int argc, char** argv) { return topo::io::run_program("topoctl", topo::daemon::start, argc, argv); }

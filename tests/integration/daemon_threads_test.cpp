@@ -21,11 +21,11 @@
 #include "daemon/app/app.hpp"
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/config/load.hpp"
-#include "daemon/control/unix_socket.hpp"
 #include "daemon/session/session_reader.hpp"
 #include "daemon/topoctl/client.hpp"
 #include "drivers/io/posix.hpp"
 #include "drivers/io/unique_fd.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "tests/integration/room_harness.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
@@ -62,7 +62,7 @@ class DaemonThreads : public ::testing::Test {
   void start_daemon() {
     const auto loaded = parse_configuration(configuration(), "test.toml");
     ASSERT_TRUE(loaded.faults.empty()) << faults_text(loaded);
-    auto listening = ListeningSocket::open(socket);
+    auto listening = io::ListeningSocket::open(socket);
     ASSERT_TRUE(listening) << listening.error().message;
     auto made = App::make(
         {loaded.values, effective_text(loaded), std::move(*listening), device_connectors(nullptr), {}});
@@ -278,7 +278,7 @@ TEST_F(DaemonThreads, AClearedEstopIsNoObstacleAnyMore) {
 TEST_F(DaemonThreads, AStopGoesBeforeAWayThatIsStillLookedFor) {
   ASSERT_TRUE(until([this](const Json&) { return !ask("places")["places"].empty(); }));
   ASSERT_TRUE(until([this](const Json&) { return ask("progress")["ready"] == true; }));
-  const auto both = connect_unix(socket);
+  const auto both = io::connect_unix(socket);
   ASSERT_TRUE(both) << both.error().message;
   // In one piece: the stop is served before the search, in another thread, can be collected.
   const std::string lines =

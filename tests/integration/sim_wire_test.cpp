@@ -248,8 +248,14 @@ TEST(SimHarness, EveryCommandWorksOnARunningSimulation) {
   }
   const json box = json::parse(sim->command(R"({"command":"obstacle","distance_m":1.0})"));
   ASSERT_TRUE(box.value("ok", false)) << box.dump();
-  EXPECT_TRUE(json::parse(sim->command(json{{"command", "remove-obstacle"}, {"id", box["id"]}}.dump()))
-                  .value("ok", false));
+  const auto remove = [&sim](const json& id) {
+    return json::parse(sim->command(json{{"command", "remove-obstacle"}, {"id", id}}.dump()));
+  };
+  for (const json& none : {json(77), json(0), json(box["id"].get<double>() + 0.5), json(-1), json("box")}) {
+    EXPECT_FALSE(remove(none).value("ok", true)) << none.dump();
+    EXPECT_NE(remove(none).value("error", "").find("expected"), std::string::npos) << remove(none).dump();
+  }
+  EXPECT_TRUE(remove(box["id"]).value("ok", false));
 }
 
 TEST(SimHarness, WritesTheTruthAndAnswersOnItsSocket) {
@@ -262,6 +268,9 @@ TEST(SimHarness, WritesTheTruthAndAnswersOnItsSocket) {
   {
     auto sim = start(config);
     ASSERT_NE(sim, nullptr);
+    const auto second = SimHarness::start(room(), config);
+    ASSERT_FALSE(second.has_value()) << "a second simulation took the socket of the first";
+    EXPECT_EQ(second.error().code, types::Errc::kBusy);
     const auto answer = ask_control(config.control_socket, R"({"command":"truth"})", 5000);
     ASSERT_TRUE(answer.has_value()) << answer.error().message;
     EXPECT_EQ(json::parse(*answer)["robots"].size(), 2U);

@@ -13,6 +13,7 @@
 
 #include "tests/bench/topobench/explore/explore_report.hpp"
 #include "tests/bench/topobench/explore/team_run.hpp"
+#include "tests/bench/topobench/output.hpp"
 #include "tests/sim/area.hpp"
 #include "tests/sim/robot_model.hpp"
 
@@ -72,6 +73,7 @@ TEST(TeamStory, oneGoalSendsOneRobotAndTheJunctionTheOther) {  // figure 8
   const auto result = run_team(world, setup, visible, hooks);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   const std::filesystem::path pictures = std::filesystem::path(::testing::TempDir()) / "figure_8";
+  ASSERT_TRUE(make_folder(pictures).has_value());
   const auto written = write_team_files(pictures, *world, setup, *result, visible);
   EXPECT_TRUE(written.has_value()) << written.error().message;
   EXPECT_TRUE(std::filesystem::exists(pictures / "explore.png"));

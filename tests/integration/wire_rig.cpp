@@ -80,7 +80,7 @@ bool WireRig::start_daemon() {
   const auto loaded = daemon::parse_configuration(configuration(), "test.toml");
   if (!loaded.faults.empty()) return ADD_FAILURE() << faults_text(loaded), false;
   const std::string socket = folder_.file("control.sock");
-  auto listening = daemon::ListeningSocket::open(socket);
+  auto listening = io::ListeningSocket::open(socket);
   if (!listening) return ADD_FAILURE() << listening.error().message, false;
   auto made = daemon::App::make(
       {loaded.values, effective_text(loaded), std::move(*listening), daemon::device_connectors(nullptr), {}});

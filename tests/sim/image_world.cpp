@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "tests/sim/area.hpp"
@@ -68,6 +69,24 @@ class MapFileReader {
     }
     out = node.Scalar();
   }
+  /// yaml-cpp would take the first of two and say nothing.
+  void no_key_twice() {
+    std::map<std::string, int> line_of;
+    for (const auto& entry : root_) {
+      if (!entry.first.IsScalar()) continue;
+      const std::string& key = entry.first.Scalar();
+      const auto [first, fresh] = line_of.emplace(key, entry.first.Mark().line + 1);
+      if (!fresh)
+        fault(entry.first,
+              fmt::format("key '{}' stands in line {} already; expected it once", key, first->second));
+    }
+  }
+  void not_turned(const std::vector<double>& origin) {
+    constexpr double kRounding_rad = 1e-6;
+    if (origin.size() > 2 && std::abs(types::wrap_angle(origin[2])) > kRounding_rad)
+      fault(root_["origin"],
+            fmt::format("'origin' has a yaw of {:g}; expected 0: turned maps are not read", origin[2]));
+  }
   [[nodiscard]] const std::string& faults() const { return faults_; }
 
  private:
@@ -108,9 +127,11 @@ types::Result<MapFile> read_map_file(const std::filesystem::path& yaml) {
   std::vector<double> origin{0.0, 0.0, 0.0};
   std::vector<double> start;
   double negate = 0.0;
+  reader.no_key_twice();
   reader.text("image", image);
   reader.number("resolution", 0.001, 1.0, true, map.resolution_m);
   reader.numbers("origin", 2, origin);
+  reader.not_turned(origin);
   reader.number("negate", 0.0, 1.0, false, negate);
   reader.number("occupied_thresh", 0.0, 1.0, false, map.occupied_threshold);
   reader.number("free_thresh", 0.0, 1.0, false, map.free_threshold);

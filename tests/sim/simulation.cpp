@@ -3,6 +3,7 @@
 #include "tests/sim/simulation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -83,6 +84,7 @@ types::Result<MovableId> Simulation::add_obstacle(const Prism& prism) {
     return types::fail(types::Errc::kInvalidInput,
                        "the obstacle would overlap a robot; expected a free place");
   }
+  obstacles_.insert(id);
   return id;
 }
 
@@ -93,7 +95,16 @@ types::Result<MovableId> Simulation::add_box_ahead(std::size_t robot, double dis
   return add_obstacle(make_box(center, kSize_m, kSize_m, 0.0, 1.0));
 }
 
-void Simulation::remove_obstacle(MovableId id) { world_.remove_movable(id); }
+types::Status Simulation::remove_obstacle(MovableId id) {
+  if (obstacles_.erase(id) == 0) {
+    return types::fail(types::Errc::kInvalidInput,
+                       obstacles_.empty()
+                           ? fmt::format("found id {}, but there is no obstacle to remove", id)
+                           : fmt::format("found id {}, expected one of {}", id, fmt::join(obstacles_, ", ")));
+  }
+  world_.remove_movable(id);
+  return {};
+}
 
 void Simulation::add_walker(Walker walker) {
   if (walker.way_points.empty()) return;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -80,7 +81,8 @@ class Simulation {
   types::Result<MovableId> add_obstacle(const Prism& prism);
   /// The same, a box of 0.4 m, `distance_m` ahead of the robot's front.
   types::Result<MovableId> add_box_ahead(std::size_t robot, double distance_m);
-  void remove_obstacle(MovableId id);
+  /// An error when no obstacle of this number stands there: robots and people are none.
+  types::Status remove_obstacle(MovableId id);
   void add_walker(Walker walker);
   /// All who walk about leave.
   void remove_walkers();
@@ -110,6 +112,7 @@ class Simulation {
   SimTime now_{0};
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<std::unique_ptr<Person>> people_;
+  std::set<MovableId> obstacles_;
 };
 
 }  // namespace topo::sim

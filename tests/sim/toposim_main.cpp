@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/io/run_program.hpp"
 #include "tests/sim/devices/commands.hpp"
 #include "tests/sim/devices/sim_rig.hpp"
 
@@ -322,9 +323,7 @@ int run_simulation(const Options& o) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   Options options;
   CLI::App app(description(), "toposim");
   app.footer(footer());
@@ -336,3 +335,7 @@ int main(int argc, char** argv) {
   }
   return app.got_subcommand("ctl") ? run_ctl(options) : run_simulation(options);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return topo::io::run_program("toposim", start, argc, argv); }

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
@@ -24,6 +25,14 @@ int exit_status(const topo::types::Error& error) {
   const bool users =
       error.code == Errc::kInvalidInput || error.code == Errc::kNotFound || error.code == Errc::kPermission;
   return users ? 2 : 1;
+}
+
+/// An empty name is a variable of the shell that is not set, and not the wish for no files.
+CLI::Validator not_empty() {
+  const auto fault = [](const std::string& path) {
+    return path.empty() ? std::string("found an empty path, expected one") : std::string();
+  };
+  return {fault, "PATH"};
 }
 
 void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
@@ -55,7 +64,8 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   app.add_option("--acceleration", slam.acceleration_mps2, "Of the simulated robot, m/s^2")
       ->capture_default_str()
       ->check(CLI::Range(0.05, 5.0));
-  app.add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt");
+  app.add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt")
+      ->check(not_empty());
   app.add_flag("--json", slam.json, "One JSON object on one line");
 }
 
@@ -102,7 +112,7 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
       ->default_str("known");
   app.add_option("--start", explore.start, "X,Y,THETA in metres and radians; else the world's first")
       ->delimiter(',');
-  app.add_option("--out", explore.out, "Folder for pictures, decisions, path and map");
+  app.add_option("--out", explore.out, "Folder for pictures, decisions, path and map")->check(not_empty());
   app.add_flag("--json", explore.json, "One JSON object on one line");
 }
 
@@ -158,7 +168,9 @@ void add_options(CLI::App& app, topo::bench::TableCommand& table) {
   app.add_option("--program", table.program,
                  "Takes a name in place of this program's fingerprint: whoever gives the same name to two "
                  "programs says\nthat both decide the same");
-  app.add_option("--out", table.out, "Folder for runs.jsonl, table.md, table.json and pictures")->required();
+  app.add_option("--out", table.out, "Folder for runs.jsonl, table.md, table.json and pictures")
+      ->required()
+      ->check(not_empty());
   app.add_flag("--json", table.json, "One JSON object on one line");
 }
 
@@ -181,7 +193,8 @@ void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
   app.add_option("--repeat", analyse.repeat, "How often, for the times")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  app.add_option("--out", analyse.out, "Folder for labels.png, overlay.png, places.geojson, compass.png");
+  app.add_option("--out", analyse.out, "Folder for labels.png, overlay.png, places.geojson, compass.png")
+      ->check(not_empty());
   app.add_flag("--json", analyse.json, "One JSON object on one line");
 }
 
@@ -203,13 +216,15 @@ void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--fidelity", goals.fidelity)->check(CLI::IsMember({"full", "plan"}))->capture_default_str();
-  app.add_option("--out", goals.out, "Folder for pictures of the maps where an opening is without a goal");
+  app.add_option("--out", goals.out, "Folder for pictures of the maps where an opening is without a goal")
+      ->check(not_empty());
   app.add_flag("--json", goals.json, "One JSON object on one line");
 }
 
 void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
   app.add_option("--log", session.log, "The log")->required();
-  app.add_option("--out", session.out, "File for the session, as topoctl session save writes it");
+  app.add_option("--out", session.out, "File for the session, as topoctl session save writes it")
+      ->check(not_empty());
   app.add_option("--localise", session.localise, "Scans of the log that are looked for in its whole map")
       ->capture_default_str();
   app.add_flag("--json", session.json, "One JSON object on one line");
@@ -238,9 +253,7 @@ int finish(const topo::types::Status& done) {
   return exit_status(done.error());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int start(int argc, char** argv) {
   CLI::App app{"topobench: what Topometric's parts do on recorded data"};
   app.require_subcommand(1);
 
@@ -307,3 +320,7 @@ int main(int argc, char** argv) {
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return topo::io::run_program("topobench", start, argc, argv); }

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <system_error>
 
 #include "daemon/mapfile/atomic_file.hpp"
@@ -37,13 +39,15 @@ double peak_rss_mb() {
 }
 
 types::Status make_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) return {};
   std::error_code error;
   std::filesystem::create_directories(folder, error);
+  if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0) error = {errno, std::generic_category()};
   if (!error) return {};
-  return types::fail(
-      types::Errc::kPermission,
-      fmt::format("{}: cannot make the folder for the results: {}", folder.string(), error.message()),
-      error.value());
+  return types::fail(types::Errc::kPermission,
+                     fmt::format("{}: cannot make the folder for the results, or files in it: {}",
+                                 folder.string(), error.message()),
+                     error.value());
 }
 
 types::Status write_map(const std::filesystem::path& folder, const pipeline::MapSnapshot& map) {
@@ -54,7 +58,6 @@ types::Status write_map(const std::filesystem::path& folder, const pipeline::Map
 
 types::Status write_map_files(const std::filesystem::path& folder, const pipeline::MapSnapshot& map,
                               const slam::Mapper& mapper, const MappingRun& run) {
-  if (auto made = make_folder(folder); !made) return made;
   const auto image = daemon::image_of(map.grid);
   if (!image) return tl::unexpected(image.error());
   if (auto saved = daemon::save_map(folder.string(), *image); !saved) return saved;

@@ -16,6 +16,7 @@
 #include "daemon/session/session_reader.hpp"
 #include "daemon/session/session_writer.hpp"
 #include "tests/bench/topobench/log_run.hpp"
+#include "tests/bench/topobench/output.hpp"
 
 namespace topo::bench {
 namespace {
@@ -89,6 +90,7 @@ nlohmann::json localise(const SessionCommand& command, const daemon::CarmenLog& 
 types::Status run_session(const SessionCommand& command) {
   const auto log = read_log(command.log);
   if (!log) return tl::unexpected(log.error());
+  if (auto made = make_folder(std::filesystem::path(command.out).parent_path()); !made) return made;
   const slam::MapperParams params = params_for(*log);
   pipeline::MappingState state(params);
   const auto run = run_log(*log, state);

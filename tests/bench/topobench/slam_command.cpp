@@ -12,6 +12,7 @@
 #include "tests/bench/topobench/log_run.hpp"
 #include "tests/bench/topobench/output.hpp"
 #include "tests/bench/topobench/slam/canonical_share.hpp"
+#include "tests/bench/topobench/slam/log_relations.hpp"
 #include "tests/bench/topobench/slam/revisit.hpp"
 #include "tests/bench/topobench/slam/slam_report.hpp"
 #include "tests/bench/topobench/slam/split_run.hpp"
@@ -21,11 +22,15 @@ namespace {
 
 double degrees(double rad) { return rad / types::kDegree_rad; }
 
-types::Result<nlohmann::json> relation_errors(const std::string& path,
-                                              std::span<const daemon::TimedPose> trajectory) {
-  const auto relations = daemon::read_relations(path);
-  if (!relations) return tl::unexpected(relations.error());
-  const daemon::RelationErrors errors = daemon::evaluate_relations(*relations, trajectory);
+using Relations = std::vector<daemon::Relation>;
+
+types::Result<Relations> relations_of(const SlamCommand& command, const daemon::CarmenLog& log) {
+  if (command.relations.empty()) return Relations();
+  return read_relations_of(log, command.relations);
+}
+
+nlohmann::json relation_errors(const Relations& relations, std::span<const daemon::TimedPose> trajectory) {
+  const daemon::RelationErrors errors = daemon::evaluate_relations(relations, trajectory);
   return nlohmann::json{{"used", errors.used},
                         {"skipped", errors.skipped},
                         {"trans_mean_m", errors.trans_mean_m},
@@ -36,8 +41,8 @@ types::Result<nlohmann::json> relation_errors(const std::string& path,
                         {"rot_max_deg", degrees(errors.rot_max_rad)}};
 }
 
-types::Result<nlohmann::json> split_report(const SlamCommand& command, const daemon::CarmenLog& log,
-                                           const MappingRun& alone) {
+nlohmann::json split_report(const SlamCommand& command, const daemon::CarmenLog& log, const MappingRun& alone,
+                            const Relations& relations) {
   std::optional<types::Se2> second_start;
   if (command.split == "known") second_start = alone.trajectory[log.scans.size() / 2].pose;
   const SplitRun run = run_split(log, second_start);
@@ -47,11 +52,7 @@ types::Result<nlohmann::json> split_report(const SlamCommand& command, const dae
                       {"ties", run.ties},
                       {"alignments", run.alignments}};
   json["joined_share"] = run.joined_share ? nlohmann::json(*run.joined_share) : nlohmann::json(nullptr);
-  if (!command.relations.empty()) {
-    auto errors = relation_errors(command.relations, run.trajectory);
-    if (!errors) return tl::unexpected(errors.error());
-    json["relations"] = std::move(*errors);
-  }
+  if (!relations.empty()) json["relations"] = relation_errors(relations, run.trajectory);
   return json;
 }
 
@@ -61,6 +62,7 @@ types::Status finish(const SlamCommand& command, nlohmann::json& json, pipeline:
     auto written = write_map_files(command.out, *state.make_snapshot(), state.mapper(), run);
     if (!written) return written;
   }
+  if (const std::string doubt = doubt_of(run); !doubt.empty()) fmt::print(stderr, "topobench: {}\n", doubt);
   fmt::print("{}\n", command.json ? json.dump() : json.dump(2));
   return {};
 }
@@ -71,6 +73,9 @@ types::Status map_log(const SlamCommand& command) {
   if (!log) return tl::unexpected(log.error());
   StageTimes reading;
   timer.stop({&reading});
+  const auto relations = relations_of(command, *log);
+  if (!relations) return tl::unexpected(relations.error());
+  if (auto made = make_folder(command.out); !made) return made;
   pipeline::MappingState state(params_for(*log));
   const MappingRun run = run_log(*log, state);
   nlohmann::json json = report_of(state, run);
@@ -82,16 +87,8 @@ types::Status map_log(const SlamCommand& command) {
     json["readings_beyond_limit"] = log->readings_beyond;
   }
   json["read_cpu_s"] = 1e-3 * reading.cpu_ms.front();
-  if (!command.relations.empty()) {
-    auto errors = relation_errors(command.relations, run.trajectory);
-    if (!errors) return tl::unexpected(errors.error());
-    json["relations"] = std::move(*errors);
-  }
-  if (!command.split.empty()) {
-    auto split = split_report(command, *log, run);
-    if (!split) return tl::unexpected(split.error());
-    json["split"] = std::move(*split);
-  }
+  if (!relations->empty()) json["relations"] = relation_errors(*relations, run.trajectory);
+  if (!command.split.empty()) json["split"] = split_report(command, *log, run, *relations);
   const auto snapshot = state.make_snapshot();
   json["unlike_canonical"] = unlike_canonical_share(state.mapper(), snapshot->grid);
   const RevisitShare revisits =
@@ -104,6 +101,7 @@ types::Status map_log(const SlamCommand& command) {
 types::Status map_simulation(const SlamCommand& command) {
   auto world = sim::World::load(command.simulate);
   if (!world) return tl::unexpected(world.error());
+  if (auto made = make_folder(command.out); !made) return made;
   sim::Simulation simulation(std::move(*world), {}, command.seed);
   SimulatedSetup setup{command.minutes, command.seed, command.people, {.arrived_m = 0.10}};
   setup.limits.acceleration_mps2 = command.acceleration_mps2;

@@ -36,6 +36,14 @@ class Arguments {
     return low;
   }
 
+  /// The same without a fraction.
+  std::int64_t whole(const std::string& key, double low, double high, std::optional<double> otherwise = {}) {
+    const double got = number(key, low, high, otherwise);
+    if (got == std::trunc(got)) return static_cast<std::int64_t>(got);
+    fault("\"" + key + "\" is " + object_.at(key).dump() + ", expected a whole number");
+    return static_cast<std::int64_t>(low);
+  }
+
   bool boolean(const std::string& key, bool otherwise) {
     known_.insert(key);
     if (!object_.contains(key)) return otherwise;
@@ -83,7 +91,7 @@ struct Context {
   RobotRig& robot() const { return rig.robot(robot_index()); }
   std::size_t robot_index() const {
     return static_cast<std::size_t>(
-        arguments.number("robot", 0, static_cast<double>(rig.robot_count() - 1), 0));
+        arguments.whole("robot", 0, static_cast<double>(rig.robot_count() - 1), 0));
   }
   DeviceId device() const { return static_cast<DeviceId>(arguments.choice("device", kDeviceNames)); }
   DeviceId laser() const {
@@ -153,7 +161,7 @@ Action silence(const Context& c) {
 }
 Action garbage(const Context& c) {
   return [&wire = c.robot().wire(c.device()),
-          bytes = static_cast<std::size_t>(c.arguments.number("bytes", 1, 1e6, 200))] {
+          bytes = static_cast<std::size_t>(c.arguments.whole("bytes", 1, 1e6, 200))] {
     return wire.garbage(bytes), done();
   };
 }
@@ -197,8 +205,8 @@ Action stop_button(const Context& c) {
 
 Action bumper(const Context& c) {
   constexpr double kAllSegments = 127;
-  return [&robot = c.robot(), front = c.arguments.number("front", 0, kAllSegments, 0),
-          rear = c.arguments.number("rear", 0, kAllSegments, 0), until = c.until(0.5)] {
+  return [&robot = c.robot(), front = c.arguments.whole("front", 0, kAllSegments, 0),
+          rear = c.arguments.whole("rear", 0, kAllSegments, 0), until = c.until(0.5)] {
     robot.base().press_bumpers(static_cast<std::uint8_t>(front), static_cast<std::uint8_t>(rear), until);
     return done();
   };
@@ -226,8 +234,10 @@ Action obstacle(const Context& c) {
 }
 
 Action remove_obstacle(const Context& c) {
-  return [&rig = c.rig, id = c.arguments.number("id", 0, 1e6)] {
-    return rig.simulation().remove_obstacle(static_cast<MovableId>(id)), done();
+  return [&rig = c.rig, id = c.arguments.whole("id", 0, 1e6)]() -> json {
+    const auto removed = rig.simulation().remove_obstacle(static_cast<MovableId>(id));
+    if (!removed) return {{"ok", false}, {"error", "remove-obstacle: " + removed.error().message}};
+    return done();
   };
 }
 
@@ -252,7 +262,7 @@ constexpr std::array kCommands{
     Command{"battery", "volts", battery},
     Command{"clock-jump", "device=front|coronal ms: the sensor's clock steps", clock_jump},
     Command{"obstacle", "distance_m: a box appears so far ahead; answers its id", obstacle},
-    Command{"remove-obstacle", "id", remove_obstacle},
+    Command{"remove-obstacle", "id: as obstacle answered it", remove_obstacle},
 };
 
 std::string refusal(const std::string& why) { return json{{"ok", false}, {"error", why}}.dump(); }

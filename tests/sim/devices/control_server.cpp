@@ -3,7 +3,6 @@
 #include "tests/sim/devices/control_server.hpp"
 
 #include <sys/socket.h>
-#include <sys/un.h>
 
 #include <array>
 #include <cerrno>
@@ -16,18 +15,7 @@ using types::Errc;
 
 constexpr std::size_t kLongestLine = std::size_t{64} * 1024;
 constexpr std::size_t kMostClients = 16;
-
-types::Result<sockaddr_un> address_of(const std::filesystem::path& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  const std::string text = path.string();
-  if (text.empty() || text.size() >= sizeof(address.sun_path)) {
-    return types::fail(Errc::kInvalidInput, "control socket \"" + text + "\": expected a path of 1 to " +
-                                                std::to_string(sizeof(address.sun_path) - 1) + " bytes");
-  }
-  std::memcpy(address.sun_path, text.data(), text.size());
-  return address;
-}
+constexpr mode_t kOwnerOnly = 0600;
 
 tl::unexpected<types::Error> failure(const std::filesystem::path& path, const std::string& what, int error) {
   const Errc code = error == EACCES ? Errc::kPermission : error == ENOENT ? Errc::kNotFound : Errc::kIo;
@@ -36,29 +24,14 @@ tl::unexpected<types::Error> failure(const std::filesystem::path& path, const st
 
 }  // namespace
 
-ControlServer::ControlServer(std::filesystem::path path, FileDescriptor listener)
-    : path_(std::move(path)), listener_(std::move(listener)) {}
-
-ControlServer::~ControlServer() {
-  std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
-}
-
 types::Result<std::unique_ptr<ControlServer>> ControlServer::listen(const std::filesystem::path& path) {
-  const auto address = address_of(path);
-  if (!address.has_value()) return tl::unexpected(address.error());
-  std::error_code error;
-  if (std::filesystem::is_socket(path, error)) std::filesystem::remove(path, error);
-  FileDescriptor fd(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (::bind(fd.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) != 0 ||
-      ::listen(fd.get(), 8) != 0) {
-    return failure(path, "cannot listen", errno);
-  }
-  return std::unique_ptr<ControlServer>(new ControlServer(path, std::move(fd)));
+  auto socket = io::ListeningSocket::open(path.string(), kOwnerOnly);
+  if (!socket.has_value()) return tl::unexpected(socket.error());
+  return std::unique_ptr<ControlServer>(new ControlServer(std::move(*socket)));
 }
 
 void ControlServer::append_poll(std::vector<pollfd>& fds) const {
-  fds.push_back({listener_.get(), POLLIN, 0});
+  fds.push_back({socket_.fd(), POLLIN, 0});
   for (const Client& client : clients_) fds.push_back({client.fd.get(), POLLIN, 0});
 }
 
@@ -79,30 +52,26 @@ bool ControlServer::serve_client(Client& client, const Handler& handler) {
 }
 
 void ControlServer::serve(const Handler& handler) {
-  FileDescriptor fresh(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+  FileDescriptor fresh(::accept4(socket_.fd(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
   if (fresh.valid() && clients_.size() < kMostClients) clients_.push_back({std::move(fresh), {}, {}});
   std::erase_if(clients_, [&handler](Client& client) { return !serve_client(client, handler); });
 }
 
 types::Result<std::string> ask_control(const std::filesystem::path& path, const std::string& line,
                                        int timeout_ms) {
-  const auto address = address_of(path);
-  if (!address.has_value()) return tl::unexpected(address.error());
-  FileDescriptor fd(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  if (::connect(fd.get(), reinterpret_cast<const sockaddr*>(&*address), sizeof(*address)) != 0) {
-    return failure(path, "no simulation answers", errno);
-  }
+  const auto fd = io::connect_unix(path.string());
+  if (!fd.has_value()) return tl::unexpected(fd.error());
   const std::string request = line + "\n";
-  if (::send(fd.get(), request.data(), request.size(), MSG_NOSIGNAL) !=
+  if (::send(fd->get(), request.data(), request.size(), MSG_NOSIGNAL) !=
       static_cast<ssize_t>(request.size())) {
     return failure(path, "cannot send", errno);
   }
   std::string answer;
   std::array<char, 4096> buffer;
   while (answer.find('\n') == std::string::npos) {
-    pollfd ready{fd.get(), POLLIN, 0};
+    pollfd ready{fd->get(), POLLIN, 0};
     if (::poll(&ready, 1, timeout_ms) <= 0) return failure(path, "no answer", ETIMEDOUT);
-    const auto got = ::recv(fd.get(), buffer.data(), buffer.size(), 0);
+    const auto got = ::recv(fd->get(), buffer.data(), buffer.size(), 0);
     if (got <= 0) return failure(path, "the simulation went away", ECONNRESET);
     answer.append(buffer.data(), static_cast<std::size_t>(got));
   }

@@ -8,9 +8,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/types/result.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "tests/sim/devices/file_descriptor.hpp"
 
 namespace topo::sim {
@@ -20,11 +22,8 @@ class ControlServer {
  public:
   using Handler = std::function<std::string(const std::string& line)>;
 
-  /// Replaces an old socket at path; a file of another kind is left alone and is an error.
+  /// As io::ListeningSocket::open(); who runs the simulation may connect, nobody else.
   static types::Result<std::unique_ptr<ControlServer>> listen(const std::filesystem::path& path);
-  ~ControlServer();
-  ControlServer(const ControlServer&) = delete;
-  ControlServer& operator=(const ControlServer&) = delete;
 
   void serve(const Handler& handler);
   void append_poll(std::vector<pollfd>& fds) const;
@@ -35,11 +34,10 @@ class ControlServer {
     std::string input;
     std::string output;
   };
-  ControlServer(std::filesystem::path path, FileDescriptor listener);
+  explicit ControlServer(io::ListeningSocket socket) : socket_(std::move(socket)) {}
   static bool serve_client(Client& client, const Handler& handler);
 
-  std::filesystem::path path_;
-  FileDescriptor listener_;
+  io::ListeningSocket socket_;
   std::vector<Client> clients_;
 };
 

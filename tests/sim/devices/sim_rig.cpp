@@ -28,14 +28,15 @@ SimRig::SimRig(World world, const RigConfig& config)
 types::Result<std::unique_ptr<SimRig>> SimRig::create(World world, const RigConfig& config) {
   std::unique_ptr<SimRig> rig(new SimRig(std::move(world), config));
   if (auto status = rig->place_robots(); !status.has_value()) return tl::unexpected(status.error());
-  if (!config.truth_file.empty()) {
-    auto status = rig->truth_.open(config.truth_file, config.robots.size(), config.difficulty.text());
-    if (!status.has_value()) return tl::unexpected(status.error());
-  }
+  // Before the truth is begun: another simulation may be writing it.
   if (!config.control_socket.empty()) {
     auto server = ControlServer::listen(config.control_socket);
     if (!server.has_value()) return tl::unexpected(server.error());
     rig->control_ = std::move(*server);
+  }
+  if (!config.truth_file.empty()) {
+    auto status = rig->truth_.open(config.truth_file, config.robots.size(), config.difficulty.text());
+    if (!status.has_value()) return tl::unexpected(status.error());
   }
   rig->epoch_ = Clock::now();
   return rig;

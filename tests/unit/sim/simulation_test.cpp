@@ -101,9 +101,24 @@ TEST(Simulation, ABoxAppearsAheadAndStopsTheRobot) {
   EXPECT_NEAR(simulation.body(0).truth().x_m, 3.0, 2e-3);
   EXPECT_EQ(simulation.body(0).collisions(), 1U);
   EXPECT_FALSE(simulation.add_box_ahead(0, -0.3).has_value());  // into the robot
-  simulation.remove_obstacle(*box);
+  ASSERT_TRUE(simulation.remove_obstacle(*box).has_value());
   simulation.advance_to(SimTime{20'000'000'000});
   EXPECT_NEAR(simulation.body(0).truth().x_m, 7.0, 0.2);
+}
+
+TEST(Simulation, OnlyAnObstacleThatStandsThereIsRemoved) {
+  Simulation simulation(scene(room_text()), Difficulty::none(), 1);
+  ASSERT_TRUE(simulation.add_robot(robot(nullptr, nullptr)).has_value());
+  const auto nothing = simulation.remove_obstacle(77);
+  ASSERT_FALSE(nothing.has_value());
+  EXPECT_NE(nothing.error().message.find("no obstacle"), std::string::npos);
+  const auto box = simulation.add_box_ahead(0, 1.0);
+  ASSERT_TRUE(box.has_value());
+  const auto robots_own = simulation.remove_obstacle(*box - 1);
+  ASSERT_FALSE(robots_own.has_value());
+  EXPECT_NE(robots_own.error().message.find(fmt::format("expected one of {}", *box)), std::string::npos);
+  EXPECT_TRUE(simulation.remove_obstacle(*box).has_value());
+  EXPECT_FALSE(simulation.remove_obstacle(*box).has_value());  // it is gone already
 }
 
 TEST(Simulation, RobotsSeeEachOtherAndWalkersWait) {

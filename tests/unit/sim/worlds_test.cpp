@@ -120,6 +120,12 @@ TEST(ImageWorld, FaultsNameFilePlaceAndWhatIsExpected) {
   write(dir / "missing.yaml", "resolution: 0.05\n");
   EXPECT_THAT(message(World::load(dir / "missing.yaml")),
               HasSubstr("missing.yaml:1:1: key 'image' is missing"));
+  write(dir / "turned.yaml",
+        "image: nothing.pgm\nresolution: 0.05\norigin: [0.0, 0.0, 1.57]\nresolution: 0.1\n");
+  EXPECT_THAT(message(World::load(dir / "turned.yaml")),
+              HasSubstr("turned.yaml:3:9: 'origin' has a yaw of 1.57; expected 0"));
+  EXPECT_THAT(message(World::load(dir / "turned.yaml")),
+              HasSubstr("turned.yaml:4:1: key 'resolution' stands in line 2 already; expected it once"));
   write(dir / "list.yaml", "- 1\n");
   EXPECT_THAT(message(World::load(dir / "list.yaml")), HasSubstr("expected the keys"));
   write(dir / "broken.yaml", "image: [\n");

@@ -79,7 +79,6 @@ json report(const AnalyseCommand& command, const MapInput& input, const TimedAna
 
 types::Status write_files(const AnalyseCommand& command, const MapInput& input,
                           const pipeline::Analysis& analysis) {
-  if (auto made = make_folder(command.out); !made) return made;
   const auto file = [&](const char* name) { return (command.out / name).string(); };
   if (auto s = save_labels(file("labels.png"), labels_of(input, analysis)); !s) return s;
   const auto overview = daemon::overview_of(analysis, {}, analysis.goals.goals);
@@ -105,6 +104,7 @@ LabelPicture labels_of(const MapInput& input, const pipeline::Analysis& analysis
 types::Status run_analyse(const AnalyseCommand& command) {
   const auto input = read_map_input(command.map, command.resolution_m);
   if (!input) return tl::unexpected(input.error());
+  if (auto made = make_folder(command.out); !made) return made;
   const TimedAnalysis timed = timed_analysis(input->map, command.repeat);
   const json printed = report(command, *input, timed);
   if (!command.out.empty()) {

@@ -91,7 +91,7 @@ json means(const json& each) {
        {"recall_micro", "precision_micro", "recall_macro", "precision_macro", "mcc", "segments_per_room"}) {
     double sum = 0.0;
     for (const json& one : each) sum += one[key].get<double>();
-    if (!each.empty()) report[key] = sum / static_cast<double>(each.size());
+    report[key] = sum / static_cast<double>(each.size());
   }
   return report;
 }
@@ -112,6 +112,12 @@ Status run_segment(const SegmentCommand& command) {
     const auto scored = score_one(command.labels / name, truth / name, command.turn_deg);
     if (!scored) return tl::unexpected(scored.error());
     each[fs::path(name).stem().string()] = to_json(*scored);
+  }
+  if (each.empty()) {
+    return types::fail(
+        types::Errc::kNotFound,
+        fmt::format("{}: found {} pictures (PNG), and of none the true rooms under its name in {}",
+                    command.labels.string(), names->size(), truth.string()));
   }
   json report = means(each);
   report["each"] = std::move(each);

@@ -110,6 +110,7 @@ types::Result<nlohmann::json> explore(const ExploreCommand& command, RunHooks& h
   if (!world) return tl::unexpected(world.error());
   const auto setup = setup_of(command, *world);
   if (!setup) return tl::unexpected(setup.error());
+  if (auto made = make_folder(command.out); !made) return tl::unexpected(made.error());
   const RunTitle title{command.world.stem().string(), command.strategy, command.finish, command.seed};
   const sim::Raster visible =
       reachable_area(*world, setup->plant.start.translation(), sim::RobotModel::p3dx().swing_radius_m)

@@ -152,7 +152,6 @@ json team_report_of(const RunTitle& title, const TeamSetup& setup, const TeamRes
 
 types::Status write_run_files(const std::filesystem::path& folder, const sim::World& world,
                               const RunSetup& setup, const RunResult& result, const sim::Raster& visible) {
-  if (auto made = make_folder(folder); !made) return made;
   const auto goals = goals_in_building(setup, result);
   const sim::Picture picture = overview(world, {visible, result.covered, result.truth, goals});
   if (auto saved = picture.save_png(folder / "explore.png"); !saved) return saved;
@@ -164,7 +163,6 @@ types::Status write_run_files(const std::filesystem::path& folder, const sim::Wo
 
 types::Status write_team_files(const std::filesystem::path& folder, const sim::World& world,
                                const TeamSetup& setup, const TeamResult& result, const sim::Raster& visible) {
-  if (auto made = make_folder(folder); !made) return made;
   std::vector<std::vector<sim::Se2>> mates;
   for (std::size_t i = 1; i < result.robots.size(); ++i) mates.push_back(result.robots[i].truth);
   const sim::Picture picture =

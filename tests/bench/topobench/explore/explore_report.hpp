@@ -25,8 +25,8 @@ nlohmann::json report_of(const RunTitle& title, const RunSetup& setup, const Run
 nlohmann::json team_report_of(const RunTitle& title, const TeamSetup& setup, const TeamResult& result,
                               double reachable_m2);
 
-/// explore.png (true walls, area, path, goals), coverage.png, decisions.txt and truth.tsv in a folder, which
-/// is made if missing.
+/// explore.png (true walls, area, path, goals), coverage.png, decisions.txt and poses.tsv in an existing
+/// folder.
 types::Status write_run_files(const std::filesystem::path& folder, const sim::World& world,
                               const RunSetup& setup, const RunResult& result, const sim::Raster& visible);
 

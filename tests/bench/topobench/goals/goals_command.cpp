@@ -103,9 +103,7 @@ types::Status save_picture(const GoalsCommand& command, const std::string& name,
 types::Status run_goals(const GoalsCommand& command) {
   const auto worlds = worlds_of(command);
   if (!worlds) return tl::unexpected(worlds.error());
-  if (!command.out.empty()) {
-    if (auto made = make_folder(command.out); !made) return made;
-  }
+  if (auto made = make_folder(command.out); !made) return made;
   Sums sums;
   json each = json::array();
   for (const TableWorld& world : *worlds) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/slam/slam_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -63,6 +65,16 @@ nlohmann::json report_of(const pipeline::MappingState& state, const MappingRun& 
             {"graph", stage(run.graph)},
             {"end", stage(run.end)}}},
           {"peak_rss_mb", peak_rss_mb()}};
+}
+
+std::string doubt_of(const MappingRun& run) {
+  constexpr double kFew = 0.1;  // a good log loses none
+  const std::size_t scans = run.trajectory.size();
+  if (static_cast<double>(run.lost) <= kFew * static_cast<double>(scans)) return {};
+  return fmt::format(
+      "lost in {} of {} scans: they fit nowhere in the map and stand where the odometry says; expected scans "
+      "that see walls, and each much of what the one before saw",
+      run.lost, scans);
 }
 
 nlohmann::json error_report(std::span<const PosePair> pairs) {

@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/control/unix_socket.hpp"
 #include "drivers/io/posix.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::daemon {

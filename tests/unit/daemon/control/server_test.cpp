@@ -17,7 +17,7 @@ class ServerTest : public ::testing::Test {
  protected:
   void SetUp() override {
     ASSERT_GE(sd_event_new(&event), 0);
-    auto listening = ListeningSocket::open(path);
+    auto listening = io::ListeningSocket::open(path);
     ASSERT_TRUE(listening.has_value()) << listening.error().message;
     server.emplace(event, std::move(*listening), std::nullopt,
                    [this](const Call& call) -> std::optional<Answer> {
@@ -42,7 +42,7 @@ class ServerTest : public ::testing::Test {
     }
   }
   io::UniqueFd connect() {
-    auto fd = connect_unix(path);
+    auto fd = io::connect_unix(path);
     EXPECT_TRUE(fd.has_value());
     settle();
     return std::move(*fd);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "daemon/control/unix_socket.hpp"
+#include "drivers/io/unix_socket.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 #include <cstring>
 #include <fstream>
 
-namespace topo::daemon {
+namespace topo::io {
 namespace {
 
 using ::testing::HasSubstr;
@@ -18,7 +18,7 @@ using types::Errc;
 
 class UnixSocketTest : public ::testing::Test {
  protected:
-  testing::TempDir folder;
+  daemon::testing::TempDir folder;
   std::string path = folder.file("s");
 };
 
@@ -38,8 +38,18 @@ TEST_F(UnixSocketTest, SecondDaemonIsRefused) {
   const auto second = ListeningSocket::open(path);
   ASSERT_FALSE(second.has_value());
   EXPECT_EQ(second.error().code, Errc::kBusy);
-  EXPECT_THAT(second.error().message, HasSubstr("another topometricd"));
+  EXPECT_THAT(second.error().message, HasSubstr("another process"));
   EXPECT_TRUE(connect_unix(path).has_value());  // the first one's socket is untouched
+}
+
+TEST_F(UnixSocketTest, IsOpenToWhomItIsSaidToBe) {
+  const auto mode_of = [this] { return std::filesystem::status(path).permissions(); };
+  {
+    const auto to_anybody = ListeningSocket::open(path);
+    EXPECT_EQ(mode_of(), std::filesystem::perms{0666});
+  }
+  const auto to_the_owner = ListeningSocket::open(path, 0600);
+  EXPECT_EQ(mode_of(), std::filesystem::perms{0600});
 }
 
 TEST_F(UnixSocketTest, StaleSocketIsReplaced) {
@@ -70,4 +80,4 @@ TEST_F(UnixSocketTest, MissingFolderAndLongPath) {
 }
 
 }  // namespace
-}  // namespace topo::daemon
+}  // namespace topo::io

@@ -2,21 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 
 #include "core/types/result.hpp"
 #include "core/types/stamp.hpp"
 #include "drivers/io/unique_fd.hpp"
 
-namespace topo::daemon {
+namespace topo::io {
 
 /// A listening Unix stream socket in the file system, owned through a lock file beside it (PATH.lock), so
-/// that a socket left by a crash is replaced and one of a living daemon never is. Removes the socket's file
+/// that a socket left by a crash is replaced and one of a living process never is. Removes the socket's file
 /// when it goes.
 class ListeningSocket {
  public:
-  /// kBusy: another daemon serves this path. kInvalidInput: something that is no socket is there.
-  static types::Result<ListeningSocket> open(const std::string& path);
+  /// `mode`: who may connect. By default anybody: what a peer may do is decided by its credentials.
+  /// kBusy: another process serves this path. kInvalidInput: something that is no socket is there.
+  static types::Result<ListeningSocket> open(const std::string& path, mode_t mode = 0666);
 
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
@@ -27,16 +30,16 @@ class ListeningSocket {
   [[nodiscard]] int fd() const { return socket_.get(); }
 
  private:
-  ListeningSocket(io::UniqueFd lock, io::UniqueFd socket, std::string path)
+  ListeningSocket(UniqueFd lock, UniqueFd socket, std::string path)
       : lock_(std::move(lock)), socket_(std::move(socket)), path_(std::move(path)) {}
-  io::UniqueFd lock_;
-  io::UniqueFd socket_;
+  UniqueFd lock_;
+  UniqueFd socket_;
   std::string path_;
 };
 
-/// Connects to a daemon. kNotFound: nobody serves there. kPermission: the file or its folder is closed to us.
+/// Connects to who serves there. kNotFound: nobody does. kPermission: the file or its folder is closed to us.
 /// kTimeout: it took nobody up within `patience`, the longest that later sends wait, too.
-types::Result<io::UniqueFd> connect_unix(const std::string& path,
-                                         types::Duration patience = std::chrono::seconds(5));
+types::Result<UniqueFd> connect_unix(const std::string& path,
+                                     types::Duration patience = std::chrono::seconds(5));
 
-}  // namespace topo::daemon
+}  // namespace topo::io

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "daemon/control/unix_socket.hpp"
+#include "drivers/io/unix_socket.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace topo::daemon {
+namespace topo::io {
 namespace {
 
 using types::Errc;
@@ -46,15 +46,15 @@ const sockaddr* generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);  // as the socket calls want it
 }
 
-Result<io::UniqueFd> take_lock(const std::string& path) {
+Result<UniqueFd> take_lock(const std::string& path) {
   const std::string lock_path = path + ".lock";
-  io::UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!lock.valid()) return fail_path(lock_path, "cannot be opened");
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
   if (errno != EWOULDBLOCK) return fail_path(lock_path, "cannot be locked");
   return fail(Errc::kBusy,
-              fmt::format("control socket {}: another topometricd serves it; stop that one, or give this "
-                          "one another control.socket",
+              fmt::format("control socket {}: another process serves it; stop that one, or give this one "
+                          "another control socket",
                           path));
 }
 
@@ -75,17 +75,16 @@ Status remove_stale(const std::string& path) {
 
 }  // namespace
 
-Result<ListeningSocket> ListeningSocket::open(const std::string& path) {
+Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mode) {
   const auto address = to_address(path);
   if (!address) return tl::unexpected(address.error());
   auto lock = take_lock(path);
   if (!lock) return tl::unexpected(lock.error());
   if (const auto removed = remove_stale(path); !removed) return tl::unexpected(removed.error());
-  io::UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket.valid()) return fail_path(path, "no socket");
   if (::bind(socket.get(), generic(*address), sizeof *address) != 0) return fail_path(path, "cannot be made");
-  // Anybody may connect, look and e-stop; who may command is decided by the peer's credentials.
-  if (::chmod(path.c_str(), 0666) != 0) return fail_path(path, "cannot be opened to everybody");
+  if (::chmod(path.c_str(), mode) != 0) return fail_path(path, "its permissions cannot be set");
   if (::listen(socket.get(), 16) != 0) return fail_path(path, "cannot listen");
   return ListeningSocket(std::move(*lock), std::move(socket), path);
 }
@@ -95,10 +94,10 @@ ListeningSocket::~ListeningSocket() {
   if (socket_.valid()) ::unlink(path_.c_str());
 }
 
-Result<io::UniqueFd> connect_unix(const std::string& path, types::Duration patience) {
+Result<UniqueFd> connect_unix(const std::string& path, types::Duration patience) {
   const auto address = to_address(path);
   if (!address) return tl::unexpected(address.error());
-  io::UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   if (!socket.valid()) return fail_path(path, "no socket");
   const auto us = std::chrono::duration_cast<std::chrono::microseconds>(patience).count();
   const timeval limit{std::max<std::int64_t>(us, 1) / 1'000'000, std::max<std::int64_t>(us, 1) % 1'000'000};
@@ -106,10 +105,10 @@ Result<io::UniqueFd> connect_unix(const std::string& path, types::Duration patie
     return fail_path(path, "no time limit");
   if (::connect(socket.get(), generic(*address), sizeof *address) != 0) {
     if (errno == EAGAIN)
-      return fail(Errc::kTimeout, fmt::format("control socket {}: the daemon does not answer", path));
-    return fail_path(path, "no daemon answers");
+      return fail(Errc::kTimeout, fmt::format("control socket {}: who serves it does not answer", path));
+    return fail_path(path, "nobody answers");
   }
   return socket;
 }
 
-}  // namespace topo::daemon
+}  // namespace topo::io
