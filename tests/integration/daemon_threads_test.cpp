@@ -327,7 +327,7 @@ TEST_F(DaemonThreads, AStopOfTheDaemonDoesNotWaitForAJobInHand) {
   ::signal(SIGIO, SIG_IGN);
   const io::UniqueFd lease(::open(folder.write("endless.session", "").c_str(), O_RDWR | O_CLOEXEC));
   ASSERT_EQ(::fcntl(lease.get(), F_SETLEASE, F_WRLCK), 0) << std::strerror(errno);
-  const auto other = connect_unix(socket);
+  const auto other = io::connect_unix(socket);
   ASSERT_TRUE(other) << other.error().message;
   const std::string load = request_line("session.load", {{"name", "endless"}}, 1);
   ASSERT_EQ(::send(other->get(), load.data(), load.size(), MSG_NOSIGNAL), static_cast<ssize_t>(load.size()));

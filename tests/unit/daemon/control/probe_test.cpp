@@ -32,7 +32,7 @@ TEST_F(ProbeTest, NobodyIsThere) {
 }
 
 TEST_F(ProbeTest, AnAnswerIsLife) {
-  const auto listening = ListeningSocket::open(path);
+  const auto listening = io::ListeningSocket::open(path);
   ASSERT_TRUE(listening) << listening.error().message;
   std::thread daemon([&] {
     if (io::wait_for(listening->fd(), POLLIN, 20s) <= 0) return;
@@ -45,13 +45,13 @@ TEST_F(ProbeTest, AnAnswerIsLife) {
 
 // The kernel takes clients up for a daemon that hangs, until there are too many of them.
 TEST_F(ProbeTest, SilenceIsNone) {
-  const auto listening = ListeningSocket::open(path);
+  const auto listening = io::ListeningSocket::open(path);
   ASSERT_TRUE(listening) << listening.error().message;
   EXPECT_EQ(probe(path, 50ms).served, Served::kByHung);
   EXPECT_EQ(probe(path, 50ms).pid, ::getpid());
   std::vector<io::UniqueFd> crowd;
-  auto client = connect_unix(path, 50ms);
-  for (; client && crowd.size() < 1000; client = connect_unix(path, 50ms))
+  auto client = io::connect_unix(path, 50ms);
+  for (; client && crowd.size() < 1000; client = io::connect_unix(path, 50ms))
     crowd.push_back(std::move(*client));
   ASSERT_FALSE(client) << "no limit";
   EXPECT_EQ(client.error().code, types::Errc::kTimeout);
