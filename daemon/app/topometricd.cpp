@@ -15,6 +15,7 @@
 #include "daemon/app/logging.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/recording/format.hpp"
+#include "daemon/recording/summary.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -29,7 +30,7 @@ constexpr int kUsersFault = 2;
 constexpr unsigned kStopLimit_s = 6;
 
 struct Arguments {
-  std::string config, check, record, replay;
+  std::string config, check, record, replay, summary;
   bool print = false;
 };
 
@@ -72,6 +73,22 @@ types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file,
   return Recorder::start(std::move(options));
 }
 
+/// Says what is in a recording.
+int summarise_recording(const std::string& file) {
+  const auto reader = RecordingReader::open(file);
+  if (!reader) return complain(reader.error());
+  fmt::print("{}", format_summary(summarise(*reader)));
+  return kOk;
+}
+
+types::Status end(Recorder& recorder) {
+  auto stopped = recorder.stop();
+  const RecorderStats stats = recorder.stats();
+  spdlog::info("recorded {} bytes of the devices; {} found no room, {} frames were not taken by the disk",
+               stats.recorded_bytes, stats.lost_bytes, stats.lost_frames);
+  return stopped;
+}
+
 int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   std::shared_ptr<Replay> replay;
   if (!arguments.replay.empty()) {
@@ -92,7 +109,11 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   const auto ran = (*app)->run();
   app->reset();
   if (*recorder != nullptr) {
-    if (auto stopped = (*recorder)->stop(); !stopped) return complain(stopped.error());
+    if (auto ended = end(**recorder); !ended) return complain(ended.error());
+  }
+  if (replay != nullptr && replay->gates_released() > 0) {
+    spdlog::warn("replay: {} connections went on without the bytes that the recorded daemon had written",
+                 replay->gates_released());
   }
   return ran ? kOk : complain(ran.error());
 }
@@ -117,7 +138,9 @@ int start(int argc, char** argv) {
   auto* record =
       cli.add_option("--record", arguments.record, "record every byte from and to the devices into FILE");
   cli.add_option("--replay", arguments.replay, "play a recording in place of the devices")->excludes(record);
+  cli.add_option("--summary", arguments.summary, "say what a recording holds and what it lost, and exit");
   if (const auto ended = parse_command_line(cli, "topometricd", argc, argv)) return *ended;
+  if (!arguments.summary.empty()) return summarise_recording(arguments.summary);
   LoadedConfiguration loaded;
   if (!arguments.check.empty()) {
     const int status = load(arguments.check, loaded);

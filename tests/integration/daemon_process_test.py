@@ -266,6 +266,10 @@ def check_slow_client(daemon):
 def check_replay(folder, config):
     with open(folder + "/run.rec", "rb") as file:
         assert any(file.read(24)[16:]), "the recording does not say which configuration it was made with"
+    summary = run(DAEMON, "--summary", folder + "/run.rec")
+    assert summary.returncode == 0 and "ended in order" in summary.stdout, summary
+    assert all("  %s: " % channel in summary.stdout for channel in ("base", "front", "coronal")), summary
+    assert run(DAEMON, "--summary", folder + "/nothing.rec").returncode == 2
     daemon = Daemon(folder, config, "--replay", folder + "/run.rec")
     daemon.until(lambda: daemon.status()["map"]["keyframes"] >= 2, "the recording gives no map")
     assert daemon.stop() < 3
