@@ -34,8 +34,6 @@ std::string_view to_text(Verdict verdict) {
       return "another goal nearby is as good";
     case Verdict::kVisited:
       return "a robot was there already";
-    case Verdict::kOutOfBounds:
-      return "in or behind a forbidden area";
   }
   return "unknown";
 }

@@ -22,7 +22,6 @@ enum class Verdict : std::uint8_t {
   kNearCentroid,  ///< driven to the middle of its place: a long side
   kDuplicate,     ///< another goal is as good, nearby
   kVisited,       ///< a robot was there already
-  kOutOfBounds,   ///< in or behind a forbidden area
 };
 /// One sentence for a person.
 std::string_view to_text(Verdict verdict);

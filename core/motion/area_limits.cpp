@@ -13,8 +13,6 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 template <class Visit>
 void for_each_edge(const Polygon& polygon, Visit visit) {
   for (std::size_t i = 0; i < polygon.size(); ++i) visit(polygon[i], polygon[(i + 1) % polygon.size()]);
@@ -52,15 +50,6 @@ bool is_inside(const Polygon& polygon, const Vector2& p) {
 }
 
 constexpr double kOnEdge_m = 1e-9;
-
-/// Touching counts.
-bool segments_meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
-  const double ca = cross(d - c, a - c), cb = cross(d - c, b - c);
-  const double ac = cross(b - a, c - a), ad = cross(b - a, d - a);
-  if (((ca > 0.0) != (cb > 0.0)) && ((ac > 0.0) != (ad > 0.0))) return true;
-  return std::min({distance_to_edge_m(a, b, c), distance_to_edge_m(a, b, d), distance_to_edge_m(c, d, a),
-                   distance_to_edge_m(c, d, b)}) <= kOnEdge_m;
-}
 
 /// How far a point is on the wrong side, 0 on the right one.
 double depth_m(const AreaLimits& limits, const Vector2& p) {
@@ -106,25 +95,6 @@ Se2 moved(const Se2& T_map_base, const types::Twist2& twist, double time_s) {
 bool allows(const AreaLimits& limits, const Vector2& p_map) {
   return depth_m(limits, p_map) == 0.0 && !is_near_an_edge(limits, p_map, kOnEdge_m) &&
          (!limits.keep_in || is_inside(*limits.keep_in, p_map));
-}
-
-double distance_to_limit_m(const AreaLimits& limits, const Vector2& p_map) {
-  if (!allows(limits, p_map)) return 0.0;
-  double nearest_m = HUGE_VAL;
-  for_each_polygon(limits, [&](const Polygon& polygon) {
-    nearest_m = std::min(nearest_m, distance_to_edges_m(polygon, p_map));
-  });
-  return nearest_m;
-}
-
-bool allows_segment(const AreaLimits& limits, const Vector2& a, const Vector2& b) {
-  if (!allows(limits, a) || !allows(limits, b)) return false;
-  bool meets = false;
-  for_each_polygon(limits, [&](const Polygon& polygon) {
-    for_each_edge(polygon,
-                  [&](const Vector2& c, const Vector2& d) { meets = meets || segments_meet(a, b, c, d); });
-  });
-  return !meets;
 }
 
 double intrusion_m(const AreaLimits& limits, const Se2& T_map_base, const Footprint& footprint) {

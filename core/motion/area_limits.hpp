@@ -26,13 +26,6 @@ struct AreaLimits {
 /// May the point be visited? A point on an edge may not.
 bool allows(const AreaLimits& limits, const types::Vector2& p_map);
 
-/// Distance from an allowed point to the nearest edge of any polygon, metres; infinity without limits; 0
-/// where the point is not allowed.
-double distance_to_limit_m(const AreaLimits& limits, const types::Vector2& p_map);
-
-/// Straight line between two points that stays allowed.
-bool allows_segment(const AreaLimits& limits, const types::Vector2& a, const types::Vector2& b);
-
 /// How far the outline sticks out of what is allowed, metres; 0 when all of it is allowed.
 double intrusion_m(const AreaLimits& limits, const types::Se2& T_map_base, const Footprint& footprint);
 

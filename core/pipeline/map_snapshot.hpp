@@ -20,7 +20,8 @@ struct KeyframePose {
 
 /// One generation of the map: occupancy, walls, poses and the correction of the odometry travel together, so
 /// that nobody mixes two. Immutable once published. Made and destroyed by the mapping thread alone; readers
-/// pin it in a sync::SnapshotCell. Making one costs O(1) in the map's size and O(keyframes) in the poses.
+/// pin it in a sync::SnapshotCell. Making one costs the comparison of the tiles that changed since the one
+/// before and O(keyframes) in the poses, whatever the map's size.
 struct MapSnapshot {
   std::uint64_t revision = 0;
   std::uint64_t changed_cells = 0;  ///< of the grid, into another state, from snapshot to snapshot

@@ -93,10 +93,4 @@ void put_path(std::span<const Vector2> path_map, const types::Transform2<types::
   plan.path_ends_at_goal = points == path_map.size();
 }
 
-double length_m(std::span<const Vector2> path) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
-  return length;
-}
-
 }  // namespace topo::pipeline

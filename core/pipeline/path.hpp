@@ -22,7 +22,4 @@ std::vector<types::Vector2> smooth_path(const grid::DenseMap& map, std::span<con
 void put_path(std::span<const types::Vector2> path_map,
               const types::Transform2<types::Map, types::Odom>& T_map_odom, Plan& plan);
 
-/// Length of a path, metres.
-double length_m(std::span<const types::Vector2> path);
-
 }  // namespace topo::pipeline

@@ -18,6 +18,7 @@
 #include "daemon/config/load.hpp"
 #include "daemon/config/replayed.hpp"
 #include "daemon/recording/format.hpp"
+#include "daemon/recording/summary.hpp"
 #include "drivers/io/run_program.hpp"
 
 namespace topo::daemon {
@@ -33,7 +34,7 @@ constexpr int kUsersFault = 2;
 constexpr unsigned kStopLimit_s = 6;
 
 struct Arguments {
-  std::string config, check, record, replay, sessions;
+  std::string config, check, record, replay, sessions, summary;
   bool print = false;
 };
 
@@ -92,6 +93,22 @@ std::function<bool()> is_at_end(const std::shared_ptr<Replay>& replay) {
   };
 }
 
+/// Says what is in a recording.
+int summarise_recording(const std::string& file) {
+  const auto reader = RecordingReader::open(file);
+  if (!reader) return complain(reader.error());
+  fmt::print("{}", format_summary(summarise(*reader)));
+  return kOk;
+}
+
+types::Status end(Recorder& recorder) {
+  auto stopped = recorder.stop();
+  const RecorderStats stats = recorder.stats();
+  spdlog::info("recorded {} bytes of the devices; {} found no room, {} frames were not taken by the disk",
+               stats.recorded_bytes, stats.lost_bytes, stats.lost_frames);
+  return stopped;
+}
+
 int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   std::shared_ptr<Replay> replay;
   if (!arguments.replay.empty()) {
@@ -116,7 +133,11 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   const auto ran = (*app)->run();
   app->reset();
   if (*recorder != nullptr) {
-    if (auto stopped = (*recorder)->stop(); !stopped) return complain(stopped.error());
+    if (auto ended = end(**recorder); !ended) return complain(ended.error());
+  }
+  if (replay != nullptr && replay->gates_released() > 0) {
+    spdlog::warn("replay: {} connections went on without the bytes that the recorded daemon had written",
+                 replay->gates_released());
   }
   return ran ? kOk : complain(ran.error());
 }
@@ -146,7 +167,9 @@ int start(int argc, char** argv) {
   cli.add_option("--sessions", arguments.sessions,
                  "folder for the sessions of a replay, which leaves the robot's own alone")
       ->needs(replay);
+  cli.add_option("--summary", arguments.summary, "say what a recording holds and what it lost, and exit");
   if (const auto ended = parse_command_line(cli, "topometricd", argc, argv)) return *ended;
+  if (!arguments.summary.empty()) return summarise_recording(arguments.summary);
   LoadedConfiguration loaded;
   if (!arguments.check.empty()) {
     const int status = load(arguments.check, loaded);

@@ -19,8 +19,9 @@ class JournalFile {
   /// A new file; kInvalidInput when there is one of that name.
   static types::Result<JournalFile> create(const std::string& path, std::uint64_t params_hash);
 
-  /// Appends what `session` has more, and brings it to the disk. When that fails the file ends where it did
-  /// before. True when there was something.
+  /// Appends what `session` has more, and brings it to the disk. When the disk does not take it the file ends
+  /// where it did before; when it was taken and cannot be brought to the disk, the next append writes over
+  /// it. True when there was something.
   types::Result<bool> append(const slam::Session& session);
   /// The exact poses and the record that says that it was closed in order.
   types::Status close(const slam::Session& session);

@@ -294,8 +294,5 @@ Health Session::health() const { return impl_->health; }
 const std::string& Session::message() const { return impl_->message; }
 const std::optional<RobotInfo>& Session::info() const { return impl_->info; }
 const Counters& Session::counters() const { return impl_->counters; }
-types::Duration Session::status_delay() const {
-  return impl_->delay ? impl_->delay->age() : types::Duration{};
-}
 
 }  // namespace topo::pioneer

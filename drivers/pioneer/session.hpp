@@ -81,8 +81,6 @@ class Session {
   [[nodiscard]] const std::string& message() const;
   [[nodiscard]] const std::optional<RobotInfo>& info() const;
   [[nodiscard]] const Counters& counters() const;
-  /// Estimated age of a status packet's pose at its arrival.
-  [[nodiscard]] types::Duration status_delay() const;
 
  private:
   struct Impl;

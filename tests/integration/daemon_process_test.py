@@ -304,6 +304,10 @@ def check_slow_client(daemon):
 def check_replay(folder, config):
     with open(folder + "/run.rec", "rb") as file:
         assert any(file.read(24)[16:]), "the recording does not say which configuration it was made with"
+    summary = run(DAEMON, "--summary", folder + "/run.rec")
+    assert summary.returncode == 0 and "ended in order" in summary.stdout, summary
+    assert all("  %s: " % channel in summary.stdout for channel in ("base", "front", "coronal")), summary
+    assert run(DAEMON, "--summary", folder + "/nothing.rec").returncode == 2
     # The robot's own sessions: the only journal that may stay is one that a new one would push out.
     kept = os.path.join(folder, "kept")
     scratch = os.path.join(folder, "scratch")

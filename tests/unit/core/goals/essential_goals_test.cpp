@@ -319,9 +319,8 @@ TEST(Filters, APlaceIsVisitedByWhoWasThere) {
 }
 
 TEST(Goals, HaveWordsForTheirVerdicts) {
-  for (const Verdict verdict :
-       {Verdict::kAccepted, Verdict::kInternal, Verdict::kNoOpening, Verdict::kNearCentroid,
-        Verdict::kDuplicate, Verdict::kVisited, Verdict::kOutOfBounds})
+  for (const Verdict verdict : {Verdict::kAccepted, Verdict::kInternal, Verdict::kNoOpening,
+                                Verdict::kNearCentroid, Verdict::kDuplicate, Verdict::kVisited})
     EXPECT_NE(to_text(verdict), "unknown");
   EXPECT_EQ(to_text(Side::kNorth), "north");
 }

@@ -25,24 +25,16 @@ AreaLimits court_with_a_hole() {
 TEST(AreaLimits, WithoutAnyEverythingIsAllowed) {
   const AreaLimits none;
   EXPECT_TRUE(allows(none, {1e6, -1e6}));
-  EXPECT_EQ(distance_to_limit_m(none, {0.0, 0.0}), HUGE_VAL);
-  EXPECT_TRUE(allows_segment(none, {0.0, 0.0}, {1e6, 0.0}));
   EXPECT_EQ(area_free_time_s(none, {}, {0.7, 0.0}, {}, 5.0), HUGE_VAL);
 }
 
-TEST(AreaLimits, PointsEdgesAndDistances) {
+TEST(AreaLimits, PointsAndEdges) {
   const AreaLimits limits = court_with_a_hole();
   EXPECT_TRUE(allows(limits, {1.0, 1.0}));
   EXPECT_FALSE(allows(limits, {-0.1, 1.0}));
   EXPECT_FALSE(allows(limits, {5.0, 3.0}));
   EXPECT_FALSE(allows(limits, {0.0, 3.0})) << "on the edge";
   EXPECT_FALSE(allows(limits, {5.0, 2.0})) << "on the edge of the hole";
-  EXPECT_NEAR(distance_to_limit_m(limits, {1.0, 3.0}), 1.0, 1e-12);
-  EXPECT_NEAR(distance_to_limit_m(limits, {5.0, 1.5}), 0.5, 1e-12);
-  EXPECT_EQ(distance_to_limit_m(limits, {5.0, 3.0}), 0.0);
-  EXPECT_TRUE(allows_segment(limits, {1.0, 1.0}, {9.0, 1.0}));
-  EXPECT_FALSE(allows_segment(limits, {1.0, 3.0}, {9.0, 3.0})) << "through the hole";
-  EXPECT_FALSE(allows_segment(limits, {1.0, 3.0}, {12.0, 5.0}));
 }
 
 TEST(AreaLimits, StopsBeforeTheEdgeAndComesBackIn) {
