@@ -74,6 +74,16 @@ class Words(unittest.TestCase):
             with self.subTest(words):
                 self.assertIn(words[-2], self.refused("topobench", *words))
 
+    def test_an_option_that_would_do_nothing_is_refused(self):
+        for words, said in ((("slam", "--log", "l", "--people", "3"), "--people requires --simulate"),
+                            (("slam", "--log", "l", "--minutes", "3"), "--minutes requires --simulate"),
+                            (("slam", "--log", "l", "--seed", "3"), "--seed requires --simulate"),
+                            (("slam", "--simulate", "w", "--split", "known"), "--split requires --log"),
+                            (("analyse", "--map", "m.yaml", "--resolution", "0.5"), "--resolution: found 0.5 for m.yaml"),
+                            (("explore", "--world", "w", "--radio", "foo"), "foo")):
+            with self.subTest(words):
+                self.assertIn(said, self.refused("topobench", *words))
+
     def test_every_program_has_a_version(self):
         for program in ("topometricd", "topoctl", "topobench", "toposim"):
             self.assertRegex(run(program, "--version").stdout, r"^%s \d+\.\d+\.\d+\n$" % program)

@@ -56,17 +56,22 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   app.add_option("--split", slam.split,
                  "The log's halves as two robots that join their maps, beside the whole log as one: whether "
                  "they know where they start")
+      ->needs("--log")
       ->check(CLI::IsMember({"known", "unknown"}));
   app.add_option("--minutes", slam.minutes, "Of the simulated patrol")
+      ->needs("--simulate")
       ->capture_default_str()
       ->check(number_from(0.1, 600.0));
   app.add_option("--seed", slam.seed, "Of route, noise, slip and wheel errors")
+      ->needs("--simulate")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   app.add_option("--people", slam.people, "Who walk about in the building")
+      ->needs("--simulate")
       ->capture_default_str()
       ->check(CLI::Range(0, 100));
   app.add_option("--acceleration", slam.acceleration_mps2, "Of the simulated robot, m/s^2")
+      ->needs("--simulate")
       ->capture_default_str()
       ->check(number_from(0.05, 5.0));
   app.add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt")
@@ -194,8 +199,7 @@ void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
 
 void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
   app.add_option("--map", analyse.map, "map_server YAML file, or a picture alone (PNG, PGM)")->required();
-  app.add_option("--resolution", analyse.resolution_m, "Metres a pixel, of a picture alone")
-      ->capture_default_str();
+  app.add_option("--resolution", analyse.resolution_m, "Metres a pixel, of a picture alone (0.05)");
   app.add_option("--repeat", analyse.repeat, "How often, for the times")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
