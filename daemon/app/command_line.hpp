@@ -6,22 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "daemon/app/version.hpp"
-
 namespace topo::daemon {
 
 /// Parses the command line of `program`, and adds --version. Nothing: go on. Else the exit status to end
-/// with: 0 when what was asked for is printed, 2 when the command line is wrong, which is said.
-inline std::optional<int> parse_command_line(CLI::App& cli, const std::string& program, int argc,
-                                             char** argv) {
-  constexpr int kWrong = 2;
-  cli.set_version_flag("--version", program + " " + kVersion, "print the version and exit");
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? 0 : kWrong;
-  }
-  return {};
-}
+/// with: 0 when what was asked for is printed, 2 when the command line is wrong, which is said; of a
+/// misspelt subcommand with the one that is near.
+std::optional<int> parse_command_line(CLI::App& cli, const std::string& program, int argc, char** argv);
+
+/// A number from `low` to `high`. NaN is none, which CLI::Range lets pass.
+CLI::Validator number_from(double low, double high);
 
 }  // namespace topo::daemon

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "daemon/app/command_line.hpp"
+#include "daemon/app/version.hpp"
 #include "daemon/topoctl/commands.hpp"
 #include "daemon/topoctl/tables.hpp"
 #include "drivers/io/run_program.hpp"
@@ -15,6 +16,9 @@ namespace {
 constexpr types::Duration kEstopPatience = std::chrono::seconds(1);
 constexpr types::Duration kSavePatience = std::chrono::minutes(2);
 constexpr types::Duration kSearchPatience = std::chrono::seconds(30);
+
+// What nobody means who types a number; the daemon knows the true limits.
+constexpr double kFar_m = 1e6, kFast = 100.0;
 
 std::string nothing(const Json&) { return {}; }
 
@@ -55,7 +59,7 @@ void add_queries(CLI::App& cli, Arguments& a, int& status) {
       [&a] { return watch(a); });
   cli.get_subcommand("watch")
       ->add_option("--every", a.interval_s, "seconds (1)")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(number_from(0.1, 3600.0));
   add(cli, "doctor", "why the robot will not move, each with its cure; status 1 when anything is bad", status,
       [&a] { return doctor(a); });
   add(cli, "health", "what is wrong, if anything", status, [&a] { return show(a, "health", &health_table); });
@@ -80,10 +84,12 @@ void add_commands(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "clear-estop", "let the robot move again", status,
       [&a] { return show(a, "clear_estop", &nothing); });
   auto* driving = cli.add_subcommand("drive", "drive by hand: with the keys, or at V m/s and W rad/s");
-  auto* v = driving->add_option("V", a.v_mps, "forward speed in m/s; without V and W the keys drive");
-  auto* w = driving->add_option("W", a.omega_radps, "turning speed in rad/s, counter-clockwise");
+  auto* v = driving->add_option("V", a.v_mps, "forward speed in m/s; without V and W the keys drive")
+                ->check(number_from(-kFast, kFast));
+  auto* w = driving->add_option("W", a.omega_radps, "turning speed in rad/s, counter-clockwise")
+                ->check(number_from(-kFast, kFast));
   v->needs(w);
-  driving->add_option("--for", a.seconds, "seconds (1), then stop")->check(CLI::Range(0.0, 3600.0));
+  driving->add_option("--for", a.seconds, "seconds (1), then stop")->check(number_from(0.0, 3600.0));
   driving->callback([&status, &a, v] { status = v->count() > 0 ? drive_for(a) : drive_by_keys(a); });
   add(cli, "log-level", "the least important message still logged", status, [&a] {
     return show(a, "log_level", &nothing, Json{{"level", a.level}});
@@ -116,7 +122,8 @@ void add_sessions(CLI::App& cli, Arguments& a, int& status) {
   auto* load = session->get_subcommand("load");
   auto* pose =
       load->add_option("--pose", a.pose, "X Y THETA: about where the robot is, metres and radians in map")
-          ->expected(3);
+          ->expected(3)
+          ->check(number_from(-kFar_m, kFar_m));
   load->add_flag("--search", a.search, "look for the robot in the whole map (so without --pose)")
       ->excludes(pose);
 }
@@ -130,15 +137,15 @@ void add_missions(CLI::App& cli, Arguments& a, int& status) {
     return show(a, "goto", &nothing, Json{{"x_m", a.x_m}, {"y_m", a.y_m}}, kSearchPatience);
   });
   auto* going = cli.get_subcommand("goto");
-  going->add_option("X", a.x_m, "metres in map")->required();
-  going->add_option("Y", a.y_m, "metres in map")->required();
+  going->add_option("X", a.x_m, "metres in map")->required()->check(number_from(-kFar_m, kFar_m));
+  going->add_option("Y", a.y_m, "metres in map")->required()->check(number_from(-kFar_m, kFar_m));
   add(cli, "stop", "end the mission and the driving: the robot stands", status,
       [&a] { return show(a, "stop", &nothing); });
   auto* wait = cli.add_subcommand("wait", "wait for something; --timeout S");
   wait->require_subcommand(1);
   wait->fallthrough();
   wait->add_option("--timeout", a.timeout_s, "seconds after which to give up (for ever)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(number_from(0.0, 1e6));
   add(*wait, "done", "until the mission has ended: status 0 done, 5 failed or stopped", status,
       [&a] { return wait_done(a); });
   add(*wait, "ready", "until a mission would be taken", status, [&a] { return wait_ready(a); });

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -126,6 +127,11 @@ void add_options(CLI::App& app, Options& o) {
       ->capture_default_str();
   app.add_option("--start", o.starts, "start of a robot, m and rad; once a robot; else the world's")
       ->type_name("X Y THETA")
+      ->check([](const std::string& text) {
+        double value = 0.0;
+        const bool number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return number ? std::string() : "found " + text + ", expected a finite number";
+      })
       ->type_size(3)
       ->expected(1, 32);
   app.add_option("--laser", o.laser,
@@ -327,6 +333,7 @@ int start(int argc, char** argv) {
   Options options;
   CLI::App app(description(), "toposim");
   app.footer(footer());
+  app.set_version_flag("--version", "toposim " TOPO_VERSION, "print the version and exit");
   add_options(app, options);
   try {
     app.parse(argc, argv);

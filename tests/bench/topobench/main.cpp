@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "daemon/app/command_line.hpp"
 #include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
@@ -18,6 +19,8 @@
 #include "tests/bench/topobench/table/table_command.hpp"
 
 namespace {
+
+using topo::daemon::number_from;
 
 /// 2 is the user's fault, 1 everything else.
 int exit_status(const topo::types::Error& error) {
@@ -53,17 +56,24 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   app.add_option("--split", slam.split,
                  "The log's halves as two robots that join their maps, beside the whole log as one: whether "
                  "they know where they start")
+      ->needs("--log")
       ->check(CLI::IsMember({"known", "unknown"}));
   app.add_option("--minutes", slam.minutes, "Of the simulated patrol")
+      ->needs("--simulate")
       ->capture_default_str()
-      ->check(CLI::Range(0.1, 600.0));
-  app.add_option("--seed", slam.seed, "Of route, noise, slip and wheel errors")->capture_default_str();
+      ->check(number_from(0.1, 600.0));
+  app.add_option("--seed", slam.seed, "Of route, noise, slip and wheel errors")
+      ->needs("--simulate")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--people", slam.people, "Who walk about in the building")
+      ->needs("--simulate")
       ->capture_default_str()
       ->check(CLI::Range(0, 100));
   app.add_option("--acceleration", slam.acceleration_mps2, "Of the simulated robot, m/s^2")
+      ->needs("--simulate")
       ->capture_default_str()
-      ->check(CLI::Range(0.05, 5.0));
+      ->check(number_from(0.05, 5.0));
   app.add_option("--out", slam.out, "Folder for map.pgm, map.yaml, map.png and trajectory.txt")
       ->check(not_empty());
   app.add_flag("--json", slam.json, "One JSON object on one line");
@@ -81,7 +91,9 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
          "topometric_no_places: the free space is not divided, every opening is a goal")
       ->check(CLI::IsMember(topo::bench::contender_names()))
       ->capture_default_str();
-  app.add_option("--seed", explore.seed, "Of noise, slip and wheel errors")->capture_default_str();
+  app.add_option("--seed", explore.seed, "Of noise, slip and wheel errors")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--fidelity", explore.fidelity,
                  "full: every scan, and SLAM; plan: 5 Hz, 270 beams, the true pose with a bounded error, "
                  "control at 10 Hz,\n"
@@ -100,7 +112,7 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
          "--contact", explore.contact_lost_s,
          "Of several robots: who has heard of no other for so many seconds goes back to where it last "
          "did, then on; 0: never")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_from(0.0, 1e6))
       ->capture_default_str();
   app.add_option("--entry-delay", explore.entry_delay_s,
                  "Of several robots: seconds from one's beginning to the next one's")
@@ -188,8 +200,7 @@ void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
 
 void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
   app.add_option("--map", analyse.map, "map_server YAML file, or a picture alone (PNG, PGM)")->required();
-  app.add_option("--resolution", analyse.resolution_m, "Metres a pixel, of a picture alone")
-      ->capture_default_str();
+  app.add_option("--resolution", analyse.resolution_m, "Metres a pixel, of a picture alone (0.05)");
   app.add_option("--repeat", analyse.repeat, "How often, for the times")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
@@ -226,7 +237,8 @@ void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
   app.add_option("--out", session.out, "File for the session, as topoctl session save writes it")
       ->check(not_empty());
   app.add_option("--localise", session.localise, "Scans of the log that are looked for in its whole map")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000000));
   app.add_flag("--json", session.json, "One JSON object on one line");
 }
 
@@ -305,11 +317,7 @@ int start(int argc, char** argv) {
       app.add_subcommand("posegraph", "Solve a pose graph of the community's benchmarks from its odometry");
   add_options(*posegraph_app, posegraph);
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto ended = topo::daemon::parse_command_line(app, "topobench", argc, argv)) return *ended;
   if (*session_app) return finish(topo::bench::run_session(session));
   if (*slam_app) return finish(topo::bench::run_slam(slam));
   if (*analyse_app) return finish(topo::bench::run_analyse(analyse));

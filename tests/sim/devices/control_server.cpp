@@ -36,7 +36,7 @@ void ControlServer::append_poll(std::vector<pollfd>& fds) const {
 }
 
 bool ControlServer::serve_client(Client& client, const Handler& handler) {
-  std::array<char, 4096> buffer;
+  std::array<char, 4096> buffer{};
   const auto got = ::recv(client.fd.get(), buffer.data(), buffer.size(), 0);
   if (got == 0 || (got < 0 && errno != EAGAIN && errno != EINTR)) return false;
   if (got > 0) client.input.append(buffer.data(), static_cast<std::size_t>(got));
@@ -67,7 +67,7 @@ types::Result<std::string> ask_control(const std::filesystem::path& path, const 
     return failure(path, "cannot send", errno);
   }
   std::string answer;
-  std::array<char, 4096> buffer;
+  std::array<char, 4096> buffer{};
   while (answer.find('\n') == std::string::npos) {
     pollfd ready{fd->get(), POLLIN, 0};
     if (::poll(&ready, 1, timeout_ms) <= 0) return failure(path, "no answer", ETIMEDOUT);

@@ -102,7 +102,14 @@ LabelPicture labels_of(const MapInput& input, const pipeline::Analysis& analysis
 }
 
 types::Status run_analyse(const AnalyseCommand& command) {
-  const auto input = read_map_input(command.map, command.resolution_m);
+  if (command.resolution_m && names_map_yaml(command.map)) {
+    return types::fail(types::Errc::kInvalidInput,
+                       fmt::format("--resolution: found {} for {}, expected it of a picture alone: a YAML "
+                                   "file has its own",
+                                   *command.resolution_m, command.map));
+  }
+  constexpr double kUsual_m = 0.05;
+  const auto input = read_map_input(command.map, command.resolution_m.value_or(kUsual_m));
   if (!input) return tl::unexpected(input.error());
   if (auto made = make_folder(command.out); !made) return made;
   const TimedAnalysis timed = timed_analysis(input->map, command.repeat);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/types/result.hpp"
@@ -14,7 +15,7 @@ namespace topo::bench {
 
 struct AnalyseCommand {
   std::string map;
-  double resolution_m = 0.05;  ///< of a picture without a YAML file
+  std::optional<double> resolution_m;  ///< of a picture without a YAML file; else 0.05
   int repeat = 1;
   std::filesystem::path out;  ///< empty: no files
   bool json = false;

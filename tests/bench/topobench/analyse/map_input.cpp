@@ -72,9 +72,10 @@ grid::DenseMap dense_of(const daemon::MapImage& image) {
 
 }  // namespace
 
+bool names_map_yaml(const std::string& path) { return path.ends_with(".yaml") || path.ends_with(".yml"); }
+
 Result<MapInput> read_map_input(const std::string& path, double resolution_m) {
-  const bool yaml = path.ends_with(".yaml") || path.ends_with(".yml");
-  const auto image = yaml ? daemon::load_map(path) : read_picture(path, resolution_m);
+  const auto image = names_map_yaml(path) ? daemon::load_map(path) : read_picture(path, resolution_m);
   if (!image) return tl::unexpected(image.error());
   return MapInput{dense_of(*image), image->width, image->height};
 }

@@ -25,6 +25,9 @@ struct MapInput {
   }
 };
 
+/// Is it a map_server file, and no picture, by its name?
+[[nodiscard]] bool names_map_yaml(const std::string& path);
+
 /// Reads a map_server YAML file, whose resolution and thresholds hold, or a picture alone (PNG, PGM): there
 /// 250 and more is free, under 89 occupied, everything else unknown, and a pixel is `resolution_m`, which
 /// must be from 0.001 to 10. Cell (0, 0) is the picture's lower left pixel. Errors as daemon::load_map has

@@ -44,6 +44,7 @@ types::Status check(const ExploreCommand& command) {
         fmt::format("--starts: found unknown in fidelity {}, expected fidelity full: without a "
                     "mapper all poses are known",
                     command.fidelity));
+  if (const auto radio = parse_radio(command.radio); !radio) return tl::unexpected(radio.error());
   if (!(command.entry_delay_s >= 0.0))
     return types::fail(Errc::kInvalidInput, fmt::format("--entry-delay: found {}, expected seconds from 0 up",
                                                         command.entry_delay_s));
