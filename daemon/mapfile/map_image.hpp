@@ -44,8 +44,8 @@ types::Status save_map(const std::string& folder, const MapImage& map);
 [[nodiscard]] std::string encode_map_yaml(const MapImage& map, const std::string& image_name);
 
 /// Reads a map_server YAML file and its image (PGM P2 or P5, PNG), whose path is relative to the YAML file's
-/// folder. A turned map (an origin with a yaw) and a key given twice are refused. Errors name the file and
-/// key or place, what was found and what is expected: kInvalidInput, kNotFound, kPermission, kIo.
+/// folder. A key given twice is refused. Errors name the file and key or place, what was found and what is
+/// expected: kInvalidInput, kNotFound, kPermission, kIo.
 types::Result<MapImage> load_map(const std::string& yaml_path);
 
 }  // namespace topo::daemon

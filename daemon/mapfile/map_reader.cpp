@@ -99,10 +99,7 @@ Status read_origin(const Keys& keys, MapYaml& map) {
     if (!value.has_value()) return tl::unexpected(value.error());
     values[i] = *value;
   }
-  constexpr double kRounding_rad = 1e-6;
-  if (std::abs(types::wrap_angle(values[2])) > kRounding_rad)
-    return keys.bad("origin", origin[2], "a yaw of 0: turned maps are not read");
-  map.origin = {values[0], values[1], 0.0};
+  map.origin = {values[0], values[1], types::wrap_angle(values[2])};
   return {};
 }
 

@@ -151,6 +151,8 @@ class Explore(unittest.TestCase):
             self.assertLess(joined["mates_rmse_m"], 0.08, joined)
 
     def test_a_bad_radio_costs_time_and_not_the_building(self):
+        # Who hears nothing cannot be asked to make room: where it stands for good another has to get by.
+        (self.folder / "rooms.toml").write_text(WORLD.replace(", 2.0]", ", 2.8]"))
         for radio in ("loss:0.5", "range:5", "none"):
             with self.subTest(radio):
                 found = self.explore_together("--radio", radio, "--limit", 600)

@@ -34,6 +34,21 @@ class PictureFile {
   std::string path_;
 };
 
+TEST(MapInput, OfATurnedMapIsRefused) {
+  const PictureFile picture(2, 1, {'\xFF', '\xFF'});
+  const std::string yaml = picture.path() + ".yaml";
+  const auto read_with_yaw = [&](const std::string& yaw) {
+    std::ofstream(yaml) << "image: " << picture.path() << "\nresolution: 0.1\norigin: [1, -2, " << yaw
+                        << "]\n";
+    return read_map_input(yaml, 0.0);
+  };
+  for (const char* none : {"0.0", "-0.0", "6.283185307"}) EXPECT_TRUE(read_with_yaw(none)) << none;
+  const auto turned = read_with_yaw("1.57");
+  std::filesystem::remove(yaml);
+  ASSERT_FALSE(turned);
+  EXPECT_NE(turned.error().message.find("key origin: found a yaw of 1.57, expected 0"), std::string::npos);
+}
+
 TEST(MapInput, OfAPictureIsFreeFrom250AndOccupiedBelow89) {
   const PictureFile file(5, 1, {'\xFF', '\xFA', '\xF9', '\x59', '\x58'});
   const auto input = read_map_input(file.path(), 0.1);

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/input_file.hpp"
 #include "daemon/mapfile/map_image.hpp"
@@ -77,6 +79,13 @@ bool names_map_yaml(const std::string& path) { return path.ends_with(".yaml") ||
 Result<MapInput> read_map_input(const std::string& path, double resolution_m) {
   const auto image = names_map_yaml(path) ? daemon::load_map(path) : read_picture(path, resolution_m);
   if (!image) return tl::unexpected(image.error());
+  constexpr double kRounding_rad = 1e-6;
+  if (std::abs(image->origin.theta_rad) > kRounding_rad) {
+    return types::fail(types::Errc::kInvalidInput,
+                       fmt::format("{}: key origin: found a yaw of {:g}, expected 0: the picture of a turned "
+                                   "map is not that of its places",
+                                   path, image->origin.theta_rad));
+  }
   return MapInput{dense_of(*image), image->width, image->height};
 }
 

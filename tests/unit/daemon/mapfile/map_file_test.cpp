@@ -45,7 +45,7 @@ TEST(MapFile, WhatIsSavedComesBack) {
     map.height = *rc::gen::inRange(1, 30);
     map.resolution_m = *rc::gen::inRange(1, 1000) / 1000.0;
     map.origin = {*rc::gen::inRange(-100000, 100000) / 1000.0, *rc::gen::inRange(-100000, 100000) / 1000.0,
-                  0.0};
+                  *rc::gen::inRange(-3000, 3000) / 1000.0};
     map.cells = *rc::gen::container<std::vector<MapCell>>(
         static_cast<std::size_t>(map.width * map.height),
         rc::gen::element(MapCell::kFree, MapCell::kOccupied, MapCell::kUnknown));
@@ -57,7 +57,7 @@ TEST(MapFile, WhatIsSavedComesBack) {
     RC_ASSERT(back->resolution_m == map.resolution_m);
     RC_ASSERT(std::abs(back->origin.x_m - map.origin.x_m) < 1e-9);
     RC_ASSERT(std::abs(back->origin.y_m - map.origin.y_m) < 1e-9);
-    RC_ASSERT(back->origin.theta_rad == 0.0);
+    RC_ASSERT(std::abs(back->origin.theta_rad - map.origin.theta_rad) < 1e-9);
     RC_ASSERT(back->cells == map.cells);
   }));
 }

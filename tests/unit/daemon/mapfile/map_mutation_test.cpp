@@ -48,7 +48,7 @@ TEST(MapMutation, YamlReaderSurvives) {
   const testing::TempDir dir;
   static_cast<void>(dir.write("m.pgm", "P2 1 1 255 0"));
   const std::string good =
-      "image: m.pgm\nmode: trinary\nresolution: 0.05\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: "
+      "image: m.pgm\nmode: trinary\nresolution: 0.05\norigin: [1, 2, 3]\nnegate: 0\noccupied_thresh: "
       "0.65\nfree_thresh: 0.196\n";
   std::mt19937 random(5);  // NOLINT
   int refused = 0;
