@@ -15,7 +15,7 @@ constexpr std::size_t kSegmentsMax = 256;
 constexpr std::size_t kLeastHits = 3;  // fewer: a mixed pixel, or too little to say where it is
 constexpr std::size_t kBridged = 3;
 // A surface that is seen at less than ten degrees breaks up (Borges and Aldon 2004).
-constexpr double kNoise_m = 0.09, kGrazing = 0.17;
+constexpr double kUneven_m = 0.09, kGrazing = 0.17;
 constexpr double kRadial = 0.8;     // of its extent: a piece of such a surface, which ends nowhere
 constexpr double kBehind_m = 0.12;  // so much farther is behind
 constexpr double kApart_m = 0.4;    // of two legs
@@ -55,7 +55,7 @@ class Segments {
   void add(std::size_t beam) {
     if (size_ > 0) {
       Segment& s = segments_[size_ - 1];
-      const double jump_m = kNoise_m + look_.step_rad * range_m(beam) / kGrazing;
+      const double jump_m = kUneven_m + look_.step_rad * range_m(beam) / kGrazing;
       if (beam - s.last <= kBridged && gap_m(beam, s.last) < jump_m) {
         s.last = beam;
         ++s.hits;
@@ -125,7 +125,7 @@ std::size_t find_groups(const ScanLook& look, std::span<ScanGroup> out) {
     if (segments.range_m(s.first) > kFarthest_m || segments.across_m(s) > kGroupAcross_m) continue;
     const std::size_t end = end_of_group(segments, i);
     const double deep_m = std::abs(segments.range_m(s.first) - segments.range_m(segments[end].last));
-    if (deep_m > kRadial * segments.gap_m(s.first, segments[end].last) && deep_m > kNoise_m) continue;
+    if (deep_m > kRadial * segments.gap_m(s.first, segments[end].last) && deep_m > kUneven_m) continue;
     const bool begins_freely = segments.ends_freely(i, false), ends_freely = segments.ends_freely(end, true);
     if (begins_freely || ends_freely) {
       out[count] = group_of(look, segments, i, end);
