@@ -17,7 +17,9 @@ using types::Vector2;
 constexpr std::array kCurvatures{0.0, 0.1,  -0.1, 0.22, -0.22, 0.36, -0.36, 0.55, -0.55, 0.8, -0.8,
                                  1.1, -1.1, 1.5,  -1.5, 2.0,   -2.0, 2.7,   -2.7, 3.6,   -3.6};
 constexpr double kBehind_m = 0.3, kAhead_m = 1.5;  // where along the path the robot is looked for
-constexpr double kBlindSlack = 1.05;               // slower than the gate would, so that it need not brake
+constexpr double kSlow_mps = 0.3;
+constexpr double kStopToTurn = 0.1, kPerRadian = 0.3;  // what a turn costs, as scores of arcs
+constexpr double kBlindSlack = 1.05;  // slower than the gate would, so that it need not brake
 
 Se2 along(double curvature, double way_m) {
   const double half = 0.5 * curvature * way_m;
@@ -140,14 +142,56 @@ PathFollower::Arc PathFollower::rated(double curvature, double margin_m, double 
   return arc;
 }
 
-PathFollower::Arc PathFollower::best_arc(double pursuit, double margin_m, double v_cap_mps,
-                                         const FollowInput& in) const {
+PathFollower::Arc PathFollower::best_with_margin(double margin_m, double v_cap_mps,
+                                                 const FollowInput& in) const {
+  const Vector2 ahead = in.T_odom_base.inverse() * point_at(here_.s_m + rules_.lookahead_m);
+  const double pursuit = std::clamp(2.0 * ahead.y() / std::max(0.01, ahead.squaredNorm()), -4.0, 4.0);
   Arc best = rated(pursuit, margin_m, v_cap_mps, in);
   for (const double curvature : kCurvatures) {
     const Arc arc = rated(curvature, margin_m, v_cap_mps, in);
     if (arc.score > best.score) best = arc;
   }
   return best;
+}
+
+/// With as much room as there is.
+PathFollower::Arc PathFollower::best_arc(double v_cap_mps, const FollowInput& in) const {
+  const double margin_m = in.limits->margin_m;
+  const Arc roomy = best_with_margin(margin_m + rules_.extra_margin_m, v_cap_mps, in);
+  return roomy.v_mps < kSlow_mps && roomy.v_mps < v_cap_mps ? best_with_margin(margin_m, v_cap_mps, in)
+                                                            : roomy;
+}
+
+/// How far to turn before driving on, when that gets on better than driving on as the robot stands; 0: it
+/// does not. In a doorway the nose has to point past the jamb before it points along the way.
+double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
+                                     const FollowInput& in) const {
+  constexpr std::array kTurns{0.25, -0.25, 0.5, -0.5, 0.75, -0.75};
+  constexpr double kReach_m = 1.2;  // an arc that is slow ends nearer than this
+  std::array<Vector2, kMaxObstacles> near, turned;
+  std::size_t count = 0;
+  for (const Vector2& p : in.obstacles_base)
+    if (p.squaredNorm() < kReach_m * kReach_m && count < near.size()) near[count++] = p;
+  const double left_rad = free_turn_rad(1.0, in), right_rad = free_turn_rad(-1.0, in);
+  double best_rad = 0.0, best_score = now.score;
+  const auto offer = [&](double by_rad) {
+    if (!(std::abs(by_rad) < (by_rad > 0.0 ? left_rad : right_rad))) return;
+    if (!(std::abs(turn_rad - by_rad) < rules_.turn_begin_rad)) return;
+    const Se2 turn{0.0, 0.0, by_rad};
+    std::transform(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), turned.begin(),
+                   [&](const Vector2& p) { return turn.inverse() * p; });
+    FollowInput after = in;
+    after.T_odom_base = in.T_odom_base * turn;
+    after.obstacles_base = {turned.data(), count};
+    after.twist = {};
+    const double score = best_arc(v_cap_mps, after).score - kStopToTurn - kPerRadian * std::abs(by_rad);
+    if (!(score > best_score)) return;
+    best_score = score;
+    best_rad = by_rad;
+  };
+  if (std::abs(turn_rad) > rules_.turn_end_rad) offer(turn_rad);
+  for (const double by_rad : kTurns) offer(by_rad);
+  return best_rad;
 }
 
 FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
@@ -175,18 +219,17 @@ FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInp
   const double v_end_mps =
       in.ends_at_goal ? std::max(0.06, std::sqrt(1.2 * l.deceleration_mps2 * rest_m)) : l.v_max_mps;
   const double v_cap_mps = std::min(v_end_mps, slip_speed_mps(in));
-  const Vector2 ahead = in.T_odom_base.inverse() * point_at(here_.s_m + rules_.lookahead_m);
-  const double pursuit = std::clamp(2.0 * ahead.y() / std::max(0.01, ahead.squaredNorm()), -4.0, 4.0);
-  Arc best = best_arc(pursuit, l.margin_m + rules_.extra_margin_m, v_cap_mps, in);
-  constexpr double kSlow_mps = 0.3;
-  if (best.v_mps < kSlow_mps && best.v_mps < v_cap_mps) best = best_arc(pursuit, l.margin_m, v_cap_mps, in);
+  const Arc best = best_arc(v_cap_mps, in);
   FollowOutput out;
   out.turn_rad = turn_rad;
-  // Crawling round a corner takes longer than to turn first.
-  if (best.v_mps < std::min(kSlow_mps, v_cap_mps) - 0.01 && std::abs(turn_rad) > rules_.turn_end_rad) {
-    const FollowOutput turned = turn(turn_rad, in);
-    turning_ = !turned.blocked;
-    if (turning_) return turned;
+  if (best.v_mps < std::min(kSlow_mps, v_cap_mps) - 0.01) {
+    const double by_rad = better_turn_rad(best, turn_rad, v_cap_mps, in);
+    if (by_rad != 0.0) {
+      turning_ = by_rad == turn_rad;
+      FollowOutput turned = turn(by_rad, in);
+      turned.turn_rad = turn_rad;
+      return turned;
+    }
   }
   out.blocked = best.v_mps < rules_.crawl_mps;
   if (out.blocked) return out;

@@ -28,9 +28,9 @@ struct FollowInput {
   std::span<const types::Vector2> path_odom;
   std::uint64_t path_number = 0;  ///< another number: another path
   bool ends_at_goal = false;
-  std::span<const types::Vector2> obstacles_base;
-  double blind_s = 0.0;  ///< as the gate's blind_time_s()
-  double alive_s = 0.0;  ///< as the gate's alive_time_s()
+  std::span<const types::Vector2> obstacles_base;  ///< at most PathFollower::kMaxObstacles
+  double blind_s = 0.0;                            ///< as the gate's blind_time_s()
+  double alive_s = 0.0;                            ///< as the gate's alive_time_s()
   const RobotLimits* limits = nullptr;
 };
 
@@ -44,10 +44,12 @@ struct FollowOutput {
 /// Follows a path in odom: compares a fan of arcs by how far they get along the path, each as fast as the
 /// gate would let it pass (its rule counts the free way on the arc, so the arcs with much room are the fast
 /// ones: dynamic window approach, Fox, Burgard and Thrun 1997), and turns on the spot when the way is far off
-/// the nose. Allocates nothing.
+/// the nose, or when from another heading an arc gets on better: in a doorway the nose has to point past the
+/// jamb first. Allocates nothing.
 class PathFollower {
  public:
   static constexpr std::size_t kMaxPoints = 256;
+  static constexpr std::size_t kMaxObstacles = 512;
 
   explicit PathFollower(const FollowerRules& rules = {}) : rules_(rules) {}
   FollowOutput step(const FollowInput& input);
@@ -70,7 +72,10 @@ class PathFollower {
   [[nodiscard]] double speed_on(double curvature, double margin_m, const FollowInput& in) const;
   [[nodiscard]] double slip_speed_mps(const FollowInput& in) const;
   [[nodiscard]] Arc rated(double curvature, double margin_m, double v_cap_mps, const FollowInput& in) const;
-  [[nodiscard]] Arc best_arc(double pursuit, double margin_m, double v_cap_mps, const FollowInput& in) const;
+  [[nodiscard]] Arc best_with_margin(double margin_m, double v_cap_mps, const FollowInput& in) const;
+  [[nodiscard]] Arc best_arc(double v_cap_mps, const FollowInput& in) const;
+  [[nodiscard]] double better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
+                                       const FollowInput& in) const;
   [[nodiscard]] FollowOutput drive(double turn_rad, double rest_m, const FollowInput& in);
   [[nodiscard]] FollowOutput turn(double turn_rad, const FollowInput& in) const;
 

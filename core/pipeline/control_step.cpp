@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/motion/blind_spot.hpp"
 #include "core/motion/moving_obstacles.hpp"
 #include "core/motion/path_follower.hpp"
 #include "core/motion/recovery.hpp"
@@ -24,7 +25,6 @@ using motion::RecoveryPhase;
 using types::Se2;
 using types::Twist2;
 
-constexpr std::size_t kObstaclesMax = 512;
 constexpr double kObstacleReach_m = 2.8;  // more than the way that 0.7 m/s needs free
 constexpr double kObstacleSpacing_m = 0.03;
 constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wished for no longer: off
@@ -106,8 +106,10 @@ struct ControlState::Impl {
   bool touching = false;  ///< in the last period
   std::uint32_t touches = 0;
   types::Vector2 touched_odom{0.0, 0.0};
-  std::array<types::Vector2, kObstaclesMax> obstacles{};
-  std::array<motion::ScanPoint, types::Scan::kMaxBeams> points{};
+  std::array<types::Vector2, motion::PathFollower::kMaxObstacles> obstacles{};
+  /// What the scanner saw before, and from kMax on what it sees.
+  std::array<motion::ScanPoint, motion::BlindSpot::kMax + types::Scan::kMaxBeams> points{};
+  motion::BlindSpot blind_spot;
   motion::MovingObstacles tracker;
   std::array<motion::MovingObstacle, motion::MovingObstacles::kMax> moving{};
   motion::Yielding yielding;
@@ -116,6 +118,8 @@ struct ControlState::Impl {
   [[nodiscard]] std::optional<Se2> place(const ControlSetup& setup, const ControlInput& in) const;
   [[nodiscard]] std::span<const motion::MovingObstacle> look_for_movers(const ControlSetup& setup,
                                                                         const ControlInput& in);
+  [[nodiscard]] std::span<const motion::ScanPoint> look_around(
+      const ControlSetup& setup, const ControlInput& in, std::span<const motion::MovingObstacle> moving_now);
   void drive_on(const ControlInput& in);
   void count_touches(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] bool may_follow(const ControlSetup& setup, const ControlInput& in);
@@ -152,9 +156,8 @@ motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, cons
   g.base = in.state;
   g.front_scan = in.front;
   g.T_base_laser = setup.T_base_laser;
-  if (in.front != nullptr)
-    g.front_points = {points.data(), motion::scan_points(*in.front, setup.T_base_laser, points)};
   g.moving = look_for_movers(setup, in);
+  g.front_points = look_around(setup, in, g.moving);
   g.T_base_sonar = in.T_base_sonar;
   g.estop_pressed = in.estop;
   g.estop_cleared = in.estop_cleared;
@@ -178,6 +181,21 @@ std::span<const motion::MovingObstacle> ControlState::Impl::look_for_movers(cons
   if (in.front == nullptr || in.state == nullptr || !motion::is_finite(*in.state)) return {};
   tracker.update(*in.front, setup.T_base_laser, in.state->odometry);
   return {moving.data(), tracker.around(in.state->odometry, in.front->first_beam, moving)};
+}
+
+std::span<const motion::ScanPoint> ControlState::Impl::look_around(
+    const ControlSetup& setup, const ControlInput& in, std::span<const motion::MovingObstacle> moving_now) {
+  if (in.front == nullptr) return {};
+  constexpr std::size_t kSeen = motion::BlindSpot::kMax;
+  const std::span<motion::ScanPoint> all(points);
+  const std::size_t seen = motion::scan_points(*in.front, setup.T_base_laser, all.subspan(kSeen));
+  if (in.state == nullptr || !motion::is_finite(*in.state)) return all.subspan(kSeen, seen);
+  const types::Odometry& odometry = in.state->odometry;
+  blind_spot.update(*in.front, setup.T_base_laser, all.subspan(kSeen, seen), moving_now,
+                    setup.limits.footprint, odometry);
+  const std::size_t kept = blind_spot.size();
+  blind_spot.put_points(motion::pose_at(odometry, in.front->first_beam), all.subspan(kSeen - kept, kept));
+  return all.subspan(kSeen - kept, kept + seen);
 }
 
 /// The trail takes every reckoning once.

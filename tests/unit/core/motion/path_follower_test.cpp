@@ -95,6 +95,36 @@ TEST(PathFollower, SaysSoWhenNothingLeadsOn) {
   EXPECT_EQ(course.out.twist, Twist2{});
 }
 
+/// A wall across the way, with a door whose middle is at y = `middle_m`.
+std::vector<Vector2> wall_with_door(double x, double middle_m, double width_m) {
+  std::vector<Vector2> wall = line({x, middle_m + 0.5 * width_m}, {x, 2.0});
+  for (const Vector2& p : line({x, middle_m - 0.5 * width_m}, {x, -2.0})) wall.push_back(p);
+  return wall;
+}
+
+TEST(PathFollower, GetsThroughADoorOfTwoThirdsOfAMetreThoughThePathPassesItsJamb) {
+  // As a map has it that is a hand's breadth off.
+  for (const double off_m : {-0.1, -0.05, 0.0, 0.05, 0.1}) {
+    Course course;
+    course.path = line({0.0, 0.0}, {3.0, 0.0});
+    course.obstacles = wall_with_door(1.5, off_m, 0.66);
+    EXPECT_LT(course.run(), 60.0) << off_m;
+  }
+}
+
+TEST(PathFollower, TurnsPastAJambThatIsAtItsNoseAndGoesOn) {
+  for (const double side : {-1.0, 1.0}) {
+    Course course;
+    course.path = line({0.0, 0.0}, {2.0, 0.0});
+    course.obstacles = {{0.27, side * 0.24}, {0.30, side * 0.24}};  // in the way of the front's corner
+    course.step();
+    EXPECT_FALSE(course.out.blocked);
+    EXPECT_EQ(course.out.twist.v_mps, 0.0);
+    EXPECT_LT(course.out.twist.omega_radps * side, 0.0) << "away from it";
+    EXPECT_LT(course.run(), 30.0);
+  }
+}
+
 TEST(PathFollower, ArrivesFromAnywhereAndGoesRoundAPost) {
   EXPECT_TRUE(rc::check([] {
     Course course;

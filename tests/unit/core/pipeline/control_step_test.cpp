@@ -283,6 +283,27 @@ TEST_F(ControlStepTest, TheHandCreepsOffAPressedRearBumperAndNothingElseMovesIt)
   EXPECT_GT(run(40).command.twist.v_mps, 0.25) << "and off it all is as before";
 }
 
+TEST_F(ControlStepTest, DoesNotSwingItsTailAgainstWhatItHasDrivenPast) {
+  const auto post_at = [&](double bearing_rad, float range_m) {
+    scan->range_m.fill(10.0F);
+    for (std::size_t i = 0; i < scan->beams; ++i)
+      if (std::abs(static_cast<double>(scan->angle_rad(i)) - bearing_rad) < 0.06) scan->range_m[i] = range_m;
+  };
+  drive.twist = {0.0, 1.0};
+  EXPECT_GT(run(20).command.twist.omega_radps, 0.9) << "with nothing beside it";
+  drive.twist = {};
+  run(20);
+  post_at(-2.2, 0.30F);  // right behind the shoulder, still in view
+  run(3);
+  scan->range_m.fill(10.0F);
+  state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(types::Se2{0.1, 0.0, 0.0});
+  drive.twist = {0.0, 1.0};
+  state.odometry.stamp = now;
+  const ControlOutput beside = run(20);
+  EXPECT_EQ(beside.command.twist, types::Twist2{});
+  EXPECT_EQ(beside.report.reason, GateReason::kBlocked);
+}
+
 /// Somebody walks to and fro across the way, 0.6 m ahead, two metres to either side.
 void put_walker(types::Scan& scan, double t_s) {
   constexpr double kAhead_m = 0.6, kAside_m = 2.0, kSpeed_mps = 1.0, kRadius_m = 0.2;

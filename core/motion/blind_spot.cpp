@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/blind_spot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/footprint_sweep.hpp"
+#include "core/motion/moving_obstacles.hpp"
+
+namespace topo::motion {
+namespace {
+
+using types::Se2;
+using types::Vector2;
+
+constexpr double kReach_m = 0.6;         // of the centre: more than any outline with its margin
+constexpr double kLeavesView_rad = 0.6;  // so near to the end of the view a point may be out of it next time
+constexpr double kSpacing_m = 0.02;      // of neighbours that are kept
+constexpr double kMoverRim_m = 0.15;     // around what moves: a leg beside the other
+constexpr double kJump_m = 0.25;         // between two scans: the reckoning began anew
+constexpr types::Duration kKept = std::chrono::seconds(60);
+
+/// From the middle of what the scanner sees to a point, radians, and half of what it sees.
+double off_middle_rad(const types::Scan& scan, const Vector2& p_laser) {
+  const auto step_rad = static_cast<double>(scan.geometry.angle_increment_rad);
+  const double middle_rad =
+      static_cast<double>(scan.geometry.angle_min_rad) + 0.5 * step_rad * (scan.beams - 1);
+  return std::abs(types::wrap_angle(std::atan2(p_laser.y(), p_laser.x()) - middle_rad));
+}
+
+double half_view_rad(const types::Scan& scan) {
+  return 0.5 * static_cast<double>(scan.geometry.angle_increment_rad) * (scan.beams - 1);
+}
+
+bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving) {
+  return std::any_of(moving.begin(), moving.end(), [&](const MovingObstacle& m) {
+    return (p_base - m.centre).norm() < m.radius_m + kMoverRim_m;
+  });
+}
+
+}  // namespace
+
+/// What is in view the new scan tells better.
+void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
+  const Se2 T_laser_odom = T_odom_laser.inverse();
+  const double half_rad = half_view_rad(scan);
+  const auto is_over = [&](const Seen& s) {
+    return (s.p_odom - at_odom_).squaredNorm() > kReach_m * kReach_m || scan.first_beam - s.last > kKept ||
+           off_middle_rad(scan, T_laser_odom * s.p_odom) < half_rad;
+  };
+  const auto end = std::remove_if(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(size_), is_over);
+  size_ = static_cast<std::size_t>(end - seen_.begin());
+}
+
+void BlindSpot::keep(const Se2& T_odom_base, const Vector2& p_base, types::Stamp seen) {
+  if (size_ == kMax) {
+    std::move(seen_.begin() + 1, seen_.end(), seen_.begin());
+    --size_;
+  }
+  seen_[size_++] = {T_odom_base * p_base, seen};
+}
+
+void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::span<const ScanPoint> points,
+                       std::span<const MovingObstacle> moving, const Footprint& outline,
+                       const types::Odometry& odometry) {
+  if (scan.first_beam == scan_ || scan.beams == 0) return;
+  scan_ = scan.first_beam;
+  const Se2 T_odom_base = pose_at(odometry, scan.first_beam);
+  if (!((T_odom_base.translation() - at_odom_).norm() < kJump_m)) size_ = 0;
+  at_odom_ = T_odom_base.translation();
+  forget(scan, T_odom_base * T_base_laser);
+  const Se2 T_laser_base = T_base_laser.inverse();
+  const double leaves_rad = half_view_rad(scan) - kLeavesView_rad;
+  Vector2 last(HUGE_VAL, HUGE_VAL);
+  for (const ScanPoint& point : points) {
+    const Vector2& p = point.p_base;
+    if (p.squaredNorm() > kReach_m * kReach_m || contains(outline, p)) continue;
+    if ((p - last).squaredNorm() < kSpacing_m * kSpacing_m) continue;
+    if (off_middle_rad(scan, T_laser_base * p) < leaves_rad || moves(p, moving)) continue;
+    last = p;
+    keep(T_odom_base, p, scan.first_beam);
+  }
+}
+
+void BlindSpot::put_points(const Se2& T_odom_base, std::span<ScanPoint> out) const {
+  const Se2 T_base_odom = T_odom_base.inverse();
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = {T_base_odom * seen_[i].p_odom, false};
+}
+
+}  // namespace topo::motion
