@@ -13,7 +13,7 @@
 namespace topo::goals {
 
 struct GoalParams {
-  double robot_radius_m = 0.33;
+  double robot_radius_m = 0.297;  ///< as grid::TravelRules::radius_m
   double opening_min_m = 0.90;    ///< a frontier narrower than this is a nook
   double clear_m = 0.45;          ///< steering up the distance field ends here
   double node_reach_m = 1.0;      ///< a free skeleton node this near takes the goal

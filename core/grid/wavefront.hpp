@@ -16,8 +16,8 @@ namespace topo::grid {
 
 /// What travelling costs (DESIGN "Exploration": one clearance-aware wavefront, unknown space forbidden).
 struct TravelRules {
-  double radius_m = 0.33;     ///< cells with less clearance are closed: the disc that the robot needs
-  double preferred_m = 0.75;  ///< with more clearance than this a metre costs one metre
+  double radius_m = 0.297;    ///< cells with less clearance are closed: the disc in which a P3-DX turns
+  double preferred_m = 0.72;  ///< with more clearance than this a metre costs one metre
   double crowding = 3.0;      ///< extra cost of a metre at `radius_m`; falls linearly to 0 at preferred_m
   double start_m = 0.60;      ///< within this of the start, cells with too little clearance may be left
 };

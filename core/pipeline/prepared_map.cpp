@@ -234,7 +234,8 @@ void keep_trail_open(const DenseMap& map, std::span<const KeyframePose> way, dou
                      std::vector<float>& clearance_m) {
   constexpr double kGap_m = 0.8;  // two keyframes: farther apart the robot was carried, or lost
   const auto open_m = static_cast<float>(radius_m);
-  const double reach_m = 1.5 * map.resolution_m;
+  // A line of cells without a gap, and no wider: beside it the robot may touch.
+  const double reach_m = 0.75 * map.resolution_m;
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
     const double length_m = (b - a).norm();

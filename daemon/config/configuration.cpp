@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/config/configuration.hpp"
 
+#include <algorithm>
+
 namespace topo::daemon {
 
 slam::MapperParams mapper_params(const Configuration& configuration) {
@@ -20,10 +22,9 @@ slam::MapperParams mapper_params(const Configuration& configuration) {
 pipeline::PlannerParams planner_params(const Configuration& configuration) {
   const ExplorationConfig& e = configuration.exploration;
   const MotionConfig& m = configuration.motion;
-  // On a route the robot must be able to turn on the spot. Rounding to cells costs about a quarter of one.
-  constexpr double kRounding = 0.25;
-  const double disc_m = motion::reach_m(footprint(configuration)) + m.margin_m +
-                        kRounding * configuration.mapping.grid.resolution_m;
+  // On a route the robot must be able to turn on the spot.
+  const double disc_m =
+      motion::reach_m(footprint(configuration)) + std::min(m.margin_m, motion::RobotLimits{}.turn_margin_m);
   const grid::TravelRules usual;
   pipeline::PlannerParams params;
   params.strategy = e.strategy;

@@ -162,7 +162,7 @@ TEST(Filters, APocketIsNotSpaceToEnter) {
 }
 
 TEST(Filters, WhereTheRobotDoesNotFitThroughIsNoSpaceToEnter) {
-  // Posts in the unknown behind the open end of the corridor, 0.8 m apart, then 0.6 m.
+  // Posts in the unknown behind the open end of the corridor, 0.8 m apart, then 0.5 m.
   const auto behind_posts = [](int free_cells) {
     DrawnMap drawn = corridor();
     for (int y = 20; y < 60; y += free_cells + 1) drawn.occupied(302, y, 303, y + 1);
@@ -170,7 +170,7 @@ TEST(Filters, WhereTheRobotDoesNotFitThroughIsNoSpaceToEnter) {
   };
   EXPECT_TRUE(any_leads_to_unknown(corridor()));
   EXPECT_TRUE(any_leads_to_unknown(behind_posts(16)));
-  EXPECT_FALSE(any_leads_to_unknown(behind_posts(12)));
+  EXPECT_FALSE(any_leads_to_unknown(behind_posts(10)));
 }
 
 TEST(Filters, OneNodeIsOneGoals) {
