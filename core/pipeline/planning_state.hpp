@@ -84,7 +84,7 @@ struct PlanningState::Impl {
 
   // In which order (planning_tour.cpp).
   [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
-  void leave_overlooked(bool nothing_else, std::vector<goals::Frontier>& frontiers) const;
+  void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
   void add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
   void estimate_far_ones(std::vector<Candidate>& candidates);
