@@ -102,7 +102,7 @@ RelationErrors evaluate_relations(std::span<const Relation> relations, std::span
       continue;
     }
     const Se2 moved = a->pose.inverse() * b->pose;
-    trans_m.push_back(std::hypot(moved.x_m - r.relative.x_m, moved.y_m - r.relative.y_m));
+    trans_m.push_back(distance_m(moved, r.relative));
     rot_rad.push_back(std::abs(types::wrap_angle(moved.theta_rad - r.relative.theta_rad)));
   }
   errors.used = static_cast<int>(trans_m.size());
