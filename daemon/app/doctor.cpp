@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/types/watchdog.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -120,11 +122,13 @@ Check check_bumpers(const DoctorFacts& f) {
 Check check_watchdog(const DoctorFacts& f) {
   const std::string name = "firmware watchdog";
   if (!f.watchdog_ms) return bad(name, "unknown: the robot has not told it yet", "first the check \"base\"");
-  if (motion::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms)))
+  if (types::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms)))
     return good(name, fmt::format("{} ms", *f.watchdog_ms));
-  return bad(name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
-             "set the parameter Watchdog of the robot's FLASH to 1 to 2000 ms with ARCOScfg: without it the "
-             "robot would run on when the computer dies, so nothing drives");
+  return bad(
+      name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
+      fmt::format("set the parameter WatchDog of the robot's FLASH to 1 to {} ms with ARCOScfg: without "
+                  "it the robot would run on when the computer dies, so nothing drives",
+                  types::kWatchdogMax.count()));
 }
 
 Check check_battery(const DoctorFacts& f) {

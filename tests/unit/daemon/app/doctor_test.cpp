@@ -11,6 +11,7 @@
 namespace topo::daemon {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -144,7 +145,7 @@ TEST(Doctor, DevicesByTheirStateAndTheSystemsWords) {
 TEST(Doctor, FirmwareWatchdog) {
   DoctorFacts facts = healthy();
   facts.watchdog_ms = 0;
-  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("ARCOScfg"));
+  EXPECT_THAT(the_bad_one(facts).cure, AllOf(HasSubstr("1 to 2000 ms"), HasSubstr("ARCOScfg")));
   facts.watchdog_ms = 2001;
   EXPECT_EQ(the_bad_one(facts).found, "2001 ms");
   facts.watchdog_ms.reset();
