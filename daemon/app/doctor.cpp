@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/types/watchdog.hpp"
+#include "daemon/app/battery_text.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -133,14 +134,11 @@ Check check_watchdog(const DoctorFacts& f) {
 
 Check check_battery(const DoctorFacts& f) {
   if (!f.base.ready) return bad("battery", "unknown: the base is not ready", "first the check \"base\"");
-  const float v = f.base.state.battery_v;
-  const float charge = f.base.state.state_of_charge;
-  std::string found = v > 0.0F ? fmt::format("{:.1f} V", v) : "voltage not reported";
-  if (charge >= 0.0F) found += fmt::format(", {:.0f} %", 100.0 * static_cast<double>(charge));
-  if (!types::is_battery_low(v, charge, f.battery)) return good("battery", found);
-  return bad("battery", found,
-             fmt::format("charge it; below {:.1f} V the robot goes home (exploration.battery_home_v)",
-                         f.battery.home_v));
+  const types::BaseState& state = f.base.state;
+  const std::string found = battery_text(state);
+  if (!types::is_battery_low(state.battery_v, state.state_of_charge, f.battery))
+    return good("battery", found);
+  return bad("battery", found, "charge it; " + battery_limits_text(f.battery));
 }
 
 /// What holds the base back in this moment.

@@ -189,8 +189,10 @@ TEST(Doctor, MotorsBumpersBattery) {
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("charge it"));
   facts.base.state.battery_v = 12.6F;
   facts.base.state.state_of_charge = 0.1F;
-  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("10 %"));
+  EXPECT_EQ(the_bad_one(facts).found, "12.6 V, 10 %");
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("or 20 % (exploration.charge_home) the robot goes home"));
   facts.base.state.battery_v = 0.0F;
+  EXPECT_EQ(the_bad_one(facts).found, "voltage not reported, 10 %");
   facts.base.state.state_of_charge = -1.0F;
   for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
 }
