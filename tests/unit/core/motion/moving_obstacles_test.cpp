@@ -12,14 +12,13 @@ namespace {
 
 using types::Vector2;
 
-constexpr double kDegree_rad = std::numbers::pi / 180.0;
-
 std::vector<Walking> walkers(bool on_legs, const Vector2& at, const Vector2& velocity_mps) {
   return on_legs ? legs(at, velocity_mps) : std::vector<Walking>{{at, velocity_mps}};
 }
 
 Vector2 heading(double degrees, double speed_mps) {
-  return {speed_mps * std::cos(degrees * kDegree_rad), speed_mps * std::sin(degrees * kDegree_rad)};
+  return {speed_mps * std::cos(degrees * types::kDegree_rad),
+          speed_mps * std::sin(degrees * types::kDegree_rad)};
 }
 
 TEST(MovingObstacles, KnowsHowAPersonWalksBeforeASecondIsOver) {
