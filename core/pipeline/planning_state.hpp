@@ -184,7 +184,7 @@ struct PlanningState::Impl {
   bool has_target = false;
   types::Stamp goal_taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
-  GivenUpGoals given_up;
+  PutOffGoals put_off;
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};
     types::Stamp until{};
