@@ -70,11 +70,17 @@ TEST(Doctor, ASessionThatIsNotBeingKept) {
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("a folder"));
 }
 
-TEST(Doctor, TheBusOfABaseOnCan) {
+DoctorFacts healthy_on_can() {
   DoctorFacts facts = healthy();
   facts.can.emplace().name = "can0";
   io::CanInterface& can = facts.can->interface;
   can.exists = can.is_can = can.up = true;
+  return facts;
+}
+
+TEST(Doctor, TheBusOfABaseOnCan) {
+  DoctorFacts facts = healthy_on_can();
+  io::CanInterface& can = facts.can->interface;
   can.queue_length = 128;
   for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
   can.state = io::CanState::kActive;
@@ -88,10 +94,8 @@ TEST(Doctor, TheBusOfABaseOnCan) {
 }
 
 TEST(Doctor, WhatWentWrongOnTheBusLately) {
-  DoctorFacts facts = healthy();
-  auto& can = facts.can.emplace();
-  can.name = "can0";
-  can.interface.exists = can.interface.is_can = can.interface.up = true;
+  DoctorFacts facts = healthy_on_can();
+  auto& can = *facts.can;
   can.faults_lately[io::BusFault::kInterrupted] = 5;  // stops are no fault
   for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
   can.faults_lately[io::BusFault::kPassive] = 3;
