@@ -243,7 +243,7 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
   report->known_m2 = known_m2;
   report->analysis = analysis;
   report->open_goals = open_goals;
-  report->put_off = put_off.list();
+  report->put_off = put_off.held(in.now);
   report->decisions = decisions;
   report->goal = goal;
   report->route_map = route;

@@ -3,14 +3,13 @@
 #include "core/pipeline/put_off_goals.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace topo::pipeline {
 
 namespace {
 
-bool is_held(const PutOffGoal& goal, types::Stamp now) {
-  return goal.times >= PutOffGoals::kTimesMax || now < goal.until;
-}
+bool is_held(const PutOffGoal& goal, types::Stamp now) { return goal.is_for_good() || now < goal.until; }
 
 }  // namespace
 
@@ -49,10 +48,17 @@ std::vector<types::Vector2> PutOffGoals::visited(types::Stamp now) const {
   return held;
 }
 
+std::vector<PutOffGoal> PutOffGoals::held(types::Stamp now) const {
+  std::vector<PutOffGoal> all;
+  std::copy_if(list_.begin(), list_.end(), std::back_inserter(all),
+               [now](const PutOffGoal& g) { return is_held(g, now); });
+  return all;
+}
+
 bool PutOffGoals::call_back(types::Stamp now) {
   bool any = false;
   for (PutOffGoal& g : list_) {
-    if (g.times >= kTimesMax || g.until <= now) continue;
+    if (g.is_for_good() || g.until <= now) continue;
     g.until = now;
     any = true;
   }

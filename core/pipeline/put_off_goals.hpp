@@ -17,6 +17,10 @@ struct PutOffGoal {
   int times = 0;  ///< how often it was put off
   std::string why;
   bool visited = false;  ///< a robot was there: what is still open cannot be seen from there
+
+  static constexpr int kTimesMax = 2;
+  /// It does not come back, whatever `until` says.
+  [[nodiscard]] bool is_for_good() const { return times >= kTimesMax; }
 };
 
 /// Goals that did not work out, and those a robot was at. Each comes back after a while, or when nothing else
@@ -24,7 +28,6 @@ struct PutOffGoal {
 class PutOffGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
-  static constexpr int kTimesMax = 2;
 
   void give_up(const types::Vector2& p_map, types::Stamp until, std::string why);
   void visit(const types::Vector2& p_map, types::Stamp until);
@@ -35,7 +38,8 @@ class PutOffGoals {
   /// Lets all come back that may; false when there is none.
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }
-  [[nodiscard]] const std::vector<PutOffGoal>& list() const { return list_; }
+  /// All that are put off at this time.
+  [[nodiscard]] std::vector<PutOffGoal> held(types::Stamp now) const;
 
  private:
   void note(PutOffGoal goal);

@@ -128,9 +128,23 @@ TEST(PutOffGoals, comeBackOnceAndThenStayAway) {
   EXPECT_FALSE(put_off.hold({1.0, 1.0}, kNow));
   EXPECT_FALSE(put_off.call_back(kNow));  // it is back already
   put_off.give_up({1.1, 1.0}, later, "stuck again");
-  ASSERT_EQ(put_off.list().size(), 1U);
   EXPECT_TRUE(put_off.hold({1.0, 1.0}, later + std::chrono::hours(1)));
   EXPECT_FALSE(put_off.call_back(kNow));
+}
+
+TEST(PutOffGoals, areToldWhileTheyStayAway) {
+  PutOffGoals put_off;
+  const auto soon = kNow + std::chrono::seconds(10), later = kNow + std::chrono::seconds(60);
+  put_off.give_up({1.0, 1.0}, soon, "stuck");
+  put_off.visit({5.0, 1.0}, later);
+  EXPECT_EQ(put_off.held(kNow).size(), 2U);
+  ASSERT_EQ(put_off.held(soon).size(), 1U) << "the first is back";
+  EXPECT_EQ(put_off.held(soon).front().p_map, Vector2(5.0, 1.0));
+  EXPECT_FALSE(put_off.held(soon).front().is_for_good());
+  put_off.give_up({1.1, 1.0}, later, "stuck again");
+  ASSERT_EQ(put_off.held(later).size(), 1U) << "the second is back";
+  EXPECT_TRUE(put_off.held(later).front().is_for_good());
+  EXPECT_EQ(put_off.held(later).front().why, "stuck again");
 }
 
 TEST(PutOffGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
@@ -144,7 +158,7 @@ TEST(PutOffGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
   EXPECT_TRUE(put_off.visited(later).empty());
   put_off.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
   EXPECT_EQ(put_off.visited(kNow).size(), 2U);
-  EXPECT_EQ(put_off.list().size(), 2U);
+  EXPECT_EQ(put_off.held(kNow).size(), 2U);
 }
 
 }  // namespace
