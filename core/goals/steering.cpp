@@ -14,7 +14,8 @@ namespace {
 using grid::CellIndex;
 using grid::CellState;
 
-constexpr std::array<CellIndex, 8> kAround = {
+/// Straight ones first, unlike grid::kNeighbours: of two that are as good the nearer one counts.
+constexpr std::array<CellIndex, 8> kStraightFirst = {
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// The skeleton's own clearance is that of the map without furniture.
@@ -48,7 +49,7 @@ CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params
     if (clear_m >= params.clear_m || (input.skeleton.on[i] != 0 && clear_m >= params.robot_radius_m))
       return here;
     CellIndex best = here;
-    for (const CellIndex by : kAround) {
+    for (const CellIndex by : kStraightFirst) {
       const CellIndex next{here.x + by.x, here.y + by.y};
       if (input.map.state(next) == CellState::kFree &&
           input.clearance_m[input.map.index(next)] > input.clearance_m[input.map.index(best)])
@@ -68,7 +69,7 @@ std::optional<CellIndex> nearest_room(const GoalInput& input, CellIndex from, co
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const CellIndex here = queue[next];
     if (static_cast<double>(input.clearance_m[input.map.index(here)]) >= params.robot_radius_m) return here;
-    for (const CellIndex by : kAround) {
+    for (const CellIndex by : kStraightFirst) {
       const CellIndex c{here.x + by.x, here.y + by.y};
       const int u = c.x - from.x + reach, v = c.y - from.y + reach;
       if (u < 0 || v < 0 || u >= side || v >= side || input.map.state(c) != CellState::kFree) continue;

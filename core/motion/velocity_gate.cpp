@@ -8,6 +8,7 @@
 
 #include "core/motion/footprint_sweep.hpp"
 #include "core/motion/giving_way.hpp"
+#include "core/types/watchdog.hpp"
 
 namespace topo::motion {
 namespace {
@@ -19,7 +20,6 @@ using types::Twist2;
 
 constexpr Duration kFutureMax = milliseconds(20);
 constexpr Duration kScanAgeMax = milliseconds(150);
-constexpr Duration kWatchdogMax = milliseconds(2000);
 constexpr Duration kPeriod = milliseconds(50);  // of the base thread
 constexpr double kScanPeriods = 2.5;
 constexpr double kValidFractionMin = 0.5;
@@ -78,7 +78,7 @@ std::optional<GateReason> area_fault(const GateInput& in) {
 std::optional<GateReason> first_fault(const GateState& state, const GateInput& in) {
   if (state.estop_latched) return GateReason::kEmergencyStop;
   if (!is_valid(in.limits)) return GateReason::kInvalidLimits;
-  if (!is_watchdog_safe(in.firmware_watchdog)) return GateReason::kNoWatchdog;
+  if (!types::is_watchdog_safe(in.firmware_watchdog)) return GateReason::kNoWatchdog;
   if (const auto fault = base_fault(in)) return fault;
   if (const auto fault = scan_fault(in)) return fault;
   if (const auto fault = area_fault(in)) return fault;
@@ -201,8 +201,6 @@ Surroundings surroundings(const GateInput& in) {
           .now = in.now,
           .backing_off = in.backing_off && in.request.twist.v_mps <= 0.0};
 }
-
-bool is_watchdog_safe(Duration watchdog) { return watchdog > Duration::zero() && watchdog <= kWatchdogMax; }
 
 bool is_finite(const types::BaseState& base) {
   const types::Se2& pose = base.odometry.T_odom_base.se2();

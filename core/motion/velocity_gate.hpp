@@ -98,7 +98,6 @@ types::Duration scan_age_max(const types::Scan& scan);
 double blind_time_s(const GateInput& input);
 /// The same with a daemon that lives: until the next period's command.
 double alive_time_s(const GateInput& input);
-bool is_watchdog_safe(types::Duration watchdog);
 bool is_finite(const types::BaseState& base);
 void update_latch(GateState& state, const GateInput& input);
 /// Both parts scaled alike, so that the arc stays the same.

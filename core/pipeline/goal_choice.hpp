@@ -9,7 +9,7 @@
 #include "core/goals/frontiers.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/wavefront.hpp"
-#include "core/pipeline/given_up_goals.hpp"
+#include "core/pipeline/put_off_goals.hpp"
 
 namespace topo::pipeline {
 
@@ -37,7 +37,7 @@ struct Reach {
 /// keeps the robot from, to be looked at from where the way ends (grid/end_of_way.hpp). `cut_off` becomes
 /// true when one is left out because no way leads there now.
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
-                                     const GivenUpGoals& given_up, const types::Se2& T_map_base,
+                                     const PutOffGoals& put_off, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off);
 
 /// Those frontiers that a robot can get to, as goals: gaps beside the essential ones, and all there are for

@@ -61,7 +61,7 @@ void PlanningState::Impl::end(Activity how, std::string why) {
 
 void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   note(in, goal->p_map, "given up: " + why);
-  given_up.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
+  put_off.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
   goal.reset();
 }
 
@@ -102,7 +102,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    given_up.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
+    put_off.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
@@ -118,7 +118,7 @@ std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput
                                                              std::span<const goals::Goal> goals,
                                                              bool& cut_off) const {
   std::vector<Candidate> found =
-      candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, given_up,
+      candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, put_off,
                     T_map_base.se2(), in.now, cut_off);
   if (in.team != nullptr) std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c); });
   return found;
@@ -170,7 +170,7 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
     reason = "no way to the goals left: what only sonar heard is forgotten";
   } else if (cut_off && in.now - nothing_since < kPatience) {
     reason = "no way to the goals left just now";
-  } else if (given_up.call_back(in.now)) {
+  } else if (put_off.call_back(in.now)) {
     reason = "only goals given up before are left: they are tried again";
   } else if (in.team != nullptr && (others_have_goals(in) || in.now - nothing_since < kPatience)) {
     wait_for_goal(in, "waits: no goal is in reach, but others have some");

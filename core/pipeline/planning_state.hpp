@@ -84,7 +84,7 @@ struct PlanningState::Impl {
 
   // In which order (planning_tour.cpp).
   [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
-  void leave_overlooked(bool nothing_else, std::vector<goals::Frontier>& frontiers) const;
+  void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
   void add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
   void estimate_far_ones(std::vector<Candidate>& candidates);
@@ -184,7 +184,7 @@ struct PlanningState::Impl {
   bool has_target = false;
   types::Stamp goal_taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
-  GivenUpGoals given_up;
+  PutOffGoals put_off;
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};
     types::Stamp until{};

@@ -85,7 +85,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   battery_low = false;
   goal.reset();
   has_target = false;
-  given_up.clear();
+  put_off.clear();
   open_goals.clear();
   route.clear();
   thought = {};
@@ -243,7 +243,7 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
   report->known_m2 = known_m2;
   report->analysis = analysis;
   report->open_goals = open_goals;
-  report->given_up = given_up.list();
+  report->put_off = put_off.held(in.now);
   report->decisions = decisions;
   report->goal = goal;
   report->route_map = route;

@@ -15,9 +15,9 @@
 #include "core/motion/area_limits.hpp"
 #include "core/pipeline/analysis.hpp"
 #include "core/pipeline/control_step.hpp"
-#include "core/pipeline/given_up_goals.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/plan.hpp"
+#include "core/pipeline/put_off_goals.hpp"
 #include "core/pipeline/strategy.hpp"
 #include "core/team/roster.hpp"
 #include "core/types/result.hpp"
@@ -135,9 +135,9 @@ struct PlanningReport {
   double known_m2 = 0.0;                     ///< free cells seen so far
   std::shared_ptr<const Analysis> analysis;  ///< newest; null before the first
   std::vector<goals::Goal> open_goals;       ///< what may be chosen now, either phase
-  std::vector<GivenUp> given_up;
-  std::vector<Decision> decisions;  ///< the last 64, oldest first
-  std::optional<goals::Goal> goal;  ///< on the way to it
+  std::vector<PutOffGoal> put_off;           ///< at this time
+  std::vector<Decision> decisions;           ///< the last 64, oldest first
+  std::optional<goals::Goal> goal;           ///< on the way to it
   std::vector<types::Vector2> route_map;
   int frontier_clusters = 0;  ///< at least 0.75 m wide, as explore_lite counts
   std::uint64_t goals_issued = 0;

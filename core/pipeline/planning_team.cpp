@@ -135,7 +135,7 @@ bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& 
   const auto heard = roster.heard(in.now);
   return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
     return std::any_of(word->visited.begin(), word->visited.end(), [&](const Vector2& p) {
-      return (p - candidate.goal.p_map).norm() <= GivenUpGoals::kSame_m;
+      return (p - candidate.goal.p_map).norm() <= PutOffGoals::kSame_m;
     });
   });
 }
@@ -281,7 +281,7 @@ team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
   else if (located && !in.control->estop_latched && !mission.paused && mission.order == Order::kExplore)
     word.duty = team::Duty::kAble;
   if (has_target) word.way_map = beginning_of(route);
-  word.visited = given_up.visited(in.now);
+  word.visited = put_off.visited(in.now);
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
   if (ended || at_home || returning || mission.order != Order::kExplore) return word;
   word.bids = bids;

@@ -41,19 +41,22 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
   clusters = static_cast<int>(frontiers.size());
   std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
   second_phase = candidates.empty();
-  if (params.finish == Finish::kEssential) leave_overlooked(candidates.empty(), frontiers);
-  add_gaps(in, frontiers, candidates, cut_off);
+  const bool complete = params.finish == Finish::kComplete;
+  if (complete || second_phase) {
+    if (!complete) leave_overlooked(frontiers);
+    add_gaps(in, frontiers, candidates, cut_off);
+  }
   estimate_far_ones(candidates);
   return candidates;
 }
 
 /// The few goals that stand in for all others are gone, and something big may still be behind a door that one
 /// of them was to show. Nobody goes home before that was looked at.
-void PlanningState::Impl::leave_overlooked(bool nothing_else, std::vector<goals::Frontier>& frontiers) const {
+void PlanningState::Impl::leave_overlooked(std::vector<goals::Frontier>& frontiers) const {
   goals::GoalParams onto_much = params.analysis.goals;
   onto_much.behind_m2 = params.tour.overlooked_m2;
   std::erase_if(frontiers, [&](const goals::Frontier& frontier) {
-    return !nothing_else || !goals::leads_to_unknown(map, frontier.cells, onto_much);
+    return !goals::leads_to_unknown(map, frontier.cells, onto_much);
   });
 }
 
@@ -71,23 +74,27 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goal
 /// Candidates that the fine search has not come to get the costs of the coarse map.
 void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) {
   constexpr double kReach_m = 0.6;
-  std::vector<Candidate*> far;
+  struct FarOne {
+    Candidate* candidate;
+    std::optional<grid::CellIndex> coarse_cell;
+  };
+  std::vector<FarOne> far;
   for (Candidate& c : candidates) {
-    if (static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m()) far.push_back(&c);
+    if (static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m()) far.push_back({&c, {}});
   }
   if (far.empty()) return;
   need_coarse();
-  const auto coarse_cell = [&](const Candidate& c) {
-    return grid::nearest_reachable(coarse.map, coarse_field, coarse.map.cell_at(map.centre_of(c.cell)),
-                                   kReach_m);
-  };
+  for (FarOne& one : far) {
+    const grid::CellIndex beside = coarse.map.cell_at(map.centre_of(one.candidate->cell));
+    one.coarse_cell = grid::nearest_reachable(coarse.map, coarse_field, beside, kReach_m);
+  }
   // Where one has a way on the fine map alone, that map has to tell of all.
   const bool tells =
-      std::all_of(far.begin(), far.end(), [&](const Candidate* c) { return coarse_cell(*c).has_value(); });
+      std::all_of(far.begin(), far.end(), [](const FarOne& one) { return one.coarse_cell.has_value(); });
   if (!tells) search.settle(HUGE_VAL);
-  for (Candidate* c : far)
-    c->cost_m = tells ? way_cost_m(coarse.map, coarse_field, *coarse_cell(*c), T_map_base.se2())
-                      : way_cost_m(map, field, c->cell, T_map_base.se2());
+  for (const auto& [candidate, coarse_cell] : far)
+    candidate->cost_m = tells ? way_cost_m(coarse.map, coarse_field, *coarse_cell, T_map_base.se2())
+                              : way_cost_m(map, field, candidate->cell, T_map_base.se2());
 }
 
 goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* const> candidates) {

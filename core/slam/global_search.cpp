@@ -147,7 +147,7 @@ class MapSearcher {
   [[nodiscard]] bool is_excluded(const types::Se2& pose) const {
     return std::any_of(peaks_.begin(), peaks_.end(), [&](const SearchHit& peak) {
       const types::Se2& other = peak.T_map_base;
-      return std::hypot(pose.x_m - other.x_m, pose.y_m - other.y_m) < wanted_.apart_m &&
+      return distance_m(pose, other) < wanted_.apart_m &&
              std::abs(types::wrap_angle(pose.theta_rad - other.theta_rad)) < wanted_.apart_rad;
     });
   }

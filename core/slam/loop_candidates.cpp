@@ -4,12 +4,9 @@
 #include "core/slam/loop_candidates.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace topo::slam {
 namespace {
-
-double distance(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
 SearchWindow window_for(double graph_distance, const LoopParams& params) {
   return {std::min(params.search_max_m, params.search_floor_m + params.drift_per_m * graph_distance),
@@ -23,12 +20,12 @@ LoopRun around(std::span<const types::Se2> poses, Way way, std::size_t nearest, 
   LoopRun run{nearest, nearest, nearest, window, 0.0};
   double way_m = 0.0;
   while (run.first > 0 && (nearest - run.first < count || way_m < window.half_m)) {
-    way_m += distance(poses[way[run.first]], poses[way[run.first - 1]]);
+    way_m += distance_m(poses[way[run.first]], poses[way[run.first - 1]]);
     --run.first;
   }
   way_m = 0.0;
   while (run.last + 1 < end && (run.last - nearest < count || way_m < window.half_m)) {
-    way_m += distance(poses[way[run.last]], poses[way[run.last + 1]]);
+    way_m += distance_m(poses[way[run.last]], poses[way[run.last + 1]]);
     ++run.last;
   }
   return run;
@@ -41,7 +38,7 @@ std::size_t end_of_other_visits(std::span<const types::Se2> poses, Way way, std:
   double travelled = 0.0;
   std::size_t last = at;
   while (last > 0 && travelled < params.chain_gap_m) {
-    travelled += distance(poses[way[last]], poses[way[last - 1]]);
+    travelled += distance_m(poses[way[last]], poses[way[last - 1]]);
     --last;
   }
   return travelled < params.chain_gap_m ? 0 : last + 1;
@@ -53,7 +50,7 @@ std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span
   std::size_t previous = 0;
   bool open = false;
   for (std::size_t i = 0; i < end; ++i) {
-    const double d = distance(poses[way[i]], poses[node]);
+    const double d = distance_m(poses[way[i]], poses[node]);
     const SearchWindow window = window_for(distances_m[way[i]], params);
     if (d > params.radius_m + window.half_m) continue;
     const bool next = !open || i > previous + 3;

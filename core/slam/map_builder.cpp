@@ -63,7 +63,7 @@ void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const 
 bool MapBuilder::is_drawn_well(const Version& version, std::size_t i, const types::Se2& pose) const {
   if (i >= version.drawn.size()) return false;
   const types::Se2& drawn = version.drawn[i];
-  return std::hypot(pose.x_m - drawn.x_m, pose.y_m - drawn.y_m) < params_.redo_m &&
+  return distance_m(pose, drawn) < params_.redo_m &&
          std::abs(types::wrap_angle(pose.theta_rad - drawn.theta_rad)) < params_.redo_rad;
 }
 

@@ -22,8 +22,6 @@ constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by 
 
 constexpr double kUnheard = 9.0;  ///< a way that is guessed has three times the deviation
 
-double travel(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
-
 /// Is it a way that a robot can have come? Odometry that was set to another place (a base that was switched
 /// off and on) says that it came a way that none can.
 bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
@@ -114,7 +112,7 @@ Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sens
   const TrackParams& limits = params_.track;
   Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
   const SearchWindow near = window_around(prior, limits);
-  const double astray_m = limits.search_ways * travel(T_map_base_, predicted);
+  const double astray_m = limits.search_ways * distance_m(T_map_base_, predicted);
   const auto is_doubtful = [&] {
     return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned_response);
   };
@@ -184,7 +182,7 @@ FreeGround Mapper::local_ground() const {
 /// Is the robot that far from where a keyframe was made, or turned that much?
 bool Mapper::is_apart(std::size_t node, double way_m, double turn_rad) const {
   const types::Se2& pose = poses_[node];
-  return travel(pose, T_map_base_) > way_m ||
+  return distance_m(pose, T_map_base_) > way_m ||
          std::abs(types::wrap_angle(T_map_base_.theta_rad - pose.theta_rad)) > turn_rad;
 }
 
@@ -257,7 +255,7 @@ void Mapper::rebuild_local_map() {
   while (window_first_ > 0 &&
          (travelled < params_.keyframe.window_travel_m ||
           own_.size() - window_first_ < static_cast<std::size_t>(params_.keyframe.window_min))) {
-    travelled += travel(poses_[own_[window_first_]], poses_[own_[window_first_ - 1]]);
+    travelled += distance_m(poses_[own_[window_first_]], poses_[own_[window_first_ - 1]]);
     --window_first_;
   }
   for (std::size_t k = window_first_; k < own_.size(); ++k)

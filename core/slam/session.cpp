@@ -21,8 +21,6 @@ bool sane(const types::Se2& pose) {
          std::abs(pose.theta_rad) <= kMapReach_m;
 }
 
-double apart_m(const types::Se2& a, const types::Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
-
 }  // namespace
 
 types::Status check_session(const Session& session) {
@@ -67,8 +65,8 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
   const std::size_t node = keyframes_.size();
   Edge edge;  // to the nearest one
   for (std::size_t i = 0; i < node; ++i) {
-    const double d = apart_m(poses_[i], T_map_base_);
-    if (d < apart_m(poses_[edge.from], T_map_base_)) edge.from = i;
+    const double d = distance_m(poses_[i], T_map_base_);
+    if (d < distance_m(poses_[edge.from], T_map_base_)) edge.from = i;
     if (d < kNeighbour_m) neighbours_.push_back(i);
   }
   edge.to = node;

@@ -179,12 +179,11 @@ std::pair<RelationKey, Relation> closure_of(const Hypothesis& found, const Patch
                                             const AlignmentQuery& query) {
   const Session& own = query.own;
   const Match& match = patch.peaks[found.peak].match;
-  const auto distance = [&](const types::Se2& pose) {
-    return (pose.translation() - match.T_map_base.translation()).norm();
-  };
+  const types::Se2& found_at = match.T_map_base;
   const auto nearest =
-      std::min_element(own.poses.begin(), own.poses.end(),
-                       [&](const types::Se2& a, const types::Se2& b) { return distance(a) < distance(b); });
+      std::min_element(own.poses.begin(), own.poses.end(), [&](const types::Se2& a, const types::Se2& b) {
+        return distance_m(a, found_at) < distance_m(b, found_at);
+      });
   const GraphParams& graph = query.params.graph;
   Relation relation;
   relation.T_from_to = nearest->inverse() * match.T_map_base;

@@ -47,6 +47,9 @@ struct Se2 {
   friend bool operator==(const Se2&, const Se2&) = default;
 };
 
+/// Between where they are, whatever way they look.
+inline double distance_m(const Se2& a, const Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
 /// Pose on the way from a (t = 0) to b (t = 1) at constant body twist in rotation and straight in
 /// translation: the difference to the arc is below 1 mm over one scan at 1.5 m/s and 2 rad/s.
 inline Se2 interpolate(const Se2& a, const Se2& b, double t) {

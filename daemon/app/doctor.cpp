@@ -8,6 +8,9 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/types/watchdog.hpp"
+#include "daemon/app/battery_text.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -120,23 +123,22 @@ Check check_bumpers(const DoctorFacts& f) {
 Check check_watchdog(const DoctorFacts& f) {
   const std::string name = "firmware watchdog";
   if (!f.watchdog_ms) return bad(name, "unknown: the robot has not told it yet", "first the check \"base\"");
-  if (motion::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms)))
+  if (types::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms)))
     return good(name, fmt::format("{} ms", *f.watchdog_ms));
-  return bad(name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
-             "set the parameter Watchdog of the robot's FLASH to 1 to 2000 ms with ARCOScfg: without it the "
-             "robot would run on when the computer dies, so nothing drives");
+  return bad(
+      name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
+      fmt::format("set the parameter WatchDog of the robot's FLASH to 1 to {} ms with ARCOScfg: without "
+                  "it the robot would run on when the computer dies, so nothing drives",
+                  types::kWatchdogMax.count()));
 }
 
 Check check_battery(const DoctorFacts& f) {
   if (!f.base.ready) return bad("battery", "unknown: the base is not ready", "first the check \"base\"");
-  const float v = f.base.state.battery_v;
-  const float charge = f.base.state.state_of_charge;
-  std::string found = v > 0.0F ? fmt::format("{:.1f} V", v) : "voltage not reported";
-  if (charge >= 0.0F) found += fmt::format(", {:.0f} %", 100.0 * static_cast<double>(charge));
-  if (!types::is_battery_low(v, charge, f.battery)) return good("battery", found);
-  return bad("battery", found,
-             fmt::format("charge it; below {:.1f} V the robot goes home (exploration.battery_home_v)",
-                         f.battery.home_v));
+  const types::BaseState& state = f.base.state;
+  const std::string found = battery_text(state);
+  if (!types::is_battery_low(state.battery_v, state.state_of_charge, f.battery))
+    return good("battery", found);
+  return bad("battery", found, "charge it; " + battery_limits_text(f.battery));
 }
 
 /// What holds the base back in this moment.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "daemon/app/battery_text.hpp"
 #include "daemon/app/logging.hpp"
 #include "daemon/app/plan_json.hpp"
 #include "drivers/io/posix.hpp"
@@ -70,12 +71,11 @@ void Operator::add_distance() {
 void Operator::watch_battery(types::Stamp now) {
   const BaseReport& base = monitor_.base();
   const types::BatteryLimits limits = configuration_.exploration.battery_limits();
-  const float battery_v = base.state.battery_v;
-  const bool low = base.ready && types::is_battery_low(battery_v, base.state.state_of_charge, limits);
+  const types::BaseState& state = base.state;
+  const bool low = base.ready && types::is_battery_low(state.battery_v, state.state_of_charge, limits);
   if (!battery_.note(low, now)) return;
-  spdlog::warn("battery low: {:.1f} V, home below {:.1f} V (exploration.battery_home_v)", battery_v,
-               limits.home_v);
-  announce_({{"event", "battery_low"}, {"battery_v", battery_v}});
+  spdlog::warn("battery low: {}; {}", battery_text(state), battery_limits_text(limits));
+  announce_({{"event", "battery_low"}, {"battery_v", state.battery_v}});
 }
 
 void Operator::watch_readiness() {

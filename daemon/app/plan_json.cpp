@@ -24,9 +24,9 @@ Json goal_json(const std::optional<goals::Goal>& goal) { return goal ? to_json(*
 Json goals_json(const pipeline::PlanningReport& report) {
   Json open = Json::array(), given_up = Json::array(), dropped = Json::array(), decisions = Json::array();
   for (const goals::Goal& goal : report.open_goals) open.push_back(to_json(goal));
-  for (const pipeline::GivenUp& goal : report.given_up) {
+  for (const pipeline::PutOffGoal& goal : report.put_off) {
     Json json = point(goal.p_map);
-    json["back_in_s"] = types::to_seconds(goal.until - report.stamp);
+    json["back_in_s"] = goal.is_for_good() ? Json() : Json(types::to_seconds(goal.until - report.stamp));
     json["why"] = goal.why;
     given_up.push_back(std::move(json));
   }

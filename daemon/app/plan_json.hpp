@@ -10,8 +10,8 @@ namespace topo::daemon {
 // What planning knows, for topoctl and for files. Lengths in metres in map, ages in seconds before the
 // report.
 
-/// The goal in hand, the open ones, those given up, the candidates that were dropped with the reason, and the
-/// last decisions.
+/// The goal in hand, the open ones, those put off (back_in_s null: for good), the candidates that were
+/// dropped with the reason, and the last decisions.
 Json goals_json(const pipeline::PlanningReport& report);
 
 /// The places with their number, middle, area and open goals, and which touch.

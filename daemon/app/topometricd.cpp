@@ -132,14 +132,15 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   if (!app) return complain(app.error());
   const auto ran = (*app)->run();
   app->reset();
+  int status = ran ? kOk : complain(ran.error());
   if (*recorder != nullptr) {
-    if (auto ended = end(**recorder); !ended) return complain(ended.error());
+    if (auto ended = end(**recorder); !ended) status = complain(ended.error());
   }
   if (replay != nullptr && replay->gates_released() > 0) {
     spdlog::warn("replay: {} connections went on without the bytes that the recorded daemon had written",
                  replay->gates_released());
   }
-  return ran ? kOk : complain(ran.error());
+  return status;
 }
 
 int serve(const LoadedConfiguration& loaded, const Arguments& arguments) {

@@ -149,6 +149,7 @@ bool is_message_name(std::string_view word) {
 }
 
 Status read_line(const Fields& f, Collected& into) {
+  if (f.is_comment()) return {};
   const std::string_view name = f.word(0);
   if (name == "FLASER") return read_flaser(f, into.flaser.emplace_back());
   if (name == "ROBOTLASER1") return read_robotlaser(f, into.robotlaser.emplace_back());
@@ -165,15 +166,8 @@ Result<CarmenLog> read_carmen_log(const std::string& path) {
   auto source = LineSource::open(path);
   if (!source.has_value()) return tl::unexpected(source.error());
   Collected found;
-  std::vector<std::string_view> words;
-  while (true) {
-    const auto line = source->next();
-    if (!line.has_value()) return tl::unexpected(line.error());
-    if (!line->has_value()) break;
-    split_words(**line, words);
-    if (words.empty() || words.front().front() == '#') continue;
-    if (auto s = read_line(Fields(*source, words), found); !s.has_value()) return tl::unexpected(s.error());
-  }
+  const auto whole = read_lines(*source, [&found](const Fields& f) { return read_line(f, found); });
+  if (!whole.has_value()) return tl::unexpected(whole.error());
   if (found.flaser.empty() && found.robotlaser.empty()) {
     return fail(Errc::kInvalidInput,
                 fmt::format("{}: found no scan in {} lines, expected a CARMEN log with FLASER or "

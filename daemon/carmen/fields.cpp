@@ -92,4 +92,16 @@ Result<double> Fields::stamp(std::size_t i, std::string_view name) const {
   return *value;
 }
 
+Status read_lines(LineSource& source, const std::function<Status(const Fields&)>& read) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const auto line = source.next();
+    if (!line.has_value()) return tl::unexpected(line.error());
+    if (!line->has_value()) return {};
+    split_words(**line, words);
+    if (words.empty()) continue;
+    if (auto s = read(Fields(source, words)); !s.has_value()) return s;
+  }
+}
+
 }  // namespace topo::daemon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ class Fields {
       : source_(source), words_(words) {}
 
   [[nodiscard]] std::size_t count() const { return words_.size(); }
+  [[nodiscard]] bool is_comment() const { return words_.front().front() == '#'; }
   [[nodiscard]] std::string_view word(std::size_t i) const { return words_[i]; }
   /// kInvalidInput unless the line has exactly `expected` words.
   [[nodiscard]] types::Status expect_count(std::size_t expected, std::string_view layout) const;
@@ -45,5 +47,9 @@ class Fields {
   const LineSource& source_;
   const std::vector<std::string_view>& words_;
 };
+
+/// Gives `read` every line that has words, up to the end of the source or the first error, be it of the
+/// source or of what `read` found.
+types::Status read_lines(LineSource& source, const std::function<types::Status(const Fields&)>& read);
 
 }  // namespace topo::daemon

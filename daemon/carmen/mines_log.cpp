@@ -104,25 +104,18 @@ Result<CarmenLog> read_mines_log(const std::string& path) {
   auto source = LineSource::open(path);
   if (!source.has_value()) return tl::unexpected(source.error());
   CarmenLog log;
-  std::vector<std::string_view> words;
   Encoders last;
   Se2 pose;
-  while (true) {
-    const auto line = source->next();
-    if (!line.has_value()) return tl::unexpected(line.error());
-    if (!line->has_value()) break;
-    split_words(**line, words);
-    if (words.empty()) continue;
-    const Fields f(*source, words);
-    if (f.count() < kMinColumns || f.count() > kMinColumns + 1) {
+  const auto whole = read_lines(*source, [&](const Fields& f) -> Status {
+    if (f.count() < kMinColumns || f.count() > kMinColumns + 1)
       return source->bad(fmt::format("{} columns", f.count()), fmt::format("{} or one more", kMinColumns));
-    }
     const auto now = read_encoders(f);
     if (!now.has_value()) return tl::unexpected(now.error());
     if (!log.scans.empty()) pose = drive(pose, last, *now);
     last = *now;
-    if (auto s = read_scan(f, pose, now->stamp_s, log); !s.has_value()) return tl::unexpected(s.error());
-  }
+    return read_scan(f, pose, now->stamp_s, log);
+  });
+  if (!whole.has_value()) return tl::unexpected(whole.error());
   if (log.scans.empty()) {
     return fail(Errc::kInvalidInput,
                 fmt::format("{}: found no scan, expected lines of {} columns", path, kMinColumns));

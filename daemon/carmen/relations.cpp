@@ -15,6 +15,7 @@ using types::Errc;
 using types::fail;
 using types::Result;
 using types::Se2;
+using types::Status;
 
 namespace {
 
@@ -72,17 +73,14 @@ Result<std::vector<Relation>> read_relations(const std::string& path) {
   auto source = LineSource::open(path);
   if (!source.has_value()) return tl::unexpected(source.error());
   std::vector<Relation> relations;
-  std::vector<std::string_view> words;
-  while (true) {
-    const auto line = source->next();
-    if (!line.has_value()) return tl::unexpected(line.error());
-    if (!line->has_value()) break;
-    split_words(**line, words);
-    if (words.empty() || words.front().front() == '#') continue;
-    const auto relation = read_relation(Fields(*source, words));
+  const auto whole = read_lines(*source, [&relations](const Fields& f) -> Status {
+    if (f.is_comment()) return {};
+    const auto relation = read_relation(f);
     if (!relation.has_value()) return tl::unexpected(relation.error());
     relations.push_back(*relation);
-  }
+    return {};
+  });
+  if (!whole.has_value()) return tl::unexpected(whole.error());
   if (relations.empty()) {
     return fail(Errc::kInvalidInput,
                 fmt::format("{}: found no relation, expected lines t1 t2 x y z roll pitch yaw", path));
@@ -102,7 +100,7 @@ RelationErrors evaluate_relations(std::span<const Relation> relations, std::span
       continue;
     }
     const Se2 moved = a->pose.inverse() * b->pose;
-    trans_m.push_back(std::hypot(moved.x_m - r.relative.x_m, moved.y_m - r.relative.y_m));
+    trans_m.push_back(distance_m(moved, r.relative));
     rot_rad.push_back(std::abs(types::wrap_angle(moved.theta_rad - r.relative.theta_rad)));
   }
   errors.used = static_cast<int>(trans_m.size());

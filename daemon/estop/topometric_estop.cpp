@@ -53,10 +53,11 @@ int stop(const std::string& address) {
 
 /// A daemon that hangs may hold the port for itself: a serial one always, and many a bridge of TCP.
 int stop_beside(const std::string& socket, pid_t daemon, const std::string& address, bool force) {
-  fmt::print(stderr, "topometric-estop: the daemon on {} (process {}) does not answer\n", socket, daemon);
+  fmt::print(stderr, "topometric-estop: the daemon on {}{} does not answer\n", socket,
+             daemon > 0 ? fmt::format(" (process {})", daemon) : "");
   if (force && (daemon <= 0 || ::kill(daemon, SIGKILL) != 0))
     fmt::print(stderr, "topometric-estop: it cannot be ended: {}\n",
-               daemon <= 0 ? "unknown" : std::strerror(errno));
+               daemon <= 0 ? "it took nobody up, so its process is not known" : std::strerror(errno));
   const int status = stop(address);
   if (status != kOk && !force)
     fmt::print(stderr, "topometric-estop: it may hold the port; --force ends it first\n");

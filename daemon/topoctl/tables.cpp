@@ -113,8 +113,9 @@ std::string goals_table(const Json& goals) {
   if (at(goals, "/goal").is_object()) out += row("on the way", goal_text(at(goals, "/goal")));
   out += rows(goals, "/open", [](const Json& g) { return row("open", goal_text(g)); });
   out += rows(goals, "/given_up", [](const Json& g) {
-    return row("given up", fmt::format("{}  back in {} s: {}", point_text(g), number(g, "/back_in_s", 0),
-                                       text(g, "/why")));
+    const std::string when =
+        at(g, "/back_in_s").is_null() ? "for good" : "back in " + number(g, "/back_in_s", 0) + " s";
+    return row("put off", fmt::format("{}  {}: {}", point_text(g), when, text(g, "/why")));
   });
   return out.empty() ? "no goals\n" : out;
 }

@@ -67,7 +67,7 @@ void add_queries(CLI::App& cli, Arguments& a, int& status) {
       [&a] { return show(a, "latency", &latency_table); });
   add(cli, "goals", "where the robot may go next", status,
       [&a] { return show(a, "goals", a.why ? &why_table : &goals_table); });
-  cli.get_subcommand("goals")->add_flag("--why", a.why, "why each goal was taken, dropped or given up");
+  cli.get_subcommand("goals")->add_flag("--why", a.why, "why each goal was taken, dropped or put off");
   add(cli, "places", "the places of the map", status, [&a] { return show(a, "places", &places_table); });
   add(cli, "version", "version of the daemon and of this program", status, [&a] {
     return show(a, "version", [](const Json& answer) {

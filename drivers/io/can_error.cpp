@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
+
+#include "drivers/io/bus_faults.hpp"
 
 namespace topo::io {
 
@@ -40,14 +43,17 @@ std::string to_text(const CanErrorCounters& counters) {
 }
 
 std::string to_text(const CanError& error) {
-  const std::array<std::pair<bool, const char*>, 7> words{{
+  const auto counted = [](BusFault fault) {
+    return bus_fault_names()[static_cast<std::size_t>(fault)].words;
+  };
+  const std::array<std::pair<bool, std::string_view>, 7> words{{
       {error.bus_off, "bus-off: the controller took itself off the bus after too many errors"},
       {error.no_acknowledge, "nobody acknowledges what is sent"},
-      {error.passive, "error passive: most frames fail"},
-      {error.violation, "bit errors: noise, or a device with another bit rate"},
-      {error.transmit_timeout, "the controller does not get its frames out"},
-      {error.overflow, "the controller lost frames"},
-      {error.restarted, "the controller is back on the bus"},
+      {error.passive, counted(BusFault::kPassive)},
+      {error.violation, counted(BusFault::kViolation)},
+      {error.transmit_timeout, counted(BusFault::kTransmitTimeout)},
+      {error.overflow, counted(BusFault::kOverflow)},
+      {error.restarted, counted(BusFault::kRestarted)},
   }};
   std::string text;
   for (const auto& [holds, what] : words) {

@@ -34,7 +34,8 @@ struct CanError {
 [[nodiscard]] CanError decode_can_error(std::uint32_t id, std::span<const std::byte> data);
 
 [[nodiscard]] std::string to_text(const CanErrorCounters& counters);
-/// In plain words, the gravest first; "nothing of importance" when nothing is set.
+/// In plain words, the gravest first, those that BusFaults counts in its words; "nothing of importance" when
+/// nothing is set.
 [[nodiscard]] std::string to_text(const CanError& error);
 
 }  // namespace topo::io

@@ -38,30 +38,6 @@ Duration gap_of(unsigned st_min) {
 
 }  // namespace
 
-std::string_view to_text(IsoTpFault fault) {
-  switch (fault) {
-    case IsoTpFault::kNone:
-      return "none";
-    case IsoTpFault::kLength:
-      return "a frame with an impossible length";
-    case IsoTpFault::kSequence:
-      return "a frame is missing, doubled or out of order";
-    case IsoTpFault::kUnexpected:
-      return "a frame that belongs to no transfer";
-    case IsoTpFault::kTooLong:
-      return "a message longer than any packet was announced";
-    case IsoTpFault::kGap:
-      return "the rest of a message did not come";
-    case IsoTpFault::kNoFlow:
-      return "nobody answered with flow control";
-    case IsoTpFault::kRefused:
-      return "the receiver refused the message";
-    case IsoTpFault::kFlowStatus:
-      return "an unknown flow status";
-  }
-  return "unknown";
-}
-
 bool is_flow_control(std::span<const std::byte> frame) { return kind_of(frame) == kFlow; }
 
 IsoTpReceiver::Taken IsoTpReceiver::take(std::span<const std::byte> frame, Stamp now) {

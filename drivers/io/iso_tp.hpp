@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 
 #include "core/types/stamp.hpp"
 
@@ -36,7 +35,6 @@ enum class IsoTpFault : std::uint8_t {
   kRefused,     ///< the receiver said overflow, or wait more often than it may (WFTmax 0)
   kFlowStatus,  ///< a flow status that the standard does not know
 };
-[[nodiscard]] std::string_view to_text(IsoTpFault fault);
 
 /// The longest ARCOS packet has 207 bytes.
 inline constexpr std::size_t kIsoTpPduMax = 256;

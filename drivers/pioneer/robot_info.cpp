@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/watchdog.hpp"
+
 namespace topo::pioneer {
 namespace {
-
-constexpr int kWatchdogMax_ms = 2000;
 
 /// The lower of the table's and the firmware's limit; a firmware that says 0 says nothing.
 double lower(double table, double firmware) { return firmware > 0.0 ? std::min(table, firmware) : table; }
@@ -54,11 +54,11 @@ RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
 
 std::string watchdog_fault(const std::optional<ConfigPacket>& config) {
   const std::string needed = "; driving is refused until the robot's WatchDog parameter (FLASH) is 1 to " +
-                             std::to_string(kWatchdogMax_ms) +
+                             std::to_string(types::kWatchdogMax.count()) +
                              " ms, so that it stops by itself when this computer fails";
   if (!config) return "the robot sent no CONFIG packet, so its watchdog is unknown" + needed;
   if (config->watchdog_ms == 0) return "the firmware's watchdog is off or not reported (WatchDog 0)" + needed;
-  if (config->watchdog_ms > kWatchdogMax_ms)
+  if (!types::is_watchdog_safe(std::chrono::milliseconds(config->watchdog_ms)))
     return "the firmware's watchdog takes " + std::to_string(config->watchdog_ms) + " ms" + needed;
   return {};
 }

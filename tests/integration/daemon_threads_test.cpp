@@ -339,6 +339,7 @@ TEST_F(DaemonThreads, AStopOfTheDaemonDoesNotWaitForAJobInHand) {
   EXPECT_EQ(base_state(), "open");
   app->request_stop();
   const types::Stamp limit = io::monotonic_now() + 20s;
+  // The simulated device tells its state when asked, and no client of the daemon is answered any more.
   while (base_state() == "open" && io::monotonic_now() < limit) std::this_thread::sleep_for(20ms);
   EXPECT_NE(base_state(), "open") << "the base is still driven while the job is in hand";
   EXPECT_EQ(::fcntl(lease.get(), F_GETLEASE), F_RDLCK) << "the job went on meanwhile";

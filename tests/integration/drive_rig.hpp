@@ -44,7 +44,6 @@ class DriveRig {
       double seconds, const std::function<bool()>& done = [] { return false; });
 
   [[nodiscard]] sim::Simulation& simulation() { return *simulation_; }
-  [[nodiscard]] const sim::Simulation& simulation() const { return *simulation_; }
   [[nodiscard]] const sim::RobotBody& body() const { return simulation_->body(0); }
   [[nodiscard]] const pipeline::ControlReport& report() const { return out_.report; }
   [[nodiscard]] const types::BaseCommand& command() const { return out_.command; }

@@ -238,19 +238,9 @@ TEST_P(Safety, PeopleCrossTheWay) {
   }
 }
 
-/// Is anything within a tenth of the hull's size?
-bool is_beside_something(const DriveRig& rig) {
-  sim::Polygon wide = rig.body().model().footprint();
-  for (Vector2& corner : wide) corner *= 1.1;
-  const sim::RobotModel& model = rig.body().model();
-  return rig.simulation()
-      .world()
-      .touch(wide, rig.body().truth(), model.clearance_m, model.height_m, rig.body().movable())
-      .touching;
-}
-
-TEST_P(Safety, StandsWhenSomebodyWhoCrossesItsWayIsBesideIt) {
-  int beside = 0, gave_way = 0;
+// Who walks about in the simulator stops before a robot: what a touch is like, moving_obstacles_test sees to.
+TEST_P(Safety, GivesWayToSomebodyWhoCrossesItsWay) {
+  int gave_way = 0;
   for (int phase = 0; phase < 6; ++phase) {
     const auto rig = at_full_speed(GetParam());
     const double x_m = rig->body().truth().x_m + 1.6, from_m = 5.4 + 0.36 * phase;
@@ -261,18 +251,13 @@ TEST_P(Safety, StandsWhenSomebodyWhoCrossesItsWayIsBesideIt) {
       for (Vector2& p : walker.way_points) p.y() = 8.0 - p.y();
     rig->simulation().add_walker(walker);
     rig->run(5.0, [&] {
-      const bool near = is_beside_something(*rig);
-      beside += near ? 1 : 0;
       gave_way += rig->report().reason == GateReason::kGivesWay ? 1 : 0;
-      EXPECT_LT(near ? std::abs(rig->body().true_twist().v_mps) : 0.0, 0.05)
-          << phase << " at " << rig->now_s();
       return false;
     });
     EXPECT_EQ(rig->body().collisions(), 0U) << phase;
     EXPECT_EQ(rig->report().recoveries, 0U) << phase;
   }
-  std::printf("%s, somebody crosses: gives way in %d periods, beside it in %d\n", GetParam(), gave_way,
-              beside);
+  std::printf("%s, somebody crosses: gives way in %d periods\n", GetParam(), gave_way);
   EXPECT_GT(gave_way, 0);
 }
 

@@ -145,13 +145,6 @@ TEST(VelocityGate, AScanMayBeTwoAndAHalfPeriodsOld) {
   }
 }
 
-TEST(VelocityGate, OnlyAWatchdogOfUpToTwoSecondsIsSafe) {
-  EXPECT_TRUE(is_watchdog_safe(milliseconds(2000)));
-  EXPECT_FALSE(is_watchdog_safe(milliseconds(2001)));
-  EXPECT_FALSE(is_watchdog_safe(Duration{}));
-  EXPECT_FALSE(is_watchdog_safe(milliseconds(-1)));
-}
-
 struct Fault {
   const char* name;
   GateReason reason;

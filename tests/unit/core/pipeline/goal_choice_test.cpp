@@ -52,19 +52,18 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   goals::Goal here, beyond;
   here.p_map = {0.7, 1.5};
   beyond.p_map = {2.5, 1.0};
-  GivenUpGoals given_up;
+  PutOffGoals put_off;
   const types::Se2 robot{0.7, 1.0, 0.0};
   bool cut_off = false;
   const std::vector<goals::Goal> one{here}, both{here, beyond};
-  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, given_up, robot, kNow, cut_off).size(),
-            1U);
+  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, put_off, robot, kNow, cut_off).size(), 1U);
   EXPECT_FALSE(cut_off);
-  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, given_up, robot, kNow, cut_off).size(),
+  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, put_off, robot, kNow, cut_off).size(),
             1U);
   EXPECT_TRUE(cut_off);
   cut_off = false;
-  given_up.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
-  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, given_up, robot, kNow, cut_off).size(),
+  put_off.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
+  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, put_off, robot, kNow, cut_off).size(),
             1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
@@ -118,34 +117,48 @@ TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
   EXPECT_EQ(successor_of(goal, candidates), nullptr);
 }
 
-TEST(GivenUpGoals, comeBackOnceAndThenStayAway) {
-  GivenUpGoals given_up;
+TEST(PutOffGoals, comeBackOnceAndThenStayAway) {
+  PutOffGoals put_off;
   const auto later = kNow + std::chrono::seconds(60);
-  given_up.give_up({1.0, 1.0}, later, "stuck");
-  EXPECT_TRUE(given_up.hold({1.5, 1.0}, kNow));
-  EXPECT_FALSE(given_up.hold({3.0, 1.0}, kNow));
-  EXPECT_FALSE(given_up.hold({1.0, 1.0}, later));
-  EXPECT_TRUE(given_up.call_back(kNow));
-  EXPECT_FALSE(given_up.hold({1.0, 1.0}, kNow));
-  EXPECT_FALSE(given_up.call_back(kNow));  // it is back already
-  given_up.give_up({1.1, 1.0}, later, "stuck again");
-  ASSERT_EQ(given_up.list().size(), 1U);
-  EXPECT_TRUE(given_up.hold({1.0, 1.0}, later + std::chrono::hours(1)));
-  EXPECT_FALSE(given_up.call_back(kNow));
+  put_off.give_up({1.0, 1.0}, later, "stuck");
+  EXPECT_TRUE(put_off.hold({1.5, 1.0}, kNow));
+  EXPECT_FALSE(put_off.hold({3.0, 1.0}, kNow));
+  EXPECT_FALSE(put_off.hold({1.0, 1.0}, later));
+  EXPECT_TRUE(put_off.call_back(kNow));
+  EXPECT_FALSE(put_off.hold({1.0, 1.0}, kNow));
+  EXPECT_FALSE(put_off.call_back(kNow));  // it is back already
+  put_off.give_up({1.1, 1.0}, later, "stuck again");
+  EXPECT_TRUE(put_off.hold({1.0, 1.0}, later + std::chrono::hours(1)));
+  EXPECT_FALSE(put_off.call_back(kNow));
 }
 
-TEST(GivenUpGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
-  GivenUpGoals given_up;
+TEST(PutOffGoals, areToldWhileTheyStayAway) {
+  PutOffGoals put_off;
+  const auto soon = kNow + std::chrono::seconds(10), later = kNow + std::chrono::seconds(60);
+  put_off.give_up({1.0, 1.0}, soon, "stuck");
+  put_off.visit({5.0, 1.0}, later);
+  EXPECT_EQ(put_off.held(kNow).size(), 2U);
+  ASSERT_EQ(put_off.held(soon).size(), 1U) << "the first is back";
+  EXPECT_EQ(put_off.held(soon).front().p_map, Vector2(5.0, 1.0));
+  EXPECT_FALSE(put_off.held(soon).front().is_for_good());
+  put_off.give_up({1.1, 1.0}, later, "stuck again");
+  ASSERT_EQ(put_off.held(later).size(), 1U) << "the second is back";
+  EXPECT_TRUE(put_off.held(later).front().is_for_good());
+  EXPECT_EQ(put_off.held(later).front().why, "stuck again");
+}
+
+TEST(PutOffGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
+  PutOffGoals put_off;
   const auto later = kNow + std::chrono::seconds(60);
-  given_up.give_up({1.0, 1.0}, later, "stuck");
-  given_up.visit({5.0, 1.0}, later);
-  ASSERT_EQ(given_up.visited(kNow).size(), 1U);
-  EXPECT_EQ(given_up.visited(kNow).front(), Vector2(5.0, 1.0));
-  EXPECT_TRUE(given_up.hold({5.0, 1.0}, kNow));
-  EXPECT_TRUE(given_up.visited(later).empty());
-  given_up.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
-  EXPECT_EQ(given_up.visited(kNow).size(), 2U);
-  EXPECT_EQ(given_up.list().size(), 2U);
+  put_off.give_up({1.0, 1.0}, later, "stuck");
+  put_off.visit({5.0, 1.0}, later);
+  ASSERT_EQ(put_off.visited(kNow).size(), 1U);
+  EXPECT_EQ(put_off.visited(kNow).front(), Vector2(5.0, 1.0));
+  EXPECT_TRUE(put_off.hold({5.0, 1.0}, kNow));
+  EXPECT_TRUE(put_off.visited(later).empty());
+  put_off.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
+  EXPECT_EQ(put_off.visited(kNow).size(), 2U);
+  EXPECT_EQ(put_off.held(kNow).size(), 2U);
 }
 
 }  // namespace

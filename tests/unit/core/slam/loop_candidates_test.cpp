@@ -19,7 +19,7 @@ struct Path {
   void go(double x_m, double y_m) {
     const types::Se2 target{x_m, y_m, 0.0};
     const types::Se2 start = poses.back();
-    const double length = std::hypot(target.x_m - start.x_m, target.y_m - start.y_m);
+    const double length = distance_m(start, target);
     const int steps = static_cast<int>(std::round(length / 0.5));
     for (int i = 1; i <= steps; ++i) {
       poses.push_back(types::interpolate(start, target, static_cast<double>(i) / steps));

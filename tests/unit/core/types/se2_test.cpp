@@ -32,6 +32,11 @@ TEST(WrapAngle, StaysInTheHalfOpenTurn) {
 
 TEST(WrapAngle, MapsMinusPiToPi) { EXPECT_DOUBLE_EQ(wrap_angle(-std::numbers::pi), std::numbers::pi); }
 
+TEST(Se2, DistanceIsOfThePlacesAlone) {
+  EXPECT_DOUBLE_EQ(distance_m({1.0, 2.0, 3.0}, {-2.0, 6.0, -1.0}), 5.0);
+  EXPECT_EQ(distance_m({1.0, 2.0, 3.0}, {1.0, 2.0, -3.0}), 0.0);
+}
+
 TEST(Se2, InverseUndoes) {
   EXPECT_TRUE(rc::check("T * T^-1 = 1 and (A B) p = A (B p)", [] {
     const Se2 a = any_pose(), b = any_pose();

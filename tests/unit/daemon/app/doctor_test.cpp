@@ -11,6 +11,7 @@
 namespace topo::daemon {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -69,11 +70,17 @@ TEST(Doctor, ASessionThatIsNotBeingKept) {
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("a folder"));
 }
 
-TEST(Doctor, TheBusOfABaseOnCan) {
+DoctorFacts healthy_on_can() {
   DoctorFacts facts = healthy();
   facts.can.emplace().name = "can0";
   io::CanInterface& can = facts.can->interface;
   can.exists = can.is_can = can.up = true;
+  return facts;
+}
+
+TEST(Doctor, TheBusOfABaseOnCan) {
+  DoctorFacts facts = healthy_on_can();
+  io::CanInterface& can = facts.can->interface;
   can.queue_length = 128;
   for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
   can.state = io::CanState::kActive;
@@ -87,10 +94,8 @@ TEST(Doctor, TheBusOfABaseOnCan) {
 }
 
 TEST(Doctor, WhatWentWrongOnTheBusLately) {
-  DoctorFacts facts = healthy();
-  auto& can = facts.can.emplace();
-  can.name = "can0";
-  can.interface.exists = can.interface.is_can = can.interface.up = true;
+  DoctorFacts facts = healthy_on_can();
+  auto& can = *facts.can;
   can.faults_lately[io::BusFault::kInterrupted] = 5;  // stops are no fault
   for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.found;
   can.faults_lately[io::BusFault::kPassive] = 3;
@@ -144,7 +149,7 @@ TEST(Doctor, DevicesByTheirStateAndTheSystemsWords) {
 TEST(Doctor, FirmwareWatchdog) {
   DoctorFacts facts = healthy();
   facts.watchdog_ms = 0;
-  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("ARCOScfg"));
+  EXPECT_THAT(the_bad_one(facts).cure, AllOf(HasSubstr("1 to 2000 ms"), HasSubstr("ARCOScfg")));
   facts.watchdog_ms = 2001;
   EXPECT_EQ(the_bad_one(facts).found, "2001 ms");
   facts.watchdog_ms.reset();
@@ -188,8 +193,10 @@ TEST(Doctor, MotorsBumpersBattery) {
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("charge it"));
   facts.base.state.battery_v = 12.6F;
   facts.base.state.state_of_charge = 0.1F;
-  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("10 %"));
+  EXPECT_EQ(the_bad_one(facts).found, "12.6 V, 10 %");
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("or 20 % (exploration.charge_home) the robot goes home"));
   facts.base.state.battery_v = 0.0F;
+  EXPECT_EQ(the_bad_one(facts).found, "voltage not reported, 10 %");
   facts.base.state.state_of_charge = -1.0F;
   for (const Check& check : examine(facts)) EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
 }

@@ -168,14 +168,24 @@ class FullDisk {
   rlimit old_{};
 };
 
-TEST(Recorder, AFullDiskIsToldOnceCountedAndSurvived) {
-  const testing::TempDir dir;
-  std::vector<std::string> warnings;  // written by the recorder thread, read after stop()
-  RecorderOptions o = options(dir.file("a.rec"));
-  o.on_warning = [&](const std::string& text) { warnings.push_back(text); };
-  auto recorder = Recorder::start(o);
-  ASSERT_TRUE(recorder.has_value());
-  io::ByteTap* tap = (*recorder)->tap("front");
+/// A recorder whose warnings are kept.
+class WarningRecorder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    RecorderOptions o = options(dir.file("a.rec"));
+    o.on_warning = [this](const std::string& text) { warnings.push_back(text); };
+    auto started = Recorder::start(o);
+    ASSERT_TRUE(started.has_value()) << started.error().message;
+    recorder = std::move(*started);
+  }
+
+  testing::TempDir dir;
+  std::vector<std::string> warnings;  ///< written by the recorder's thread, read after stop()
+  std::unique_ptr<Recorder> recorder;
+};
+
+TEST_F(WarningRecorder, AFullDiskIsToldOnceCountedAndSurvived) {
+  io::ByteTap* tap = recorder->tap("front");
   std::string noise(20000, '\0');
   std::uint32_t state = 1;
   for (char& c : noise) c = static_cast<char>((state = state * 1664525U + 1013904223U) >> 24U);
@@ -183,32 +193,26 @@ TEST(Recorder, AFullDiskIsToldOnceCountedAndSurvived) {
     const FullDisk full(10000);
     for (std::uint64_t n = 1; n <= 3; ++n) {
       tap->on_bytes(io::Direction::kFromDevice, at(0), bytes_of(noise));
-      ASSERT_TRUE(wait_for([&] { return (*recorder)->stats().lost_frames >= n; }));
+      ASSERT_TRUE(wait_for([&] { return recorder->stats().lost_frames >= n; }));
     }
   }
   tap->on_bytes(io::Direction::kFromDevice, at(1), bytes_of("room again"));
-  const auto stopped = (*recorder)->stop();
+  const auto stopped = recorder->stop();
   ASSERT_FALSE(stopped.has_value());
   EXPECT_THAT(stopped.error().message, HasSubstr("a.rec: cannot write"));
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_THAT(warnings[0], HasSubstr("lost from the recording"));
   EXPECT_THAT(warnings[1], HasSubstr("takes the recording again"));
   const RecordingSummary summary = summary_of(dir.file("a.rec"));
-  EXPECT_EQ(summary.missing_frames, (*recorder)->stats().lost_frames);
+  EXPECT_EQ(summary.missing_frames, recorder->stats().lost_frames);
   EXPECT_EQ(summary.channels[0].from_device_bytes, 10U);
   EXPECT_TRUE(summary.damages.empty());
 }
 
-TEST(Recorder, ADiskThatIsFullToTheEndTakesNothingAgain) {
-  const testing::TempDir dir;
-  std::vector<std::string> warnings;  // written by the recorder thread, read after stop()
-  RecorderOptions o = options(dir.file("a.rec"));
-  o.on_warning = [&](const std::string& text) { warnings.push_back(text); };
-  auto recorder = Recorder::start(o);
-  ASSERT_TRUE(recorder.has_value());
+TEST_F(WarningRecorder, ADiskThatIsFullToTheEndTakesNothingAgain) {
   const FullDisk full(1);
-  (*recorder)->tap("front")->on_bytes(io::Direction::kFromDevice, at(0), bytes_of("too much"));
-  EXPECT_FALSE((*recorder)->stop().has_value());
+  recorder->tap("front")->on_bytes(io::Direction::kFromDevice, at(0), bytes_of("too much"));
+  EXPECT_FALSE(recorder->stop().has_value());
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_THAT(warnings[0], HasSubstr("lost from the recording"));
 }

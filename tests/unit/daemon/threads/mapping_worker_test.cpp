@@ -14,11 +14,22 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(MappingWorker, BeatsAndSkipsWhileItNeverCatchesUp) {
-  const auto hand_overs = std::make_unique<HandOvers>();
-  Vitals vitals("mapping");
-  MappingWorker worker(*hand_overs, slam::MapperParams{}, {}, vitals);
-  std::thread thread([&worker] { worker.run(); });
+class MappingWorkerTest : public ::testing::Test {
+ protected:
+  ~MappingWorkerTest() override {
+    hand_overs->stopping = true;
+    hand_overs->readers_gone = true;
+    hand_overs->mapping_wakeup.post();
+    thread.join();
+  }
+
+  std::unique_ptr<HandOvers> hand_overs = std::make_unique<HandOvers>();
+  Vitals vitals{"mapping"};
+  MappingWorker worker{*hand_overs, slam::MapperParams{}, {}, vitals};
+  std::thread thread{[this] { worker.run(); }};
+};
+
+TEST_F(MappingWorkerTest, BeatsAndSkipsWhileItNeverCatchesUp) {
   types::Odometry odometry;
   const types::Stamp limit = io::monotonic_now() + 60s;
   // As from a base and a scanner that are faster than this machine maps: the rings are never seen empty.
@@ -33,17 +44,9 @@ TEST(MappingWorker, BeatsAndSkipsWhileItNeverCatchesUp) {
   }
   EXPECT_GE(vitals.beats.load(), 20U) << "the service manager would take it for dead";
   EXPECT_GT(hand_overs->front.to_mapping.skipped(), 0U);
-  hand_overs->stopping = true;
-  hand_overs->readers_gone = true;
-  hand_overs->mapping_wakeup.post();
-  thread.join();
 }
 
-TEST(MappingWorker, ReportsTheScansThatItHadNoOdometryFor) {
-  const auto hand_overs = std::make_unique<HandOvers>();
-  Vitals vitals("mapping");
-  MappingWorker worker(*hand_overs, slam::MapperParams{}, {}, vitals);
-  std::thread thread([&worker] { worker.run(); });
+TEST_F(MappingWorkerTest, ReportsTheScansThatItHadNoOdometryFor) {
   constexpr std::uint64_t kScans = 3;
   for (std::uint64_t i = 0; i < kScans; ++i) {
     types::Scan* scan = hand_overs->front.to_mapping.try_acquire();
@@ -61,10 +64,6 @@ TEST(MappingWorker, ReportsTheScansThatItHadNoOdometryFor) {
       std::this_thread::yield();
   }
   EXPECT_EQ(lost, kScans);
-  hand_overs->stopping = true;
-  hand_overs->readers_gone = true;
-  hand_overs->mapping_wakeup.post();
-  thread.join();
 }
 
 }  // namespace

@@ -13,11 +13,14 @@ using ::testing::Not;
 TEST(Tables, GoalsAndWhy) {
   const Json goals{{"goal", {{"x_m", 1.0}, {"y_m", 2.0}, {"place", 3}, {"opening_m", 1.9}}},
                    {"open", Json::array()},
-                   {"given_up", {{{"x_m", 4.0}, {"y_m", 5.0}, {"back_in_s", 12.0}, {"why", "stuck"}}}},
+                   {"given_up",
+                    {{{"x_m", 4.0}, {"y_m", 5.0}, {"back_in_s", 12.0}, {"why", "stuck"}},
+                     {{"x_m", 8.0}, {"y_m", 9.0}, {"back_in_s", nullptr}, {"why", "no progress"}}}},
                    {"dropped", {{{"x_m", 6.0}, {"y_m", 7.0}, {"why", "visited"}}}},
                    {"decisions", {{{"x_m", 1.0}, {"y_m", 2.0}, {"age_s", 9.0}, {"text", "taken: nearest"}}}}};
   EXPECT_THAT(goals_table(goals), HasSubstr("(1.00, 2.00)  place 3, opening 1.90 m"));
-  EXPECT_THAT(goals_table(goals), HasSubstr("back in 12 s: stuck"));
+  EXPECT_THAT(goals_table(goals), HasSubstr("(4.00, 5.00)  back in 12 s: stuck"));
+  EXPECT_THAT(goals_table(goals), HasSubstr("(8.00, 9.00)  for good: no progress"));
   EXPECT_THAT(goals_table(goals), Not(HasSubstr("visited")));
   EXPECT_THAT(why_table(goals), HasSubstr("visited"));
   EXPECT_THAT(why_table(goals), HasSubstr("9 s ago"));

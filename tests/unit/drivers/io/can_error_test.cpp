@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
+
+#include "drivers/io/bus_faults.hpp"
 
 namespace topo::io {
 namespace {
@@ -48,6 +51,18 @@ TEST(CanError, SpeaksPlainlyTheGravestFirst) {
   EXPECT_THAT(to_text(decode(0x20 | 0x200, {0, 0, 0, 0, 0, 0, 128, 0})),
               HasSubstr("nobody acknowledges what is sent (error counters: transmit 128, receive 0)"));
   EXPECT_EQ(to_text(decode(0x2)), "nothing of importance");
+}
+
+TEST(CanError, SaysWhatIsCountedAsTheDoctorSaysIt) {
+  CanError error;
+  error.passive = error.violation = error.transmit_timeout = error.overflow = error.restarted = true;
+  BusFaults faults;
+  for (const BusFault fault : {BusFault::kPassive, BusFault::kViolation, BusFault::kTransmitTimeout,
+                               BusFault::kOverflow, BusFault::kRestarted})
+    faults[fault] = 1;
+  std::string counted = to_text(faults);
+  for (std::size_t at = 0; (at = counted.find("1 x ")) != std::string::npos;) counted.erase(at, 4);
+  EXPECT_EQ(to_text(error), counted);
 }
 
 TEST(CanError, AShortFrameIsNoTrap) {

@@ -95,12 +95,7 @@ TEST_F(ArcosOnCan, BothDirectionsRunAtOnce) {
   robot_answers(milliseconds(3));
   ASSERT_TRUE(write(kVelPacket));
   robot_sends(kStatusPacket);
-  std::string all;
-  for (int i = 0; i < 10; ++i) {
-    ASSERT_TRUE(read());
-    all += text;
-  }
-  EXPECT_EQ(all, kStatusPacket);
+  EXPECT_EQ(read_ten_times(), kStatusPacket);
   EXPECT_THAT(robot_heard, ElementsAre(kVelPacket));
 }
 
@@ -147,12 +142,7 @@ TEST_F(ArcosOnCan, WhatIsNoWholePacketIsDroppedAndCounted) {
   robot_sends(kStatusPacket + "x");
   robot_sends(kStatusPacket.substr(0, 30));
   robot_sends(kStatusPacket);
-  std::string all;
-  for (int i = 0; i < 10; ++i) {
-    ASSERT_TRUE(read());
-    all += text;
-  }
-  EXPECT_EQ(all, kStatusPacket);
+  EXPECT_EQ(read_ten_times(), kStatusPacket);
   EXPECT_EQ(stream->faults()[BusFault::kBadMessage], 3U);
 }
 

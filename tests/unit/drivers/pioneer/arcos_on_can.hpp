@@ -56,6 +56,16 @@ class ArcosOnCan : public testing::Test {
     text.assign(reinterpret_cast<const char*>(buffer.data()), got ? got->bytes : 0);
     return got;
   }
+  /// All that comes meanwhile.
+  std::string read_ten_times() {
+    std::string all;
+    for (int i = 0; i < 10; ++i) {
+      const auto got = read();
+      EXPECT_TRUE(got);
+      all += text;
+    }
+    return all;
+  }
   /// The robot sends a packet frame by frame, `gap` apart.
   void robot_sends(const std::string& packet, types::Duration gap = std::chrono::microseconds(270)) {
     sim::can::Splitter splitter;

@@ -10,21 +10,24 @@
 
 namespace topo::pipeline {
 
-/// A goal that was put off, and until when.
-struct GivenUp {
+/// A goal that was given up or visited, and until when it is put off.
+struct PutOffGoal {
   types::Vector2 p_map{0.0, 0.0};
   types::Stamp until{};
-  int times = 0;  ///< how often it was given up
+  int times = 0;  ///< how often it was put off
   std::string why;
   bool visited = false;  ///< a robot was there: what is still open cannot be seen from there
+
+  static constexpr int kTimesMax = 2;
+  /// It does not come back, whatever `until` says.
+  [[nodiscard]] bool is_for_good() const { return times >= kTimesMax; }
 };
 
-/// Goals that did not work out. Each comes back after a while, or when nothing else is left; after the second
-/// time it stays away.
-class GivenUpGoals {
+/// Goals that did not work out, and those a robot was at. Each comes back after a while, or when nothing else
+/// is left; after the second time it stays away.
+class PutOffGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
-  static constexpr int kTimesMax = 2;
 
   void give_up(const types::Vector2& p_map, types::Stamp until, std::string why);
   void visit(const types::Vector2& p_map, types::Stamp until);
@@ -35,12 +38,13 @@ class GivenUpGoals {
   /// Lets all come back that may; false when there is none.
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }
-  [[nodiscard]] const std::vector<GivenUp>& list() const { return list_; }
+  /// All that are put off at this time.
+  [[nodiscard]] std::vector<PutOffGoal> held(types::Stamp now) const;
 
  private:
-  void put_off(GivenUp goal);
+  void note(PutOffGoal goal);
 
-  std::vector<GivenUp> list_;
+  std::vector<PutOffGoal> list_;
 };
 
 }  // namespace topo::pipeline

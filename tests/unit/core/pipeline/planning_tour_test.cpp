@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which goal a robot that stands is bound for: when it leaves one for another, and when one it was at is a
+// goal again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+/// A hall that ends behind the robot beyond what it sees, and ahead of it, on its left, a passage of three
+/// metres behind a shut door: two gaps, and no essential goal.
+class HallAndPassage {
+ public:
+  /// `ahead`: from the robot to the passage, in characters.
+  HallAndPassage(std::size_t ahead, double range_m, PlannerParams params)
+      : passage_(kStart + ahead), building_(floor(), range_m), state_(without_essential(std::move(params))) {}
+
+  void open_the_door() {
+    for (std::size_t i = 0; i < kWidth; ++i)
+      building_.open(static_cast<int>(passage_ + i), static_cast<int>(kRows - 1 - kDoorRow));
+  }
+  const PlanningReport& period() {
+    out_ = building_.run_period(state_, {1, Order::kExplore, false, {0.0, 0.0}}, 0.0);
+    return *out_.report;
+  }
+  [[nodiscard]] bool goes_to_the_passage() const {
+    EXPECT_TRUE(out_.report->goal.has_value());
+    return out_.report->goal && is_passage(*out_.report->goal);
+  }
+  [[nodiscard]] bool is_passage(const goals::Goal& goal) const {
+    return goal.p_map.x() > building_.robot().x();
+  }
+  [[nodiscard]] types::Stamp now() const { return building_.now(); }
+
+ private:
+  static constexpr std::size_t kStart = 90, kWidth = 12, kRows = 45, kDoorRow = 26;
+
+  static PlannerParams without_essential(PlannerParams params) {
+    params.analysis.goals.opening_min_m = 100.0;
+    return params;
+  }
+  [[nodiscard]] std::vector<std::string> floor() const {
+    const std::size_t end = passage_ + kWidth;
+    std::vector<std::string> rows(kRows, std::string(end + 1, '#'));
+    for (std::size_t y = kDoorRow + 1; y < kRows - 2; ++y) rows[y].replace(1, end - 1, end - 1, ' ');
+    for (std::size_t y = 5; y < kDoorRow; ++y) rows[y].replace(passage_, kWidth, kWidth, ' ');
+    rows[kDoorRow + 4][kStart] = 'S';
+    return rows;
+  }
+
+  std::size_t passage_;
+  ToyBuilding building_;
+  PlanningState state_;
+  PlanningOutput out_;
+};
+
+/// Bound for the end of the hall, does the robot leave it for the passage when its door is opened?
+bool leaves_for_the_passage(std::size_t ahead, double range_m, double switch_share) {
+  PlannerParams params;
+  params.tour.switch_share = switch_share;
+  HallAndPassage scene(ahead, range_m, params);
+  for (int i = 0; i < 4; ++i) {
+    scene.period();
+    EXPECT_FALSE(scene.goes_to_the_passage());
+  }
+  scene.open_the_door();
+  for (int i = 0; i < 6; ++i) scene.period();
+  EXPECT_EQ(scene.period().open_goals.size(), 2U);
+  return scene.goes_to_the_passage();
+}
+
+// The way to the end of the hall costs 9.6 m; the tour that begins with the passage is 3.6 m cheaper.
+TEST(SwitchShare, aGoalIsLeftForATourThatSavesThatShareOfTheWayToIt) {
+  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, TourParams{}.switch_share));
+  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, 0.31));
+  EXPECT_FALSE(leaves_for_the_passage(4, 6.0, 0.45));
+}
+
+// Here it is 3.8 m of 15.9 m: more than above, and a smaller share.
+TEST(SwitchShare, theFartherTheGoalTheMoreMetresAnotherTourHasToSave) {
+  EXPECT_TRUE(leaves_for_the_passage(32, 12.0, TourParams{}.switch_share));
+  EXPECT_FALSE(leaves_for_the_passage(32, 12.0, 0.31));
+}
+
+TEST(VisitedGoals, whereTheRobotWasIsAGoalAgainWhenThatTimeIsOver) {
+  using std::chrono::seconds;
+  PlannerParams params;
+  params.visited_s = 10.0;
+  params.give_up_s = 1000.0;
+  params.goal_reached_m = 4.0;  // in front of the passage, and not at the end of the hall
+  HallAndPassage scene(4, 6.0, params);
+  scene.open_the_door();
+  types::Stamp visited = scene.now();
+  while (scene.period().put_off.empty() && scene.now() < visited + seconds(60)) {
+  }
+  const PlanningReport* report = &scene.period();
+  ASSERT_EQ(report->put_off.size(), 1U);
+  EXPECT_TRUE(report->put_off.front().visited);
+  visited = report->put_off.front().until - seconds(10);
+  EXPECT_LE(visited, report->stamp);
+  EXPECT_GE(visited, report->stamp - seconds(1));
+  const auto is_open = [&] {
+    return std::any_of(report->open_goals.begin(), report->open_goals.end(),
+                       [&](const goals::Goal& goal) { return scene.is_passage(goal); });
+  };
+  for (; report->stamp < visited + seconds(10); report = &scene.period())
+    EXPECT_FALSE(is_open()) << types::to_seconds(report->stamp - visited);
+  while (!is_open() && report->stamp < visited + seconds(12)) report = &scene.period();
+  EXPECT_TRUE(is_open());
+}
+
+}  // namespace
+}  // namespace topo::pipeline
