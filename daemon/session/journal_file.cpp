@@ -43,23 +43,22 @@ Result<JournalFile> JournalFile::create(const std::string& path, std::uint64_t p
   return journal;
 }
 
+/// Half a record, or the rest of one behind a shorter one, would hide every later one from a reader.
+tl::unexpected<types::Error> JournalFile::take_back(const std::string& doing, int error) {
+  static_cast<void>(::ftruncate(fd_.get(), static_cast<off_t>(size_)));
+  return io::fail_errno(name_, doing, error);
+}
+
 Status JournalFile::write(std::span<const std::byte> bytes) {
   std::size_t done = 0;
   while (done < bytes.size()) {
     const auto n = io::retry_interrupted([&] {
       return ::pwrite(fd_.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(size_ + done));
     });
-    if (n < 0) {
-      const int error = errno;
-      // Half a record would hide every later one from a reader.
-      static_cast<void>(::ftruncate(fd_.get(), static_cast<off_t>(size_)));
-      return io::fail_errno(name_, fmt::format("cannot write {} bytes at byte {}", bytes.size(), size_),
-                            error);
-    }
+    if (n < 0) return take_back(fmt::format("cannot write {} bytes at byte {}", bytes.size(), size_), errno);
     done += static_cast<std::size_t>(n);
   }
-  if (::fdatasync(fd_.get()) != 0 && errno != EINVAL)
-    return io::fail_errno(name_, "cannot bring it to the disk", errno);
+  if (::fdatasync(fd_.get()) != 0 && errno != EINVAL) return take_back("cannot bring it to the disk", errno);
   size_ += bytes.size();
   return {};
 }

@@ -19,9 +19,8 @@ class JournalFile {
   /// A new file; kInvalidInput when there is one of that name.
   static types::Result<JournalFile> create(const std::string& path, std::uint64_t params_hash);
 
-  /// Appends what `session` has more, and brings it to the disk. When the disk does not take it the file ends
-  /// where it did before; when it was taken and cannot be brought to the disk, the next append writes over
-  /// it. True when there was something.
+  /// Appends what `session` has more, and brings it to the disk. When that fails the file ends where it did
+  /// before. True when there was something.
   types::Result<bool> append(const slam::Session& session);
   /// The exact poses and the record that says that it was closed in order.
   types::Status close(const slam::Session& session);
@@ -33,6 +32,7 @@ class JournalFile {
   JournalFile(std::string path, std::string name, io::UniqueFd fd)
       : path_(std::move(path)), name_(std::move(name)), fd_(std::move(fd)) {}
   types::Status write(std::span<const std::byte> bytes);
+  tl::unexpected<types::Error> take_back(const std::string& doing, int error);
   std::string path_;
   std::string name_;  ///< without its folder; errors name it
   io::UniqueFd fd_;

@@ -5,12 +5,28 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 
 #include "daemon/session/session_reader.hpp"
 #include "tests/unit/daemon/session/session_sample.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
+
+namespace {
+
+bool disk_is_broken = false;
+
+}  // namespace
+
+/// In place of the C library's, for this program: a disk that takes bytes and cannot keep them.
+extern "C" int fdatasync(int fd) {
+  if (!disk_is_broken) return static_cast<int>(::syscall(SYS_fdatasync, fd));
+  errno = EIO;
+  return -1;
+}
 
 namespace topo::daemon {
 namespace {
@@ -87,6 +103,28 @@ TEST(JournalFile, AFullDiskKeepsWhatIsThereAndIsCaughtUpWith) {
     }
   }
   testing::grow(session, 5, random);
+  ASSERT_TRUE(journal->append(session));
+  EXPECT_TRUE(testing::same(load_session(journal->path())->session, session));
+}
+
+// What comes next may be shorter, and would have the rest of it behind itself.
+TEST(JournalFile, WhatCannotBeBroughtToTheDiskIsTakenBack) {
+  const testing::TempDir folder;
+  std::mt19937 random(4);
+  slam::Session session;
+  testing::grow(session, 10, random);
+  auto journal = JournalFile::create(folder.file("j.session"), 7);
+  ASSERT_TRUE(journal);
+  ASSERT_TRUE(journal->append(session));
+  const slam::Session before = session;
+  testing::grow(session, 5, random);
+  disk_is_broken = true;
+  const auto failed = journal->append(session);
+  disk_is_broken = false;
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().sys_errno, EIO);
+  EXPECT_EQ(std::filesystem::file_size(journal->path()), journal->bytes());
+  EXPECT_TRUE(testing::same(load_session(journal->path())->session, before));
   ASSERT_TRUE(journal->append(session));
   EXPECT_TRUE(testing::same(load_session(journal->path())->session, session));
 }
