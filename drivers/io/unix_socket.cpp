@@ -14,6 +14,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "drivers/io/posix.hpp"
+
 namespace topo::io {
 namespace {
 
@@ -73,6 +75,31 @@ Status remove_stale(const std::string& path) {
   return {};
 }
 
+Status limit_sends(int socket, types::Duration patience, const std::string& path) {
+  const auto us = std::max<std::int64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(patience).count(), 1);  // 0 would be no limit
+  const timeval limit{us / 1'000'000, us % 1'000'000};
+  if (::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit) != 0)
+    return fail_path(path, "no time limit");
+  return {};
+}
+
+tl::unexpected<types::Error> fail_unanswered(const std::string& path) {
+  return fail(Errc::kTimeout, fmt::format("control socket {}: who serves it does not answer", path));
+}
+
+/// A socket that is connected; one that is not valid when a signal came in between.
+Result<UniqueFd> try_connect(const std::string& path, const sockaddr_un& address, types::Duration patience) {
+  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) return fail_path(path, "no socket");
+  if (auto limited = limit_sends(socket.get(), patience, path); !limited)
+    return tl::unexpected(limited.error());
+  if (::connect(socket.get(), generic(address), sizeof address) == 0) return socket;
+  if (errno == EINTR) return UniqueFd();
+  if (errno == EAGAIN) return fail_unanswered(path);
+  return fail_path(path, "nobody answers");
+}
+
 }  // namespace
 
 Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mode) {
@@ -97,17 +124,17 @@ ListeningSocket::~ListeningSocket() {
 Result<UniqueFd> connect_unix(const std::string& path, types::Duration patience) {
   const auto address = to_address(path);
   if (!address) return tl::unexpected(address.error());
-  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  if (!socket.valid()) return fail_path(path, "no socket");
-  const auto us = std::chrono::duration_cast<std::chrono::microseconds>(patience).count();
-  const timeval limit{std::max<std::int64_t>(us, 1) / 1'000'000, std::max<std::int64_t>(us, 1) % 1'000'000};
-  if (::setsockopt(socket.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit) != 0)
-    return fail_path(path, "no time limit");
-  if (::connect(socket.get(), generic(*address), sizeof *address) != 0) {
-    if (errno == EAGAIN)
-      return fail(Errc::kTimeout, fmt::format("control socket {}: who serves it does not answer", path));
-    return fail_path(path, "nobody answers");
+  const types::Stamp deadline = monotonic_now() + patience;
+  auto socket = try_connect(path, *address, patience);
+  // POSIX goes on connecting a socket that was interrupted, Linux does not: a new one is right for both.
+  while (socket && !socket->valid()) {
+    const types::Duration left = deadline - monotonic_now();
+    if (left <= types::Duration::zero()) return fail_unanswered(path);
+    socket = try_connect(path, *address, left);
   }
+  if (!socket) return socket;
+  if (auto limited = limit_sends(socket->get(), patience, path); !limited)
+    return tl::unexpected(limited.error());
   return socket;
 }
 

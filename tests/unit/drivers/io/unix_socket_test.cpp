@@ -4,21 +4,66 @@
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 #include <gmock/gmock.h>
+#include <poll.h>
+#include <signal.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 
+#include <atomic>
 #include <cstring>
 #include <fstream>
+#include <thread>
+#include <vector>
+
+#include "drivers/io/posix.hpp"
 
 namespace topo::io {
 namespace {
 
 using ::testing::HasSubstr;
 using types::Errc;
+using namespace std::chrono_literals;
+
+/// A signal to this thread every 2 ms, that interrupts what it waits in.
+class Interruptions {
+ public:
+  Interruptions() {
+    count = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { ++count; };
+    ::sigaction(SIGALRM, &action, &before_);
+    every(2ms);
+  }
+  ~Interruptions() {
+    every(0ms);
+    ::sigaction(SIGALRM, &before_, nullptr);
+  }
+  Interruptions(const Interruptions&) = delete;
+  Interruptions& operator=(const Interruptions&) = delete;
+
+  static inline std::atomic<int> count = 0;
+
+ private:
+  static void every(std::chrono::microseconds period) {
+    const itimerval timer{{0, period.count()}, {0, period.count()}};
+    ::setitimer(ITIMER_REAL, &timer, nullptr);
+  }
+  struct sigaction before_ {};
+};
 
 class UnixSocketTest : public ::testing::Test {
  protected:
   daemon::testing::TempDir folder;
+  /// As many clients as the kernel takes up for a daemon that takes up none.
+  std::vector<UniqueFd> crowd() const {
+    std::vector<UniqueFd> clients;
+    for (auto client = connect_unix(path, 1ms); client && clients.size() < 1000;
+         client = connect_unix(path, 1ms))
+      clients.push_back(std::move(*client));
+    return clients;
+  }
+
   std::string path = folder.file("s");
 };
 
@@ -72,6 +117,40 @@ TEST_F(UnixSocketTest, FileInTheWayIsNotTouched) {
   ASSERT_FALSE(listening.has_value());
   EXPECT_EQ(listening.error().code, Errc::kInvalidInput);
   EXPECT_EQ(std::filesystem::file_size(path), 8U);
+}
+
+// A signal is no answer, and no reason to wait for ever either.
+TEST_F(UnixSocketTest, SignalsWhileItWaitsChangeNothing) {
+  const auto listening = ListeningSocket::open(path);
+  ASSERT_TRUE(listening) << listening.error().message;
+  const auto clients = crowd();
+  const Interruptions interruptions;
+  const types::Stamp begin = monotonic_now();
+  const auto client = connect_unix(path, 50ms);
+  ASSERT_FALSE(client);
+  EXPECT_EQ(client.error().code, Errc::kTimeout) << client.error().message;
+  EXPECT_GE(monotonic_now() - begin, 50ms);
+  EXPECT_GT(Interruptions::count, 1);
+}
+
+TEST_F(UnixSocketTest, WhoWasInterruptedIsTakenUpAllTheSame) {
+  const auto listening = ListeningSocket::open(path);
+  ASSERT_TRUE(listening) << listening.error().message;
+  const auto clients = crowd();
+  sigset_t alarm, before;
+  ::sigemptyset(&alarm);
+  ::sigaddset(&alarm, SIGALRM);
+  ::pthread_sigmask(SIG_BLOCK, &alarm, &before);
+  const Interruptions interruptions;
+  std::thread daemon([&] {  // the signals are not for it
+    while (Interruptions::count < 3) std::this_thread::yield();
+    const UniqueFd taken(::accept(listening->fd(), nullptr, nullptr));
+  });
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  auto client = connect_unix(path, 20s);
+  daemon.join();
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_EQ(::send(client->get(), "?", 1, MSG_NOSIGNAL), 1);
 }
 
 TEST_F(UnixSocketTest, MissingFolderAndLongPath) {
