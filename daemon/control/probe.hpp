@@ -14,7 +14,7 @@ namespace topo::daemon {
 enum class Served {
   kNobody,    ///< no daemon, or none that we can reach
   kByHung,    ///< one that holds the socket and answers nothing: stopped, or stuck
-  kByLiving,  ///< one that answers
+  kByLiving,  ///< one that answers, or at least hangs up time and again
 };
 
 struct Probe {
@@ -22,7 +22,8 @@ struct Probe {
   pid_t pid = 0;  ///< of the daemon; 0: not known
 };
 
-/// Asks for the version, and waits `patience` for any answer. Blocks at most twice as long.
+/// Asks for the version, and waits `patience` for any answer. Who hangs up is asked again: a daemon that ends
+/// is nobody soon. Blocks at most three times as long.
 [[nodiscard]] Probe probe(const std::string& socket, types::Duration patience);
 
 }  // namespace topo::daemon

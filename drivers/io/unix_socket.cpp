@@ -48,11 +48,27 @@ const sockaddr* generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);  // as the socket calls want it
 }
 
+std::string lock_path_of(const std::string& path) { return path + ".lock"; }
+
+/// For fcntl(): the whole file.
+struct flock whole_file() {
+  struct flock range {};
+  range.l_type = F_WRLCK;
+  range.l_whence = SEEK_SET;
+  return range;
+}
+
+/// Two locks: the kernel tells who holds one of fcntl(), but a process that opens the file once more takes
+/// that one twice and loses it; one of flock() is safe from that, and nobody is told whose it is.
 Result<UniqueFd> take_lock(const std::string& path) {
-  const std::string lock_path = path + ".lock";
+  const std::string lock_path = lock_path_of(path);
   UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!lock.valid()) return fail_path(lock_path, "cannot be opened");
-  if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) return lock;
+  if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) {
+    struct flock range = whole_file();
+    static_cast<void>(::fcntl(lock.get(), F_SETLK, &range));  // without it our process is not known, no more
+    return lock;
+  }
   if (errno != EWOULDBLOCK) return fail_path(lock_path, "cannot be locked");
   return fail(Errc::kBusy,
               fmt::format("control socket {}: another process serves it; stop that one, or give this one "
@@ -119,6 +135,14 @@ Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mo
 ListeningSocket::~ListeningSocket() {
   // The lock file stays: removing it would let a third daemon lock a file that nobody else sees.
   if (socket_.valid()) ::unlink(path_.c_str());
+}
+
+pid_t serving_process(const std::string& path) {
+  const UniqueFd lock(::open(lock_path_of(path).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  struct flock range = whole_file();
+  if (!lock.valid() || ::fcntl(lock.get(), F_GETLK, &range) != 0) return 0;
+  // Anybody who may read the file can hold a read lock on it.
+  return range.l_type == F_WRLCK ? std::max(range.l_pid, 0) : 0;
 }
 
 Result<UniqueFd> connect_unix(const std::string& path, types::Duration patience) {

@@ -37,6 +37,10 @@ class ListeningSocket {
   std::string path_;
 };
 
+/// Whose ListeningSocket is there, be it one that takes nobody up; 0 when that is nobody's, our own, or that
+/// of a process that we cannot name.
+[[nodiscard]] pid_t serving_process(const std::string& path);
+
 /// Connects to who serves there. kNotFound: nobody does. kPermission: the file or its folder is closed to us.
 /// kTimeout: it took nobody up within `patience`, the longest that later sends wait, too.
 types::Result<UniqueFd> connect_unix(const std::string& path,

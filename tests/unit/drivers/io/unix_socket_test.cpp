@@ -87,6 +87,12 @@ TEST_F(UnixSocketTest, SecondDaemonIsRefused) {
   EXPECT_TRUE(connect_unix(path).has_value());  // the first one's socket is untouched
 }
 
+TEST_F(UnixSocketTest, NobodyServesWhereNobodyIs) {
+  EXPECT_EQ(serving_process(path), 0);
+  { const auto gone = ListeningSocket::open(path); }
+  EXPECT_EQ(serving_process(path), 0) << "its lock file has stayed";
+}
+
 TEST_F(UnixSocketTest, IsOpenToWhomItIsSaidToBe) {
   const auto mode_of = [this] { return std::filesystem::status(path).permissions(); };
   {
