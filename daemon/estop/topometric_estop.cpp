@@ -6,13 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include "daemon/app/command_line.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/control/probe.hpp"
 #include "daemon/estop/stop_robot.hpp"
-#include "drivers/io/unix_socket.hpp"
+#include "drivers/io/run_program.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {
@@ -30,8 +31,13 @@ constexpr types::Duration kPatience = std::chrono::milliseconds(200);
 /// stop_robot() is bounded; a name server that does not answer is not. Then the kernel ends us.
 constexpr unsigned kHardLimit_s = 2;
 
+/// Unlike fmt::print() it does not throw where nobody listens: the robot is to be stopped all the same.
+void tell(const std::string& message) {
+  static_cast<void>(std::fputs(("topometric-estop: " + message + "\n").c_str(), stderr));
+}
+
 int complain(const std::string& message, int status) {
-  fmt::print(stderr, "topometric-estop: {}\n", message);
+  tell(message);
   return status;
 }
 
@@ -53,14 +59,13 @@ int stop(const std::string& address) {
 
 /// A daemon that hangs may hold the port for itself: a serial one always, and many a bridge of TCP.
 int stop_beside(const std::string& socket, pid_t daemon, const std::string& address, bool force) {
-  fmt::print(stderr, "topometric-estop: the daemon on {}{} does not answer\n", socket,
-             daemon > 0 ? fmt::format(" (process {})", daemon) : "");
+  tell(fmt::format("the daemon on {}{} does not answer", socket,
+                   daemon > 0 ? fmt::format(" (process {})", daemon) : ""));
   if (force && (daemon <= 0 || ::kill(daemon, SIGKILL) != 0))
-    fmt::print(stderr, "topometric-estop: it cannot be ended: {}\n",
-               daemon <= 0 ? "it took nobody up, so its process is not known" : std::strerror(errno));
+    tell(fmt::format("it cannot be ended: {}",
+                     daemon <= 0 ? "its process is not known" : std::strerror(errno)));
   const int status = stop(address);
-  if (status != kOk && !force)
-    fmt::print(stderr, "topometric-estop: it may hold the port; --force ends it first\n");
+  if (status != kOk && !force) tell("it may hold the port; --force ends it first");
   return status;
 }
 
@@ -68,7 +73,7 @@ int stop_configured(const std::string& file, bool force) {
   const auto loaded = load_configuration(file);
   if (!loaded) return complain(loaded.error().message, kUsersFault);
   if (!loaded->faults.empty()) {
-    fmt::print(stderr, "{}", faults_text(*loaded));
+    static_cast<void>(std::fputs(faults_text(*loaded).c_str(), stderr));
     return kUsersFault;
   }
   // A port has one master: two that write to it make the robot jerk.
@@ -98,6 +103,7 @@ int start(int argc, char** argv) {
   if (const auto ended = parse_command_line(cli, "topometric-estop", argc, argv)) return *ended;
   if (config.empty() && address.empty())
     return complain("--config FILE or --address ADDRESS is missing (--help tells more)", kUsersFault);
+  ::signal(SIGPIPE, SIG_IGN);  // as with tell()
   ::alarm(kHardLimit_s);
   return config.empty() ? stop(address) : stop_configured(config, force);
 }
@@ -105,4 +111,6 @@ int start(int argc, char** argv) {
 }  // namespace
 }  // namespace topo::daemon
 
-int main(int argc, char** argv) { return topo::daemon::start(argc, argv); }
+int main(int argc, char** argv) {
+  return topo::io::run_program("topometric-estop", topo::daemon::start, argc, argv);
+}

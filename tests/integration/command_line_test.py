@@ -6,23 +6,27 @@
 usage: command_line_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]"""
 import os
 import pathlib
+import re
+import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 BIN = SOURCE = pathlib.Path()
+PROGRAMS = ("topometricd", "topoctl", "topometric-estop", "topobench", "toposim")
 
 
-def run(program, *arguments, stdout=subprocess.PIPE, **options):
-    return subprocess.run([BIN / program, *arguments], stdout=stdout, stderr=subprocess.PIPE, text=True, timeout=60,
-                          check=False, **options)
+def run(program, *arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options):
+    return subprocess.run([BIN / program, *arguments], stdout=stdout, stderr=stderr, text=True, timeout=60, check=False,
+                          **options)
 
 
 class Output(unittest.TestCase):
     def printers(self):
         yield "topometricd", "--config", SOURCE / "config" / "simulation.toml", "--print-config"
-        for program in ("topometricd", "topoctl", "topobench", "toposim"):
+        for program in PROGRAMS:
             yield program, "--help"
 
     def test_what_cannot_be_written_is_no_success(self):
@@ -39,6 +43,50 @@ class Output(unittest.TestCase):
                 done = run(*command, stdout=None, preexec_fn=lambda: os.close(1))
                 self.assertEqual(done.returncode, 1)
                 self.assertIn(command[0] + ": standard output: cannot be written", done.stderr)
+
+
+class StopWithoutListeners(unittest.TestCase):
+    """What topometric-estop has to say is heard by nobody, and the robot is stopped all the same."""
+
+    E_STOP = b"\xfa\xfb\x03\x37\x00\x37"
+
+    def written_to_the_base(self, **options):
+        """Beside a daemon that hangs, of which it speaks before it stops the robot."""
+        with tempfile.TemporaryDirectory() as folder, socket.socket(socket.AF_UNIX) as hung, \
+                socket.create_server(("127.0.0.1", 0)) as base:
+            hung.bind(folder + "/s")
+            hung.listen()
+            text = (SOURCE / "config" / "simulation.toml").read_text()
+            text = re.sub(r'"tcp:127.0.0.1:8101"', '"tcp:127.0.0.1:%d"' % base.getsockname()[1], text)
+            text = re.sub(r'"/tmp/topometric.sock"', '"%s/s"' % folder, text)
+            config = pathlib.Path(folder, "c.toml")
+            config.write_text(text)
+            base.settimeout(60)
+            heard = []
+
+            def hear():
+                with base.accept()[0] as client:
+                    while piece := client.recv(100):
+                        heard.append(piece)
+
+            listener = threading.Thread(target=hear, daemon=True)
+            listener.start()
+            run("topometric-estop", "--config", config, **options)
+            listener.join(60)
+            return b"".join(heard)
+
+    def test_on_a_full_disk(self):
+        with open("/dev/full", "w") as full:
+            self.assertIn(self.E_STOP, self.written_to_the_base(stdout=full, stderr=full))
+
+    def test_on_closed_streams(self):
+        self.assertIn(self.E_STOP, self.written_to_the_base(stdout=None, stderr=None, preexec_fn=lambda: os.closerange(0, 3)))
+
+    def test_on_a_pipe_that_nobody_reads(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        self.assertIn(self.E_STOP, self.written_to_the_base(stdout=writer, stderr=writer))
+        os.close(writer)
 
 
 class Words(unittest.TestCase):
@@ -83,9 +131,18 @@ class Words(unittest.TestCase):
                             (("explore", "--world", "w", "--radio", "foo"), "foo")):
             with self.subTest(words):
                 self.assertIn(said, self.refused("topobench", *words))
+        for words in (("--summary", "r", "--config", "c"), ("--summary", "r", "--check-config", "c"),
+                      ("--summary", "r", "--print-config"), ("--summary", "r", "--record", "s"),
+                      ("--summary", "r", "--replay", "s"), ("--check-config", "c", "--config", "d"),
+                      ("--check-config", "c", "--record", "r"), ("--check-config", "c", "--replay", "r")):
+            with self.subTest(words):
+                said = self.refused("topometricd", *words)
+                self.assertIn("excludes", said)
+                self.assertIn(words[0], said)
+                self.assertIn(words[2], said)
 
     def test_every_program_has_a_version(self):
-        for program in ("topometricd", "topoctl", "topobench", "toposim"):
+        for program in PROGRAMS:
             self.assertRegex(run(program, "--version").stdout, r"^%s \d+\.\d+\.\d+\n$" % program)
 
 
