@@ -156,10 +156,13 @@ int start(int argc, char** argv) {
       "Topometric's daemon: drives a Pioneer with Hokuyo scanners and maps what it sees.\n"
       "Exit status: 0 stopped in order, 1 failed, 2 wrong configuration or command line.");
   Arguments arguments;
-  cli.add_option("--config", arguments.config, "configuration file (see /usr/share/doc/topometric)");
-  cli.add_option("--check-config", arguments.check,
-                 "check a configuration file, print all its faults and exit");
-  cli.add_flag("--print-config", arguments.print, "print every effective value with its origin and exit");
+  auto* config =
+      cli.add_option("--config", arguments.config, "configuration file (see /usr/share/doc/topometric)");
+  auto* check = cli.add_option("--check-config", arguments.check,
+                               "check a configuration file, print all its faults and exit")
+                    ->excludes(config);
+  auto* print =
+      cli.add_flag("--print-config", arguments.print, "print every effective value with its origin and exit");
   auto* record =
       cli.add_option("--record", arguments.record, "record every byte from and to the devices into FILE");
   auto* replay = cli.add_option("--replay", arguments.replay,
@@ -168,7 +171,10 @@ int start(int argc, char** argv) {
   cli.add_option("--sessions", arguments.sessions,
                  "folder for the sessions of a replay, which leaves the robot's own alone")
       ->needs(replay);
-  cli.add_option("--summary", arguments.summary, "say what a recording holds and what it lost, and exit");
+  for (auto* used : {record, replay}) check->excludes(used);
+  auto* summary =
+      cli.add_option("--summary", arguments.summary, "say what a recording holds and what it lost, and exit");
+  for (auto* used : {config, check, print, record, replay}) summary->excludes(used);
   if (const auto ended = parse_command_line(cli, "topometricd", argc, argv)) return *ended;
   if (!arguments.summary.empty()) return summarise_recording(arguments.summary);
   LoadedConfiguration loaded;
