@@ -73,27 +73,31 @@ void SessionControl::release() {
 }
 
 std::string SessionControl::obstacle() const {
-  const bool dropped = stage_.load(std::memory_order_acquire) == Stage::kDropped;
-  return loading_ && asked_for_ && !dropped ? "a session is being loaded" : obstacle_;
+  return loading_ != nullptr && loading_->asked_for ? "a session is being loaded" : obstacle_;
 }
 
 Status SessionControl::begin_anew() {
   auto stage = Stage::kLookedAt;
-  const bool dropped = stage_.compare_exchange_strong(stage, Stage::kDropped, std::memory_order_acq_rel) ||
-                       stage == Stage::kDropped;
-  if (loading_ && !dropped) return fail(Errc::kBusy, "the session is being taken over at this moment");
-  if (loading_ || resuming_) spdlog::info("session: begun anew, on the operator's word");
+  if (loading_ != nullptr &&
+      !loading_->stage.compare_exchange_strong(stage, Stage::kDropped, std::memory_order_acq_rel))
+    return fail(Errc::kBusy, "the session is being taken over at this moment");
+  if (loading_ != nullptr || resuming_) spdlog::info("session: begun anew, on the operator's word");
+  loading_.reset();  // its job ends when it notices; what is asked for next waits behind it
   release();
   return {};
 }
 
-/// One at a time: who calls has looked at loading_.
-Status SessionControl::dispatch(Background::Job job) {
-  loading_ = true;
-  stage_.store(Stage::kLookedAt, std::memory_order_release);
-  auto added = files_.add(std::move(job));
-  if (!added) loading_ = false;
+/// One that is wanted at a time: who calls has looked at loading_. `job` is run with it in the background.
+template <class Job>
+Status SessionControl::dispatch(std::shared_ptr<Loading> loading, Job job) {
+  auto added = files_.add([loading, job = std::move(job)] { return job(loading); });
+  if (added) loading_ = std::move(loading);
   return added;
+}
+
+/// One that was dropped may have a successor.
+void SessionControl::end(const std::shared_ptr<Loading>& loading) {
+  if (loading_ == loading) loading_.reset();
 }
 
 Result<std::optional<SessionEntry>> SessionControl::wanted() const {
@@ -109,7 +113,7 @@ Result<std::optional<SessionEntry>> SessionControl::wanted() const {
 }
 
 /// What the daemon was told to go on with. One that stopped in order is not taken up again after "killed".
-SessionControl::Resumed SessionControl::try_resume() {
+SessionControl::Resumed SessionControl::try_resume(Loading& loading) {
   Resumed resumed;
   const auto entry = wanted();
   if (!entry) resumed.unusable = entry.error().message;
@@ -123,21 +127,20 @@ SessionControl::Resumed SessionControl::try_resume() {
   } else if (const Status sound = check_map(*file, (*entry)->path); !sound) {
     resumed.unusable = sound.error().message;
   } else {
-    resumed.loaded = go_on(*file, std::nullopt, true);
+    resumed.loaded = go_on(*file, loading);
   }
   return resumed;
 }
 
 void SessionControl::resume(types::Stamp now) {
-  asked_for_ = false;
   next_try_ = now + kTryAgain;
-  auto job = [this]() -> Background::Finish {
-    return [this, resumed = try_resume()] {
-      loading_ = false;
+  auto job = [this](const std::shared_ptr<Loading>& loading) -> Background::Finish {
+    return [this, loading, resumed = try_resume(*loading)] {
+      end(loading);
       if (resuming_) settle(resumed);
     };
   };
-  (void)dispatch(std::move(job));  // refused: tried again as after a search
+  (void)dispatch(std::make_shared<Loading>(), job);  // refused: tried again as after a search
 }
 
 void SessionControl::settle(const Resumed& resumed) {
@@ -222,12 +225,12 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
   if (!is_session_name(name))
     return done(
         fail(Errc::kInvalidInput, fmt::format("name: found \"{}\", expected a session's name", name)));
-  if (loading_) return done(fail(Errc::kBusy, "a session is being loaded already"));
-  asked_for_ = true;
-  auto job = [this, path = session_path(folder, name), name, pose, done]() -> Background::Finish {
-    const Result<Loaded> loaded = load_now(path, pose);
-    return [this, loaded, name, done] {
-      loading_ = false;
+  if (loading_ != nullptr) return done(fail(Errc::kBusy, "a session is being loaded already"));
+  auto job = [this, path = session_path(folder, name), name,
+              done](const std::shared_ptr<Loading>& loading) -> Background::Finish {
+    const Result<Loaded> loaded = load_now(path, *loading);
+    return [this, loading, loaded, name, done] {
+      end(loading);
       if (!loaded) return done(tl::unexpected(loaded.error()));
       release();
       tell(name, *loaded);
@@ -243,42 +246,44 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
                   {"theta_rad", loaded->T_map_base.theta_rad}}}});
     };
   };
-  if (const auto added = dispatch(std::move(job)); !added) done(tl::unexpected(added.error()));
+  auto loading = std::make_shared<Loading>();
+  loading->asked_for = true;
+  loading->near = pose;
+  if (const auto added = dispatch(std::move(loading), std::move(job)); !added)
+    done(tl::unexpected(added.error()));
 }
 
-Result<SessionControl::Loaded> SessionControl::load_now(const std::string& path,
-                                                        const std::optional<types::Se2>& pose) {
+Result<SessionControl::Loaded> SessionControl::load_now(const std::string& path, Loading& loading) {
   const auto file = load_session(path);
   if (!file) return tl::unexpected(file.error());
   if (const Status sound = check_map(*file, path); !sound) return tl::unexpected(sound.error());
-  return go_on(*file, pose, false);
+  return go_on(*file, loading);
 }
 
 /// Precondition: check_map().
-Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file,
-                                                     const std::optional<types::Se2>& pose, bool hint) {
+Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file, Loading& loading) {
   SessionAsk ask;
   ask.sighting = true;
   const auto news = client_.ask(ask, kPatience);
   if (news == nullptr) return fail(Errc::kTimeout, "the mapping thread does not answer");
   if (news->session.keyframes.empty()) return fail(Errc::kBusy, "no scan came since the start");
   const slam::Session session = claimed(file.session, configuration_.robot.id);
-  const auto found = place(session, *news, pose, hint);
+  const auto found = place(session, *news, loading);
   if (!found) return tl::unexpected(found.error());
-  if (auto s = hand_over(session, *news, found->match); !s) return tl::unexpected(s.error());
+  if (auto s = hand_over(session, *news, found->match, loading); !s) return tl::unexpected(s.error());
   return Loaded{
       session.keyframes.size(), file.closed, file.params_hash != params_hash_, lacks(file), describe(*found),
       found->match.T_map_base};
 }
 
-/// Where the newest scan is in the session. `hint`: when two places look alike, a robot that was only
-/// restarted is where the session's path ended.
+/// Where the newest scan is in the session. When two places look alike, a robot that was only restarted is
+/// where the session's path ended.
 Result<slam::Localisation> SessionControl::place(const slam::Session& session, const SessionNews& news,
-                                                 const std::optional<types::Se2>& pose, bool hint) const {
+                                                 const Loading& loading) const {
   const slam::MapperParams params = mapper_params(configuration_);
-  slam::Localisation found = pose ? slam::localise_near(session, news.cloud, *pose, params)
-                                  : slam::localise_anywhere(session, news.cloud, params);
-  if (!found.found() && found.refusal != slam::LocaliseRefusal::kNothingFits && hint) {
+  slam::Localisation found = loading.near ? slam::localise_near(session, news.cloud, *loading.near, params)
+                                          : slam::localise_anywhere(session, news.cloud, params);
+  if (!found.found() && found.refusal != slam::LocaliseRefusal::kNothingFits && !loading.asked_for) {
     slam::LocaliseParams last;  // it rolled on until the firmware's watchdog or the helper stopped it
     last.window = {3.0, 1.0};
     last.guess_sigma_m = 1.5;
@@ -291,7 +296,7 @@ Result<slam::Localisation> SessionControl::place(const slam::Session& session, c
 
 /// Draws the map here, so that the mapping thread only has to take it.
 Status SessionControl::hand_over(const slam::Session& session, const SessionNews& news,
-                                 const slam::Match& match) {
+                                 const slam::Match& match, Loading& loading) {
   auto* slot = hand_overs_.take_over.try_acquire();
   if (slot == nullptr)
     return fail(Errc::kBusy, "the mapping thread has not taken the session before over yet");
@@ -300,7 +305,7 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
       slam::Arrival{news.cloud, news.T_odom_base, match.T_map_base, match.scan_information},
       new_maker(configuration_.robot.id));
   auto stage = Stage::kLookedAt;
-  if (!stage_.compare_exchange_strong(stage, Stage::kHandedOver, std::memory_order_acq_rel)) {
+  if (!loading.stage.compare_exchange_strong(stage, Stage::kHandedOver, std::memory_order_acq_rel)) {
     slot->content.reset();
     return fail(Errc::kBusy, "a map was begun anew meanwhile (topoctl session new)");
   }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -64,26 +65,35 @@ class SessionControl {
     std::string unusable;                         ///< why what it names cannot be read; empty: it can
     std::optional<types::Result<Loaded>> loaded;  ///< nothing: unusable, or there is none to go on with
   };
-  /// How far the session is that is on its way; there is one at a time.
+  /// How far a session is that is on its way.
   enum class Stage : std::uint8_t {
     kLookedAt,    ///< can be dropped
     kHandedOver,  ///< is or will be the map
     kDropped,     ///< nobody wants it any more
   };
-  types::Status dispatch(Background::Job job);
+  /// A session that is to become the map. Both threads hold it.
+  struct Loading {
+    bool asked_for = false;          ///< by the operator; else by session.resume
+    std::optional<types::Se2> near;  ///< where the robot is looked for; nothing: anywhere
+    std::atomic<Stage> stage{Stage::kLookedAt};
+  };
+  template <class Job>
+  types::Status dispatch(std::shared_ptr<Loading> loading, Job job);
+  void end(const std::shared_ptr<Loading>& loading);
   void resume(types::Stamp now);
   void settle(const Resumed& resumed);
   void hold_back(const std::string& why);
   static void tell(const std::string& name, const Loaded& loaded);
   void release();
   // On the background thread.
-  Resumed try_resume();
+  Resumed try_resume(Loading& loading);
   types::Result<Json> save_now(const std::string& path);
-  types::Result<Loaded> load_now(const std::string& path, const std::optional<types::Se2>& pose);
-  types::Result<Loaded> go_on(const LoadedSession& file, const std::optional<types::Se2>& pose, bool hint);
+  types::Result<Loaded> load_now(const std::string& path, Loading& loading);
+  types::Result<Loaded> go_on(const LoadedSession& file, Loading& loading);
   types::Result<slam::Localisation> place(const slam::Session& session, const SessionNews& news,
-                                          const std::optional<types::Se2>& pose, bool hint) const;
-  types::Status hand_over(const slam::Session& session, const SessionNews& news, const slam::Match& match);
+                                          const Loading& loading) const;
+  types::Status hand_over(const slam::Session& session, const SessionNews& news, const slam::Match& match,
+                          Loading& loading);
   /// The session that session.resume names; nothing when there is none to go on with.
   types::Result<std::optional<SessionEntry>> wanted() const;
 
@@ -92,12 +102,10 @@ class SessionControl {
   Background& files_;
   SessionClient client_;  ///< background thread
   std::uint64_t params_hash_;
-  std::string obstacle_;                        ///< because of session.resume
-  bool held_back_ = false;                      ///< it was tried in vain
-  bool resuming_ = false;                       ///< session.resume is not settled yet
-  bool loading_ = false;                        ///< a job of ours is under way
-  bool asked_for_ = false;                      ///< by the operator
-  std::atomic<Stage> stage_{Stage::kLookedAt};  ///< of that job
+  std::string obstacle_;              ///< because of session.resume
+  bool held_back_ = false;            ///< it was tried in vain
+  bool resuming_ = false;             ///< session.resume is not settled yet
+  std::shared_ptr<Loading> loading_;  ///< null: none that is wanted
   types::Stamp next_try_{};
   JournalReport journal_;
 };

@@ -94,19 +94,30 @@ TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByASessionThatIsStillLo
   load(control, "room");
   ASSERT_TRUE(control.begin_anew());
   EXPECT_EQ(control.obstacle(), "");
-  load(control, "room");  // the one before is in hand still
-  EXPECT_TRUE(answer && !*answer);
-  answer.reset();
   ASSERT_TRUE(serve_until_answered());
   EXPECT_EQ(hand_overs->take_over.front(), nullptr);
   ASSERT_FALSE(*answer);
   EXPECT_EQ(answer->error().code, types::Errc::kBusy);
-  answer.reset();
-  load(control, "room");  // and on the operator's word after that it is gone on with
+}
+
+TEST_F(SessionControlTest, OneThatWasDroppedKeepsNoOtherOut) {
+  SessionControl control(configuration, *hand_overs, files);
+  std::optional<types::Result<Json>> dropped;
+  control.load("room", {}, [&](const types::Result<Json>& r) { dropped = r; });
+  ASSERT_TRUE(control.begin_anew());
+  load(control, "room");  // on the operator's word; the one before is in hand still
+  EXPECT_EQ(control.obstacle(), "a session is being loaded");
   ASSERT_TRUE(serve_until_handed_over());
+  ASSERT_TRUE(dropped);
+  EXPECT_FALSE(*dropped);
+  EXPECT_EQ(control.obstacle(), "a session is being loaded") << "the end of the one before is not its end";
+  EXPECT_FALSE(control.begin_anew()) << "nor does it make it one that can be dropped";
+  load(control, "room");
+  ASSERT_TRUE(answer && !*answer) << "one at a time";
+  answer.reset();
   take_over();
   ASSERT_TRUE(serve_until_answered());
-  EXPECT_TRUE(*answer);
+  EXPECT_TRUE(*answer) << answer->error().message;
 }
 
 TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByTheSessionToResume) {
