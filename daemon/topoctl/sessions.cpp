@@ -28,7 +28,7 @@ std::string loaded_text(const Json& answer) {
                                  number_of(answer, "keyframes"), text_at(answer, "/place"));
   if (const auto other = answer.find("other_parameters"); other != answer.end() && *other == true)
     text += "(it was made with other parameters of the mapper or places of the scanners)\n";
-  if (const std::string damage = text_at(answer, "/damage"); !damage.empty() && damage != "-")
+  if (const std::string damage = text_at(answer, "/damage"); is_said(damage))
     text += fmt::format("(its file is not whole: {})\n", damage);
   return text;
 }
@@ -43,9 +43,9 @@ std::string sessions_table(const Json& answer) {
   for (const Json& session : *sessions) {
     const auto written = static_cast<std::time_t>(number_of(session, "written_s"));
     const std::string fault = text_at(session, "/fault");
-    text += fmt::format("{:<36} {:>10.1f}  {:%Y-%m-%d %H:%M:%S}{}{}\n", text_at(session, "/name"),
+    text += fmt::format("{:<36} {:>10.1f}  {:%Y-%m-%d %H:%M:%S}{}\n", text_at(session, "/name"),
                         static_cast<double>(number_of(session, "bytes")) / 1e3, fmt::gmtime(written),
-                        fault.empty() || fault == "-" ? "" : "  no session: ", fault == "-" ? "" : fault);
+                        is_said(fault) ? "  no session: " + fault : "");
   }
   return text;
 }

@@ -35,8 +35,8 @@ std::string number(const Json& json, const char* path, int decimals) {
 /// Nothing where no session is kept.
 std::string session_row(const Json& session) {
   const std::string folder = text(session, "/folder"), obstacle = text(session, "/obstacle");
-  if (folder.empty() || folder == "-") return {};
-  if (!obstacle.empty() && obstacle != "-") return row("session", obstacle);
+  if (!is_said(folder)) return {};
+  if (is_said(obstacle)) return row("session", obstacle);
   if (text(session, "/journal/failing") == "yes") {
     return row("session", fmt::format("NOT being kept, {} failures: {}", text(session, "/journal/failures"),
                                       text(session, "/journal/message")));
@@ -44,6 +44,13 @@ std::string session_row(const Json& session) {
   const std::string name = text(session, "/journal/name");
   if (name.empty()) return row("session", "nothing to be kept yet");
   return row("session", fmt::format("{} keyframes in {}", text(session, "/journal/keyframes"), name));
+}
+
+/// The daemon has 0 for a voltage that the base does not report.
+std::string battery_text(const Json& status) {
+  const Json& battery_v = at(status, "/battery_v");
+  const bool reported = battery_v.is_number() && battery_v.get<double>() > 0.0;
+  return reported ? number(status, "/battery_v", 1) + " V" : "voltage not reported";
 }
 
 std::string point_text(const Json& json) {
@@ -76,11 +83,12 @@ std::string text_at(const Json& json, const char* path) {
   return "-";
 }
 
+bool is_said(std::string_view text) { return !text.empty() && text != "-"; }
+
 std::string mission_text(const Json& mission) {
   const std::string reason = text(mission, "/reason");
-  return fmt::format("mission {} ({}) {}{}{}; {} s, {} m driven\n", text(mission, "/number"),
-                     text(mission, "/order"), text(mission, "/state"),
-                     reason.empty() || reason == "-" ? "" : ": ", reason == "-" ? "" : reason,
+  return fmt::format("mission {} ({}) {}{}; {} s, {} m driven\n", text(mission, "/number"),
+                     text(mission, "/order"), text(mission, "/state"), is_said(reason) ? ": " + reason : "",
                      number(mission, "/elapsed_s", 0), number(mission, "/distance_m", 1));
 }
 
@@ -154,7 +162,7 @@ std::string status_table(const Json& status) {
   out += row("odometry", pose_text(status, "/odometry"));
   out += row("speed", fmt::format("{} m/s, {} rad/s", text(status, "/twist/v_mps"),
                                   text(status, "/twist/omega_radps")));
-  out += row("battery", text(status, "/battery_v") + " V");
+  out += row("battery", battery_text(status));
   out += row("map", fmt::format("revision {}, {} keyframes, {} closures", text(status, "/map/revision"),
                                 text(status, "/map/keyframes"), text(status, "/map/closures/accepted")));
   out += row("scans", fmt::format("{} matched, {} lost, {} skipped", text(status, "/map/scans_matched"),

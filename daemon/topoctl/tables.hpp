@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "daemon/control/json_rpc.hpp"
 
@@ -25,5 +26,7 @@ std::string watch_line(const Json& status);
 
 /// The member at a path such as "/map/keyframes" as text: "yes" and "no", three decimals; "-" without it.
 std::string text_at(const Json& json, const char* path);
+/// Whether such a text is one: not "-", nor empty.
+bool is_said(std::string_view text);
 
 }  // namespace topo::daemon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/topoctl/tables.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace topo::daemon {
@@ -55,6 +56,22 @@ TEST(Tables, StatusSaysHowTheSessionFares) {
   EXPECT_THAT(status_table(status), Not(HasSubstr("session")));
 }
 
+TEST(Tables, StatusGivesNoVoltageThatIsNotReported) {
+  EXPECT_THAT(status_table({{"battery_v", 12.64}}), HasSubstr("battery     12.6 V\n"));
+  EXPECT_THAT(status_table({{"battery_v", 0.0}}), HasSubstr("battery     voltage not reported\n"));
+  EXPECT_THAT(status_table(Json::object()), HasSubstr("battery     voltage not reported\n"));
+}
+
+TEST(Tables, ASessionsFaultIsSaid) {
+  Json answer{{"folder", "/s"}, {"sessions", {{{"name", "room"}, {"bytes", 1000}, {"written_s", 0}}}}};
+  const std::string row = fmt::format("{:<36} {:>10}  1970-01-01 00:00:00", "room", "1.0");
+  EXPECT_THAT(sessions_table(answer), HasSubstr(row + "\n"));
+  answer["sessions"][0]["fault"] = "";
+  EXPECT_THAT(sessions_table(answer), HasSubstr(row + "\n"));
+  answer["sessions"][0]["fault"] = "too short";
+  EXPECT_THAT(sessions_table(answer), HasSubstr(row + "  no session: too short\n"));
+}
+
 TEST(Tables, DoctorNamesTheCureOfWhatIsBad) {
   const Json doctor{{"checks",
                      {{{"check", "base"}, {"ok", true}, {"found", "ready"}, {"cure", ""}},
@@ -67,6 +84,9 @@ TEST(Tables, Mission) {
   const Json mission{{"number", 2},      {"order", "explore"}, {"state", "failed"},
                      {"reason", "lost"}, {"elapsed_s", 10.0},  {"distance_m", 1.0}};
   EXPECT_EQ(mission_text(mission), "mission 2 (explore) failed: lost; 10 s, 1.0 m driven\n");
+  for (const char* none : {"", "-"}) {
+    EXPECT_EQ(mission_text({{"reason", none}}), "mission - (-) -; - s, - m driven\n");
+  }
 }
 
 }  // namespace
