@@ -19,6 +19,7 @@ constexpr double kLeavesView_rad = 0.6;  // so near to the end of the view a poi
 constexpr double kSpacing_m = 0.02;      // of neighbours that are kept
 constexpr double kMoverRim_m = 0.15;     // around what moves: a leg beside the other
 constexpr double kJump_m = 0.25;         // between two scans: the reckoning began anew
+constexpr double kJump_rad = 1.0;        // the same, on the spot
 constexpr types::Duration kKept = std::chrono::seconds(60);
 
 /// From the middle of what the scanner sees to a point, radians, and half of what it sees.
@@ -29,8 +30,14 @@ double off_middle_rad(const types::Scan& scan, const Vector2& p_laser) {
   return std::abs(types::wrap_angle(std::atan2(p_laser.y(), p_laser.x()) - middle_rad));
 }
 
+/// Of a scanner that is mounted upside down, too: its beams come clockwise.
 double half_view_rad(const types::Scan& scan) {
-  return 0.5 * static_cast<double>(scan.geometry.angle_increment_rad) * (scan.beams - 1);
+  return 0.5 * std::abs(static_cast<double>(scan.geometry.angle_increment_rad)) * (scan.beams - 1);
+}
+
+bool goes_on(const Se2& before, const Se2& now) {
+  return types::distance_m(before, now) < kJump_m &&
+         std::abs(types::wrap_angle(now.theta_rad - before.theta_rad)) < kJump_rad;
 }
 
 bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving) {
@@ -46,19 +53,28 @@ void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
   const Se2 T_laser_odom = T_odom_laser.inverse();
   const double half_rad = half_view_rad(scan);
   const auto is_over = [&](const Seen& s) {
-    return (s.p_odom - at_odom_).squaredNorm() > kReach_m * kReach_m || scan.first_beam - s.last > kKept ||
-           off_middle_rad(scan, T_laser_odom * s.p_odom) < half_rad;
+    return (s.p_odom - T_odom_base_.translation()).squaredNorm() > kReach_m * kReach_m ||
+           scan.arrival - s.last > kKept || off_middle_rad(scan, T_laser_odom * s.p_odom) < half_rad;
   };
   const auto end = std::remove_if(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(size_), is_over);
   size_ = static_cast<std::size_t>(end - seen_.begin());
 }
 
-void BlindSpot::keep(const Se2& T_odom_base, const Vector2& p_base, types::Stamp seen) {
+/// One of each place: what leaves the view bit by bit has no room for the rest.
+void BlindSpot::keep(const Vector2& p_odom, types::Stamp seen) {
+  const auto end = seen_.begin() + static_cast<std::ptrdiff_t>(size_);
+  const auto there = std::find_if(seen_.begin(), end, [&](const Seen& s) {
+    return (s.p_odom - p_odom).squaredNorm() < kSpacing_m * kSpacing_m;
+  });
+  if (there != end) {
+    there->last = seen;
+    return;
+  }
   if (size_ == kMax) {
     std::move(seen_.begin() + 1, seen_.end(), seen_.begin());
     --size_;
   }
-  seen_[size_++] = {T_odom_base * p_base, seen};
+  seen_[size_++] = {p_odom, seen};
 }
 
 void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::span<const ScanPoint> points,
@@ -67,19 +83,16 @@ void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::sp
   if (scan.first_beam == scan_ || scan.beams == 0) return;
   scan_ = scan.first_beam;
   const Se2 T_odom_base = pose_at(odometry, scan.first_beam);
-  if (!((T_odom_base.translation() - at_odom_).norm() < kJump_m)) size_ = 0;
-  at_odom_ = T_odom_base.translation();
+  if (!goes_on(T_odom_base_, T_odom_base)) size_ = 0;
+  T_odom_base_ = T_odom_base;
   forget(scan, T_odom_base * T_base_laser);
   const Se2 T_laser_base = T_base_laser.inverse();
   const double leaves_rad = half_view_rad(scan) - kLeavesView_rad;
-  Vector2 last(HUGE_VAL, HUGE_VAL);
   for (const ScanPoint& point : points) {
     const Vector2& p = point.p_base;
     if (p.squaredNorm() > kReach_m * kReach_m || contains(outline, p)) continue;
-    if ((p - last).squaredNorm() < kSpacing_m * kSpacing_m) continue;
     if (off_middle_rad(scan, T_laser_base * p) < leaves_rad || moves(p, moving)) continue;
-    last = p;
-    keep(T_odom_base, p, scan.first_beam);
+    keep(T_odom_base * p, scan.arrival);
   }
 }
 

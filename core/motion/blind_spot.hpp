@@ -35,15 +35,15 @@ class BlindSpot {
  private:
   struct Seen {
     types::Vector2 p_odom{0.0, 0.0};
-    types::Stamp last{};
+    types::Stamp last{};  ///< by arrival, as staleness is judged
   };
   void forget(const types::Scan& scan, const types::Se2& T_odom_laser);
-  void keep(const types::Se2& T_odom_base, const types::Vector2& p_base, types::Stamp seen);
+  void keep(const types::Vector2& p_odom, types::Stamp seen);
 
-  std::array<Seen, kMax> seen_{};  ///< of the newest scan last
+  std::array<Seen, kMax> seen_{};  ///< what came last is last
   std::size_t size_ = 0;
   types::Stamp scan_{};
-  types::Vector2 at_odom_{0.0, 0.0};
+  types::Se2 T_odom_base_;
 };
 
 }  // namespace topo::motion
