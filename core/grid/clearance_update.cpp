@@ -3,6 +3,7 @@
 #include "core/grid/clearance_update.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -17,6 +18,9 @@ bool are_same(const T* a, const T* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(T)) == 0;
 }
 
+/// Columns that are measured together: a row of them is a cache line.
+constexpr std::size_t kStripWidth = 32;
+
 /// Cells [from, end) of a row.
 struct Cells {
   int from, end;
@@ -30,6 +34,14 @@ struct RowRenewal {
   std::vector<float> was_m, now_m;
 };
 
+/// Distances along the columns of some columns side by side, row by row.
+struct Strip {
+  std::size_t first = 0, width = 0;
+  std::vector<Steps> steps;
+
+  [[nodiscard]] const Steps* row(std::size_t y) const { return &steps[y * width]; }
+};
+
 }  // namespace
 
 /// The map taken last, and its distances with what they were made of. Outside of it all is unknown, and so it
@@ -38,14 +50,13 @@ struct ClearanceUpdate::Impl {
   CellBox box;
   double resolution_m = 0.0;
   std::vector<CellState> cells;
-  std::vector<Steps> from_above;  ///< distance along the column to the next boundary above
-  std::vector<Steps> steps;       ///< to the nearest one
+  std::vector<Steps> steps;  ///< distance along the column to the nearest boundary
   std::vector<float> clearance_m;
   std::optional<std::vector<std::uint32_t>> changed;
 
   void lay_out(const DenseMap& map);
-  /// Rows whose distances from above are other ones.
-  [[nodiscard]] std::vector<bool> renew_from_above(const DenseMap& map);
+  [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
+  void measure(Strip& strip) const;
   void renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal);
   Cells renew_around(Cells there, const Steps* row, float* row_m, int width, RowRenewal& renewal) const;
 };
@@ -57,29 +68,48 @@ void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   if (is_same && box == map.box) return;
   const CellBox before = is_same ? box : CellBox{};
   cells = over_box(cells, before, map.box);
-  from_above = over_box(from_above, before, map.box);
   steps = over_box(steps, before, map.box);
   clearance_m = over_box(clearance_m, before, map.box);
   box = map.box;
   resolution_m = map.resolution_m;
 }
 
-std::vector<bool> ClearanceUpdate::Impl::renew_from_above(const DenseMap& map) {
-  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  std::vector<bool> renewed(height, false);
-  const std::vector<Steps> outside(width, 0);
-  std::vector<Steps> now(width);
-  for (std::size_t y = height; y-- > 0;) {
-    const std::size_t at = y * width;
-    const bool is_other = !are_same(&map.cells[at], &cells[at], width);
-    if (!is_other && (y + 1 == height || !renewed[y + 1])) continue;
-    std::copy_n(&map.cells[at], width, &cells[at]);
-    const Steps* const above = y + 1 == height ? outside.data() : &from_above[at + width];
-    steps_on<Boundary::kOccupiedOrUnknown>(&cells[at], above, now.data(), width);
-    renewed[y] = !are_same(now.data(), &from_above[at], width);
-    if (renewed[y]) std::copy_n(now.data(), width, &from_above[at]);
+/// Takes the map's cells; returns the strips of columns in which one is another, not measured yet.
+std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map) {
+  const auto width = static_cast<std::size_t>(map.width());
+  std::vector<bool> other((width - 1) / kStripWidth + 1, false);
+  for (std::size_t row = 0; row < cells.size(); row += width) {
+    if (are_same(&map.cells[row], &cells[row], width)) continue;
+    for (std::size_t s = 0; s < other.size(); ++s) {
+      const std::size_t x = s * kStripWidth, at = row + x, count = std::min(kStripWidth, width - x);
+      other[s] = other[s] || !are_same(&map.cells[at], &cells[at], count);
+    }
+    std::copy_n(&map.cells[row], width, &cells[row]);
   }
-  return renewed;
+  std::vector<Strip> strips;
+  for (std::size_t s = 0; s < other.size(); ++s) {
+    if (other[s]) strips.push_back({s * kStripWidth, std::min(kStripWidth, width - s * kStripWidth), {}});
+  }
+  return strips;
+}
+
+/// From below first, then from above.
+void ClearanceUpdate::Impl::measure(Strip& strip) const {
+  const auto width = static_cast<std::size_t>(box.width()), height = static_cast<std::size_t>(box.height());
+  const std::array<Steps, kStripWidth> outside{};
+  strip.steps.resize(strip.width * height);
+  const Steps* beside = outside.data();
+  for (std::size_t y = 0; y < height; ++y) {
+    Steps* const row = &strip.steps[y * strip.width];
+    steps_on<Boundary::kOccupiedOrUnknown>(&cells[y * width + strip.first], beside, row, strip.width);
+    beside = row;
+  }
+  beside = outside.data();
+  for (std::size_t y = height; y-- > 0;) {
+    Steps* const row = &strip.steps[y * strip.width];
+    steps_back(beside, row, strip.width);
+    beside = row;
+  }
 }
 
 /// `now`: the distances along the columns of the row that begins at cell `at`.
@@ -155,19 +185,20 @@ void ClearanceUpdate::take(const DenseMap& map) {
   Impl& impl = *impl_;
   impl.lay_out(map);
   if (map.cells.empty()) return;
-  const std::vector<bool> renewed = impl.renew_from_above(map);
-  const auto width = static_cast<std::size_t>(map.width());
-  const std::vector<Steps> outside(width, 0);
+  std::vector<Strip> strips = impl.renew_cells(map);
+  for (Strip& strip : strips) impl.measure(strip);
+  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
   std::vector<Steps> now(width);
   RowRenewal renewal(width, map.resolution_m);
-  bool below_is_other = false;
-  for (std::size_t y = 0; y < renewed.size(); ++y) {
-    if (!renewed[y] && !below_is_other) continue;
+  for (std::size_t y = 0; y < height; ++y) {
     const std::size_t at = y * width;
-    std::copy_n(&impl.from_above[at], width, now.data());
-    steps_back(y == 0 ? outside.data() : &impl.steps[at - width], now.data(), width);
-    below_is_other = !are_same(now.data(), &impl.steps[at], width);
-    if (below_is_other) impl.renew_row(at, now, renewal);
+    const auto is_other = [&](const Strip& strip) {
+      return !are_same(strip.row(y), &impl.steps[at + strip.first], strip.width);
+    };
+    if (std::ranges::none_of(strips, is_other)) continue;
+    std::copy_n(&impl.steps[at], width, now.data());
+    for (const Strip& strip : strips) std::copy_n(strip.row(y), strip.width, &now[strip.first]);
+    impl.renew_row(at, now, renewal);
   }
 }
 
