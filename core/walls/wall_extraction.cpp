@@ -4,6 +4,7 @@
 #include "core/walls/wall_extraction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -222,10 +223,11 @@ class WallFinder {
 };
 
 bool on_surface(const grid::DenseMap& map, grid::CellIndex cell) {
-  const auto solid = [&](int dx, int dy) {
-    return map.state({cell.x + dx, cell.y + dy}) == grid::CellState::kOccupied;
-  };
-  return !(solid(1, 0) && solid(-1, 0) && solid(0, 1) && solid(0, -1));
+  if (map.is_on_border(cell)) return true;  // all is unknown outside
+  const std::ptrdiff_t up = map.width();
+  const grid::CellState* const at = &map.cells[map.index(cell)];
+  return std::ranges::any_of(std::array{std::ptrdiff_t{1}, std::ptrdiff_t{-1}, up, -up},
+                             [at](std::ptrdiff_t by) { return at[by] != grid::CellState::kOccupied; });
 }
 
 }  // namespace
