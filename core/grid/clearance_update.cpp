@@ -149,27 +149,11 @@ Cells ClearanceUpdate::Impl::renew_around(Cells there, const Steps* row, float* 
   // What is no farther from its nearest boundary than from there has none nearer there, and had none; beyond
   // it the less so, because distance rises by a cell a cell at most. Half a cell for rounding.
   const auto reaches = [&](int x, int away) { return row_m[x] > (static_cast<float>(away) - 0.5F) * cell_m; };
-  const auto is_open = [&](int x) { return x >= 0 && x < width && row[x] != 0; };
   Cells other = there;
   while (other.from > 0 && reaches(other.from - 1, there.from - other.from + 1)) --other.from;
   while (other.end < width && reaches(other.end, other.end - there.end + 1)) ++other.end;
-  // By the same rule the nearest boundary of these is no farther beyond an end than that of the cell there.
-  const auto reach_of = [&](int x) {
-    return x >= 0 && x < width ? static_cast<int>(row_m[x] / cell_m) + 2 : 0;
-  };
-  const int from = other.from - reach_of(other.from - 1), end = other.end + reach_of(other.end);
-  for (int x = other.from; x < other.end;) {
-    if (!is_open(x)) {
-      renewal.now_m[static_cast<std::size_t>(x++)] = 0.0F;
-      continue;
-    }
-    Cells run{x, x};
-    while (is_open(run.from - 1) && run.from > from) --run.from;
-    while (is_open(run.end) && run.end < end) ++run.end;
-    renewal.pass.open_cells(row, run.from, run.end, !is_open(run.from - 1), !is_open(run.end),
-                            renewal.now_m.data());
-    x = run.end;
-  }
+  std::fill(renewal.now_m.begin() + other.from, renewal.now_m.begin() + other.end, 0.0F);
+  renewal.pass.cells(row, other.from, other.end, renewal.now_m.data());
   std::copy(renewal.now_m.begin() + other.from, renewal.now_m.begin() + other.end, row_m + other.from);
   return other;
 }

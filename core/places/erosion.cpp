@@ -9,6 +9,7 @@
 #include "core/places/fate.hpp"
 #include "core/places/first_fates.hpp"
 #include "core/places/settling.hpp"
+#include "core/places/sparse_scan.hpp"
 
 namespace topo::places {
 namespace {
@@ -81,8 +82,21 @@ Erosion carried_over(Erosion before, const DenseMap& map) {
   return erosion;
 }
 
-/// Puts the cells that are kept in the order of their turns, within one by number, after some were settled
-/// with another turn or outcome, which may be listed repeatedly.
+/// Cells that are kept, in the order of their turns: within one by number.
+std::vector<std::uint32_t> kept_in_order(std::span<const Fate> fates) {
+  std::vector<std::uint32_t> cells, ends((kBuckets << 1U) + 1, 0);
+  const auto turn = [&](std::uint32_t i) { return static_cast<std::size_t>(fates[i] >> kTurnShift); };
+  for_each_with(Erosion::kKept, fates,
+                [&](std::size_t i) { cells.push_back(static_cast<std::uint32_t>(i)); });
+  for (const std::uint32_t cell : cells) ++ends[turn(cell) + 1];
+  for (std::size_t t = 0; t + 1 < ends.size(); ++t) ends[t + 1] += ends[t];
+  std::vector<std::uint32_t> kept(cells.size());
+  // What was a turn's beginning is its end when it is full.
+  for (const std::uint32_t cell : cells) kept[ends[turn(cell)]++] = cell;
+  return kept;
+}
+
+/// The same after some cells were settled with another turn or outcome, which may be listed repeatedly.
 void renew_kept(std::span<const std::uint32_t> settled, Erosion& erosion) {
   auto& fates = erosion.fates;
   for (const std::uint32_t i : settled) fates[i] |= kQueued;  // a mark: nobody queues any more
@@ -117,7 +131,7 @@ Erosion erode(const DenseMap& map, std::span<const float> clearance_m) {
   Settling settling(map, erosion.fates);
   for (const std::uint32_t i : assume_fates(map, clearance_m, erosion.fates)) settling.doubt(i);
   settling.settle_all();
-  renew_kept(settling.others(), erosion);
+  erosion.kept = kept_in_order(erosion.fates);
   return erosion;
 }
 
