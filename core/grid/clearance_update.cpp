@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "core/grid/box_array.hpp"
@@ -26,12 +27,22 @@ struct Cells {
   int from, end;
 };
 
+/// Adds cells to disjoint ones; both come in rising order of where they begin, all but.
+void unite(Cells more, std::vector<Cells>& cells) {
+  while (!cells.empty() && more.from <= cells.back().end) {
+    more = {std::min(more.from, cells.back().from), std::max(more.end, cells.back().end)};
+    cells.pop_back();
+  }
+  cells.push_back(more);
+}
+
 /// What it takes to renew rows, one after the other.
 struct RowRenewal {
   RowRenewal(std::size_t width, double resolution_m) : pass(width, resolution_m, false), now_m(width) {}
 
   RowPass pass;
-  std::vector<float> was_m, now_m;
+  std::vector<float> now_m;
+  std::vector<Cells> reached;
 };
 
 /// Distances along the columns of some columns side by side, row by row.
@@ -57,8 +68,8 @@ struct ClearanceUpdate::Impl {
   void lay_out(const DenseMap& map);
   [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
   void measure(Strip& strip) const;
-  void renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal);
-  Cells renew_around(Cells there, const Steps* row, float* row_m, int width, RowRenewal& renewal) const;
+  void renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal);
+  [[nodiscard]] Cells reached_from(Cells there, const float* row_m) const;
 };
 
 void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
@@ -112,49 +123,44 @@ void ClearanceUpdate::Impl::measure(Strip& strip) const {
   }
 }
 
-/// `now`: the distances along the columns of the row that begins at cell `at`.
-void ClearanceUpdate::Impl::renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal) {
-  constexpr int kAtOnce = 64;  // in most of a row nothing has changed
-  const int width = static_cast<int>(now.size());
-  const Steps* const is = now.data();
-  Steps* const was = &steps[at];
+/// Takes what was measured along the columns, and with it the distances of the row.
+void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal) {
+  const std::size_t at = y * static_cast<std::size_t>(box.width());
   float* const row_m = &clearance_m[at];
-  renewal.was_m.assign(row_m, row_m + width);
-  Cells other{width, 0};
-  for (int x = 0; x < width;) {
-    const int block_end = std::min(x + kAtOnce, width);
-    if (are_same(is + x, was + x, static_cast<std::size_t>(block_end - x))) {
-      x = block_end;
-      continue;
-    }
-    while (is[x] == was[x]) ++x;
-    const int from = x;
-    int same = 0;  // a few that are the same lie between others
-    for (; x < width && same < kAtOnce; ++x) same = is[x] == was[x] ? same + 1 : 0;
-    std::copy(is + from, is + x - same, was + from);
-    const Cells renewed = renew_around({from, x - same}, was, row_m, width, renewal);
-    other = {std::min(other.from, renewed.from), std::max(other.end, renewed.end)};
+  renewal.reached.clear();
+  for (const Strip& strip : strips) {
+    const std::span<const Steps> is(strip.row(y), strip.width);
+    Steps* const was = &steps[at + strip.first];
+    if (are_same(is.data(), was, is.size())) continue;
+    std::size_t from = 0, end = is.size();
+    while (is[from] == was[from]) ++from;
+    while (is[end - 1] == was[end - 1]) --end;
+    std::ranges::copy(is, was);
+    const Cells there{static_cast<int>(strip.first + from), static_cast<int>(strip.first + end)};
+    unite(reached_from(there, row_m), renewal.reached);
   }
-  if (!changed) return;
-  for (int i = other.from; i < other.end; ++i) {
-    if (row_m[i] != renewal.was_m[static_cast<std::size_t>(i)])
-      changed->push_back(static_cast<std::uint32_t>(at + static_cast<std::size_t>(i)));
+  float* const now_m = renewal.now_m.data();
+  for (const Cells& those : renewal.reached) {
+    std::fill(now_m + those.from, now_m + those.end, 0.0F);
+    renewal.pass.cells(&steps[at], those.from, those.end, now_m);
+    for (int x = those.from; x < those.end; ++x) {
+      if (changed && now_m[x] != row_m[x])
+        changed->push_back(static_cast<std::uint32_t>(at + static_cast<std::size_t>(x)));
+      row_m[x] = now_m[x];
+    }
   }
 }
 
-/// Distances of a row, of which those along the columns have changed there; returns where others have.
-Cells ClearanceUpdate::Impl::renew_around(Cells there, const Steps* row, float* row_m, int width,
-                                          RowRenewal& renewal) const {
+/// Cells of a row whose distances may be others when those along the columns are others there.
+Cells ClearanceUpdate::Impl::reached_from(Cells there, const float* row_m) const {
   const auto cell_m = static_cast<float>(resolution_m);
+  const int width = static_cast<int>(box.width());
   // What is no farther from its nearest boundary than from there has none nearer there, and had none; beyond
   // it the less so, because distance rises by a cell a cell at most. Half a cell for rounding.
   const auto reaches = [&](int x, int away) { return row_m[x] > (static_cast<float>(away) - 0.5F) * cell_m; };
   Cells other = there;
   while (other.from > 0 && reaches(other.from - 1, there.from - other.from + 1)) --other.from;
   while (other.end < width && reaches(other.end, other.end - there.end + 1)) ++other.end;
-  std::fill(renewal.now_m.begin() + other.from, renewal.now_m.begin() + other.end, 0.0F);
-  renewal.pass.cells(row, other.from, other.end, renewal.now_m.data());
-  std::copy(renewal.now_m.begin() + other.from, renewal.now_m.begin() + other.end, row_m + other.from);
   return other;
 }
 
@@ -172,18 +178,8 @@ void ClearanceUpdate::take(const DenseMap& map) {
   std::vector<Strip> strips = impl.renew_cells(map);
   for (Strip& strip : strips) impl.measure(strip);
   const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  std::vector<Steps> now(width);
   RowRenewal renewal(width, map.resolution_m);
-  for (std::size_t y = 0; y < height; ++y) {
-    const std::size_t at = y * width;
-    const auto is_other = [&](const Strip& strip) {
-      return !are_same(strip.row(y), &impl.steps[at + strip.first], strip.width);
-    };
-    if (std::ranges::none_of(strips, is_other)) continue;
-    std::copy_n(&impl.steps[at], width, now.data());
-    for (const Strip& strip : strips) std::copy_n(strip.row(y), strip.width, &now[strip.first]);
-    impl.renew_row(at, now, renewal);
-  }
+  for (std::size_t y = 0; y < height; ++y) impl.renew_row(y, strips, renewal);
 }
 
 }  // namespace topo::grid

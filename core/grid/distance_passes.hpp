@@ -119,6 +119,7 @@ class RowPass {
       is_taken = true;
       const NearSquares::Block squares = near_.of_block(static_cast<std::size_t>(x));
       metres(squares.data(), block_end - x, out + x);
+      if (NearSquares::greatest(squares) < NearSquares::kFar) continue;
       for (int i = x; i < block_end; ++i)
         if (squares[static_cast<std::size_t>(i - x)] >= NearSquares::kFar) far_cell(row, i, out);
     }

@@ -10,13 +10,13 @@ namespace {
 /// Unlike std::min without references, which keep the compiler from vector instructions.
 constexpr std::int16_t lesser(std::int16_t a, std::int16_t b) { return b < a ? b : a; }
 
-std::int16_t greatest(const NearSquares::Block& block) {
+}  // namespace
+
+std::int16_t NearSquares::greatest(const Block& block) {
   std::int16_t most = 0;
   for (const std::int16_t square : block) most = most < square ? square : most;
   return most;
 }
-
-}  // namespace
 
 NearSquares::NearSquares(std::size_t width, bool open_outside)
     : width_(width), squares_(width + 2 * kReach + kBlock, open_outside ? kFar : std::int16_t{0}) {}

@@ -36,6 +36,8 @@ class NearSquares {
   /// What lies past the end has no meaning.
   [[nodiscard]] Block of_block(std::size_t first) const;
 
+  [[nodiscard]] static std::int16_t greatest(const Block& block);
+
  private:
   static constexpr std::size_t kReach = 127;  ///< of the columns that are tried; its square is below kFar
   std::size_t width_;
