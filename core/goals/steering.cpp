@@ -46,8 +46,7 @@ CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params
   while (true) {
     const std::size_t i = input.map.index(here);
     const auto clear_m = static_cast<double>(input.clearance_m[i]);
-    if (clear_m >= params.clear_m || (input.skeleton.on[i] != 0 && clear_m >= params.robot_radius_m))
-      return here;
+    if (clear_m >= params.clear_m || (input.skeleton.on[i] && clear_m >= params.robot_radius_m)) return here;
     CellIndex best = here;
     for (const CellIndex by : kStraightFirst) {
       const CellIndex next{here.x + by.x, here.y + by.y};

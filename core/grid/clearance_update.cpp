@@ -3,7 +3,9 @@
 #include "core/grid/clearance_update.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "core/grid/box_array.hpp"
@@ -17,17 +19,38 @@ bool are_same(const T* a, const T* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(T)) == 0;
 }
 
+/// Columns that are measured together: a row of them is a cache line.
+constexpr std::size_t kStripWidth = 32;
+
 /// Cells [from, end) of a row.
 struct Cells {
   int from, end;
 };
+
+/// Adds cells to disjoint ones; both come in rising order of where they begin, all but.
+void unite(Cells more, std::vector<Cells>& cells) {
+  while (!cells.empty() && more.from <= cells.back().end) {
+    more = {std::min(more.from, cells.back().from), std::max(more.end, cells.back().end)};
+    cells.pop_back();
+  }
+  cells.push_back(more);
+}
 
 /// What it takes to renew rows, one after the other.
 struct RowRenewal {
   RowRenewal(std::size_t width, double resolution_m) : pass(width, resolution_m, false), now_m(width) {}
 
   RowPass pass;
-  std::vector<float> was_m, now_m;
+  std::vector<float> now_m;
+  std::vector<Cells> reached;
+};
+
+/// Distances along the columns of some columns side by side, row by row.
+struct Strip {
+  std::size_t first = 0, width = 0;
+  std::vector<Steps> steps;
+
+  [[nodiscard]] const Steps* row(std::size_t y) const { return &steps[y * width]; }
 };
 
 }  // namespace
@@ -38,16 +61,15 @@ struct ClearanceUpdate::Impl {
   CellBox box;
   double resolution_m = 0.0;
   std::vector<CellState> cells;
-  std::vector<Steps> from_above;  ///< distance along the column to the next boundary above
-  std::vector<Steps> steps;       ///< to the nearest one
+  std::vector<Steps> steps;  ///< distance along the column to the nearest boundary
   std::vector<float> clearance_m;
   std::optional<std::vector<std::uint32_t>> changed;
 
   void lay_out(const DenseMap& map);
-  /// Rows whose distances from above are other ones.
-  [[nodiscard]] std::vector<bool> renew_from_above(const DenseMap& map);
-  void renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal);
-  Cells renew_around(Cells there, const Steps* row, float* row_m, int width, RowRenewal& renewal) const;
+  [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
+  void measure(Strip& strip) const;
+  void renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal);
+  [[nodiscard]] Cells reached_from(Cells there, const float* row_m) const;
 };
 
 void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
@@ -57,90 +79,88 @@ void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   if (is_same && box == map.box) return;
   const CellBox before = is_same ? box : CellBox{};
   cells = over_box(cells, before, map.box);
-  from_above = over_box(from_above, before, map.box);
   steps = over_box(steps, before, map.box);
   clearance_m = over_box(clearance_m, before, map.box);
   box = map.box;
   resolution_m = map.resolution_m;
 }
 
-std::vector<bool> ClearanceUpdate::Impl::renew_from_above(const DenseMap& map) {
-  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  std::vector<bool> renewed(height, false);
-  const std::vector<Steps> outside(width, 0);
-  std::vector<Steps> now(width);
-  for (std::size_t y = height; y-- > 0;) {
-    const std::size_t at = y * width;
-    const bool is_other = !are_same(&map.cells[at], &cells[at], width);
-    if (!is_other && (y + 1 == height || !renewed[y + 1])) continue;
-    std::copy_n(&map.cells[at], width, &cells[at]);
-    const Steps* const above = y + 1 == height ? outside.data() : &from_above[at + width];
-    steps_on<Boundary::kOccupiedOrUnknown>(&cells[at], above, now.data(), width);
-    renewed[y] = !are_same(now.data(), &from_above[at], width);
-    if (renewed[y]) std::copy_n(now.data(), width, &from_above[at]);
-  }
-  return renewed;
-}
-
-/// `now`: the distances along the columns of the row that begins at cell `at`.
-void ClearanceUpdate::Impl::renew_row(std::size_t at, const std::vector<Steps>& now, RowRenewal& renewal) {
-  constexpr int kAtOnce = 64;  // in most of a row nothing has changed
-  const int width = static_cast<int>(now.size());
-  const Steps* const is = now.data();
-  Steps* const was = &steps[at];
-  float* const row_m = &clearance_m[at];
-  renewal.was_m.assign(row_m, row_m + width);
-  Cells other{width, 0};
-  for (int x = 0; x < width;) {
-    const int block_end = std::min(x + kAtOnce, width);
-    if (are_same(is + x, was + x, static_cast<std::size_t>(block_end - x))) {
-      x = block_end;
-      continue;
+/// Takes the map's cells; returns the strips of columns in which one is another, not measured yet.
+std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map) {
+  const auto width = static_cast<std::size_t>(map.width());
+  std::vector<bool> other((width - 1) / kStripWidth + 1, false);
+  for (std::size_t row = 0; row < cells.size(); row += width) {
+    if (are_same(&map.cells[row], &cells[row], width)) continue;
+    for (std::size_t s = 0; s < other.size(); ++s) {
+      const std::size_t x = s * kStripWidth, at = row + x, count = std::min(kStripWidth, width - x);
+      other[s] = other[s] || !are_same(&map.cells[at], &cells[at], count);
     }
-    while (is[x] == was[x]) ++x;
-    const int from = x;
-    int same = 0;  // a few that are the same lie between others
-    for (; x < width && same < kAtOnce; ++x) same = is[x] == was[x] ? same + 1 : 0;
-    std::copy(is + from, is + x - same, was + from);
-    const Cells renewed = renew_around({from, x - same}, was, row_m, width, renewal);
-    other = {std::min(other.from, renewed.from), std::max(other.end, renewed.end)};
+    std::copy_n(&map.cells[row], width, &cells[row]);
   }
-  if (!changed) return;
-  for (int i = other.from; i < other.end; ++i) {
-    if (row_m[i] != renewal.was_m[static_cast<std::size_t>(i)])
-      changed->push_back(static_cast<std::uint32_t>(at + static_cast<std::size_t>(i)));
+  std::vector<Strip> strips;
+  for (std::size_t s = 0; s < other.size(); ++s) {
+    if (other[s]) strips.push_back({s * kStripWidth, std::min(kStripWidth, width - s * kStripWidth), {}});
+  }
+  return strips;
+}
+
+/// From below first, then from above.
+void ClearanceUpdate::Impl::measure(Strip& strip) const {
+  const auto width = static_cast<std::size_t>(box.width()), height = static_cast<std::size_t>(box.height());
+  const std::array<Steps, kStripWidth> outside{};
+  strip.steps.resize(strip.width * height);
+  const Steps* beside = outside.data();
+  for (std::size_t y = 0; y < height; ++y) {
+    Steps* const row = &strip.steps[y * strip.width];
+    steps_on<Boundary::kOccupiedOrUnknown>(&cells[y * width + strip.first], beside, row, strip.width);
+    beside = row;
+  }
+  beside = outside.data();
+  for (std::size_t y = height; y-- > 0;) {
+    Steps* const row = &strip.steps[y * strip.width];
+    steps_back(beside, row, strip.width);
+    beside = row;
   }
 }
 
-/// Distances of a row, of which those along the columns have changed there; returns where others have.
-Cells ClearanceUpdate::Impl::renew_around(Cells there, const Steps* row, float* row_m, int width,
-                                          RowRenewal& renewal) const {
+/// Takes what was measured along the columns, and with it the distances of the row.
+void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal) {
+  const std::size_t at = y * static_cast<std::size_t>(box.width());
+  float* const row_m = &clearance_m[at];
+  renewal.reached.clear();
+  for (const Strip& strip : strips) {
+    const std::span<const Steps> is(strip.row(y), strip.width);
+    Steps* const was = &steps[at + strip.first];
+    if (are_same(is.data(), was, is.size())) continue;
+    std::size_t from = 0, end = is.size();
+    while (is[from] == was[from]) ++from;
+    while (is[end - 1] == was[end - 1]) --end;
+    std::ranges::copy(is, was);
+    const Cells there{static_cast<int>(strip.first + from), static_cast<int>(strip.first + end)};
+    unite(reached_from(there, row_m), renewal.reached);
+  }
+  float* const now_m = renewal.now_m.data();
+  for (const Cells& those : renewal.reached) {
+    std::fill(now_m + those.from, now_m + those.end, 0.0F);
+    renewal.pass.cells(&steps[at], those.from, those.end, now_m);
+    for (int x = those.from; x < those.end; ++x) {
+      if (changed && now_m[x] != row_m[x])
+        changed->push_back(static_cast<std::uint32_t>(at + static_cast<std::size_t>(x)));
+      row_m[x] = now_m[x];
+    }
+  }
+}
+
+/// Cells of a row whose distances may be others when those along the columns are others there.
+Cells ClearanceUpdate::Impl::reached_from(Cells there, const float* row_m) const {
   const auto cell_m = static_cast<float>(resolution_m);
+  const int width = static_cast<int>(box.width());
   // What is no farther from its nearest boundary than from there has none nearer there, and had none; beyond
   // it the less so, because distance rises by a cell a cell at most. Half a cell for rounding.
   const auto reaches = [&](int x, int away) { return row_m[x] > (static_cast<float>(away) - 0.5F) * cell_m; };
-  const auto is_open = [&](int x) { return x >= 0 && x < width && row[x] != 0; };
   Cells other = there;
   while (other.from > 0 && reaches(other.from - 1, there.from - other.from + 1)) --other.from;
   while (other.end < width && reaches(other.end, other.end - there.end + 1)) ++other.end;
-  // By the same rule the nearest boundary of these is no farther beyond an end than that of the cell there.
-  const auto reach_of = [&](int x) {
-    return x >= 0 && x < width ? static_cast<int>(row_m[x] / cell_m) + 2 : 0;
-  };
-  const int from = other.from - reach_of(other.from - 1), end = other.end + reach_of(other.end);
-  for (int x = other.from; x < other.end;) {
-    if (!is_open(x)) {
-      renewal.now_m[static_cast<std::size_t>(x++)] = 0.0F;
-      continue;
-    }
-    Cells run{x, x};
-    while (is_open(run.from - 1) && run.from > from) --run.from;
-    while (is_open(run.end) && run.end < end) ++run.end;
-    renewal.pass.open_cells(row, run.from, run.end, !is_open(run.from - 1), !is_open(run.end),
-                            renewal.now_m.data());
-    x = run.end;
-  }
-  std::copy(renewal.now_m.begin() + other.from, renewal.now_m.begin() + other.end, row_m + other.from);
   return other;
 }
 
@@ -155,20 +175,11 @@ void ClearanceUpdate::take(const DenseMap& map) {
   Impl& impl = *impl_;
   impl.lay_out(map);
   if (map.cells.empty()) return;
-  const std::vector<bool> renewed = impl.renew_from_above(map);
-  const auto width = static_cast<std::size_t>(map.width());
-  const std::vector<Steps> outside(width, 0);
-  std::vector<Steps> now(width);
+  std::vector<Strip> strips = impl.renew_cells(map);
+  for (Strip& strip : strips) impl.measure(strip);
+  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
   RowRenewal renewal(width, map.resolution_m);
-  bool below_is_other = false;
-  for (std::size_t y = 0; y < renewed.size(); ++y) {
-    if (!renewed[y] && !below_is_other) continue;
-    const std::size_t at = y * width;
-    std::copy_n(&impl.from_above[at], width, now.data());
-    steps_back(y == 0 ? outside.data() : &impl.steps[at - width], now.data(), width);
-    below_is_other = !are_same(now.data(), &impl.steps[at], width);
-    if (below_is_other) impl.renew_row(at, now, renewal);
-  }
+  for (std::size_t y = 0; y < height; ++y) impl.renew_row(y, strips, renewal);
 }
 
 }  // namespace topo::grid

@@ -6,23 +6,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <vector>
 
 #include "core/grid/distance.hpp"
+#include "core/grid/near_squares.hpp"
 
 namespace topo::grid {
 
 // First distances along the columns, then along the rows the lower envelope of parabolas over them (Meijster
-// et al. 2000). The first goes over whole rows, cell by cell in vector instructions; the second only over
-// runs of cells that are not boundary: no boundary cell sees past another one in its row.
-
-/// Distance along the column, in cells; kNone where the column has no boundary. The maximum of 16 signed bits
-/// less one, so that one more fits: SSE2, which every amd64 machine has, knows the minimum of signed ones
-/// only. Squares of distances and their sums then fit 32 bits.
-using Steps = std::int16_t;
-inline constexpr Steps kNone = 32766;
+// et al. 2000). The first goes over whole rows, cell by cell in vector instructions; the second only where
+// there are cells that are not boundary, and only over runs of those that are far from it: no boundary cell
+// sees past another one in its row.
 
 /// Distance to the next boundary on one side along the column: one row from the row beside it. A mask in
 /// place of a branch, so that the compiler makes vector instructions of it.
@@ -109,54 +104,63 @@ class RowPass {
       : width_(static_cast<int>(width)),
         resolution_m_(static_cast<float>(resolution_m)),
         open_outside_(open_outside),
+        near_(width, open_outside),
         envelope_(width),
         squares_(width) {}
 
-  /// Of the cells [from, end), beside which there is boundary or the end of the row; `out` is zero so far.
-  void cells(const Steps* steps, int from, int end, float* out) {
-    for (int x = from; x < end;) {
-      x = skip_boundary(steps, x, end);
-      const int first = x;
-      while (x < end && steps[x] != 0) ++x;
-      if (first == x) break;
-      const bool wall_before = first > 0 || !open_outside_, wall_after = x < width_ || !open_outside_;
-      envelope_.run(steps, first, x, wall_before, wall_after, squares_.data());
-      metres(first, x, out);
+  /// Of the cells [from, end) of a row; `out` is zero so far.
+  void cells(const Steps* row, int from, int end, float* out) {
+    far_end_ = 0;
+    bool is_taken = false;
+    for (int x = from; x < end; x += kBlock) {
+      const int block_end = std::min(x + kBlock, end);
+      if (is_boundary(row, x, block_end)) continue;  // most of a map is
+      if (!is_taken) near_.take(row, static_cast<std::size_t>(x), static_cast<std::size_t>(end));
+      is_taken = true;
+      const NearSquares::Block squares = near_.of_block(static_cast<std::size_t>(x));
+      metres(squares.data(), block_end - x, out + x);
+      if (NearSquares::greatest(squares) < NearSquares::kFar) continue;
+      for (int i = x; i < block_end; ++i)
+        if (squares[static_cast<std::size_t>(i - x)] >= NearSquares::kFar) far_cell(row, i, out);
     }
-  }
-
-  /// Of cells [from, end), none of which is boundary, by what is there and the walls beside them.
-  void open_cells(const Steps* steps, int from, int end, bool wall_before, bool wall_after, float* out) {
-    envelope_.run(steps, from, end, wall_before, wall_after, squares_.data());
-    metres(from, end, out);
   }
 
  private:
-  /// From `x` on the first cell that is not boundary, or the end. Most of a map is boundary.
-  static int skip_boundary(const Steps* steps, int x, int end) {
-    constexpr int kAtOnce = sizeof(std::uint64_t) / sizeof(Steps);
-    for (std::uint64_t several = 0; x + kAtOnce <= end; x += kAtOnce) {
-      std::memcpy(&several, steps + x, sizeof several);
-      if (several != 0) break;
-    }
-    while (x < end && steps[x] == 0) ++x;
-    return x;
+  static constexpr int kBlock = NearSquares::kBlock;
+
+  static bool is_boundary(const Steps* row, int from, int end) {
+    Steps any = 0;
+    for (int x = from; x < end; ++x) any |= row[x];
+    return any == 0;
   }
-  void metres(int first, int end, float* out) const {
-    constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
-    const float resolution_m = resolution_m_;  // a copy, which writing to out cannot change
-    const std::int32_t* const squares = squares_.data();
-    for (int x = first; x < end; ++x) {
-      const float distance_m = resolution_m * std::sqrt(static_cast<float>(squares[x]));
-      out[x] = squares[x] == kFar ? std::numeric_limits<float>::infinity() : distance_m;
+  /// What is far from all boundary, by its run: far cells come in rising order.
+  void far_cell(const Steps* row, int x, float* out) {
+    if (x >= far_end_) {
+      int first = x;
+      while (first > 0 && row[first - 1] != 0) --first;
+      for (far_end_ = x + 1; far_end_ < width_ && row[far_end_] != 0;) ++far_end_;
+      const bool wall_before = first > 0 || !open_outside_, wall_after = far_end_ < width_ || !open_outside_;
+      envelope_.run(row, first, far_end_, wall_before, wall_after, squares_.data());
     }
+    const std::int32_t square = squares_[static_cast<std::size_t>(x)];
+    if (square == std::numeric_limits<std::int32_t>::max())
+      out[x] = std::numeric_limits<float>::infinity();
+    else
+      metres(&square, 1, out + x);
+  }
+  template <class T>
+  void metres(const T* squares, int count, float* out) const {
+    const float resolution_m = resolution_m_;  // a copy, which writing to out cannot change
+    for (int i = 0; i < count; ++i) out[i] = resolution_m * std::sqrt(static_cast<float>(squares[i]));
   }
 
   int width_;
   float resolution_m_;
   bool open_outside_;
+  NearSquares near_;
   RunEnvelope envelope_;
-  std::vector<std::int32_t> squares_;
+  std::vector<std::int32_t> squares_;  ///< of the run of far cells looked at last
+  int far_end_ = 0;                    ///< its end
 };
 
 }  // namespace topo::grid

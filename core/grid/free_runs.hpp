@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "core/grid/dense_map.hpp"
 
@@ -16,23 +18,40 @@ struct FreeRun {
   std::size_t end = 0;
 };
 
-/// Calls f(FreeRun) for all free cells, in rising order. What is not free costs next to nothing: the library
-/// looks at many cells at once.
+/// The first of the cells from `i` on that is not free, or `end`: eight at once.
+inline std::size_t end_of_free(std::span<const CellState> cells, std::size_t i, std::size_t end) {
+  static_assert(sizeof(CellState) == 1);
+  constexpr std::uint64_t kAllFree = 0x0101010101010101U * static_cast<std::uint64_t>(CellState::kFree);
+  for (std::uint64_t eight = 0; i + sizeof eight <= end; i += sizeof eight) {
+    std::memcpy(&eight, &cells[i], sizeof eight);
+    if (eight != kAllFree) break;
+  }
+  while (i < end && cells[i] == CellState::kFree) ++i;
+  return i;
+}
+
+/// Calls f(first, end) for the free ones among the cells [from, to), in rising order. What is not free costs
+/// next to nothing: the library looks at many cells at once.
+template <class F>
+void for_each_free_run(std::span<const CellState> cells, std::size_t from, std::size_t to, F&& f) {
+  while (from < to) {
+    const void* const found = std::memchr(&cells[from], static_cast<int>(CellState::kFree), to - from);
+    if (found == nullptr) return;
+    const auto first = static_cast<std::size_t>(static_cast<const CellState*>(found) - cells.data());
+    from = end_of_free(cells, first, to);
+    f(first, from);
+  }
+}
+
+/// Calls f(FreeRun) for all free cells of a map, row by row.
 template <class F>
 void for_each_free_run(const DenseMap& map, F&& f) {
-  static_assert(sizeof(CellState) == 1);
   const auto width = static_cast<std::size_t>(map.width());
-  const CellState* const cells = map.cells.data();
   std::int32_t y = map.box.min.y;
-  for (std::size_t i = 0, row_end = width; i < map.cells.size(); i = row_end, row_end += width, ++y) {
-    const std::size_t row = i;
-    while (i < row_end) {
-      const void* const found = std::memchr(cells + i, static_cast<int>(CellState::kFree), row_end - i);
-      if (found == nullptr) break;
-      const auto first = static_cast<std::size_t>(static_cast<const CellState*>(found) - cells);
-      for (i = first + 1; i < row_end && cells[i] == CellState::kFree;) ++i;
-      f(FreeRun{{map.box.min.x + static_cast<std::int32_t>(first - row), y}, first, i});
-    }
+  for (std::size_t row = 0; row < map.cells.size(); row += width, ++y) {
+    for_each_free_run(map.cells, row, row + width, [&](std::size_t first, std::size_t end) {
+      f(FreeRun{{map.box.min.x + static_cast<std::int32_t>(first - row), y}, first, end});
+    });
   }
 }
 

@@ -66,7 +66,7 @@ class Stages {
     tell(Stage::kLabels);
     a_.places =
         places::reduce_labels(open.map, open.clearance_m, first, a_.walls, compass_rad(), params_.places);
-    places::leave_free_space(a_.map, a_.places.labels);
+    a_.places.labels = a_.places.labels.on_free_cells(a_.map);  // not where furniture stands
     tell(Stage::kReduction);
     a_.goals =
         goals::essential_goals({a_.map, clearance_m_, a_.skeleton, a_.places, visited_}, params_.goals);

@@ -31,10 +31,12 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
         map.cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width());
     const CellState* const end = row + map.width();
     for (const CellState* at = row; at != end; ++at) {
-      // Most cells are not occupied: the library looks at many at once.
-      at = static_cast<const CellState*>(
-          std::memchr(at, static_cast<int>(CellState::kOccupied), static_cast<std::size_t>(end - at)));
-      if (at == nullptr) break;
+      if (*at != CellState::kOccupied) {
+        // Most cells are not occupied: the library looks at many at once.
+        at = static_cast<const CellState*>(
+            std::memchr(at, static_cast<int>(CellState::kOccupied), static_cast<std::size_t>(end - at)));
+        if (at == nullptr) break;
+      }
       const auto x = static_cast<double>(at - row);
       const auto u = static_cast<std::size_t>(first.x() + x * step * frame.cos);
       const auto v = static_cast<std::size_t>(first.y() - x * step * frame.sin);

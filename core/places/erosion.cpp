@@ -27,25 +27,32 @@ class Change {
         offsets_(neighbour_offsets(map)),
         buckets_per_m_(buckets_per_m(map)) {}
 
-  /// A cell with another clearance; whether its neighbours are on the ridge may have changed as well.
-  void apply(std::uint32_t i, Settling& settling) {
-    if (map_.is_on_border(map_.cell(i))) return;
-    renew(i, settling);
-    for (const std::ptrdiff_t offset : offsets_)
-      renew(static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset), settling);
+  /// Cells with another clearance, ascending; whether those beside them are on the ridge may have changed as
+  /// well.
+  void apply(std::span<const std::uint32_t> cells, Settling& settling) {
+    const auto width = static_cast<std::size_t>(map_.width()),
+               height = static_cast<std::size_t>(map_.height());
+    for (std::size_t k = 0; k < cells.size();) {
+      const std::size_t begin = k++, row = cells[begin] / width, x = cells[begin] % width;
+      while (k < cells.size() && cells[k] == cells[k - 1] + 1 && x + (k - begin) < width) ++k;
+      const std::size_t from = std::max<std::size_t>(x, 2) - 1,
+                        end = std::min(x + (k - begin) + 1, width - 1);
+      for (std::size_t y = std::max<std::size_t>(row, 2) - 1; y <= row + 1 && y + 1 < height; ++y)
+        for (std::size_t i = y * width + from; i < y * width + end; ++i)
+          renew(static_cast<std::uint32_t>(i), settling);
+    }
   }
 
  private:
   void renew(std::uint32_t i, Settling& settling) {
-    if (map_.cells[i] != CellState::kFree || map_.is_on_border(map_.cell(i))) {
+    if (settling.is_in_doubt(i)) return;  // beside another one
+    if (map_.cells[i] != CellState::kFree) {
       fates_[i] = 0;
       return;
     }
-    if (settling.is_in_doubt(i)) return;  // as a neighbour of another one
     const auto bucket = fate_of(clearance_m_[i], buckets_per_m_);
-    const auto kept = static_cast<Fate>(fates_[i] & kFlags & ~Erosion::kRidge);
-    fates_[i] = static_cast<Fate>(bucket | kept | (on_ridge(i) ? Erosion::kRidge : 0));
-    settling.doubt(i);
+    settling.renew(i,
+                   static_cast<Fate>(bucket | (fates_[i] & kOutcome) | (on_ridge(i) ? Erosion::kRidge : 0)));
   }
   [[nodiscard]] bool on_ridge(std::uint32_t i) const {
     const auto at = [&](std::size_t k) {
@@ -63,10 +70,16 @@ class Change {
   float buckets_per_m_;
 };
 
-/// Fates in the array of a map whose box holds the other's.
-std::vector<Fate> carried_over(Erosion before, const DenseMap& map) {
-  if (before.box == map.box) return std::move(before.fates);
-  return grid::over_box(before.fates, before.box, map.box);
+/// The erosion before over a map whose box holds the other's.
+Erosion carried_over(Erosion before, const DenseMap& map) {
+  if (before.box == map.box) return before;
+  Erosion erosion{map.box, grid::over_box(before.fates, before.box, map.box), std::move(before.kept)};
+  const auto width = static_cast<std::uint32_t>(before.box.width());
+  for (std::uint32_t& i : erosion.kept) {
+    i = static_cast<std::uint32_t>(map.index({before.box.min.x + static_cast<std::int32_t>(i % width),
+                                              before.box.min.y + static_cast<std::int32_t>(i / width)}));
+  }
+  return erosion;
 }
 
 /// Cells that are kept, in the order of their turns: within one by number.
@@ -81,6 +94,28 @@ std::vector<std::uint32_t> kept_in_order(std::span<const Fate> fates) {
   // What was a turn's beginning is its end when it is full.
   for (const std::uint32_t cell : cells) kept[ends[turn(cell)]++] = cell;
   return kept;
+}
+
+/// The same after some cells were settled with another turn or outcome, which may be listed repeatedly.
+void renew_kept(std::span<const std::uint32_t> settled, Erosion& erosion) {
+  auto& fates = erosion.fates;
+  for (const std::uint32_t i : settled) fates[i] |= kQueued;  // a mark: nobody queues any more
+  std::erase_if(erosion.kept,
+                [&](std::uint32_t i) { return (fates[i] & (kQueued | Erosion::kKept)) != Erosion::kKept; });
+  std::vector<std::uint32_t> come;
+  for (const std::uint32_t i : settled) {
+    const bool is_marked = (fates[i] & kQueued) != 0;
+    fates[i] &= static_cast<Fate>(~kQueued);
+    if (is_marked && (fates[i] & Erosion::kKept) != 0) come.push_back(i);
+  }
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    const int turn_a = fates[a] >> kTurnShift, turn_b = fates[b] >> kTurnShift;
+    return turn_a != turn_b ? turn_a < turn_b : a < b;
+  };
+  std::sort(come.begin(), come.end(), before);
+  std::vector<std::uint32_t> kept(erosion.kept.size() + come.size());
+  std::merge(erosion.kept.begin(), erosion.kept.end(), come.begin(), come.end(), kept.begin(), before);
+  erosion.kept = std::move(kept);
 }
 
 }  // namespace
@@ -102,13 +137,12 @@ Erosion erode(const DenseMap& map, std::span<const float> clearance_m) {
 
 Erosion erode_again(const DenseMap& map, std::span<const float> clearance_m, Erosion before,
                     std::span<const std::uint32_t> changed) {
-  Erosion erosion{map.box, carried_over(std::move(before), map), {}};
+  Erosion erosion = carried_over(std::move(before), map);
   if (map.cells.empty()) return erosion;
   Settling settling(map, erosion.fates);
-  Change change(map, clearance_m, erosion.fates);
-  for (const std::uint32_t i : changed) change.apply(i, settling);
+  Change(map, clearance_m, erosion.fates).apply(changed, settling);
   settling.settle_all();
-  erosion.kept = kept_in_order(erosion.fates);
+  renew_kept(settling.others(), erosion);
   return erosion;
 }
 

@@ -160,7 +160,7 @@ void label_lost(const DenseMap& map, FirstLabels& first) {
 template <class F>
 void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
   for (const std::uint32_t i : first.axis) {
-    if (skeleton.on[i] != 0) continue;
+    if (skeleton.on[i]) continue;
     first.slopes[i] &= static_cast<Slope>(~kOnAxis);
     changed(i);
   }

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <vector>
 
+#include "core/grid/free_runs.hpp"
+
 namespace topo::places {
 namespace {
 
@@ -52,11 +54,7 @@ class Islands {
   void add_row(std::int32_t row) {
     const auto width = static_cast<std::size_t>(map_.width());
     const CellState* const cells = map_.cells.data() + static_cast<std::size_t>(row) * width;
-    for (std::size_t x = 0; x < width;) {
-      if (cells[x] == CellState::kFree) {
-        ++x;
-        continue;
-      }
+    for (std::size_t x = 0; (x = grid::end_of_free({cells, width}, x, width)) < width;) {
       const std::size_t first = x;
       const void* free = std::memchr(cells + x, static_cast<int>(CellState::kFree), width - x);
       x = free == nullptr ? width : static_cast<std::size_t>(static_cast<const CellState*>(free) - cells);
@@ -104,11 +102,14 @@ void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& op
   const types::Vector2 along = (wall.b - wall.a) / length_m;
   for (double d = 0.0; d <= length_m; d += map.resolution_m) {
     const grid::CellIndex middle = map.cell_at(wall.a + d * along);
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const grid::CellIndex cell{middle.x + dx, middle.y + dy};
-        if (map.contains(cell)) open.cells[map.index(cell)] = map.cells[map.index(cell)];
-      }
+    const std::int32_t left = std::max(middle.x - 1, map.box.min.x),
+                       right = std::min(middle.x + 1, map.box.max.x);
+    const std::int32_t low = std::max(middle.y - 1, map.box.min.y),
+                       high = std::min(middle.y + 1, map.box.max.y);
+    for (std::int32_t y = low; y <= high && left <= right; ++y) {
+      const std::size_t first = map.index({left, y});
+      for (std::size_t i = first; i <= first + static_cast<std::size_t>(right - left); ++i)
+        open.cells[i] = map.cells[i];
     }
   }
 }

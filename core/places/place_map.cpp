@@ -67,20 +67,12 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
   const auto numbers = number_places(regions, map.resolution_m, params, out);
   add_borders(regions, numbers, map.resolution_m, out);
-  out.labels.assign(map.cells.size(), 0);
   const PieceNumbers pieces_by_label(first, map.cells.size());
-  for (const PieceRun& run : first.runs)
-    std::fill(out.labels.begin() + run.first, out.labels.begin() + run.end,
-              numbers[roots[pieces_by_label.of(run.label)]]);
-  return out;
-}
-
-void leave_free_space(const grid::DenseMap& map, std::vector<std::uint16_t>& labels) {
-  assert(labels.size() == map.cells.size());
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const bool free = map.cells[i] == grid::CellState::kFree;
-    labels[i] = free ? labels[i] : std::uint16_t{0};
+  for (const PieceRun& run : first.runs) {
+    const std::uint16_t number = numbers[roots[pieces_by_label.of(run.label)]];
+    if (number != 0) out.labels.append(run.first, run.end, number);
   }
+  return out;
 }
 
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,

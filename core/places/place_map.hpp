@@ -9,6 +9,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/places/first_labels.hpp"
+#include "core/places/place_labels.hpp"
 #include "core/places/skeleton.hpp"
 #include "core/types/geometry.hpp"
 
@@ -48,8 +49,8 @@ struct PlaceBorder {
 /// The free space divided into places (paper section II-C).
 struct PlaceMap {
   double compass_rad = 0.0;  ///< of the boxes, within an eighth of a turn of the map's axes
-  /// Index of the place + 1, as map.cells; 0 outside free space and in specks of it that nothing leads to.
-  std::vector<std::uint16_t> labels;
+  /// Index of the place + 1; 0 outside free space and in specks of it that nothing leads to.
+  PlaceLabels labels;
   std::vector<Place> places;  ///< in the order of their first cells in the map
   std::vector<PlaceBorder> borders;
 };
@@ -60,9 +61,6 @@ struct PlaceMap {
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                        const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params = {});
-
-/// Takes the labels from all cells that are not free: of places found without furniture, where it stands.
-void leave_free_space(const grid::DenseMap& map, std::vector<std::uint16_t>& labels);
 
 /// Both: the first labels, then the reduction.
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,

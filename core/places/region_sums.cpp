@@ -162,8 +162,10 @@ void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels, c
     const types::Vector2 along = (wall.b - wall.a) / length_m, across(-along.y(), along.x());
     for (double d = 0.5 * kStepM; d < length_m; d += kStepM) {
       const types::Vector2 p = wall.a + d * along;
-      const std::uint32_t a = label_beside(map, labels, p, across), b = label_beside(map, labels, p, -across);
-      if (a == 0 || b == 0) continue;
+      const std::uint32_t a = label_beside(map, labels, p, across);
+      if (a == 0) continue;
+      const std::uint32_t b = label_beside(map, labels, p, -across);
+      if (b == 0) continue;
       float& wall_m =
           a == b ? regions[numbers.of(a)].straddled_m : borders.between(numbers.of(a), numbers.of(b)).wall_m;
       wall_m += static_cast<float>(kStepM);

@@ -36,8 +36,17 @@ class Settling {
     doubtful_[i / strip_cells_].push_back(i);
   }
   [[nodiscard]] bool is_in_doubt(std::uint32_t i) const { return (fates_[i] & kQueued) != 0; }
+  /// A free cell that may be in another bucket, or on the ridge where it was not; in doubt from now on.
+  void renew(std::uint32_t i, Fate fate) {
+    if (fates_[i] >> kTurnShift != fate >> kTurnShift) others_.push_back(i);
+    fates_[i] = fate;
+    doubt(i);
+  }
 
   void settle_all();
+
+  /// Cells that have been renewed or settled with another turn or outcome, some of them repeatedly.
+  [[nodiscard]] const std::vector<std::uint32_t>& others() const { return others_; }
 
  private:
   /// A cell's neighbours as they are at a turn: bit k of each for neighbour k.
@@ -64,6 +73,7 @@ class Settling {
   std::array<std::ptrdiff_t, 8> offsets_;
   std::size_t strip_cells_;
   std::vector<std::vector<std::uint32_t>> doubtful_;  ///< of each strip
+  std::vector<std::uint32_t> others_;
   // Of the strip at hand.
   std::uint32_t first_cell_ = 0;
   std::size_t bucket_ = 0;

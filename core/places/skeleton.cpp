@@ -54,8 +54,8 @@ Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance
     tracer.trace(thinning, skeleton);
     if (round + 1 == kRounds || !drop_spurs(map, skeleton, params.spur_m, thinning)) break;
   }
-  skeleton.on = std::move(thinning.marks);
-  for (const std::uint32_t i : thinning.remain) skeleton.on[i] &= Thinning::kOn;
+  skeleton.on.resize(map.cells.size(), false);
+  for (const std::uint32_t i : thinning.remain) skeleton.on[i] = true;
   return skeleton;
 }
 

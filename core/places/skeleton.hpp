@@ -36,7 +36,7 @@ struct SkeletonEdge {
 /// One-pixel medial axis of the free space with as many components and holes as that, and its graph (paper
 /// section II-C). Free cells touch over corners (8 neighbours), what bounds them over sides (4 neighbours).
 struct Skeleton {
-  std::vector<std::uint8_t> on;  ///< 1 on the axis; as long as map.cells
+  std::vector<bool> on;  ///< the axis; as long as map.cells
   std::vector<SkeletonNode> nodes;
   std::vector<SkeletonEdge> edges;
   std::vector<std::uint32_t> axis;  ///< every cell of the axis once, as indices into the map: see first_cell

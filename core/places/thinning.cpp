@@ -3,7 +3,6 @@
 #include "core/places/thinning.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/places/simple_cell.hpp"
 
@@ -30,7 +29,7 @@ void thin_to_lines(const DenseMap& map, Thinning& thinning) {
     if (next + kFetchAhead < queue.size()) fetch_around(thinning, queue[next + kFetchAhead], offsets);
     marks[i] &= static_cast<std::uint8_t>(~Thinning::kQueued);
     const unsigned pattern = thinning.pattern_at(i, offsets);
-    const bool end = (marks[i] & Thinning::kRidge) != 0 && std::popcount(pattern) < 2;
+    const bool end = (marks[i] & Thinning::kRidge) != 0 && (pattern & (pattern - 1)) == 0;
     if (end || !is_simple(pattern)) continue;
     marks[i] = 0;
     for (const std::ptrdiff_t offset : offsets) {

@@ -4,6 +4,7 @@
 #include "core/walls/wall_extraction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -20,6 +21,22 @@ struct Place {
   float v;
 };
 
+bool is_before(const Place& a, const Place& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); }
+
+/// As std::merge, without a branch that nobody can predict.
+void merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> out) {
+  const Place *at_a = a.data(), *at_b = b.data();
+  const Place *const end_a = at_a + a.size(), *const end_b = at_b + b.size();
+  Place* to = out.data();
+  while (at_a != end_a && at_b != end_b) {
+    const bool second = is_before(*at_b, *at_a);
+    *to++ = *(second ? at_b : at_a);
+    at_a += second ? 0 : 1;
+    at_b += second ? 1 : 0;
+  }
+  std::copy(at_b, end_b, std::copy(at_a, end_a, to));
+}
+
 /// Points that follow each other along one line without a gap.
 struct Run {
   int line;
@@ -34,24 +51,28 @@ class Lines {
  public:
   /// Direction (c, s) of the walls.
   Lines(Points points, double c, double s, double half_bin_m) {
-    std::vector<double> across;
-    across.reserve(points.size());
-    for (const types::Vector2& p : points) across.push_back(c * p.y() - s * p.x());
-    const auto [low, high] = std::minmax_element(across.begin(), across.end());
+    std::vector<double> across(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) across[k] = c * points[k].y() - s * points[k].x();
+    double low_m = across.front(), high_m = across.front();
+    for (const double v : across) {
+      low_m = v < low_m ? v : low_m;
+      high_m = high_m < v ? v : high_m;
+    }
     // A few points far out must not ask for more bins than there are points to put into them.
     const double bins_max = 1000.0 + 8.0 * static_cast<double>(points.size());
-    const double low_m = *low, wide_m = *high - low_m, width_m = std::max(half_bin_m, wide_m / bins_max);
+    const double wide_m = high_m - low_m, width_m = std::max(half_bin_m, wide_m / bins_max);
     first_.assign(static_cast<std::size_t>(wide_m / width_m) + 2, 0);
-    std::vector<std::uint32_t> bins;
-    bins.reserve(points.size());
-    for (const double v : across) bins.push_back(static_cast<std::uint32_t>((v - low_m) / width_m));
-    for (const std::uint32_t bin : bins) ++first_[bin + 1];
+    // Signed numbers, of which vector instructions are made.
+    std::vector<std::int32_t> bins(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+      bins[k] = static_cast<std::int32_t>((across[k] - low_m) / width_m);
+    for (const std::int32_t bin : bins) ++first_[static_cast<std::size_t>(bin) + 1];
     for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
     places_.resize(points.size());
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t k = 0; k < points.size(); ++k)
-      places_[next[bins[k]]++] = {static_cast<float>(c * points[k].x() + s * points[k].y()),
-                                  static_cast<float>(across[k])};
+      places_[next[static_cast<std::size_t>(bins[k])]++] = {
+          static_cast<float>(c * points[k].x() + s * points[k].y()), static_cast<float>(across[k])};
     sort_bins();
   }
 
@@ -62,12 +83,11 @@ class Lines {
 
  private:
   void sort_bins() {
-    const auto before = [](const Place& a, const Place& b) {
-      return std::tie(a.u, a.v) < std::tie(b.u, b.v);
-    };
     for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
-      std::sort(places_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
-                places_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]), before);
+      const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+                 end = places_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]);
+      // Of points row by row most bins are in order along one of the two directions.
+      if (!std::is_sorted(begin, end, is_before)) std::sort(begin, end, is_before);
     }
   }
 
@@ -130,9 +150,6 @@ class WallFinder {
  private:
   /// Runs of all lines. A wall gives one in each line that it touches: the fullest is its local maximum.
   std::vector<Run> candidates() {
-    const auto before = [](const Place& a, const Place& b) {
-      return std::tie(a.u, a.v) < std::tie(b.u, b.v);
-    };
     std::vector<Run> runs;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const auto low = lines_.bin(i);
@@ -140,7 +157,7 @@ class WallFinder {
       const std::size_t first = merged_.size();
       merged_.resize(first + low.size() + high.size());  // reserved: spans stay valid
       const std::span line = std::span(merged_).subspan(first);
-      std::merge(low.begin(), low.end(), high.begin(), high.end(), line.begin(), before);
+      merge(low, high, line);
       for_contiguous(line, params_.gap_max_m, [&](std::span<const Place> places) {
         if (is_wall_run(places, params_)) runs.push_back({static_cast<int>(i), places});
       });
@@ -222,10 +239,11 @@ class WallFinder {
 };
 
 bool on_surface(const grid::DenseMap& map, grid::CellIndex cell) {
-  const auto solid = [&](int dx, int dy) {
-    return map.state({cell.x + dx, cell.y + dy}) == grid::CellState::kOccupied;
-  };
-  return !(solid(1, 0) && solid(-1, 0) && solid(0, 1) && solid(0, -1));
+  if (map.is_on_border(cell)) return true;  // all is unknown outside
+  const std::ptrdiff_t up = map.width();
+  const grid::CellState* const at = &map.cells[map.index(cell)];
+  return std::ranges::any_of(std::array{std::ptrdiff_t{1}, std::ptrdiff_t{-1}, up, -up},
+                             [at](std::ptrdiff_t by) { return at[by] != grid::CellState::kOccupied; });
 }
 
 }  // namespace
@@ -248,11 +266,12 @@ std::vector<types::Vector2> occupied_points(const grid::DenseMap& map) {
     const grid::CellState* const row = &map.cells[map.index({map.box.min.x, y})];
     const grid::CellState* at = row;
     while (at != row + width) {
-      // Most cells are not occupied: the library looks at many at once.
-      const void* found = std::memchr(at, static_cast<int>(grid::CellState::kOccupied),
-                                      static_cast<std::size_t>(row + width - at));
-      if (found == nullptr) break;
-      at = static_cast<const grid::CellState*>(found);
+      if (*at != grid::CellState::kOccupied) {
+        // Most cells are not occupied: the library looks at many at once.
+        at = static_cast<const grid::CellState*>(std::memchr(at, static_cast<int>(grid::CellState::kOccupied),
+                                                             static_cast<std::size_t>(row + width - at)));
+        if (at == nullptr) break;
+      }
       const grid::CellIndex cell{map.box.min.x + static_cast<int>(at - row), y};
       if (on_surface(map, cell)) points.push_back(map.centre_of(cell));
       ++at;

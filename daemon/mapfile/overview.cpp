@@ -111,14 +111,14 @@ class Sheet {
 };
 
 void paint_map(const pipeline::Analysis& analysis, Sheet& sheet) {
-  const auto& labels = analysis.places.labels;
+  const std::vector<std::uint16_t> labels = analysis.places.labels.by_cell(analysis.map.cells.size());
   const auto& on = analysis.skeleton.on;
   sheet.paint_cells([&](std::size_t i) -> std::optional<Rgb> {
     const CellState state = analysis.map.cells[i];
     if (state == CellState::kUnknown) return std::nullopt;
     if (state == CellState::kOccupied) return kOccupied;
-    const Rgb place = i < labels.size() && labels[i] != 0 ? mixed(kFree, colour_of(labels[i]), 0.45) : kFree;
-    return i < on.size() && on[i] != 0 ? mixed(place, kSkeleton, 0.6) : place;
+    const Rgb place = labels[i] != 0 ? mixed(kFree, colour_of(labels[i]), 0.45) : kFree;
+    return i < on.size() && on[i] ? mixed(place, kSkeleton, 0.6) : place;
   });
 }
 

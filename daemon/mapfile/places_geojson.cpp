@@ -37,7 +37,8 @@ void add_places(const pipeline::Analysis& analysis, Json& features) {
     neighbours[border.a].push_back(border.b + 1);
     neighbours[border.b].push_back(border.a + 1);
   }
-  const auto outlines = outlines_of(analysis.map, map.labels, map.places.size());
+  const auto outlines =
+      outlines_of(analysis.map, map.labels.by_cell(analysis.map.cells.size()), map.places.size());
   for (std::size_t p = 0; p < map.places.size(); ++p) {
     const places::Place& place = map.places[p];
     Json rings = Json::array();

@@ -63,8 +63,9 @@ Picture tiled(const std::array<Picture, 4>& pictures) {
 
 double worst_overlap(const pipeline::Analysis& a, const pipeline::Analysis& b) {
   double worst = 1.0;
-  for (const auto& [share, cells] : places::best_overlaps(a.places.labels, b.places.labels))
-    worst = std::min(worst, share);
+  const auto labels = a.places.labels.by_cell(a.map.cells.size()),
+             others = b.places.labels.by_cell(b.map.cells.size());
+  for (const auto& [share, cells] : places::best_overlaps(labels, others)) worst = std::min(worst, share);
   return worst;
 }
 

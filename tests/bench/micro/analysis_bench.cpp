@@ -47,7 +47,7 @@ struct Stages {
     skeleton = places::skeletonise(open, open_m);
     first = places::first_labels(open, open_m, skeleton, params.piece_m);
     places = places::reduce_labels(open, open_m, first, walls, compass_rad, params);
-    places::leave_free_space(map, places.labels);
+    places.labels = places.labels.on_free_cells(map);
     known = static_cast<double>(map.cells.size()) -
             static_cast<double>(std::count(map.cells.begin(), map.cells.end(), CellState::kUnknown));
   }

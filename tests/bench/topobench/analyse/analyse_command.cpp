@@ -93,10 +93,10 @@ types::Status write_files(const AnalyseCommand& command, const MapInput& input,
 LabelPicture labels_of(const MapInput& input, const pipeline::Analysis& analysis) {
   LabelPicture picture{input.width, input.height, false, {}};
   picture.values.assign(static_cast<std::size_t>(input.width) * static_cast<std::size_t>(input.height), 0);
-  for (std::size_t i = 0; i < analysis.places.labels.size(); ++i) {
+  const std::vector<std::uint16_t> labels = analysis.places.labels.by_cell(analysis.map.cells.size());
+  for (std::size_t i = 0; i < labels.size(); ++i) {
     const grid::CellIndex cell = analysis.map.cell(i);
-    if (analysis.places.labels[i] != 0 && input.inside(cell))
-      picture.values[input.pixel(cell)] = analysis.places.labels[i];
+    if (labels[i] != 0 && input.inside(cell)) picture.values[input.pixel(cell)] = labels[i];
   }
   return picture;
 }

@@ -68,6 +68,17 @@ TEST(ClearanceUpdate, SaysWhatHasChanged) {
   }));
 }
 
+TEST(ClearanceUpdate, OfAHallIsThatOfTheWholeMap) {
+  ClearanceUpdate update;
+  DenseMap map = filled_map(400, 330, CellState::kFree);
+  for (const CellIndex cell : {CellIndex{200, 165}, {200, 20}, {31, 165}, {200, 165}, {390, 300}}) {
+    update.take(map);
+    EXPECT_EQ(update.clearance_m(), clearance_m(map, Boundary::kOccupiedOrUnknown));
+    CellState& state = map.cells[map.index(cell)];
+    state = state == CellState::kFree ? CellState::kOccupied : CellState::kFree;
+  }
+}
+
 TEST(ClearanceUpdate, OfAMapThatShrankSaysNothing) {
   ClearanceUpdate update;
   update.take(filled_map(20, 10, CellState::kFree));

@@ -59,6 +59,27 @@ TEST(Distance, IsExactOnUniformMaps) {
   }
 }
 
+/// Far from all walls, near them, and between, where another way of looking begins.
+TEST(Distance, IsExactInAHallWithPillars) {
+  DenseMap map = filled_map(420, 370, CellState::kFree);
+  std::vector<CellIndex> pillars;
+  for (const auto& [boundary, pillar] : {std::pair(Boundary::kOccupiedOrUnknown, CellIndex{30, 185}),
+                                         {Boundary::kOccupied, {60, 50}},
+                                         {Boundary::kOccupiedOrUnknown, {300, 200}}}) {
+    pillars.push_back(pillar);
+    map.cells[map.index(pillar)] = CellState::kOccupied;
+    const std::vector<float> clearance = clearance_m(map, boundary);
+    for (std::size_t i = 0; i < clearance.size(); ++i) {
+      const CellIndex c = map.cell(i);
+      double expected = HUGE_VAL;
+      for (const CellIndex p : pillars) expected = std::min(expected, std::hypot(p.x - c.x, p.y - c.y));
+      if (boundary == Boundary::kOccupiedOrUnknown)
+        expected = std::min<double>(expected, std::min({c.x + 1, 420 - c.x, c.y + 1, 370 - c.y}));
+      ASSERT_NEAR(clearance[i], expected * map.resolution_m, 1e-5 * (1.0 + expected)) << c.x << ' ' << c.y;
+    }
+  }
+}
+
 TEST(Distance, OfNothingIsNothing) {
   EXPECT_TRUE(clearance_m(DenseMap{}, Boundary::kOccupied).empty());
   EXPECT_TRUE(clearance_m(DenseMap{}, Boundary::kOccupiedOrUnknown).empty());

@@ -24,7 +24,7 @@ inline PlaceMap places_of_building(const grid::DenseMap& map) {
   const grid::DenseMap open = without_furniture(map, walls, params.furniture_m);
   const auto open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
   PlaceMap places = segment_places(open, open_m, skeletonise(open, open_m), walls, compass_rad, params);
-  leave_free_space(map, places.labels);
+  places.labels = places.labels.on_free_cells(map);
   return places;
 }
 
