@@ -22,17 +22,27 @@ constexpr double kJump_m = 0.25;         // between two scans: the reckoning beg
 constexpr double kJump_rad = 1.0;        // the same, on the spot
 constexpr types::Duration kKept = std::chrono::seconds(60);
 
-/// From the middle of what the scanner sees to a point, radians, and half of what it sees.
+/// Half of what the scanner sees. One that is mounted upside down has beams that come clockwise.
+double half_view_rad(const types::Scan& scan) {
+  return 0.5 * std::abs(static_cast<double>(scan.geometry.angle_increment_rad)) * (scan.beams - 1);
+}
+
+/// From the middle of what it sees to a point.
 double off_middle_rad(const types::Scan& scan, const Vector2& p_laser) {
   const auto step_rad = static_cast<double>(scan.geometry.angle_increment_rad);
   const double middle_rad =
       static_cast<double>(scan.geometry.angle_min_rad) + 0.5 * step_rad * (scan.beams - 1);
-  return std::abs(types::wrap_angle(std::atan2(p_laser.y(), p_laser.x()) - middle_rad));
+  return types::wrap_angle(std::atan2(p_laser.y(), p_laser.x()) - middle_rad);
 }
 
-/// Of a scanner that is mounted upside down, too: its beams come clockwise.
-double half_view_rad(const types::Scan& scan) {
-  return 0.5 * std::abs(static_cast<double>(scan.geometry.angle_increment_rad)) * (scan.beams - 1);
+/// Whether the scan says what is in a point's direction: not out of view, and not where nothing was measured.
+bool tells(const types::Scan& scan, const Vector2& p_laser) {
+  const double off_rad = off_middle_rad(scan, p_laser);
+  if (!(std::abs(off_rad) < half_view_rad(scan))) return false;
+  const double beam =
+      off_rad / static_cast<double>(scan.geometry.angle_increment_rad) + 0.5 * (scan.beams - 1);
+  const float range_m = scan.range_m[static_cast<std::size_t>(std::lround(beam))];
+  return types::is_hit(range_m) || range_m == types::kNoReturn;
 }
 
 bool goes_on(const Se2& before, const Se2& now) {
@@ -48,13 +58,11 @@ bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving) {
 
 }  // namespace
 
-/// What is in view the new scan tells better.
 void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
   const Se2 T_laser_odom = T_odom_laser.inverse();
-  const double half_rad = half_view_rad(scan);
   const auto is_over = [&](const Seen& s) {
     return (s.p_odom - T_odom_base_.translation()).squaredNorm() > kReach_m * kReach_m ||
-           scan.arrival - s.last > kKept || off_middle_rad(scan, T_laser_odom * s.p_odom) < half_rad;
+           scan.arrival - s.last > kKept || tells(scan, T_laser_odom * s.p_odom);
   };
   const auto end = std::remove_if(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(size_), is_over);
   size_ = static_cast<std::size_t>(end - seen_.begin());
@@ -91,7 +99,7 @@ void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::sp
   for (const ScanPoint& point : points) {
     const Vector2& p = point.p_base;
     if (p.squaredNorm() > kReach_m * kReach_m || contains(outline, p)) continue;
-    if (off_middle_rad(scan, T_laser_base * p) < leaves_rad || moves(p, moving)) continue;
+    if (std::abs(off_middle_rad(scan, T_laser_base * p)) < leaves_rad || moves(p, moving)) continue;
     keep(T_odom_base * p, scan.arrival);
   }
 }

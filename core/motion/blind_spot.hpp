@@ -16,8 +16,8 @@ namespace topo::motion {
 
 /// What the front scanner saw beside the robot and sees no longer. It looks over 270 degrees; the tail of a
 /// robot that turns on the spot or backs off sweeps through the rest. A point is kept in odom from when it
-/// leaves the scanner's view until it comes into view again, the robot is gone from it, or a minute is over.
-/// What moves is not kept: where it is now, nobody knows. Fixed size, allocates nothing.
+/// leaves the scanner's view until something is measured in its direction again, the robot is gone from it,
+/// or a minute is over. What moves is not kept: where it is now, nobody knows. Fixed size, allocates nothing.
 class BlindSpot {
  public:
   static constexpr std::size_t kMax = 192;
@@ -37,6 +37,7 @@ class BlindSpot {
     types::Vector2 p_odom{0.0, 0.0};
     types::Stamp last{};  ///< by arrival, as staleness is judged
   };
+  /// What the new scan tells better, and what is far off or old.
   void forget(const types::Scan& scan, const types::Se2& T_odom_laser);
   void keep(const types::Vector2& p_odom, types::Stamp seen);
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/motion/blind_spot.hpp"
 #include "core/motion/robot_limits.hpp"
 #include "core/types/transform.hpp"
 
@@ -49,7 +50,7 @@ struct FollowOutput {
 class PathFollower {
  public:
   static constexpr std::size_t kMaxPoints = 256;
-  static constexpr std::size_t kMaxObstacles = 512;
+  static constexpr std::size_t kMaxObstacles = 512 + BlindSpot::kMax;  ///< of a scan, and what is remembered
 
   explicit PathFollower(const FollowerRules& rules = {}) : rules_(rules) {}
   FollowOutput step(const FollowInput& input);

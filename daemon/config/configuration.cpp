@@ -22,9 +22,11 @@ slam::MapperParams mapper_params(const Configuration& configuration) {
 pipeline::PlannerParams planner_params(const Configuration& configuration) {
   const ExplorationConfig& e = configuration.exploration;
   const MotionConfig& m = configuration.motion;
-  // On a route the robot must be able to turn on the spot.
+  const motion::Footprint hull = footprint(configuration);
+  // On a route the robot must be able to turn on the spot, and to drive with the margin that the gate keeps.
   const double disc_m =
-      motion::reach_m(footprint(configuration)) + std::min(m.margin_m, motion::RobotLimits{}.turn_margin_m);
+      std::max(motion::reach_m(hull) + std::min(m.margin_m, motion::RobotLimits{}.turn_margin_m),
+               hull.half_width_m + m.margin_m);
   const grid::TravelRules usual;
   pipeline::PlannerParams params;
   params.strategy = e.strategy;

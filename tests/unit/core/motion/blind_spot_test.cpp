@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/motion/footprint_sweep.hpp"
+#include "core/motion/path_follower.hpp"
 #include "tests/unit/core/motion/surroundings.hpp"
 
 namespace topo::motion {
@@ -23,6 +25,10 @@ struct Passage {
   std::vector<Vector2> posts;  ///< centres in odom
   double post_radius_m = 0.05;
   std::vector<MovingObstacle> moving;  ///< in base
+  double view_rad = 1.5 * std::numbers::pi;
+  bool blinded = false;           ///< no beam measures anything
+  bool upside_down = false;       ///< the beams come clockwise
+  types::Duration clock_error{};  ///< of when the beams were measured
   Se2 T_base_laser{0.021, 0.0, 0.0};
   Footprint outline{0.210, 0.301, 0.2125, 0.267};
   BlindSpot blind_spot;
@@ -31,6 +37,14 @@ struct Passage {
   void look_from(const Se2& pose) {
     now += std::chrono::milliseconds(50);
     const auto scan = empty_scan(now);
+    scan->first_beam += clock_error;
+    scan->geometry.angle_min_rad = static_cast<float>(-0.5 * view_rad);
+    scan->beams = static_cast<std::uint16_t>(
+        std::lround(view_rad / static_cast<double>(scan->geometry.angle_increment_rad)) + 1);
+    if (upside_down) {
+      scan->geometry.angle_min_rad *= -1.0F;
+      scan->geometry.angle_increment_rad *= -1.0F;
+    }
     for (std::size_t i = 0; i < scan->beams; ++i) {
       const Se2 at = pose * T_base_laser;
       const double angle = at.theta_rad + static_cast<double>(scan->angle_rad(i));
@@ -43,6 +57,7 @@ struct Passage {
         if (!(scan->range_m[i] < range_m)) scan->range_m[i] = range_m;
       }
     }
+    if (blinded) scan->range_m.fill(types::kInvalid);
     std::vector<ScanPoint> points(scan->beams);
     points.resize(scan_points(*scan, T_base_laser, points));
     types::Odometry odometry;
@@ -55,6 +70,12 @@ struct Passage {
         (to.translation() - from.translation()).norm() + std::abs(to.theta_rad - from.theta_rad);
     const int steps = std::max(1, static_cast<int>(std::ceil(way / 0.03)));
     for (int i = 0; i <= steps; ++i) look_from(types::interpolate(from, to, static_cast<double>(i) / steps));
+  }
+  /// How far off the nearest of what is kept is from a place in odom.
+  [[nodiscard]] double off_m(const Vector2& place, const Se2& pose) const {
+    double nearest_m = HUGE_VAL;
+    for (const Vector2& p : kept(pose)) nearest_m = std::min(nearest_m, (pose * p - place).norm());
+    return nearest_m;
   }
   [[nodiscard]] std::vector<Vector2> kept(const Se2& pose) const {
     std::vector<ScanPoint> out(blind_spot.size());
@@ -78,6 +99,43 @@ TEST(BlindSpot, KnowsThePostThatTheRobotHasPassed) {
     EXPECT_LT(std::abs((p - Vector2(-0.3, 0.32)).norm() - 0.05), 0.02) << p.transpose();
 }
 
+TEST(BlindSpot, KnowsThePostWhicheverWayTheScannerLooksAndCounts) {
+  for (const double yaw_rad : {0.0, 0.3, -0.3}) {
+    for (const bool upside_down : {false, true}) {
+      Passage passage;
+      passage.T_base_laser.theta_rad = yaw_rad;
+      passage.upside_down = upside_down;
+      passage.view_rad = 4.0 * std::numbers::pi / 3.0;  // a URG-04LX
+      passage.posts = {{0.6, 0.32}, {0.6, -0.32}};
+      passage.drive({0.0, 0.0, 0.0}, {0.9, 0.0, 0.0});
+      for (const Vector2& post : passage.posts)
+        EXPECT_LT(passage.off_m(post, {0.9, 0.0, 0.0}), 0.07) << yaw_rad << " " << upside_down;
+      passage.posts.clear();
+      passage.drive({0.9, 0.0, 0.0}, {0.9, 0.0, 3.1});
+      passage.drive({0.9, 0.0, 3.1}, {0.9, 0.0, 0.0});
+      EXPECT_EQ(passage.blind_spot.size(), 0U) << yaw_rad << " " << upside_down;
+    }
+  }
+}
+
+// Walls that leave the view a hair's breadth at a time must not push out what left it before.
+TEST(BlindSpot, KnowsThePostHoweverSlowlyTheRobotGoesOn) {
+  Passage passage;
+  const Vector2 post(0.6, 0.32);
+  passage.posts = {post};
+  for (double x = 0.5; x < 1.5; x += 0.01) passage.posts.emplace_back(x, -0.33);
+  for (double x = 0.75; x < 1.5; x += 0.01) passage.posts.emplace_back(x, 0.33);
+  passage.post_radius_m = 0.02;
+  passage.drive({0.0, 0.0, 0.0}, {0.9, 0.0, 0.0});
+  Se2 pose{0.9, 0.0, 0.0};
+  ASSERT_LT(passage.off_m(post, pose), 0.04);
+  for (int i = 0; i < 300; ++i) {
+    pose.x_m += 0.0002;
+    passage.look_from(pose);
+  }
+  EXPECT_LT(passage.off_m(post, pose), 0.04);
+}
+
 TEST(BlindSpot, WhatComesIntoViewAgainIsTheScannersToTell) {
   Passage passage;
   passage.posts = {{0.6, 0.32}};
@@ -86,6 +144,20 @@ TEST(BlindSpot, WhatComesIntoViewAgainIsTheScannersToTell) {
   passage.look_from({0.9, 0.0, 0.0});
   EXPECT_GT(passage.blind_spot.size(), 0U) << "it cannot see that the post is gone";
   passage.drive({0.9, 0.0, 0.0}, {0.9, 0.0, 1.5});
+  EXPECT_EQ(passage.blind_spot.size(), 0U);
+}
+
+TEST(BlindSpot, WhereNothingIsMeasuredTheScannerTellsNothing) {
+  Passage passage;
+  passage.posts = {{-0.2, 0.35}};
+  passage.look_from({});
+  ASSERT_GT(passage.blind_spot.size(), 0U);
+  passage.blinded = true;
+  passage.look_from({});
+  EXPECT_LT(passage.off_m(passage.posts.front(), {}), 0.07);
+  passage.blinded = false;
+  passage.posts.clear();
+  passage.look_from({});
   EXPECT_EQ(passage.blind_spot.size(), 0U);
 }
 
@@ -105,6 +177,20 @@ TEST(BlindSpot, ForgetsWhatIsFarOffAndWhatIsOld) {
   old.now += std::chrono::seconds(2);
   old.look_from({0.9, 0.0, 0.0});
   EXPECT_EQ(old.blind_spot.size(), 0U);
+}
+
+TEST(BlindSpot, AScannersClockThatJumpsKeepsNothingAlive) {
+  Passage passage;
+  passage.posts = {{0.6, 0.32}};
+  passage.clock_error = std::chrono::hours(1);
+  passage.drive({0.0, 0.0, 0.0}, {0.9, 0.0, 0.0});
+  passage.clock_error = {};
+  passage.posts.clear();
+  passage.look_from({0.9, 0.0, 0.0});
+  EXPECT_GT(passage.blind_spot.size(), 0U);
+  passage.now += std::chrono::seconds(61);
+  passage.look_from({0.9, 0.0, 0.0});
+  EXPECT_EQ(passage.blind_spot.size(), 0U);
 }
 
 TEST(BlindSpot, KeepsNothingThatMovesAndNothingOfTheRobotItself) {
@@ -131,6 +217,14 @@ TEST(BlindSpot, AReckoningThatBeginsAnewForgetsAll) {
   ASSERT_GT(passage.blind_spot.size(), 0U);
   passage.look_from({1.2, 0.0, 0.0});
   EXPECT_EQ(passage.blind_spot.size(), 0U);
+
+  Passage turned;
+  turned.posts = {{-0.3, 0.32}};
+  turned.drive({-0.9, 0.0, 0.0}, {0.0, 0.0, 0.0});
+  turned.posts.clear();
+  ASSERT_GT(turned.blind_spot.size(), 0U);
+  turned.look_from({0.0, 0.0, -1.5});
+  EXPECT_EQ(turned.blind_spot.size(), 0U) << "of another heading, though of the same place";
 }
 
 TEST(BlindSpot, NeverKeepsMoreThanItHasRoomForAndAlwaysTheNewest) {
@@ -152,6 +246,22 @@ TEST(BlindSpot, NeverKeepsMoreThanItHasRoomForAndAlwaysTheNewest) {
       EXPECT_LT(nearest_m, 0.05) << x << " " << side;
     }
   }
+}
+
+// What is kept comes first, and must not cost the end of the scan: the robot's left.
+TEST(BlindSpot, TheFollowerHasRoomForItBesideAFullScan) {
+  const auto scan = empty_scan(types::stamp_from_seconds(100.0));
+  std::fill_n(scan->range_m.begin(), scan->beams, 2.7F);
+  std::vector<ScanPoint> points(BlindSpot::kMax + scan->beams);
+  for (std::size_t i = 0; i < BlindSpot::kMax; ++i)
+    points[i].p_base = {-0.5, 0.04 * static_cast<double>(i % 20) - 0.4};
+  (void)scan_points(*scan, {}, std::span(points).subspan(BlindSpot::kMax));
+  Surroundings around;
+  around.front_scan = scan.get();
+  around.points = points;
+  std::vector<Vector2> taken(PathFollower::kMaxObstacles);
+  taken.resize(collect_obstacles({}, around, 2.8, 0.03, taken));
+  EXPECT_LT((taken.back() - points.back().p_base).norm(), 0.05);
 }
 
 TEST(BlindSpot, EveryPostThatATurnWouldHitIsKnownHoweverTheRobotCame) {

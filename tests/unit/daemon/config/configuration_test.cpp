@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/config/configuration.hpp"
+
+#include <gtest/gtest.h>
+
+namespace topo::daemon {
+namespace {
+
+double route_disc_m(RobotModel model, double margin_m) {
+  Configuration configuration;
+  configuration.robot.model = model;
+  configuration.motion.margin_m = margin_m;
+  return planner_params(configuration).travel.radius_m;
+}
+
+TEST(Configuration, RoutesHaveRoomToTurnOnTheSpot) {
+  EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3dx, 0.05), 0.267 + 0.03);
+  EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3dx, 0.02), 0.267 + 0.02);
+  EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3at, 0.05), 0.340 + 0.03);
+}
+
+// Else the planner sends the robot where the gate holds it back.
+TEST(Configuration, RoutesHaveRoomForTheMarginThatIsKept) {
+  for (const RobotModel model : {RobotModel::kP3dx, RobotModel::kP3at}) {
+    for (const double margin_m : {0.05, 0.1, 0.2, 0.5}) {
+      Configuration configuration;
+      configuration.robot.model = model;
+      EXPECT_GE(route_disc_m(model, margin_m), footprint(configuration).half_width_m + margin_m) << margin_m;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace topo::daemon
