@@ -100,17 +100,13 @@ void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& op
   const double length_m = wall.length_m();
   if (!(length_m > 0.0) || !std::isfinite(length_m)) return;
   const types::Vector2 along = (wall.b - wall.a) / length_m;
+  const std::size_t width = static_cast<std::size_t>(map.width());
   for (double d = 0.0; d <= length_m; d += map.resolution_m) {
     const grid::CellIndex middle = map.cell_at(wall.a + d * along);
-    const std::int32_t left = std::max(middle.x - 1, map.box.min.x),
-                       right = std::min(middle.x + 1, map.box.max.x);
-    const std::int32_t low = std::max(middle.y - 1, map.box.min.y),
-                       high = std::min(middle.y + 1, map.box.max.y);
-    for (std::int32_t y = low; y <= high && left <= right; ++y) {
-      const std::size_t first = map.index({left, y});
-      for (std::size_t i = first; i <= first + static_cast<std::size_t>(right - left); ++i)
-        open.cells[i] = map.cells[i];
-    }
+    if (!map.contains(middle) || map.is_on_border(middle)) continue;  // beside it nothing stands free
+    const std::size_t i = map.index(middle);
+    for (const std::size_t row : {i - width, i, i + width})
+      std::copy_n(&map.cells[row - 1], 3, &open.cells[row - 1]);
   }
 }
 
