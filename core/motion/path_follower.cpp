@@ -167,11 +167,11 @@ PathFollower::Arc PathFollower::best_arc(double v_cap_mps, const FollowInput& in
 double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
                                      const FollowInput& in) const {
   constexpr std::array kTurns{0.25, -0.25, 0.5, -0.5, 0.75, -0.75};
-  constexpr double kReach_m = 1.2;  // an arc that is slow ends nearer than this
+  constexpr double kSlowEnds_m = 1.2;  // an arc that is slow ends nearer than this
   std::array<Vector2, kMaxObstacles> near, turned;
   std::size_t count = 0;
   for (const Vector2& p : in.obstacles_base)
-    if (p.squaredNorm() < kReach_m * kReach_m && count < near.size()) near[count++] = p;
+    if (p.squaredNorm() < kSlowEnds_m * kSlowEnds_m && count < near.size()) near[count++] = p;
   const double left_rad = free_turn_rad(1.0, in), right_rad = free_turn_rad(-1.0, in);
   double best_rad = 0.0, best_score = now.score;
   const auto offer = [&](double by_rad) {
