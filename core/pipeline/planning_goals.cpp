@@ -62,6 +62,7 @@ void PlanningState::Impl::end(Activity how, std::string why) {
 void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   note(in, goal->p_map, "given up: " + why);
   put_off.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
+  looks.leave(goal->p_map);
   goal.reset();
 }
 
@@ -99,10 +100,12 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
     block_ahead(in);
     return give_up(in, "stuck on the way");
   }
-  if ((map.centre_of(target) - here).norm() <= params.goal_reached_m ||
+  const double reached_m = looks.reached_m(goal->p_map).value_or(params.goal_reached_m);
+  if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
     put_off.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
+    looks.leave(goal->p_map);
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
@@ -120,7 +123,8 @@ std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput
   std::vector<Candidate> found =
       candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, put_off,
                     T_map_base.se2(), in.now, cut_off);
-  if (in.team != nullptr) std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c); });
+  if (in.team != nullptr)
+    std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c, PutOffGoals::kSame_m); });
   return found;
 }
 

@@ -21,7 +21,7 @@ namespace topo::pipeline {
 /// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
 struct PlanningState::Impl {
   explicit Impl(const PlannerParams& given)
-      : params(given), roster(given.roster), contact(given.contact_lost_s) {}
+      : params(given), looks(given.looks), roster(given.roster), contact(given.contact_lost_s) {}
 
   // The step, in the order in which it goes (planning_step.cpp).
   PlanningOutput step(const PlanningInput& in);
@@ -87,6 +87,7 @@ struct PlanningState::Impl {
   void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
   void add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
+  void add_looks(const PlanningInput& in, std::vector<Candidate>& candidates, bool& cut_off);
   void estimate_far_ones(std::vector<Candidate>& candidates);
   [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);
   /// Where the cheapest tour of these begins, unless one that begins with `present` costs hardly more.
@@ -100,7 +101,7 @@ struct PlanningState::Impl {
   /// The candidate to go for, by what the team knows; null: none, or others have them.
   const Candidate* pick(const PlanningInput& in, std::span<const Candidate> candidates,
                         const Candidate* present);
-  [[nodiscard]] bool mate_was_at(const PlanningInput& in, const Candidate& candidate) const;
+  [[nodiscard]] bool mate_was_at(const PlanningInput& in, const Candidate& candidate, double within_m) const;
   [[nodiscard]] bool others_have_goals(const PlanningInput& in) const;
   [[nodiscard]] Claims claims_of_mates(const PlanningInput& in) const;
   [[nodiscard]] bool mates_claim_the_same(const PlanningInput& in) const;
@@ -185,6 +186,7 @@ struct PlanningState::Impl {
   types::Stamp goal_taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
   PutOffGoals put_off;
+  LastLooks looks;
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};
     types::Stamp until{};

@@ -86,6 +86,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   goal.reset();
   has_target = false;
   put_off.clear();
+  looks.forget();
   open_goals.clear();
   route.clear();
   thought = {};

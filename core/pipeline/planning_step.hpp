@@ -15,6 +15,7 @@
 #include "core/motion/area_limits.hpp"
 #include "core/pipeline/analysis.hpp"
 #include "core/pipeline/control_step.hpp"
+#include "core/pipeline/last_looks.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/pipeline/put_off_goals.hpp"
@@ -46,6 +47,7 @@ struct PlannerParams {
   bool k_means = true;  ///< false, an ablation: a team shares out single goals, not clusters of them
   AnalysisParams analysis;
   TourParams tour;
+  LastLookParams looks;  ///< Finish::kComplete
   grid::TravelRules travel;
   motion::AreaLimits area;
   types::Se2 T_base_laser;       ///< front scanner, for what stands in the way now

@@ -131,12 +131,12 @@ const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<co
   return chosen ? &candidates[*chosen] : nullptr;
 }
 
-bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& candidate) const {
+bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& candidate,
+                                      double within_m) const {
   const auto heard = roster.heard(in.now);
   return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
-    return std::any_of(word->visited.begin(), word->visited.end(), [&](const Vector2& p) {
-      return (p - candidate.goal.p_map).norm() <= PutOffGoals::kSame_m;
-    });
+    return std::any_of(word->visited.begin(), word->visited.end(),
+                       [&](const Vector2& p) { return (p - candidate.goal.p_map).norm() <= within_m; });
   });
 }
 

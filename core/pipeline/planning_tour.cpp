@@ -46,6 +46,7 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
     if (!complete) leave_overlooked(frontiers);
     add_gaps(in, frontiers, candidates, cut_off);
   }
+  if (complete && candidates.empty() && !returning) add_looks(in, candidates, cut_off);
   estimate_far_ones(candidates);
   return candidates;
 }
@@ -69,6 +70,17 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goal
                        [&](const Candidate& c) { return is_part_of(gap.goal, c.goal); });
   });
   candidates.insert(candidates.end(), gaps.begin(), gaps.end());
+}
+
+/// When there is nothing else to do.
+void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
+                                    bool& cut_off) {
+  looks.settle(map);
+  looks.find(map, map_revision, known_m2, field, analysis->walls);
+  // A look from beside a goal that a robot was at shows something else.
+  const PutOffGoals none;
+  candidates = candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},
+                             none, T_map_base.se2(), in.now, cut_off);
 }
 
 /// Candidates that the fine search has not come to get the costs of the coarse map.
@@ -127,7 +139,7 @@ const Candidate* PlanningState::Impl::first_of_tour(std::vector<const Candidate*
     candidates.erase(last, candidates.end());
   }
   const goals::TourGoals tour = tour_goals(candidates);
-  const double share = params.tour.length_share;
+  const double share = looks.empty() ? params.tour.length_share : looks.length_share();
   const goals::Tour best = goals::cheap_tour(tour, share);
   const auto at = std::find(candidates.begin(), candidates.end(), present);
   if (at == candidates.end() || candidates[best.front()] == present) return candidates[best.front()];

@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-#include "core/grid/distance.hpp"
 #include "tests/unit/core/grid/maps.hpp"
 
 namespace topo::goals {
@@ -28,10 +27,6 @@ DenseMap half_seen_room(int seen) {
     }
   }
   return map;
-}
-
-grid::TravelField field_from(const DenseMap& map, CellIndex start) {
-  return travel_field(map, clearance_m(map, grid::Boundary::kOccupiedOrUnknown), start, {});
 }
 
 TEST(Frontiers, OfAHalfSeenRoomIsOneLine) {

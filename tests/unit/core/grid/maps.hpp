@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
+#include "core/grid/distance.hpp"
+#include "core/grid/wavefront.hpp"
 
 namespace topo::grid {
 
@@ -38,6 +40,11 @@ inline DenseMap filled_map(int width, int height, CellState state) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) map.cells[map.index({x, y})] = state;
   return map;
+}
+
+/// Ways over what is known, by the usual rules.
+inline TravelField field_from(const DenseMap& map, CellIndex start) {
+  return travel_field(map, clearance_m(map, Boundary::kOccupiedOrUnknown), start, {});
 }
 
 /// Mostly free, with rectangles of the three states thrown in.

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/last_looks.hpp"
+
+#include <algorithm>
+
+namespace topo::pipeline {
+
+void LastLooks::forget() {
+  open_.clear();
+  offered_.clear();
+  asked_ = 0;
+}
+
+void LastLooks::settle(const grid::DenseMap& map) {
+  std::erase_if(open_,
+                [&](const Open& o) { return map.state(map.cell_at(o.sight)) != grid::CellState::kUnknown; });
+}
+
+void LastLooks::leave(const types::Vector2& p_map) {
+  std::erase_if(open_, [&](const Open& o) { return o.goal.p_map == p_map; });
+}
+
+std::optional<double> LastLooks::reached_m(const types::Vector2& p_map) const {
+  const bool is_look =
+      std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.goal.p_map == p_map; });
+  return is_look ? std::optional(params_.reached_m) : std::nullopt;
+}
+
+bool LastLooks::was_offered(const types::Vector2& opening) const {
+  constexpr double kSame_m = 0.5;
+  return std::any_of(offered_.begin(), offered_.end(),
+                     [&](const types::Vector2& p) { return (p - opening).norm() < kSame_m; });
+}
+
+void LastLooks::find(const grid::DenseMap& map, std::uint64_t revision, double known_m2,
+                     const grid::TravelField& field, std::span<const types::Segment> walls) {
+  if (!open_.empty() || revision == asked_) return;
+  asked_ = revision;
+  double promise_m2 = 0.0;
+  for (const goals::Frontier& frontier : goals::find_frontiers(map, params_.opening_min_m)) {
+    if (was_offered(frontier.centroid)) continue;
+    const auto look = goals::find_look(map, frontier, field, walls, params_.look);
+    if (!look || look->gain_m2 < params_.gain_min_m2) continue;
+    goals::Goal goal;
+    goal.p_map = map.centre_of(look->from);
+    goal.opening = frontier.centroid;
+    goal.opening_m = frontier.width_m;
+    goal.behind_m2 = look->gain_m2;
+    open_.push_back({goal, map.centre_of(look->sight)});
+    promise_m2 += look->gain_m2;
+  }
+  if (promise_m2 < params_.promise_min * known_m2) open_.clear();
+  for (const Open& o : open_) offered_.push_back(o.goal.opening);
+}
+
+std::vector<goals::Goal> LastLooks::goals() const {
+  std::vector<goals::Goal> all;
+  for (const Open& o : open_) all.push_back(o.goal);
+  return all;
+}
+
+}  // namespace topo::pipeline

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/pipeline/last_looks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/grid/maps.hpp"
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using grid::CellState;
+
+/// A room of 4 m by 3 m, all of it known, two gaps of 0.4 m in its right wall, and of what is behind them two
+/// walls.
+class TwoGaps : public ::testing::Test {
+ protected:
+  static constexpr int kWallX = 80;
+  TwoGaps() : map(grid::filled_map(160, 60, CellState::kUnknown)) {
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 0; x < 160; ++x) {
+        if (x > kWallX && y != 0 && y != 59) continue;
+        const bool gap = x == kWallX && (y / 8 == 1 || y / 8 == 5);
+        const bool wall = x == 0 || y == 0 || y == 59 || x == kWallX;
+        map.cells[map.index({x, y})] = wall && !gap ? CellState::kOccupied : CellState::kFree;
+      }
+    }
+    field = field_from(map, {40, 30});
+  }
+  void find(std::uint64_t revision) { looks.find(map, revision, 12.0, field, {}); }
+
+  grid::DenseMap map;
+  grid::TravelField field;
+  LastLooks looks{LastLookParams{}};
+};
+
+TEST_F(TwoGaps, AreTwoGoals) {
+  find(1);
+  ASSERT_EQ(looks.goals().size(), 2U);
+  for (const goals::Goal& goal : looks.goals()) {
+    EXPECT_NEAR(goal.opening.x(), 0.05 * (kWallX + 0.5), 1e-9);
+    EXPECT_NEAR(goal.opening_m, 0.4, 1e-9);
+    EXPECT_GT(goal.behind_m2, 0.3);
+    EXPECT_TRUE(std::isfinite(field.cost_m[map.index(map.cell_at(goal.p_map))]));
+  }
+}
+
+TEST_F(TwoGaps, AreNotWorthTheWayWhenTheyPromiseLittleOfWhatIsKnown) {
+  looks.find(map, 1, 1e4, field, {});
+  EXPECT_TRUE(looks.empty());
+  find(2);
+  EXPECT_FALSE(looks.empty()) << "what was not worth it was not offered";
+}
+
+TEST_F(TwoGaps, AreOfferedOnce) {
+  find(1);
+  const auto first = looks.goals().front().p_map;
+  looks.leave(first);
+  EXPECT_EQ(looks.goals().size(), 1U);
+  find(2);
+  EXPECT_EQ(looks.goals().size(), 1U) << "as long as one is left nothing is looked for";
+  looks.leave(looks.goals().front().p_map);
+  find(3);
+  EXPECT_TRUE(looks.empty());
+  looks.forget();
+  find(3);
+  EXPECT_EQ(looks.goals().size(), 2U);
+}
+
+TEST_F(TwoGaps, AreSettledWhenTheirSightIsKnown) {
+  find(1);
+  for (int y = 1; y < 59; ++y)
+    for (int x = kWallX + 1; x < 159; ++x) map.cells[map.index({x, y})] = CellState::kFree;
+  looks.settle(map);
+  EXPECT_TRUE(looks.empty());
+}
+
+/// A room, and a chamber behind a gap of half a metre: nobody can drive in, and a glance in passing does not
+/// show all of it.
+std::vector<std::string> room_and_chamber() {
+  std::vector<std::string> rows(20, "#" + std::string(24, ' ') + "#" + std::string(14, ' ') + "#");
+  rows.insert(rows.begin(), std::string(41, '#'));
+  rows.push_back(std::string(41, '#'));
+  rows[4][2] = 'S';
+  rows[10][25] = rows[11][25] = ' ';
+  return rows;
+}
+
+double known_in_the_end(PlannerParams params) {
+  ToyBuilding building{room_and_chamber(), 5.0};
+  PlanningState state(params);
+  PlanningOutput out;
+  do {
+    out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
+  } while (!out.report->mission_ended && building.now() < types::stamp_from_seconds(900.0));
+  EXPECT_EQ(out.report->activity, Activity::kDone) << out.report->reason;
+  return building.coverage();
+}
+
+TEST(LastLooks, ShowMoreOfAChamberThatNobodyCanDriveInto) {
+  PlannerParams complete;
+  PlannerParams without = complete;
+  without.looks.promise_min = 1e9;
+  const double with_m = known_in_the_end(complete), without_m = known_in_the_end(without);
+  EXPECT_GT(with_m, without_m + 0.05);
+  PlannerParams essential = complete;
+  essential.finish = Finish::kEssential;
+  EXPECT_LE(known_in_the_end(essential), without_m + 0.01);
+}
+
+}  // namespace
+}  // namespace topo::pipeline
