@@ -6,13 +6,13 @@
 
 namespace topo::pipeline {
 
-void LastLooks::forget() {
-  open_.clear();
-  offered_.clear();
-  asked_ = 0;
+void LastLooks::begin(types::Stamp now) {
+  *this = LastLooks(params_);
+  begun_ = now;
 }
 
-void LastLooks::settle(const grid::DenseMap& map) {
+void LastLooks::settle(const grid::DenseMap& map, types::Stamp now) {
+  if (is_over(now)) open_.clear();
   std::erase_if(open_,
                 [&](const Open& o) { return map.state(map.cell_at(o.sight)) != grid::CellState::kUnknown; });
 }
@@ -34,8 +34,9 @@ bool LastLooks::was_offered(const types::Vector2& opening) const {
 }
 
 void LastLooks::find(const grid::DenseMap& map, std::uint64_t revision, double known_m2,
-                     const grid::TravelField& field, std::span<const types::Segment> walls) {
-  if (!open_.empty() || revision == asked_) return;
+                     const grid::TravelField& field, std::span<const types::Segment> walls,
+                     types::Stamp now) {
+  if (!open_.empty() || revision == asked_ || is_over(now)) return;
   asked_ = revision;
   double promise_m2 = 0.0;
   for (const goals::Frontier& frontier : goals::find_frontiers(map, params_.opening_min_m)) {
@@ -52,6 +53,8 @@ void LastLooks::find(const grid::DenseMap& map, std::uint64_t revision, double k
   }
   if (promise_m2 < params_.promise_min * known_m2) open_.clear();
   for (const Open& o : open_) offered_.push_back(o.goal.opening);
+  if (!open_.empty() && !until_)
+    until_ = now + types::from_seconds(params_.time_share * types::to_seconds(now - begun_));
 }
 
 std::vector<goals::Goal> LastLooks::goals() const {

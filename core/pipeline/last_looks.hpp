@@ -9,6 +9,7 @@
 
 #include "core/goals/goal.hpp"
 #include "core/goals/look.hpp"
+#include "core/types/stamp.hpp"
 
 namespace topo::pipeline {
 
@@ -18,6 +19,7 @@ struct LastLookParams {
   /// All looks together, of what is known. Over sixteen plans and one robot the sweep promised 6 and 10 %
   /// where 1.0 and 1.2 % were missing, and at most 2.9 % where under 0.8 % were, which are not worth the way.
   double promise_min = 0.04;
+  double time_share = 0.75;   ///< of the time before it: no sweep takes longer
   double length_share = 0.8;  ///< of the tour (goals::tour_cost_m): nothing leads on any more
   double reached_m = 0.2;     ///< half a metre beside it another part of what is behind the gap is seen
   goals::LookParams look;
@@ -31,12 +33,13 @@ class LastLooks {
   explicit LastLooks(const LastLookParams& params) : params_(params) {}
 
   /// Another mission.
-  void forget();
-  /// Looks for looks, unless some are left or this map was asked already. `known_m2`: free area of the map.
+  void begin(types::Stamp now);
+  /// Looks for looks, unless some are left, or this map was asked already, or the time is over. `known_m2`:
+  /// free area of the map.
   void find(const grid::DenseMap& map, std::uint64_t revision, double known_m2,
-            const grid::TravelField& field, std::span<const types::Segment> walls);
-  /// Takes away those whose sight is known by now.
-  void settle(const grid::DenseMap& map);
+            const grid::TravelField& field, std::span<const types::Segment> walls, types::Stamp now);
+  /// Takes away those whose sight is known by now; all, when the time is over.
+  void settle(const grid::DenseMap& map, types::Stamp now);
   /// A robot was there, or could not get there.
   void leave(const types::Vector2& p_map);
   /// How near the robot has to come to a goal that is a look; nothing for other goals.
@@ -50,12 +53,15 @@ class LastLooks {
     goals::Goal goal;
     types::Vector2 sight{0.0, 0.0};  ///< unknown, and in sight from the goal
   };
+  [[nodiscard]] bool is_over(types::Stamp now) const { return until_ && now > *until_; }
   [[nodiscard]] bool was_offered(const types::Vector2& opening) const;
 
   LastLookParams params_;
   std::vector<Open> open_;
   std::vector<types::Vector2> offered_;  ///< openings; each is looked into once
   std::uint64_t asked_ = 0;              ///< revision of the map
+  types::Stamp begun_{};
+  std::optional<types::Stamp> until_;  ///< nothing before the first is offered
 };
 
 }  // namespace topo::pipeline

@@ -86,7 +86,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   goal.reset();
   has_target = false;
   put_off.clear();
-  looks.forget();
+  looks.begin(in.now);
   open_goals.clear();
   route.clear();
   thought = {};

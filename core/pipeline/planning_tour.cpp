@@ -75,8 +75,8 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goal
 /// When there is nothing else to do.
 void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
                                     bool& cut_off) {
-  looks.settle(map);
-  looks.find(map, map_revision, known_m2, field, analysis->walls);
+  looks.settle(map, in.now);
+  looks.find(map, map_revision, known_m2, field, analysis->walls, in.now);
   // A look from beside a goal that a robot was at shows something else.
   const PutOffGoals none;
   candidates = candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},

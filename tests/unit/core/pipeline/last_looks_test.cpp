@@ -28,9 +28,12 @@ class TwoGaps : public ::testing::Test {
       }
     }
     field = field_from(map, {40, 30});
+    looks.begin(at(0.0));
   }
-  void find(std::uint64_t revision) { looks.find(map, revision, 12.0, field, {}); }
+  void find(std::uint64_t revision) { looks.find(map, revision, 12.0, field, {}, now); }
+  static types::Stamp at(double t_s) { return types::stamp_from_seconds(1000.0 + t_s); }
 
+  types::Stamp now = at(100.0);
   grid::DenseMap map;
   grid::TravelField field;
   LastLooks looks{LastLookParams{}};
@@ -48,7 +51,7 @@ TEST_F(TwoGaps, AreTwoGoals) {
 }
 
 TEST_F(TwoGaps, AreNotWorthTheWayWhenTheyPromiseLittleOfWhatIsKnown) {
-  looks.find(map, 1, 1e4, field, {});
+  looks.find(map, 1, 1e4, field, {}, now);
   EXPECT_TRUE(looks.empty());
   find(2);
   EXPECT_FALSE(looks.empty()) << "what was not worth it was not offered";
@@ -64,7 +67,7 @@ TEST_F(TwoGaps, AreOfferedOnce) {
   looks.leave(looks.goals().front().p_map);
   find(3);
   EXPECT_TRUE(looks.empty());
-  looks.forget();
+  looks.begin(now);
   find(3);
   EXPECT_EQ(looks.goals().size(), 2U);
 }
@@ -73,8 +76,24 @@ TEST_F(TwoGaps, AreSettledWhenTheirSightIsKnown) {
   find(1);
   for (int y = 1; y < 59; ++y)
     for (int x = kWallX + 1; x < 159; ++x) map.cells[map.index({x, y})] = CellState::kFree;
-  looks.settle(map);
+  looks.settle(map, now);
   EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(TwoGaps, AreLookedIntoForThreeQuartersOfTheTimeBeforeAndNoLonger) {
+  find(1);
+  looks.settle(map, at(174.0));
+  EXPECT_EQ(looks.goals().size(), 2U);
+  looks.leave(looks.goals().front().p_map);
+  looks.settle(map, at(176.0));
+  EXPECT_TRUE(looks.empty());
+  now = at(177.0);
+  find(2);
+  EXPECT_TRUE(looks.empty());
+  looks.begin(at(200.0));
+  now = at(300.0);
+  find(2);
+  EXPECT_EQ(looks.goals().size(), 2U);
 }
 
 /// A room, and a chamber behind a gap of half a metre: nobody can drive in, and a glance in passing does not
