@@ -17,7 +17,7 @@ using grid::CellState;
 using grid::DenseMap;
 using types::Vector2;
 
-constexpr std::size_t kSources = 10;  // unknown cells that are to be seen, at most
+constexpr std::size_t kSources = 8;  // unknown cells that are to be seen, at most
 constexpr int kSourceRays = 180;
 constexpr int kRobotRays = 270;
 constexpr int kRim = 2;  // cells: an unknown cell beside a frontier is as near as this to what is free

@@ -33,11 +33,11 @@ bool LastLooks::was_offered(const types::Vector2& opening) const {
                      [&](const types::Vector2& p) { return (p - opening).norm() < kSame_m; });
 }
 
-void LastLooks::find(const grid::DenseMap& map, std::uint64_t revision, double known_m2,
-                     const grid::TravelField& field, std::span<const types::Segment> walls,
-                     types::Stamp now) {
-  if (!open_.empty() || revision == asked_ || is_over(now)) return;
+void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again) {
+  const auto& [map, revision, known_m2, field, walls] = in;
+  if (!open_.empty() || is_over(now) || revision == asked_ || now - asked_at_ < again) return;
   asked_ = revision;
+  asked_at_ = now;
   double promise_m2 = 0.0;
   for (const goals::Frontier& frontier : goals::find_frontiers(map, params_.opening_min_m)) {
     if (was_offered(frontier.centroid)) continue;

@@ -25,6 +25,15 @@ struct LastLookParams {
   goals::LookParams look;
 };
 
+/// Borrowed for the call.
+struct LookedAt {
+  const grid::DenseMap& map;
+  std::uint64_t revision = 0;
+  double known_m2 = 0.0;  ///< free area of the map
+  const grid::TravelField& field;
+  std::span<const types::Segment> walls;
+};
+
 /// The last sweep of an exploration that is to be complete. When no goal is left, cluttered rooms may still
 /// have corners that were never in sight, behind gaps through which one cannot drive: each is looked into,
 /// once, if all of them together promise enough.
@@ -34,10 +43,9 @@ class LastLooks {
 
   /// Another mission.
   void begin(types::Stamp now);
-  /// Looks for looks, unless some are left, or this map was asked already, or the time is over. `known_m2`:
-  /// free area of the map.
-  void find(const grid::DenseMap& map, std::uint64_t revision, double known_m2,
-            const grid::TravelField& field, std::span<const types::Segment> walls, types::Stamp now);
+  /// Looks for looks, unless some are left, or the time is over, or this map was asked already, or one was
+  /// less than `again` ago: it costs a tenth of a millisecond and more a frontier.
+  void find(const LookedAt& in, types::Stamp now, types::Duration again);
   /// Takes away those whose sight is known by now; all, when the time is over.
   void settle(const grid::DenseMap& map, types::Stamp now);
   /// A robot was there, or could not get there.
@@ -60,7 +68,7 @@ class LastLooks {
   std::vector<Open> open_;
   std::vector<types::Vector2> offered_;  ///< openings; each is looked into once
   std::uint64_t asked_ = 0;              ///< revision of the map
-  types::Stamp begun_{};
+  types::Stamp begun_{}, asked_at_{};
   std::optional<types::Stamp> until_;  ///< nothing before the first is offered
 };
 

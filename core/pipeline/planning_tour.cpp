@@ -16,7 +16,9 @@ namespace {
 
 constexpr double kSameOpening_m = 2.0;  // a frontier so near to an essential goal's opening is that opening
 constexpr double kSameStand_m = 1.0;
-constexpr double kExact_m = 6.0;       // of the way; the costs of farther goals need not be exact
+constexpr double kExact_m = 6.0;  // of the way; the costs of farther goals need not be exact
+// Nobody waits for an answer while others explore.
+constexpr types::Duration kAskAgain = std::chrono::seconds(1), kAskAgainMeanwhile = std::chrono::seconds(30);
 constexpr double kOpeningMax_m = 6.0;  // a wider one shows no more of what is behind it
 
 bool is_part_of(const goals::Goal& gap, const goals::Goal& goal) {
@@ -76,7 +78,9 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goal
 void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
                                     bool& cut_off) {
   looks.settle(map, in.now);
-  looks.find(map, map_revision, known_m2, field, analysis->walls, in.now);
+  const bool is_awaited = in.team == nullptr || !others_have_goals(in);
+  looks.find({map, map_revision, known_m2, field, analysis->walls}, in.now,
+             is_awaited ? kAskAgain : kAskAgainMeanwhile);
   // A look from beside a goal that a robot was at shows something else.
   const PutOffGoals none;
   candidates = candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},

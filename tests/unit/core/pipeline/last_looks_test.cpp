@@ -30,7 +30,7 @@ class TwoGaps : public ::testing::Test {
     field = field_from(map, {40, 30});
     looks.begin(at(0.0));
   }
-  void find(std::uint64_t revision) { looks.find(map, revision, 12.0, field, {}, now); }
+  void find(std::uint64_t revision) { looks.find({map, revision, 12.0, field, {}}, now, {}); }
   static types::Stamp at(double t_s) { return types::stamp_from_seconds(1000.0 + t_s); }
 
   types::Stamp now = at(100.0);
@@ -51,7 +51,7 @@ TEST_F(TwoGaps, AreTwoGoals) {
 }
 
 TEST_F(TwoGaps, AreNotWorthTheWayWhenTheyPromiseLittleOfWhatIsKnown) {
-  looks.find(map, 1, 1e4, field, {}, now);
+  looks.find({map, 1, 1e4, field, {}}, now, {});
   EXPECT_TRUE(looks.empty());
   find(2);
   EXPECT_FALSE(looks.empty()) << "what was not worth it was not offered";
@@ -94,6 +94,14 @@ TEST_F(TwoGaps, AreLookedIntoForThreeQuartersOfTheTimeBeforeAndNoLonger) {
   now = at(300.0);
   find(2);
   EXPECT_EQ(looks.goals().size(), 2U);
+}
+
+TEST_F(TwoGaps, AreNotAskedForTooOften) {
+  looks.find({map, 1, 1e4, field, {}}, at(10.0), std::chrono::seconds(30));
+  looks.find({map, 2, 12.0, field, {}}, at(39.0), std::chrono::seconds(30));
+  EXPECT_TRUE(looks.empty());
+  looks.find({map, 3, 12.0, field, {}}, at(41.0), std::chrono::seconds(30));
+  EXPECT_FALSE(looks.empty());
 }
 
 /// A room, and a chamber behind a gap of half a metre: nobody can drive in, and a glance in passing does not
