@@ -175,7 +175,8 @@ void add_exploration(std::vector<KeySpec>& t) {
   t.push_back({"exploration.strategy", "", false, choice<kS, &C::strategy>(kStrategies),
                "topometric: a handful of goals from the places; nearest_frontier: always the nearest edge"});
   t.push_back({"exploration.finish", "", false, choice<kS, &C::finish>(kFinishes),
-               "essential: home when no essential goal is left, nor a gap onto a room; complete: all gaps"});
+               "essential: home when no essential goal is left, nor a gap onto a room; complete: all gaps, "
+               "and a look into what it cannot enter"});
   t.push_back({"exploration.planning_period_s", "s", false, RealKey{&at<kS, &C::planning_period_s>, 0.1, 0.8},
                "from one decision to the next"});
   t.push_back({"exploration.frontier_min_m", "m", false, RealKey{&at<kS, &C::frontier_min_m>, 0.1, 3.0},
