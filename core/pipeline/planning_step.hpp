@@ -27,7 +27,7 @@ namespace topo::pipeline {
 
 enum class Finish : std::uint8_t {
   kEssential,  ///< home when no essential goal is left, and no gap onto a room (TourParams::overlooked_m2)
-  kComplete,   ///< the remaining frontiers as well, in one tour with the essential goals
+  kComplete,   ///< the remaining frontiers as well, in one tour with the essential goals, and last looks
 };
 std::string_view to_text(Finish finish);
 
