@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <utility>
+
+#include "core/grid/joined_runs.hpp"
+#include "core/grid/known_span.hpp"
 
 namespace topo::goals {
 namespace {
@@ -14,77 +17,68 @@ using grid::CellIndex;
 using grid::CellState;
 using grid::DenseMap;
 
-/// One mark a cell with a ring of unmarked cells around them, so that neighbours need no bounds.
-class Marks {
+/// The free cells with unknown space at one of their four sides, in runs; beyond the array all is unknown.
+class FrontierRuns {
  public:
-  Marks(std::size_t width, std::size_t height) : stride_(width + 2), marks_(stride_ * (height + 2)) {
-    for (std::size_t d = 0; d < grid::kNeighbours.size(); ++d) {
-      const CellIndex by = grid::kNeighbours[d];
-      around_[d] = static_cast<std::size_t>(by.y * static_cast<std::ptrdiff_t>(stride_) + by.x);
+  struct Cluster {
+    std::uint32_t span;  ///< in columns or rows, whichever are more
+    std::vector<std::uint32_t> cells;
+  };
+
+  explicit FrontierRuns(const DenseMap& map) : width_(static_cast<std::size_t>(map.width())), marks_(width_) {
+    runs_.clear(width_);
+    const std::vector<CellState> outside(width_, CellState::kUnknown);
+    const CellState* const cells = map.cells.data();
+    for (std::size_t row = 0; row < map.cells.size(); row += width_) {
+      const CellState* below = row == 0 ? outside.data() : cells + row - width_;
+      const CellState* above = row + width_ == map.cells.size() ? outside.data() : cells + row + width_;
+      const grid::CellSpan known = grid::known_span(map.cells, row, row + width_);
+      if (known.empty()) continue;
+      mark(below, cells + row, above, known.first - row, known.end - row);
+      runs_.add_marked(known.first, {&marks_[known.first - row], known.end - known.first});
     }
   }
 
-  [[nodiscard]] std::uint8_t* row(std::size_t y) { return &marks_[(y + 1) * stride_ + 1]; }
-  [[nodiscard]] std::size_t x_of(std::size_t mark) const { return mark % stride_ - 1; }
-  [[nodiscard]] std::size_t y_of(std::size_t mark) const { return mark / stride_ - 1; }
-
-  /// The first mark from `from` on, or the end.
-  [[nodiscard]] std::size_t next(std::size_t from) const {
-    const void* found = from < marks_.size() ? std::memchr(&marks_[from], 1, marks_.size() - from) : nullptr;
-    if (found == nullptr) return marks_.size();
-    return static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - marks_.data());
-  }
-  [[nodiscard]] std::size_t end() const { return marks_.size(); }
-
-  /// Takes away the marks connected to one over eight neighbours, and lists them.
-  void take_cluster(std::size_t seed, std::vector<std::size_t>& cluster) {
-    cluster.assign(1, seed);
-    marks_[seed] = 0;
-    for (std::size_t i = 0; i < cluster.size(); ++i) {
-      for (const std::size_t by : around_) {
-        const std::size_t next = cluster[i] + by;
-        if (marks_[next] == 0) continue;
-        marks_[next] = 0;
-        cluster.push_back(next);
+  /// Those that hang together and span at least so many columns or rows: the cells of each in rising order,
+  /// by their first cells.
+  [[nodiscard]] std::vector<Cluster> clusters(std::uint32_t span_min) {
+    const std::vector<grid::JoinedRuns::Extent> extents = runs_.extents();
+    std::vector<Cluster> found;
+    std::vector<std::size_t> number(runs_.size());
+    for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+      const std::uint32_t root = runs_.root_of(run);
+      const grid::JoinedRuns::Extent& e = extents[root];
+      const std::uint32_t span = std::max(e.right - e.left, e.high - e.low + 1);
+      if (span < span_min) continue;
+      if (root == run) {
+        number[run] = found.size();
+        found.push_back({span, {}});
       }
+      std::vector<std::uint32_t>& cluster = found[number[root]].cells;
+      for (std::uint32_t i = runs_[run].first; i < runs_[run].end; ++i) cluster.push_back(i);
     }
+    return found;
   }
 
  private:
-  std::size_t stride_;
-  std::vector<std::uint8_t> marks_;
-  std::array<std::size_t, 8> around_{};
-};
-
-/// Marks the free cells of a row with unknown space at one of their four sides.
-void mark_row(const CellState* below, const CellState* row, const CellState* above, std::size_t width,
-              std::uint8_t* marks) {
-  const auto unknown = [](CellState s) { return s == CellState::kUnknown ? 1U : 0U; };
-  const auto mark = [&](std::size_t x, unsigned beside) {
-    const unsigned open = beside | unknown(below[x]) | unknown(above[x]);
-    marks[x] = static_cast<std::uint8_t>(open & (row[x] == CellState::kFree ? 1U : 0U));
-  };
-  mark(0, 1U);  // beyond the array all is unknown
-  for (std::size_t x = 1; x + 1 < width; ++x) mark(x, unknown(row[x - 1]) | unknown(row[x + 1]));
-  mark(width - 1, 1U);
-}
-
-Marks frontier_marks(const DenseMap& map) {
-  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  Marks marks(width, height);
-  const std::vector<CellState> outside(width, CellState::kUnknown);
-  for (std::size_t y = 0; y < height; ++y) {
-    const CellState* row = &map.cells[y * width];
-    const CellState* below = y == 0 ? outside.data() : row - width;
-    const CellState* above = y + 1 == height ? outside.data() : row + width;
-    mark_row(below, row, above, width, marks.row(y));
+  /// Cells [first, end) of a row, beside which all is unknown.
+  void mark(const CellState* below, const CellState* row, const CellState* above, std::size_t first,
+            std::size_t end) {
+    const auto unknown = [](CellState s) { return s == CellState::kUnknown ? 1U : 0U; };
+    std::uint8_t* const marks = marks_.data();
+    const auto mark_cell = [&](std::size_t x, unsigned beside) {
+      const unsigned open = beside | unknown(below[x]) | unknown(above[x]);
+      marks[x] = static_cast<std::uint8_t>(open & (row[x] == CellState::kFree ? 1U : 0U));
+    };
+    mark_cell(first, 1U);
+    for (std::size_t x = first + 1; x + 1 < end; ++x) mark_cell(x, unknown(row[x - 1]) | unknown(row[x + 1]));
+    mark_cell(end - 1, 1U);
   }
-  return marks;
-}
 
-double width_of(const grid::CellBox& box, double resolution_m) {
-  return static_cast<double>(std::max(box.width(), box.height())) * resolution_m;
-}
+  std::size_t width_;
+  std::vector<std::uint8_t> marks_;  ///< of one row
+  grid::JoinedRuns runs_;
+};
 
 /// Spreads from a frontier over free cells, ring by ring, as far as `steps`.
 class Spread {
@@ -149,26 +143,12 @@ class Spread {
 std::vector<Frontier> find_frontiers(const DenseMap& map, double width_min_m) {
   std::vector<Frontier> frontiers;
   if (map.cells.empty()) return frontiers;
-  Marks marks = frontier_marks(map);
-  std::vector<std::size_t> cluster;
-  for (std::size_t at = marks.next(0); at < marks.end(); at = marks.next(at + 1)) {
-    marks.take_cluster(at, cluster);
-    grid::CellBox box;
+  // Half a thousandth of a cell of slack: 15 cells of 0.05 m are 0.75 m, whatever the sum of fractions says.
+  const double cells_min = std::clamp(std::ceil(width_min_m / map.resolution_m - 0.0005), 0.0, 4e9);
+  for (auto& [span, cells] : FrontierRuns(map).clusters(static_cast<std::uint32_t>(cells_min))) {
     types::Vector2 sum(0.0, 0.0);
-    for (std::size_t& mark : cluster) {
-      const CellIndex cell{map.box.min.x + static_cast<int>(marks.x_of(mark)),
-                           map.box.min.y + static_cast<int>(marks.y_of(mark))};
-      box.extend(cell);
-      sum += map.centre_of(cell);
-      mark = map.index(cell);
-    }
-    // Half a thousandth of a cell of slack: 15 cells of 0.05 m are 0.75 m, whatever the sum of fractions
-    // says.
-    const double width_m = width_of(box, map.resolution_m);
-    if (width_m + 0.0005 * map.resolution_m < width_min_m) continue;
-    std::sort(cluster.begin(), cluster.end());
-    frontiers.push_back(
-        {sum / static_cast<double>(cluster.size()), width_m, {cluster.begin(), cluster.end()}});
+    for (const std::uint32_t i : cells) sum += map.centre_of(map.cell(i));
+    frontiers.push_back({sum / static_cast<double>(cells.size()), span * map.resolution_m, std::move(cells)});
   }
   return frontiers;
 }
@@ -208,8 +188,9 @@ double unknown_behind_m2(const DenseMap& map, CellIndex centre, std::span<const 
   const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
   const int side = 2 * reach + 1;
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
-  std::vector<CellIndex> queue;
+  std::vector<CellIndex> open;
   bool leaves = false;
+  std::size_t found = 0;
   const auto visit = [&](CellIndex c) {
     if (map.state(c) != CellState::kUnknown) return;
     const int u = c.x - centre.x + reach, v = c.y - centre.y + reach;
@@ -218,7 +199,7 @@ double unknown_behind_m2(const DenseMap& map, CellIndex centre, std::span<const 
       return;
     }
     std::uint8_t& mark = seen[static_cast<std::size_t>(v * side + u)];
-    if (mark == 0) queue.push_back(c);
+    if (mark == 0) open.push_back(c);
     mark = 1;
   };
   const auto visit_sides = [&](CellIndex c) {
@@ -231,8 +212,13 @@ double unknown_behind_m2(const DenseMap& map, CellIndex centre, std::span<const 
     const CellIndex c = map.cell(i);
     if (std::abs(c.x - centre.x) < reach && std::abs(c.y - centre.y) < reach) visit_sides(c);
   }
-  for (std::size_t next = 0; next < queue.size() && !leaves; ++next) visit_sides(queue[next]);
-  return leaves ? HUGE_VAL : static_cast<double>(queue.size()) * map.resolution_m * map.resolution_m;
+  // The newest first: what leaves is mostly out after a straight line.
+  for (; !open.empty() && !leaves; ++found) {
+    const CellIndex at = open.back();
+    open.pop_back();
+    visit_sides(at);
+  }
+  return leaves ? HUGE_VAL : static_cast<double>(found) * map.resolution_m * map.resolution_m;
 }
 
 }  // namespace topo::goals

@@ -12,7 +12,8 @@
 #include <numbers>
 
 #include "core/grid/bucket_queue.hpp"
-#include "core/grid/open_runs.hpp"
+#include "core/grid/free_runs.hpp"
+#include "core/grid/joined_runs.hpp"
 
 namespace topo::grid {
 namespace {
@@ -138,47 +139,60 @@ class TravelSearch::Impl {
   };
 
   void prepare(CellIndex start, const TravelRules& rules) {
+    clear_field();
     field_->start = start;
-    field_->cost_m.assign(map_->cells.size(), kUnreached);
-    field_->step.assign(map_->cells.size(), kNoStep);
     complete_ = true;
     marked_ = false;
     if (!map_->contains(start)) return;
     const auto first = static_cast<std::uint32_t>(map_->index(start));
     field_->cost_m[first] = 0.0F;
+    field_->written.push_back({first, first + 1});
     if (map_->is_on_border(start)) return;
     price_cells(static_cast<float>(rules.radius_m));
     const bool leaves = metre_cost_[first] == kUnreached;
     if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
-    close_border();
     metre_cost_[first] = crowding_.at(clearance_m_[first]);  // whatever stands there, the robot does
+    field_->written = priced_;
     // Elsewhere the robot is too far from everything to get to a corner: mark_later need not ask.
     may_pause_ = !is_near_something(static_cast<float>(rules.radius_m)) && !(leaves && meets_at_corners());
     queue_.push(first, 0.0F);
     complete_ = false;
   }
 
-  /// What a metre costs in every cell, so that a step asks one array.
-  void price_cells(float radius_m) {
-    metre_cost_.resize(map_->cells.size());
-    const Crowding crowding = crowding_;
-    const CellState* cells = map_->cells.data();
-    const float* clearance_m = clearance_m_.data();
-    float* const out = metre_cost_.data();
-    const std::size_t size = metre_cost_.size();
-    for (std::size_t i = 0; i < size; ++i) {
-      const float here_m = clearance_m[i], open = crowding.at(here_m);
-      const float room_m = cells[i] == CellState::kFree ? here_m : -1.0F;
-      out[i] = room_m < radius_m ? kUnreached : open;
+  /// Of a search before, only what it wrote.
+  void clear_field() {
+    for (const CellRun& run : field_->written) {
+      std::fill(field_->cost_m.begin() + run.first, field_->cost_m.begin() + run.end, kUnreached);
+      std::fill(field_->step.begin() + run.first, field_->step.begin() + run.end, kNoStep);
     }
+    field_->written.clear();
+    field_->cost_m.resize(map_->cells.size(), kUnreached);
+    field_->step.resize(map_->cells.size(), kNoStep);
   }
 
-  /// The outermost cells are never entered: neighbours of all others are in the array.
-  void close_border() {
-    const auto width = static_cast<std::size_t>(map_->width()), size = metre_cost_.size();
-    std::fill_n(metre_cost_.begin(), width, kUnreached);
-    std::fill_n(metre_cost_.end() - static_cast<std::ptrdiff_t>(width), width, kUnreached);
-    for (std::size_t i = 0; i < size; i += width) metre_cost_[i] = metre_cost_[i + width - 1] = kUnreached;
+  /// What a metre costs in every cell, so that a step asks one array. Most of a map is not free: that costs
+  /// nothing here. The outermost cells are never entered: neighbours of all others are in the array.
+  void price_cells(float radius_m) {
+    for (const CellRun& run : priced_)
+      std::fill(metre_cost_.begin() + run.first, metre_cost_.begin() + run.end, kUnreached);
+    priced_.clear();
+    metre_cost_.resize(map_->cells.size(), kUnreached);
+    const auto width = static_cast<std::size_t>(map_->width());
+    for (std::size_t row = width; row + width < map_->cells.size(); row += width) {
+      for_each_free_run(map_->cells, row + 1, row + width - 1, [&](std::size_t first, std::size_t end) {
+        price_run(first, end, radius_m);
+        priced_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)});
+      });
+    }
+  }
+  void price_run(std::size_t first, std::size_t end, float radius_m) {
+    const Crowding crowding = crowding_;
+    const float* const clearance_m = clearance_m_.data();
+    float* const out = metre_cost_.data();
+    for (std::size_t i = first; i < end; ++i) {
+      const float here_m = clearance_m[i], open = crowding.at(here_m);
+      out[i] = here_m < radius_m ? kUnreached : open;
+    }
   }
 
   void open_start_region(const StartRegion& region) {
@@ -186,12 +200,32 @@ class TravelSearch::Impl {
     for (int y = field_->start.y - region.reach(); y <= field_->start.y + region.reach(); ++y) {
       for (int x = field_->start.x - region.reach(); x <= field_->start.x + region.reach(); ++x) {
         const CellIndex cell{x, y};
-        if (!map_->contains(cell) || !region.allows(cell)) continue;
+        if (!map_->contains(cell) || map_->is_on_border(cell) || !region.allows(cell)) continue;
         const std::size_t i = map_->index(cell);
         metre_cost_[i] = crowding_.at(clearance_m_[i]);
-        if (!map_->is_on_border(cell)) leaving_.extend(cell);
+        leaving_.extend(cell);
       }
     }
+    count_as_priced(leaving_);
+  }
+
+  /// The runs of the box join those that are priced.
+  void count_as_priced(const CellBox& box) {
+    for (int y = box.min.y; y <= box.max.y; ++y) {
+      const auto first = static_cast<std::uint32_t>(map_->index({box.min.x, y}));
+      priced_.push_back({first, first + static_cast<std::uint32_t>(box.width())});
+    }
+    std::sort(priced_.begin(), priced_.end(),
+              [](const CellRun& a, const CellRun& b) { return a.first < b.first; });
+    std::size_t kept = 0;
+    for (const CellRun& run : priced_) {
+      CellRun& last = priced_[kept == 0 ? 0 : kept - 1];
+      if (kept > 0 && run.first <= last.end)
+        last.end = std::max(last.end, run.end);
+      else
+        priced_[kept++] = run;
+    }
+    priced_.resize(kept);
   }
 
   /// Do open cells of the start region hang together at corners alone, one of which is cut?
@@ -258,16 +292,42 @@ class TravelSearch::Impl {
     }
   }
 
-  /// Marks what will be reached.
+  /// Marks what will be reached. The runs are short and far from one another: who waits for each of them in
+  /// turn waits longer than for the whole map.
   void mark_later() {
     if (marked_) return;
     marked_ = true;
-    runs_.take(metre_cost_, static_cast<std::size_t>(map_->width()));
-    runs_.for_each_connected(static_cast<std::uint32_t>(map_->index(field_->start)), [&](OpenRuns::Run run) {
-      float* const cost_m = field_->cost_m.data();
-      for (std::size_t i = run.first; i < run.end; ++i) cost_m[i] = std::min(cost_m[i], TravelField::kLater);
-    });
+    runs_.clear(static_cast<std::size_t>(map_->width()));
+    for (std::size_t i = 0; i < priced_.size(); ++i) {
+      if (i + kAhead < priced_.size()) fetch(metre_cost_, priced_[i + kAhead]);
+      add_open(priced_[i]);
+    }
+    const std::uint32_t here =
+        runs_.root_of(runs_.run_of(static_cast<std::uint32_t>(map_->index(field_->start))));
+    float* const cost_m = field_->cost_m.data();
+    for (std::uint32_t run = here; run < runs_.size(); ++run) {
+      if (run + kAhead < runs_.size()) fetch(field_->cost_m, runs_[run + kAhead]);
+      if (runs_.root_of(run) != here) continue;
+      for (std::size_t i = runs_[run].first; i < runs_[run].end; ++i)
+        cost_m[i] = std::min(cost_m[i], TravelField::kLater);
+    }
   }
+
+  /// The cells of a run that can be entered.
+  void add_open(const CellRun& run) {
+    is_open_.resize(run.end - run.first);
+    const float* const cost = metre_cost_.data() + run.first;
+    std::uint8_t* const is_open = is_open_.data();
+    for (std::size_t i = 0; i < is_open_.size(); ++i) is_open[i] = cost[i] < kUnreached ? 1 : 0;
+    runs_.add_marked(run.first, is_open_);
+  }
+
+  /// Asks for what will be looked at soon.
+  static void fetch(const std::vector<float>& values, const CellRun& run) {
+    constexpr std::uint32_t kLine = 64 / sizeof(float);
+    for (std::uint32_t i = run.first; i < run.end; i += kLine) __builtin_prefetch(&values[i]);
+  }
+  static constexpr std::uint32_t kAhead = 6;  ///< runs
 
   const DenseMap* map_ = nullptr;
   std::span<const float> clearance_m_;
@@ -276,11 +336,13 @@ class TravelSearch::Impl {
   float resolution_m_ = 0.0F;
   BucketQueue queue_;
   std::vector<float> metre_cost_;  ///< of every cell; infinity where the robot cannot be
+  std::vector<CellRun> priced_;    ///< in rising order: elsewhere it is infinity
   TravelField* field_ = nullptr;
   std::array<std::ptrdiff_t, 8> offset_{};
   std::array<Row, kRows.size()> half_step_m_{};  ///< from the cell to its neighbours' borders
-  CellBox leaving_;  ///< of the cells opened for a start with too little clearance
-  OpenRuns runs_;
+  CellBox leaving_;                    ///< of the cells opened for a start with too little clearance
+  JoinedRuns runs_;                    ///< of what can be entered
+  std::vector<std::uint8_t> is_open_;  ///< of one run
   bool complete_ = true, may_pause_ = false, marked_ = false;
 };
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "core/grid/cell_run.hpp"
 #include "core/grid/dense_map.hpp"
 
 namespace topo::grid {
@@ -35,6 +36,7 @@ struct TravelField {
   CellIndex start;
   std::vector<float> cost_m;
   std::vector<std::uint8_t> step;  ///< how the cell was entered: 0..7, the neighbour it came from; 255: none
+  std::vector<CellRun> written;    ///< where a search may have set something: the next one clears no more
 };
 
 /// Dijkstra over eight neighbours, with costs in a bucket queue. A step costs its length times the mean of

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/grid/known_span.hpp"
+
 namespace topo::pipeline {
 namespace {
 
@@ -12,7 +14,7 @@ namespace {
 using grid::CellState;
 static_assert(CellState::kUnknown < CellState::kFree && CellState::kFree < CellState::kOccupied);
 
-/// The most of some rows in each column, then of neighbouring columns: whole rows in vector instructions.
+/// The most of some rows in each column, then of neighbouring columns, in vector instructions.
 template <class T>
 class Pooled {
  public:
@@ -23,20 +25,26 @@ class Pooled {
         columns_(coarse_width << doublings),
         halved_(columns_.size()) {}
 
-  void clear() { std::fill(columns_.begin(), columns_.end(), T{}); }
-  void add(const T* row, std::size_t width) {
-    T* const to = columns_.data() + before_;
-    for (std::size_t x = 0; x < width; ++x) to[x] = std::max(to[x], row[x]);
+  /// Cells of a row, from its cell `x` on.
+  void add(std::size_t x, const T* cells, std::size_t count) {
+    T* const to = columns_.data() + before_ + x;
+    for (std::size_t i = 0; i < count; ++i) to[i] = std::max(to[i], cells[i]);
   }
-  /// One value a coarse cell; the columns are used up.
-  const T* cells() {
-    std::size_t width = columns_.size();
-    for (int i = 0; i < doublings_; ++i) {
+  /// One value for each of the coarse cells [first, end), between which all is that was added; and forgets
+  /// it.
+  void take(std::size_t first, std::size_t end, T* out) {
+    T* const columns = columns_.data() + (first << doublings_);
+    std::size_t width = (end - first) << doublings_;
+    const T* from = columns;
+    T* to = halved_.data();
+    while (width > end - first) {
       width /= 2;
-      halve(columns_.data(), halved_.data(), width);
-      columns_.swap(halved_);
+      halve(from, to, width);
+      from = to;
+      to += width;
     }
-    return columns_.data();
+    std::copy_n(from, width, out);
+    std::fill_n(columns, width << doublings_, T{});
   }
 
  private:
@@ -69,22 +77,27 @@ ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, 
   const auto before = static_cast<std::size_t>(map.box.min.x - (out.map.box.min.x << doublings));
   Pooled<CellState> states(to_width, doublings, before);
   Pooled<float> rooms_m(to_width, doublings, before);
-  std::size_t from = 0;
+  std::size_t row = 0;
   for (std::int32_t y = map.box.min.y; y <= map.box.max.y;) {
-    const std::int32_t row = wide(y);
-    states.clear();
-    rooms_m.clear();
-    for (; y <= map.box.max.y && wide(y) == row; ++y, from += width) {
-      states.add(&map.cells[from], width);
-      rooms_m.add(&clearance_m[from], width);
+    const std::int32_t to_row = wide(y);
+    std::size_t known = width, known_end = 0;
+    for (; y <= map.box.max.y && wide(y) == to_row; ++y, row += width) {
+      const auto [first, end] = grid::known_span(map.cells, row, row + width);
+      if (first == end) continue;
+      states.add(first - row, &map.cells[first], end - first);
+      rooms_m.add(first - row, &clearance_m[first], end - first);
+      known = std::min(known, first - row);
+      known_end = std::max(known_end, end - row);
     }
-    const CellState* state = states.cells();
-    const float* room_m = rooms_m.cells();
-    const std::size_t to = out.map.index({out.map.box.min.x, row});
-    for (std::size_t x = 0; x < to_width; ++x) {
-      out.map.cells[to + x] = state[x];
-      out.clearance_m[to + x] = state[x] == CellState::kFree ? room_m[x] : 0.0F;
-    }
+    if (known >= known_end) continue;
+    const std::size_t first = (before + known) >> doublings;
+    const std::size_t end = ((before + known_end - 1) >> doublings) + 1;
+    const std::size_t to = out.map.index({out.map.box.min.x, to_row});
+    CellState* const state = &out.map.cells[to];
+    float* const room_m = &out.clearance_m[to];
+    states.take(first, end, state + first);
+    rooms_m.take(first, end, room_m + first);
+    for (std::size_t x = first; x < end; ++x) room_m[x] = state[x] == CellState::kFree ? room_m[x] : 0.0F;
   }
   return out;
 }

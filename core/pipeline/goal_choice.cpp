@@ -55,17 +55,19 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const R
 }
 
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        std::span<const goals::Frontier> frontiers) {
+                                        std::span<const goals::Frontier> frontiers, double behind_min_m2) {
   std::vector<goals::Goal> found;
   for (const goals::Frontier& frontier : frontiers) {
+    const double behind_m2 =
+        goals::unknown_behind_m2(map, map.cell(goals::middle_of(map, frontier.cells)), frontier.cells);
+    if (behind_m2 < behind_min_m2) continue;
     const auto cell = goals::approach_cell(map, frontier, field, kFrontierReach_m);
     if (!cell) continue;
     goals::Goal goal;
     goal.p_map = map.centre_of(*cell);
     goal.opening = frontier.centroid;
     goal.opening_m = frontier.width_m;
-    goal.behind_m2 =
-        goals::unknown_behind_m2(map, map.cell(goals::middle_of(map, frontier.cells)), frontier.cells);
+    goal.behind_m2 = behind_m2;
     found.push_back(goal);
   }
   return found;

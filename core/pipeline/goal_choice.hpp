@@ -40,10 +40,11 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const R
                                      const PutOffGoals& put_off, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off);
 
-/// Those frontiers that a robot can get to, as goals: gaps beside the essential ones, and all there are for
-/// the baselines.
+/// Those frontiers that a robot can get to, and with at least so much unknown space behind them, as goals:
+/// gaps beside the essential ones, and all there are for the baselines.
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        std::span<const goals::Frontier> frontiers);
+                                        std::span<const goals::Frontier> frontiers,
+                                        double behind_min_m2 = 0.0);
 
 /// The candidate that a present goal has become: goals recede as the map grows (paper section III).
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);

@@ -130,8 +130,8 @@ std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput
 
 std::vector<Candidate> PlanningState::Impl::gap_candidates(const PlanningInput& in,
                                                            std::span<const goals::Frontier> frontiers,
-                                                           bool& cut_off) const {
-  std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers);
+                                                           double behind_min_m2, bool& cut_off) const {
+  std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers, behind_min_m2);
   // The places may be those of an older map.
   for (goals::Goal& opening : openings) opening.place = place_at(*analysis, opening.p_map);
   return candidates_among(in, openings, cut_off);
@@ -148,7 +148,7 @@ std::vector<Candidate> PlanningState::Impl::frontier_candidates(const PlanningIn
   for (double bound_m = in.team == nullptr ? kFirst_m : HUGE_VAL;; bound_m *= 2.0) {
     search.settle(bound_m);
     cut_off = false;
-    std::vector<Candidate> candidates = gap_candidates(in, frontiers, cut_off);
+    std::vector<Candidate> candidates = gap_candidates(in, frontiers, 0.0, cut_off);
     const double settled_m = search.settled_m();
     const bool is_enough = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
       return c.cost_m < params.switch_gain * settled_m;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/grid/distance.hpp"
+#include "core/grid/free_runs.hpp"
 #include "core/pipeline/planning_state.hpp"
 #include "core/pipeline/prepared_map.hpp"
 
@@ -21,7 +22,9 @@ constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again befo
 constexpr double kBlockedRadius_m = 0.25;
 
 double free_area_m2(const grid::DenseMap& map) {
-  const auto cells = std::count(map.cells.begin(), map.cells.end(), grid::CellState::kFree);
+  std::size_t cells = 0;
+  grid::for_each_free_run(map.cells, 0, map.cells.size(),
+                          [&](std::size_t first, std::size_t end) { cells += end - first; });
   return static_cast<double>(cells) * map.resolution_m * map.resolution_m;
 }
 

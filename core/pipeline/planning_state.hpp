@@ -67,7 +67,7 @@ struct PlanningState::Impl {
                                                         bool& cut_off) const;
   [[nodiscard]] std::vector<Candidate> gap_candidates(const PlanningInput& in,
                                                       std::span<const goals::Frontier> frontiers,
-                                                      bool& cut_off) const;
+                                                      double behind_min_m2, bool& cut_off) const;
   [[nodiscard]] std::vector<Candidate> frontier_candidates(const PlanningInput& in, bool& cut_off);
   void take_goal(const PlanningInput& in, const Candidate& candidate);
   void set_out(const PlanningInput& in, const goals::Goal& to);
@@ -85,7 +85,7 @@ struct PlanningState::Impl {
   // In which order (planning_tour.cpp).
   [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
   void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
-  void add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
+  void add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
   void add_looks(const PlanningInput& in, std::vector<Candidate>& candidates, bool& cut_off);
   void estimate_far_ones(std::vector<Candidate>& candidates);

@@ -6,6 +6,7 @@
 // to come back for it.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/goals/opening_check.hpp"
 #include "core/goals/tour.hpp"
@@ -21,9 +22,11 @@ constexpr double kExact_m = 6.0;  // of the way; the costs of farther goals need
 constexpr types::Duration kAskAgain = std::chrono::seconds(1), kAskAgainMeanwhile = std::chrono::seconds(30);
 constexpr double kOpeningMax_m = 6.0;  // a wider one shows no more of what is behind it
 
-bool is_part_of(const goals::Goal& gap, const goals::Goal& goal) {
-  return (gap.opening - goal.opening).norm() < kSameOpening_m ||
-         (gap.p_map - goal.p_map).norm() < kSameStand_m;
+/// Is there among the candidates one by whose `at` that point is?
+bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidates,
+               types::Vector2 goals::Goal::*at, double within_m) {
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [&](const Candidate& c) { return (c.goal.*at - p_map).norm() < within_m; });
 }
 
 /// By what may be behind it: the width of an opening that leads on, the area of a pocket.
@@ -46,7 +49,7 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
   const bool complete = params.finish == Finish::kComplete;
   if (complete || second_phase) {
     if (!complete) leave_overlooked(frontiers);
-    add_gaps(in, frontiers, candidates, cut_off);
+    add_gaps(in, std::move(frontiers), candidates, cut_off);
   }
   if (complete && candidates.empty() && !returning) add_looks(in, candidates, cut_off);
   estimate_far_ones(candidates);
@@ -63,13 +66,14 @@ void PlanningState::Impl::leave_overlooked(std::vector<goals::Frontier>& frontie
   });
 }
 
-void PlanningState::Impl::add_gaps(const PlanningInput& in, std::span<const goals::Frontier> frontiers,
+void PlanningState::Impl::add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
                                    std::vector<Candidate>& candidates, bool& cut_off) const {
-  std::vector<Candidate> gaps = gap_candidates(in, frontiers, cut_off);
+  std::erase_if(frontiers, [&](const goals::Frontier& frontier) {
+    return is_beside(frontier.centroid, candidates, &goals::Goal::opening, kSameOpening_m);
+  });
+  std::vector<Candidate> gaps = gap_candidates(in, frontiers, params.tour.pocket_m2, cut_off);
   std::erase_if(gaps, [&](const Candidate& gap) {
-    return gap.goal.behind_m2 < params.tour.pocket_m2 ||
-           std::any_of(candidates.begin(), candidates.end(),
-                       [&](const Candidate& c) { return is_part_of(gap.goal, c.goal); });
+    return is_beside(gap.goal.p_map, candidates, &goals::Goal::p_map, kSameStand_m);
   });
   candidates.insert(candidates.end(), gaps.begin(), gaps.end());
 }

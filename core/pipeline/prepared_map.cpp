@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/grid/cell_block.hpp"
+#include "core/grid/known_span.hpp"
 #include "core/types/beam_directions.hpp"
 
 namespace topo::pipeline {
@@ -74,6 +75,39 @@ bool is_settled(const CellState* from, int count, std::ptrdiff_t width, int reac
   return true;
 }
 
+/// Between which columns something is known.
+class KnownColumns {
+ public:
+  struct Columns {
+    int first, end;
+  };
+
+  KnownColumns(const DenseMap& map, int reach) : reach_(reach) {
+    const auto width = static_cast<std::size_t>(map.width());
+    for (std::size_t row = 0; row < map.cells.size(); row += width) {
+      const auto [first, end] = grid::known_span(map.cells, row, row + width);
+      if (first == end)
+        of_row_.push_back({map.width(), 0});
+      else
+        of_row_.push_back({static_cast<int>(first - row), static_cast<int>(end - row)});
+    }
+  }
+
+  /// In the rows as far as `reach` from one.
+  [[nodiscard]] Columns around(int row) const {
+    Columns all = of_row_[static_cast<std::size_t>(row - reach_)];
+    for (int y = row - reach_ + 1; y <= row + reach_; ++y) {
+      const Columns& there = of_row_[static_cast<std::size_t>(y)];
+      all = {std::min(all.first, there.first), std::max(all.end, there.end)};
+    }
+    return all;
+  }
+
+ private:
+  int reach_;
+  std::vector<Columns> of_row_;
+};
+
 /// Crossings of the horizontal line at `y_m` with a polygon's edges, in order of x.
 void crossings(const motion::Polygon& polygon, double y_m, std::vector<double>& out) {
   out.clear();
@@ -128,9 +162,11 @@ void close_gaps(DenseMap& map, int reach) {
   const std::array<std::ptrdiff_t, 4> strides{1, w, w + 1, w - 1};
   std::vector<std::size_t> closed;
   Block between;
+  const KnownColumns known(map, reach);
   for (int y = reach; y < h - reach; ++y) {
     const CellState* row = map.cells.data() + static_cast<std::ptrdiff_t>(y) * w;
-    for (int x = reach; x < w - reach; x += kBlock) {
+    const auto [first, end] = known.around(y);
+    for (int x = std::max(reach, first); x < std::min(w - reach, end); x += kBlock) {
       const int count = std::min(kBlock, w - reach - x);
       if (is_settled(row + x, count, w, reach)) continue;
       if (!between_free(row + x, count, strides, reach, between)) continue;

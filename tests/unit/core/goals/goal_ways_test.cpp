@@ -43,6 +43,11 @@ std::vector<CellIndex> arbitrary_cells() {
   return cells;
 }
 
+void search_for_all(const Rooms& rooms, const std::vector<CellIndex>& cells, GoalWays& ways) {
+  for (std::size_t turn = 0; turn < cells.size(); ++turn)
+    ways.update(rooms.map, rooms.clearance_m, {}, cells);
+}
+
 TEST(GoalWays, areThoseOfAFreshSearchWhateverGoalsThereWereBefore) {
   const Rooms rooms;
   EXPECT_TRUE(rc::check([&] {
@@ -55,7 +60,8 @@ TEST(GoalWays, areThoseOfAFreshSearchWhateverGoalsThereWereBefore) {
       ways.update(rooms.map, rooms.clearance_m, {}, cells);
     }
     GoalWays fresh;
-    fresh.update(rooms.map, rooms.clearance_m, {}, cells);
+    search_for_all(rooms, cells, ways);
+    search_for_all(rooms, cells, fresh);
     for (std::size_t a = 0; a < cells.size(); ++a) {
       for (std::size_t b = 0; b < cells.size(); ++b) {
         RC_ASSERT(std::abs(ways.between_m(a, b) - fresh.between_m(a, b)) < 1e-3);
@@ -76,6 +82,38 @@ TEST(GoalWays, leadThroughTheDoorAndAfterATurnForEachGoalKnowThatItIsClosed) {
   for (std::size_t i = 0; i < cells.size(); ++i) ways.update(closed.map, closed.clearance_m, {}, cells);
   EXPECT_TRUE(std::isinf(ways.between_m(0, 1)));
   EXPECT_LT(ways.between_m(1, 2), 6.0);
+}
+
+TEST(GoalWays, ofManyNewGoalsAreEstimatedByWaysThatThereAre) {
+  const Rooms rooms;
+  EXPECT_TRUE(rc::check([&] {
+    std::vector<CellIndex> cells = arbitrary_cells();
+    for (const CellIndex& more : arbitrary_cells()) cells.push_back(more);
+    GoalWays ways;
+    ways.update(rooms.map, rooms.clearance_m, {}, cells);
+    GoalWays all;
+    search_for_all(rooms, cells, all);
+    for (std::size_t a = 0; a < cells.size(); ++a) {
+      for (std::size_t b = 0; b < cells.size(); ++b) {
+        RC_ASSERT(std::isfinite(ways.between_m(a, b)));
+        RC_ASSERT(ways.between_m(a, b) > all.between_m(a, b) - 1e-3);
+        RC_ASSERT(ways.between_m(a, b) == ways.between_m(b, a));
+      }
+    }
+  }));
+}
+
+TEST(GoalWays, ofGoalsThatAllMoveAreAboutWhatTheyWere) {
+  const Rooms rooms;
+  std::vector<CellIndex> cells{{4, 4}, {4, 17}, {10, 10}, {33, 4}, {33, 17}, {37, 10}};
+  GoalWays ways, all;
+  search_for_all(rooms, cells, ways);
+  for (CellIndex& cell : cells) cell.x += 2;
+  ways.update(rooms.map, rooms.clearance_m, {}, cells);
+  search_for_all(rooms, cells, all);
+  for (std::size_t a = 0; a < cells.size(); ++a)
+    for (std::size_t b = 0; b < cells.size(); ++b)
+      EXPECT_NEAR(ways.between_m(a, b), all.between_m(a, b), 1.5) << a << " to " << b;
 }
 
 }  // namespace

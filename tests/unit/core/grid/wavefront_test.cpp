@@ -277,5 +277,25 @@ TEST(TravelSearch, AdvancedHasTheCostsThatItSaysAreFinal) {
   }));
 }
 
+TEST(TravelSearch, OfOneMapLeavesNothingToThatOfTheNext) {
+  EXPECT_TRUE(rc::check("one after the other", [] {
+    TravelSearch search;
+    TravelField field;
+    for (int maps = 3; maps > 0; --maps) {
+      const DenseMap map = random_map(*rc::gen::inRange(8, 40));
+      const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+      const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
+      const CellIndex start =
+          *rc::gen::element(map.cell(i), map.cell(map.cells.size() / 2), CellIndex{500, 500});
+      search.begin(map, clearance, start, kSmallRobot, field);
+      if (*rc::gen::arbitrary<bool>()) continue;
+      search.settle(HUGE_VAL);
+      const TravelField fresh = travel_field(map, clearance, start, kSmallRobot);
+      RC_ASSERT(field.cost_m == fresh.cost_m);
+      RC_ASSERT(field.step == fresh.step);
+    }
+  }));
+}
+
 }  // namespace
 }  // namespace topo::grid

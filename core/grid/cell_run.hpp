@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace topo::grid {
+
+/// Cells side by side in one row of a map, by their indices: [first, end).
+struct CellRun {
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+  friend bool operator==(const CellRun&, const CellRun&) = default;
+};
+
+}  // namespace topo::grid
