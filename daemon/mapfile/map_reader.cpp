@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/input_file.hpp"
@@ -28,6 +29,7 @@ struct MapYaml {
   double resolution_m = 0.0;
   types::Se2 origin;
   bool negate = false;
+  bool is_raw = false;  ///< the grey values are per cent of occupancy
   double occupied_thresh = 0.65;
   double free_thresh = 0.196;
 };
@@ -103,10 +105,14 @@ Status read_origin(const Keys& keys, MapYaml& map) {
   return {};
 }
 
-Status read_mode(const Keys& keys) {
+Status read_mode(const Keys& keys, MapYaml& map) {
   const YAML::Node mode = keys.node("mode");
-  if (!mode.IsDefined() || (mode.IsScalar() && mode.Scalar() == "trinary")) return {};
-  return keys.bad("mode", mode, "trinary");
+  if (!mode.IsDefined()) return {};
+  const std::string text = mode.IsScalar() ? mode.Scalar() : "";
+  if (text != "trinary" && text != "scale" && text != "raw")
+    return keys.bad("mode", mode, "trinary, scale or raw");
+  map.is_raw = text == "raw";  // the shades that "scale" has between free and occupied are unknown here
+  return {};
 }
 
 Status read_negate(const Keys& keys, MapYaml& map) {
@@ -132,7 +138,7 @@ Result<MapYaml> read_keys(const std::string& path, const YAML::Node& root) {
   const auto resolution = keys.number("resolution", keys.node("resolution"), 1e-4, 100.0);
   if (!resolution.has_value()) return tl::unexpected(resolution.error());
   map.resolution_m = *resolution;
-  for (const Status& s : {read_origin(keys, map), read_negate(keys, map), read_mode(keys),
+  for (const Status& s : {read_origin(keys, map), read_negate(keys, map), read_mode(keys, map),
                           keys.number_if_there("occupied_thresh", 0.0, 1.0, map.occupied_thresh),
                           keys.number_if_there("free_thresh", 0.0, 1.0, map.free_thresh)}) {
     if (!s.has_value()) return tl::unexpected(s.error());
@@ -152,10 +158,18 @@ Result<MapYaml> read_yaml(const std::string& path, const std::string& text) {
   }
 }
 
+/// Share of occupancy; nothing where the file says that it is not known.
+std::optional<double> occupancy_of(std::uint8_t grey, const MapYaml& yaml) {
+  constexpr std::uint8_t kAll = 100;
+  if (yaml.is_raw) return grey <= kAll ? std::optional(grey / 100.0) : std::nullopt;
+  return (yaml.negate ? grey : 255 - grey) / 255.0;
+}
+
 MapCell cell_of(std::uint8_t grey, const MapYaml& yaml) {
-  const double occupied = yaml.negate ? grey / 255.0 : (255 - grey) / 255.0;
-  if (occupied > yaml.occupied_thresh) return MapCell::kOccupied;
-  return occupied < yaml.free_thresh ? MapCell::kFree : MapCell::kUnknown;
+  const std::optional<double> occupied = occupancy_of(grey, yaml);
+  if (!occupied) return MapCell::kUnknown;
+  if (*occupied > yaml.occupied_thresh) return MapCell::kOccupied;
+  return *occupied < yaml.free_thresh ? MapCell::kFree : MapCell::kUnknown;
 }
 
 Result<GreyImage> read_image(const std::string& path) {

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 /// Millimetres are more than a map knows.
 double rounded(double v) { return std::round(v * 1000.0) / 1000.0; }
 
-Json point(const types::Vector2& p) { return Json::array({rounded(p.x()), rounded(p.y())}); }
+Json pair_of(const types::Vector2& p) { return Json::array({rounded(p.x()), rounded(p.y())}); }
 
 Json feature(const char* geometry, Json coordinates, Json properties) {
   return {{"type", "Feature"},
@@ -23,14 +23,33 @@ Json feature(const char* geometry, Json coordinates, Json properties) {
           {"properties", std::move(properties)}};
 }
 
-Json closed_ring(const Ring& ring, double resolution_m) {
-  Json out = Json::array();
-  for (const grid::CellIndex c : ring) out.push_back(point(types::Vector2(c.x, c.y) * resolution_m));
-  out.push_back(out.front());
-  return out;
-}
+/// Everything of one analysis, seen from where its frame has its origin.
+class Features {
+ public:
+  explicit Features(const types::Vector2& origin) : origin_(origin) {}
 
-void add_places(const pipeline::Analysis& analysis, Json& features) {
+  void add_places(const pipeline::Analysis& analysis);
+  void add_wall(const types::Segment& wall) {
+    features_.push_back(feature("LineString", Json::array({point(wall.a), point(wall.b)}),
+                                {{"kind", "wall"}, {"length_m", rounded(wall.length_m())}}));
+  }
+  void add_goal(const goals::Goal& goal, std::size_t number = 0);
+  [[nodiscard]] Json take() { return std::move(features_); }
+
+ private:
+  [[nodiscard]] Json point(const types::Vector2& p) const { return pair_of(origin_ + p); }
+  [[nodiscard]] Json closed_ring(const Ring& ring, double resolution_m) const {
+    Json out = Json::array();
+    for (const grid::CellIndex c : ring) out.push_back(point(types::Vector2(c.x, c.y) * resolution_m));
+    out.push_back(out.front());
+    return out;
+  }
+
+  types::Vector2 origin_;
+  Json features_ = Json::array();
+};
+
+void Features::add_places(const pipeline::Analysis& analysis) {
   const places::PlaceMap& map = analysis.places;
   std::vector<Json> neighbours(map.places.size(), Json::array());
   for (const places::PlaceBorder& border : map.borders) {
@@ -43,45 +62,43 @@ void add_places(const pipeline::Analysis& analysis, Json& features) {
     const places::Place& place = map.places[p];
     Json rings = Json::array();
     for (const Ring& ring : outlines[p]) rings.push_back(closed_ring(ring, analysis.map.resolution_m));
-    features.push_back(feature("Polygon", std::move(rings),
-                               {{"kind", "place"},
-                                {"number", p + 1},
-                                {"area_m2", rounded(place.area_m2)},
-                                {"clearance_m", rounded(static_cast<double>(place.clearance_max_m))},
-                                {"centroid", point(place.centroid)},
-                                {"neighbours", std::move(neighbours[p])}}));
+    features_.push_back(feature("Polygon", std::move(rings),
+                                {{"kind", "place"},
+                                 {"number", p + 1},
+                                 {"area_m2", rounded(place.area_m2)},
+                                 {"clearance_m", rounded(static_cast<double>(place.clearance_max_m))},
+                                 {"centroid", point(place.centroid)},
+                                 {"neighbours", std::move(neighbours[p])}}));
   }
 }
 
-Json goal_feature(const goals::Goal& goal) {
+/// `number`: among those to go for, from 1 on; 0: it is none of them.
+void Features::add_goal(const goals::Goal& goal, std::size_t number) {
   const bool open = goal.verdict == goals::Verdict::kAccepted;
-  return feature("Point", point(goal.p_map),
-                 {{"kind", "goal"},
-                  {"verdict", open ? "accepted" : std::string(goals::to_text(goal.verdict))},
-                  {"place", goal.place},
-                  {"side", std::string(goals::to_text(goal.side))},
-                  {"opening_m", rounded(goal.opening_m)},
-                  {"opening", point(goal.opening)}});
+  features_.push_back(feature("Point", point(goal.p_map),
+                              {{"kind", "goal"},
+                               {"verdict", open ? "accepted" : std::string(goals::to_text(goal.verdict))},
+                               {"place", goal.place},
+                               {"side", std::string(goals::to_text(goal.side))},
+                               {"opening_m", rounded(goal.opening_m)},
+                               {"opening", point(goal.opening)}}));
+  if (number != 0) features_.back()["properties"]["number"] = number;
 }
 
 }  // namespace
 
-std::string places_geojson(const pipeline::Analysis& analysis, std::span<const goals::Goal> open_goals) {
-  Json features = Json::array();
-  add_places(analysis, features);
-  for (const types::Segment& wall : analysis.walls)
-    features.push_back(feature("LineString", Json::array({point(wall.a), point(wall.b)}),
-                               {{"kind", "wall"}, {"length_m", rounded(wall.length_m())}}));
-  for (std::size_t k = 0; k < open_goals.size(); ++k) {
-    features.push_back(goal_feature(open_goals[k]));
-    features.back()["properties"]["number"] = k + 1;
-  }
-  for (const goals::Goal& goal : analysis.goals.rejected) features.push_back(goal_feature(goal));
+std::string places_geojson(const pipeline::Analysis& analysis, std::span<const goals::Goal> open_goals,
+                           const types::Vector2& origin) {
+  Features features(origin);
+  features.add_places(analysis);
+  for (const types::Segment& wall : analysis.walls) features.add_wall(wall);
+  for (std::size_t k = 0; k < open_goals.size(); ++k) features.add_goal(open_goals[k], k + 1);
+  for (const goals::Goal& goal : analysis.goals.rejected) features.add_goal(goal);
   const Json collection = {{"type", "FeatureCollection"},
                            {"frame", "map"},
                            {"units", "metres"},
                            {"compass_rad", analysis.places.compass_rad},
-                           {"features", std::move(features)}};
+                           {"features", features.take()}};
   return collection.dump() + "\n";
 }
 

@@ -17,7 +17,9 @@ namespace topo::daemon {
 /// - "wall": LineString; property length_m.
 /// - "goal": Point; properties verdict ("accepted" or why not), place, side, opening_m, opening (point), and
 ///   number (as in the overview) for the open ones.
+/// `origin`: of the analysis's frame, in `map`.
 [[nodiscard]] std::string places_geojson(const pipeline::Analysis& analysis,
-                                         std::span<const goals::Goal> open_goals);
+                                         std::span<const goals::Goal> open_goals,
+                                         const types::Vector2& origin = {0.0, 0.0});
 
 }  // namespace topo::daemon

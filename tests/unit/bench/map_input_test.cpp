@@ -42,7 +42,11 @@ TEST(MapInput, OfATurnedMapIsRefused) {
                         << "]\n";
     return read_map_input(yaml, 0.0);
   };
-  for (const char* none : {"0.0", "-0.0", "6.283185307"}) EXPECT_TRUE(read_with_yaw(none)) << none;
+  for (const char* none : {"0.0", "-0.0", "6.283185307"}) {
+    const auto input = read_with_yaw(none);
+    ASSERT_TRUE(input) << none;
+    EXPECT_EQ(input->origin, types::Vector2(1.0, -2.0));
+  }
   const auto turned = read_with_yaw("1.57");
   std::filesystem::remove(yaml);
   ASSERT_FALSE(turned);

@@ -32,11 +32,12 @@ json stage_times(const TimedAnalysis& timed) {
   return stages;
 }
 
-json goals_of(const pipeline::Analysis& analysis) {
+json goals_of(const MapInput& input, const pipeline::Analysis& analysis) {
   json goals = json::array();
   for (const goals::Goal& goal : analysis.goals.goals) {
-    goals.push_back({{"x_m", goal.p_map.x()},
-                     {"y_m", goal.p_map.y()},
+    const types::Vector2 p_map = input.origin + goal.p_map;
+    goals.push_back({{"x_m", p_map.x()},
+                     {"y_m", p_map.y()},
                      {"place", goal.place},
                      {"side", goals::to_text(goal.side)},
                      {"why", fmt::format("an opening of {:.2f} m to unknown space on this side of its place",
@@ -70,7 +71,7 @@ json report(const AnalyseCommand& command, const MapInput& input, const TimedAna
           {"walls", a.walls.size()},
           {"skeleton_nodes", a.skeleton.nodes.size()},
           {"places", a.places.places.size()},
-          {"goals", goals_of(a)},
+          {"goals", goals_of(input, a)},
           {"rejected_goals", a.goals.rejected.size()},
           {"rejected_why", rejected_by_reason(a)},
           {"frontier_clusters", goals::find_frontiers(a.map).size()},
@@ -83,7 +84,7 @@ types::Status write_files(const AnalyseCommand& command, const MapInput& input,
   if (auto s = save_labels(file("labels.png"), labels_of(input, analysis)); !s) return s;
   const auto overview = daemon::overview_of(analysis, {}, analysis.goals.goals);
   if (auto s = daemon::save_png(file("overlay.png"), overview); !s) return s;
-  const std::string geojson = daemon::places_geojson(analysis, analysis.goals.goals);
+  const std::string geojson = daemon::places_geojson(analysis, analysis.goals.goals, input.origin);
   if (auto s = daemon::write_file(file("places.geojson"), geojson); !s) return s;
   return daemon::save_png(file("compass.png"), compass_plot(analysis.compass));
 }

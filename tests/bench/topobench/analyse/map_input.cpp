@@ -86,7 +86,7 @@ Result<MapInput> read_map_input(const std::string& path, double resolution_m) {
                                    "map is not that of its places",
                                    path, image->origin.theta_rad));
   }
-  return MapInput{dense_of(*image), image->width, image->height};
+  return MapInput{dense_of(*image), image->width, image->height, image->origin.translation()};
 }
 
 }  // namespace topo::bench

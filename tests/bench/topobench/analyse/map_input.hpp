@@ -6,6 +6,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/types/result.hpp"
+#include "core/types/se2.hpp"
 
 namespace topo::bench {
 
@@ -14,6 +15,7 @@ struct MapInput {
   grid::DenseMap map;  ///< what is known, with one unknown cell around it
   int width = 0;       ///< of the picture
   int height = 0;
+  types::Vector2 origin{0.0, 0.0};  ///< of the picture's lower left corner, in the frame of its YAML file
 
   /// Index of a cell in the picture, whose uppermost row is the first; the cell must be inside.
   [[nodiscard]] std::size_t pixel(grid::CellIndex cell) const {

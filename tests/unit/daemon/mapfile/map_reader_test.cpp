@@ -72,6 +72,20 @@ TEST_F(MapReaderTest, ReadsPng) {
   EXPECT_THAT(map->cells, ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied));
 }
 
+TEST_F(MapReaderTest, ReadsTheModesOfMapServer) {
+  static_cast<void>(dir_.write("m.pgm", "P2 6 1 255 0 24 66 101 205 255"));
+  const auto cells = [&](const std::string& mode) {
+    const auto map = load_map(dir_.write("m.yaml", kYaml + "free_thresh: 0.25\nmode: " + mode + "\n"));
+    EXPECT_TRUE(map.has_value()) << map.error().message;
+    return map.has_value() ? map->cells : std::vector<MapCell>();
+  };
+  constexpr auto kFree = MapCell::kFree, kUnknown = MapCell::kUnknown, kOccupied = MapCell::kOccupied;
+  const auto by_shade = ElementsAre(kOccupied, kOccupied, kOccupied, kUnknown, kFree, kFree);
+  EXPECT_THAT(cells("trinary"), by_shade);
+  EXPECT_THAT(cells("scale"), by_shade);
+  EXPECT_THAT(cells("raw"), ElementsAre(kFree, kFree, kOccupied, kUnknown, kUnknown, kUnknown));
+}
+
 TEST_F(MapReaderTest, SaysKeyFoundAndExpected) {
   EXPECT_THAT(error(""), HasSubstr("m.yaml: found no keys"));
   EXPECT_THAT(error("image: [\n"), HasSubstr("m.yaml: line "));
@@ -87,7 +101,8 @@ TEST_F(MapReaderTest, SaysKeyFoundAndExpected) {
   EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: [0, x, 0]\n"),
               HasSubstr("key origin: found \"x\""));
   EXPECT_THAT(error(kYaml + "negate: 2\n"), HasSubstr("key negate: found \"2\", expected 0 or 1"));
-  EXPECT_THAT(error(kYaml + "mode: scale\n"), HasSubstr("key mode: found \"scale\", expected trinary"));
+  EXPECT_THAT(error(kYaml + "mode: sepia\n"),
+              HasSubstr("key mode: found \"sepia\", expected trinary, scale or raw"));
   EXPECT_THAT(error(kYaml + "free_thresh: 0.8\n"),
               HasSubstr("key free_thresh: found \"0.8\", expected at most occupied_thresh"));
 }

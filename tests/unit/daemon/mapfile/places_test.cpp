@@ -72,6 +72,20 @@ TEST(PlacesGeojson, HoldsPlacesWallsAndGoals) {
   EXPECT_EQ(json["features"][3]["properties"]["verdict"], "a robot was there already");
 }
 
+TEST(PlacesGeojson, IsInTheFrameThatItsOriginIsGivenIn) {
+  const pipeline::Analysis a = sample();
+  const Json here = Json::parse(places_geojson(a, a.goals.goals)),
+             there = Json::parse(places_geojson(a, a.goals.goals, {-10.0, 2.5}));
+  EXPECT_EQ(there["features"][2]["geometry"]["coordinates"], Json::parse("[-7.0, 5.0]"));
+  EXPECT_EQ(there["features"][1]["geometry"]["coordinates"], Json::parse("[[-10.0, 2.5], [-6.0, 2.5]]"));
+  const Json &ring = here["features"][0]["geometry"]["coordinates"][0],
+             &moved = there["features"][0]["geometry"]["coordinates"][0];
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    EXPECT_NEAR(moved[k][0].get<double>(), ring[k][0].get<double>() - 10.0, 1e-9);
+    EXPECT_NEAR(moved[k][1].get<double>(), ring[k][1].get<double>() + 2.5, 1e-9);
+  }
+}
+
 TEST(PlacesGeojson, OfNothingIsAnEmptyCollection) {
   EXPECT_TRUE(Json::parse(places_geojson({}, {}))["features"].empty());
 }
