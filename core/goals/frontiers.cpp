@@ -183,7 +183,9 @@ std::optional<CellIndex> approach_cell(const DenseMap& map, const Frontier& fron
   return std::nullopt;
 }
 
-double unknown_behind_m2(const DenseMap& map, CellIndex centre, std::span<const std::uint32_t> cells) {
+double unknown_behind_m2(const DenseMap& map, const Frontier& frontier) {
+  if (frontier.cells.empty()) return 0.0;
+  const CellIndex centre = map.cell(middle_of(map, frontier.cells));
   constexpr double kReachM = 1.2;
   const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
   const int side = 2 * reach + 1;
@@ -208,7 +210,7 @@ double unknown_behind_m2(const DenseMap& map, CellIndex centre, std::span<const 
     visit({c.x - 1, c.y});
     visit({c.x, c.y - 1});
   };
-  for (const std::uint32_t i : cells) {
+  for (const std::uint32_t i : frontier.cells) {
     const CellIndex c = map.cell(i);
     if (std::abs(c.x - centre.x) < reach && std::abs(c.y - centre.y) < reach) visit_sides(c);
   }

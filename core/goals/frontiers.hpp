@@ -28,10 +28,9 @@ std::vector<Frontier> find_frontiers(const grid::DenseMap& map, double width_min
 /// Of some cells the one nearest to their centroid, which may itself lie anywhere: a frontier can be a ring.
 std::uint32_t middle_of(const grid::DenseMap& map, std::span<const std::uint32_t> cells);
 
-/// Unknown space behind a frontier of these cells, as far as 1.2 m around `centre`: m2, or HUGE_VAL when it
+/// Unknown space behind a frontier, as far as 1.2 m around the middle of its cells: m2, or HUGE_VAL when it
 /// goes on beyond. Costs the cells of that square.
-double unknown_behind_m2(const grid::DenseMap& map, grid::CellIndex centre,
-                         std::span<const std::uint32_t> cells);
+double unknown_behind_m2(const grid::DenseMap& map, const Frontier& frontier);
 
 /// The cell from which a frontier is best visited: of the cells that the field reaches, the one with the
 /// fewest steps over free cells to the frontier's cells, and of several the one nearest to the frontier's

@@ -3,6 +3,7 @@
 #include "core/goals/look.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -18,8 +19,8 @@ using grid::DenseMap;
 using types::Vector2;
 
 constexpr std::size_t kSources = 8;  // unknown cells that are to be seen, at most
-constexpr int kSourceRays = 180;
-constexpr int kRobotRays = 270;
+constexpr std::size_t kSourceRays = 180;
+constexpr std::size_t kRobotRays = 270;
 constexpr int kRim = 2;  // cells: an unknown cell beside a frontier is as near as this to what is free
 constexpr double kNearlyAll = 0.7;  // of the sources that the best cell sees
 constexpr int kLeast = 2;           // of the sources: one is seen by chance
@@ -31,6 +32,7 @@ class Window {
   explicit Window(const CellBox& box)
       : box_(box), values_(static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.height())) {}
 
+  [[nodiscard]] const CellBox& box() const { return box_; }
   /// Null outside the box.
   [[nodiscard]] T* find(CellIndex c) {
     if (c.x < box_.min.x || c.x > box_.max.x || c.y < box_.min.y || c.y > box_.max.y) return nullptr;
@@ -43,13 +45,26 @@ class Window {
   std::vector<T> values_;
 };
 
+/// So many directions all around.
+template <std::size_t kRays>
+const std::array<Vector2, kRays>& directions() {
+  static const std::array<Vector2, kRays> all = [] {
+    std::array<Vector2, kRays> made;
+    for (std::size_t k = 0; k < kRays; ++k) {
+      const double bearing_rad = 2.0 * std::numbers::pi * static_cast<double>(k) / kRays;
+      made[k] = {std::cos(bearing_rad), std::sin(bearing_rad)};
+    }
+    return made;
+  }();
+  return all;
+}
+
 /// Calls meet(cell) for the cells of a ray, without the first, until it says that the ray ends.
 template <class Meet>
-void cast_ray(CellIndex from, double bearing_rad, int steps, Meet meet) {
-  const double dx = std::cos(bearing_rad), dy = std::sin(bearing_rad);
+void cast_ray(CellIndex from, const Vector2& direction, int steps, Meet meet) {
   for (int k = 1; k <= steps; ++k) {
-    if (!meet(CellIndex{from.x + static_cast<std::int32_t>(std::lround(k * dx)),
-                        from.y + static_cast<std::int32_t>(std::lround(k * dy))}))
+    if (!meet(CellIndex{from.x + grid::floor_of(k * direction.x() + 0.5),
+                        from.y + grid::floor_of(k * direction.y() + 0.5)}))
       return;
   }
 }
@@ -81,9 +96,9 @@ class Sights {
 
   void add(CellIndex source) {
     ++number_;
-    for (int k = 0; k < kSourceRays; ++k) {
+    for (const Vector2& direction : directions<kSourceRays>()) {
       int rim = kRim;
-      cast_ray(source, 2.0 * std::numbers::pi * k / kSourceRays, steps_, [&](CellIndex c) {
+      cast_ray(source, direction, steps_, [&](CellIndex c) {
         Block* block = blocks_.find(block_of(c));
         const CellState state = map_.state(c);
         if (block == nullptr || state == CellState::kOccupied) return false;
@@ -133,9 +148,17 @@ class Sights {
 
 enum class Unseen : std::uint8_t { kOpen, kCounted, kWall };
 
+/// Is it not all on one side of the box?
+bool may_meet(const DenseMap& map, const types::Segment& wall, double on_m, const CellBox& box) {
+  const Vector2 more(on_m + 2.0 * map.resolution_m, on_m + 2.0 * map.resolution_m);
+  const CellIndex low = map.cell_at(wall.a.cwiseMin(wall.b) - more),
+                  high = map.cell_at(wall.a.cwiseMax(wall.b) + more);
+  return low.x <= box.max.x && low.y <= box.max.y && high.x >= box.min.x && high.y >= box.min.y;
+}
+
 void draw_wall(const DenseMap& map, const types::Segment& wall, double on_m, Window<Unseen>& cells) {
   const double length_m = wall.length_m(), step_m = 0.5 * map.resolution_m;
-  if (length_m < step_m) return;
+  if (length_m < step_m || !may_meet(map, wall, on_m, cells.box())) return;
   const Vector2 along = (wall.b - wall.a) / length_m;
   for (double s_m = -on_m; s_m < length_m + on_m; s_m += step_m) {
     const CellIndex c = map.cell_at(wall.a + s_m * along);
@@ -152,9 +175,9 @@ Look look_from(const DenseMap& map, CellIndex from, int steps, Window<Unseen>& c
   int count = 0;
   std::vector<CellIndex> beyond;
   std::size_t longest = 0;
-  for (int k = 0; k < kRobotRays; ++k) {
+  for (const Vector2& direction : directions<kRobotRays>()) {
     beyond.clear();
-    cast_ray(from, 2.0 * std::numbers::pi * k / kRobotRays, steps, [&](CellIndex c) {
+    cast_ray(from, direction, steps, [&](CellIndex c) {
       const CellState state = map.state(c);
       if (state == CellState::kFree) return beyond.empty();
       Unseen* cell = cells.find(c);

@@ -58,8 +58,7 @@ std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::T
                                         std::span<const goals::Frontier> frontiers, double behind_min_m2) {
   std::vector<goals::Goal> found;
   for (const goals::Frontier& frontier : frontiers) {
-    const double behind_m2 =
-        goals::unknown_behind_m2(map, map.cell(goals::middle_of(map, frontier.cells)), frontier.cells);
+    const double behind_m2 = goals::unknown_behind_m2(map, frontier);
     if (behind_m2 < behind_min_m2) continue;
     const auto cell = goals::approach_cell(map, frontier, field, kFrontierReach_m);
     if (!cell) continue;
