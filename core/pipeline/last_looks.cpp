@@ -3,8 +3,14 @@
 #include "core/pipeline/last_looks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace topo::pipeline {
+namespace {
+
+constexpr types::Duration kStillTrue = std::chrono::seconds(30);
+
+}  // namespace
 
 void LastLooks::begin(types::Stamp now) {
   *this = LastLooks(params_);
@@ -33,17 +39,33 @@ bool LastLooks::was_offered(const types::Vector2& opening) const {
                      [&](const types::Vector2& p) { return (p - opening).norm() < kSame_m; });
 }
 
+/// While a robot waits it asks every second, and of a frontier whose cells are the same the answer is, too.
+std::optional<goals::Look> LastLooks::look_into(const goals::Frontier& frontier, const LookedAt& in,
+                                                types::Stamp now) {
+  const auto holds = [&](const Answer& a) {
+    return a.opening == frontier.centroid && a.cells == frontier.cells.size() &&
+           (!a.look ||
+            (in.map.contains(a.look->from) && !std::isinf(in.field.cost_m[in.map.index(a.look->from)])));
+  };
+  const auto known = std::find_if(answers_.begin(), answers_.end(), holds);
+  if (known != answers_.end()) return known->look;
+  const auto look = goals::find_look(in.map, frontier, in.field, in.walls, params_.look);
+  answers_.push_back({frontier.centroid, frontier.cells.size(), now, look});
+  return look;
+}
+
 void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again) {
   const auto& [map, revision, known_m2, field, walls] = in;
   if (!open_.empty() || is_over(now) || revision == asked_ || now - asked_at_ < again) return;
   asked_ = revision;
   asked_at_ = now;
+  std::erase_if(answers_, [&](const Answer& a) { return now - a.given >= kStillTrue; });
   double promise_m2 = 0.0;
   for (const goals::Frontier& frontier : goals::find_frontiers(map, params_.opening_min_m)) {
     if (was_offered(frontier.centroid)) continue;
     // Costs a fiftieth of a look, and most frontiers are rims of pockets.
     if (goals::unknown_behind_m2(map, frontier) < params_.gain_min_m2) continue;
-    const auto look = goals::find_look(map, frontier, field, walls, params_.look);
+    const auto look = look_into(frontier, in, now);
     if (!look || look->gain_m2 < params_.gain_min_m2) continue;
     goals::Goal goal;
     goal.p_map = map.centre_of(look->from);

@@ -57,6 +57,15 @@ TEST_F(TwoGaps, AreNotWorthTheWayWhenTheyPromiseLittleOfWhatIsKnown) {
   EXPECT_FALSE(looks.empty()) << "what was not worth it was not offered";
 }
 
+TEST_F(TwoGaps, AreNotLookedIntoFromWhereNoWayLeadsAnyMore) {
+  looks.find({map, 1, 1e4, field, {}}, now, {});
+  const grid::TravelField nowhere = field_from(map, {500, 500});
+  looks.find({map, 2, 12.0, nowhere, {}}, now, {});
+  EXPECT_TRUE(looks.empty()) << "though a second ago there was a way";
+  find(3);
+  EXPECT_EQ(looks.goals().size(), 2U);
+}
+
 TEST_F(TwoGaps, AreOfferedOnce) {
   find(1);
   const auto first = looks.goals().front().p_map;
