@@ -21,6 +21,9 @@ class GoalWays {
   void update(const grid::DenseMap& map, std::span<const float> clearance_m, const grid::TravelRules& rules,
               std::span<const grid::CellIndex> cells);
 
+  /// The map was corrected, or time has passed: all are searched again, in their turns.
+  void doubt() { is_searched_.assign(is_searched_.size(), false); }
+
   /// Metres of open travel between two of the cells, the same both ways; HUGE_VAL where no way was found.
   /// That of the search once each had its turn: after as many updates with these cells as they are, at the
   /// latest.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace topo::goals {
@@ -81,6 +82,10 @@ std::vector<CellIndex> unknown_beside(const DenseMap& map, const Frontier& front
       break;
     }
   }
+  // One cell may be beside several of a frontier's, and counts once.
+  const auto key = [](const CellIndex& c) { return std::pair(c.y, c.x); };
+  std::ranges::sort(all, {}, key);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   if (all.size() <= kSources) return all;
   std::vector<CellIndex> some;
   for (std::size_t k = 0; k < kSources; ++k) some.push_back(all[(2 * k + 1) * all.size() / (2 * kSources)]);

@@ -27,7 +27,7 @@ struct Look {
 /// beside the frontier over free cells, the one nearest to the frontier's centroid of those that see nearly
 /// the most. `walls`, in map: what is unknown behind them, and behind where they go on, counts for nothing.
 /// Nothing when hardly any of it is in sight from anywhere. Does not depend on the order of the walls. Costs
-/// some hundred rays.
+/// at most 1700 rays, and the cells around the frontier.
 std::optional<Look> find_look(const grid::DenseMap& map, const Frontier& frontier,
                               const grid::TravelField& field, std::span<const types::Segment> walls,
                               const LookParams& params = {});

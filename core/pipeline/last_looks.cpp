@@ -17,14 +17,26 @@ void LastLooks::begin(types::Stamp now) {
   begun_ = now;
 }
 
+void LastLooks::interrupt(types::Stamp now) {
+  if (sweeps_since_) swept_ += now - *sweeps_since_;
+  sweeps_since_.reset();
+}
+
+bool LastLooks::is_over(types::Stamp now) const {
+  if (!sweeps_since_) return false;
+  const double without_s = types::to_seconds(*sweeps_since_ - begun_ - swept_);
+  const double most_s = std::max(params_.time_min_s, params_.time_share * without_s);
+  return types::to_seconds(swept_ + (now - *sweeps_since_)) > most_s;
+}
+
 void LastLooks::settle(const grid::DenseMap& map, types::Stamp now) {
   if (is_over(now)) open_.clear();
   std::erase_if(open_,
                 [&](const Open& o) { return map.state(map.cell_at(o.sight)) != grid::CellState::kUnknown; });
 }
 
-void LastLooks::leave(const types::Vector2& p_map) {
-  std::erase_if(open_, [&](const Open& o) { return o.goal.p_map == p_map; });
+bool LastLooks::leave(const types::Vector2& p_map) {
+  return std::erase_if(open_, [&](const Open& o) { return o.goal.p_map == p_map; }) > 0;
 }
 
 std::optional<double> LastLooks::reached_m(const types::Vector2& p_map) const {
@@ -56,6 +68,7 @@ std::optional<goals::Look> LastLooks::look_into(const goals::Frontier& frontier,
 
 void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again) {
   const auto& [map, revision, known_m2, field, walls] = in;
+  if (!open_.empty() && !sweeps_since_) sweeps_since_ = now;  // those left of a sweep that was interrupted
   if (!open_.empty() || is_over(now) || revision == asked_ || now - asked_at_ < again) return;
   asked_ = revision;
   asked_at_ = now;
@@ -77,8 +90,7 @@ void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again
   }
   if (promise_m2 < params_.promise_min * known_m2) open_.clear();
   for (const Open& o : open_) offered_.push_back(o.goal.opening);
-  if (!open_.empty() && !until_)
-    until_ = now + types::from_seconds(params_.time_share * types::to_seconds(now - begun_));
+  if (!open_.empty()) sweeps_since_ = now;
 }
 
 std::vector<goals::Goal> LastLooks::goals() const {

@@ -19,8 +19,9 @@ struct LastLookParams {
   /// All looks together, of what is known. Over sixteen plans and one robot the sweep promised 6 and 10 %
   /// where 1.0 and 1.2 % were missing, and at most 2.9 % where under 0.8 % were, which are not worth the way.
   double promise_min = 0.04;
-  double time_share = 0.75;   ///< of the time before it: no sweep takes longer
-  double length_share = 0.8;  ///< of the tour (goals::tour_cost_m): nothing leads on any more
+  double time_share = 0.75;   ///< of the time without them: all sweeps together take no longer
+  double time_min_s = 60.0;   ///< or this, when that is less
+  double length_share = 0.8;  ///< of a tour of looks (goals::tour_cost_m): nothing leads on any more
   double reached_m = 0.2;     ///< half a metre beside it another part of what is behind the gap is seen
   goals::LookParams look;
 };
@@ -34,9 +35,9 @@ struct LookedAt {
   std::span<const types::Segment> walls;
 };
 
-/// The last sweep of an exploration that is to be complete. When no goal is left, cluttered rooms may still
-/// have corners that were never in sight, behind gaps through which one cannot drive: each is looked into,
-/// once, if all of them together promise enough.
+/// The last sweep of an exploration that is to be complete. When no other goal can be gone for now, cluttered
+/// rooms may still have corners that were never in sight, behind gaps through which one cannot drive: each is
+/// looked into, once by each robot, if all of them together promise enough.
 class LastLooks {
  public:
   explicit LastLooks(const LastLookParams& params) : params_(params) {}
@@ -47,12 +48,15 @@ class LastLooks {
   /// less than `again` ago: it costs a tenth of a millisecond for every frontier of which it was not asked in
   /// the last half minute.
   void find(const LookedAt& in, types::Stamp now, types::Duration again);
+  /// Other goals are there again.
+  void interrupt(types::Stamp now);
   /// Takes away those whose sight is known by now; all, when the time is over.
   void settle(const grid::DenseMap& map, types::Stamp now);
-  /// A robot was there, or could not get there.
-  void leave(const types::Vector2& p_map);
+  /// A robot was there, or could not get there. False: what is there is no look.
+  bool leave(const types::Vector2& p_map);
   /// How near the robot has to come to a goal that is a look; nothing for other goals.
   [[nodiscard]] std::optional<double> reached_m(const types::Vector2& p_map) const;
+  [[nodiscard]] double reached_m() const { return params_.reached_m; }
   [[nodiscard]] bool empty() const { return open_.empty(); }
   [[nodiscard]] std::vector<goals::Goal> goals() const;
   [[nodiscard]] double length_share() const { return params_.length_share; }
@@ -62,7 +66,7 @@ class LastLooks {
     goals::Goal goal;
     types::Vector2 sight{0.0, 0.0};  ///< unknown, and in sight from the goal
   };
-  [[nodiscard]] bool is_over(types::Stamp now) const { return until_ && now > *until_; }
+  [[nodiscard]] bool is_over(types::Stamp now) const;
   struct Answer {
     types::Vector2 opening{0.0, 0.0};
     std::size_t cells = 0;
@@ -79,7 +83,8 @@ class LastLooks {
   std::vector<Answer> answers_;
   std::uint64_t asked_ = 0;  ///< revision of the map
   types::Stamp begun_{}, asked_at_{};
-  std::optional<types::Stamp> until_;  ///< nothing before the first is offered
+  std::optional<types::Stamp> sweeps_since_;
+  types::Duration swept_{};  ///< in sweeps before
 };
 
 }  // namespace topo::pipeline

@@ -61,8 +61,9 @@ void PlanningState::Impl::end(Activity how, std::string why) {
 
 void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   note(in, goal->p_map, "given up: " + why);
-  put_off.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
-  looks.leave(goal->p_map);
+  // A look that is left says nothing of a goal beside it.
+  if (!looks.leave(goal->p_map))
+    put_off.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
   goal.reset();
 }
 
@@ -104,8 +105,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    put_off.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
-    looks.leave(goal->p_map);
+    if (!looks.leave(goal->p_map)) put_off.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
@@ -174,6 +174,9 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
     reason = "no way to the goals left: what only sonar heard is forgotten";
   } else if (cut_off && in.now - nothing_since < kPatience) {
     reason = "no way to the goals left just now";
+  } else if (cut_off && !looks_meanwhile && looks_around()) {
+    looks_meanwhile = true;
+    reason = "no way to the goals left: looks into corners meanwhile";
   } else if (put_off.call_back(in.now)) {
     reason = "only goals given up before are left: they are tried again";
   } else if (in.team != nullptr && (others_have_goals(in) || in.now - nothing_since < kPatience)) {

@@ -55,8 +55,10 @@ struct PlanningState::Impl {
   bool forget_unseen(const PlanningInput& in);
   /// What the laser sees within a few metres now.
   [[nodiscard]] std::vector<types::Vector2> seen_now(const PlanningInput& in) const;
-  /// What sonar heard, and what the robot got stuck on.
-  [[nodiscard]] std::vector<types::Vector2> unseen() const;
+  /// What only sonar heard, often enough.
+  [[nodiscard]] std::vector<types::Vector2> echoed() const;
+  /// Where the robot did not get on.
+  [[nodiscard]] std::vector<types::Vector2> stuck_on() const;
 
   // Where to (planning_goals.cpp).
   void explore(const PlanningInput& in);
@@ -87,6 +89,7 @@ struct PlanningState::Impl {
   void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
   void add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
+  [[nodiscard]] bool looks_around() const;
   void add_looks(const PlanningInput& in, std::vector<Candidate>& candidates, bool& cut_off);
   void estimate_far_ones(std::vector<Candidate>& candidates);
   [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);
@@ -187,6 +190,7 @@ struct PlanningState::Impl {
   types::Vector2 progress_at{0.0, 0.0};
   PutOffGoals put_off;
   LastLooks looks;
+  bool looks_meanwhile = false;  ///< though there are goals, to which no way leads
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};
     types::Stamp until{};

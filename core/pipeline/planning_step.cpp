@@ -87,6 +87,8 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   has_target = false;
   put_off.clear();
   looks.begin(in.now);
+  looks_meanwhile = false;
+  goal_ways.doubt();
   open_goals.clear();
   route.clear();
   thought = {};
@@ -197,6 +199,7 @@ void PlanningState::Impl::think(const PlanningInput& in) {
   thought = in.now;
   thought_cells = in.map->changed_cells;
   claims_then = claims_of_mates(in);
+  if (corrected(newest, newest_number, *in.map)) goal_ways.doubt();
   newest_number = in.map->keyframes.size() - 1;
   newest = in.map->keyframes.back();
   const auto told = [&](PlanningStage stage) {

@@ -51,7 +51,12 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
     if (!complete) leave_overlooked(frontiers);
     add_gaps(in, std::move(frontiers), candidates, cut_off);
   }
-  if (complete && candidates.empty() && !returning) add_looks(in, candidates, cut_off);
+  if (!candidates.empty()) {
+    looks.interrupt(in.now);
+    looks_meanwhile = false;
+  } else if (looks_around() && !returning && (!cut_off || looks_meanwhile)) {
+    add_looks(in, candidates, cut_off);
+  }
   estimate_far_ones(candidates);
   return candidates;
 }
@@ -78,6 +83,10 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::vector<goals::F
   candidates.insert(candidates.end(), gaps.begin(), gaps.end());
 }
 
+bool PlanningState::Impl::looks_around() const {
+  return params.finish == Finish::kComplete && params.strategy == Strategy::kTopometric;
+}
+
 /// When there is nothing else to do.
 void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
                                     bool& cut_off) {
@@ -89,6 +98,11 @@ void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candida
   const PutOffGoals none;
   candidates = candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},
                              none, T_map_base.se2(), in.now, cut_off);
+  const std::size_t all = candidates.size();
+  std::erase_if(candidates, [&](const Candidate& c) {
+    return (map.centre_of(c.cell) - c.goal.p_map).norm() > looks.reached_m();
+  });
+  cut_off = cut_off || candidates.size() < all;
 }
 
 /// Candidates that the fine search has not come to get the costs of the coarse map.
@@ -140,14 +154,15 @@ const Candidate* PlanningState::Impl::first_of_tour(std::vector<const Candidate*
   if (candidates.empty()) return nullptr;
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate* a, const Candidate* b) { return a->cost_m < b->cost_m; });
-  const std::size_t most = params.tour.goals_max;
+  const std::size_t most = std::max<std::size_t>(params.tour.goals_max, 1);
   if (candidates.size() > most) {
     const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(most);
     if (std::find(last, candidates.end(), present) != candidates.end()) *(last - 1) = present;
     candidates.erase(last, candidates.end());
   }
   const goals::TourGoals tour = tour_goals(candidates);
-  const double share = looks.empty() ? params.tour.length_share : looks.length_share();
+  const bool are_looks = looks.reached_m(candidates.front()->goal.p_map).has_value();
+  const double share = are_looks ? looks.length_share() : params.tour.length_share;
   const goals::Tour best = goals::cheap_tour(tour, share);
   const auto at = std::find(candidates.begin(), candidates.end(), present);
   if (at == candidates.end() || candidates[best.front()] == present) return candidates[best.front()];

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,41 @@ TEST(JoinedRuns, HangTogetherAsAFloodFillHasThem) {
     const std::size_t open = cells.rfind('.');
     RC_PRE(open != std::string::npos);
     add_drawn(cells, width, runs);
-    RC_ASSERT(joined(runs, cells.size(), static_cast<std::uint32_t>(open)) == flooded(cells, width, open));
+    const std::vector<bool> expected = flooded(cells, width, open);
+    RC_ASSERT(joined(runs, cells.size(), static_cast<std::uint32_t>(open)) == expected);
+    std::size_t left = width, right = 0, low = height, high = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!expected[i]) continue;
+      left = std::min(left, i % width);
+      right = std::max(right, i % width + 1);
+      low = std::min(low, i / width);
+      high = std::max(high, i / width);
+    }
+    const std::uint32_t root = runs.root_of(runs.run_of(static_cast<std::uint32_t>(open)));
+    const JoinedRuns::Extent extent = runs.extents()[root];
+    RC_ASSERT(extent.left == left && extent.right == right && extent.low == low && extent.high == high);
+  }));
+}
+
+TEST(JoinedRuns, OfMarksAreThoseAddedOneByOne) {
+  JoinedRuns one_by_one, marked;
+  EXPECT_TRUE(rc::check([&] {
+    const auto width = *rc::gen::inRange<std::size_t>(1, 80);
+    std::string cells(2 * width, '#');
+    for (char& cell : cells)
+      if (*rc::gen::arbitrary<bool>()) cell = '.';
+    add_drawn(cells, width, one_by_one);
+    marked.clear(width);
+    for (std::size_t row = 0; row < cells.size(); row += width) {
+      std::vector<std::uint8_t> marks;
+      for (std::size_t x = 0; x < width; ++x) marks.push_back(cells[row + x] == '.' ? 1 : 0);
+      marked.add_marked(row, marks);
+    }
+    RC_ASSERT(marked.size() == one_by_one.size());
+    for (std::uint32_t run = 0; run < marked.size(); ++run) {
+      RC_ASSERT(marked[run] == one_by_one[run]);
+      RC_ASSERT(marked.root_of(run) == one_by_one.root_of(run));
+    }
   }));
 }
 

@@ -24,9 +24,12 @@ TEST(KnownSpan, IsFromTheFirstToTheLastKnownCell) {
     const std::size_t to = *rc::gen::inRange<std::size_t>(from, cells.size() + 1);
     const CellSpan span = known_span(cells, from, to);
     RC_ASSERT(span.first <= span.end);
-    RC_ASSERT(span.empty() || (span.first >= from && span.end <= to));
-    RC_ASSERT(span.empty() || cells[span.first] != CellState::kUnknown);
-    RC_ASSERT(span.empty() || cells[span.end - 1] != CellState::kUnknown);
+    if (!span.empty()) {
+      RC_ASSERT(span.first >= from);
+      RC_ASSERT(span.end <= to);
+      RC_ASSERT(cells[span.first] != CellState::kUnknown);
+      RC_ASSERT(cells[span.end - 1] != CellState::kUnknown);
+    }
     for (std::size_t i = from; i < to; ++i)
       RC_ASSERT((i >= span.first && i < span.end) || cells[i] == CellState::kUnknown);
   }));

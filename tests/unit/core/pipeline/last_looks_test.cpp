@@ -105,6 +105,34 @@ TEST_F(TwoGaps, AreLookedIntoForThreeQuartersOfTheTimeBeforeAndNoLonger) {
   EXPECT_EQ(looks.goals().size(), 2U);
 }
 
+TEST_F(TwoGaps, SweptBeforeAnotherGoalCameCountsLikeOneSweep) {
+  find(1);
+  looks.interrupt(at(150.0));
+  now = at(300.0);
+  find(2);
+  ASSERT_EQ(looks.goals().size(), 2U) << "those left";
+  // 250 s without sweeps allow 187.5 s of them, of which 50 s are over.
+  looks.settle(map, at(437.0));
+  EXPECT_EQ(looks.goals().size(), 2U);
+  looks.settle(map, at(438.0));
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(TwoGaps, AtOnceAfterTheBeginningAreLookedInto) {
+  looks.begin(now);
+  find(1);
+  looks.settle(map, now + std::chrono::seconds(59));
+  EXPECT_EQ(looks.goals().size(), 2U);
+  looks.settle(map, now + std::chrono::seconds(61));
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(TwoGaps, AreToldFromOtherGoals) {
+  find(1);
+  EXPECT_FALSE(looks.leave({1.0, 1.0}));
+  EXPECT_TRUE(looks.leave(looks.goals().front().p_map));
+}
+
 TEST_F(TwoGaps, AreNotAskedForTooOften) {
   looks.find({map, 1, 1e4, field, {}}, at(10.0), std::chrono::seconds(30));
   looks.find({map, 2, 12.0, field, {}}, at(39.0), std::chrono::seconds(30));

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/unit/core/grid/maps.hpp"
 #include "tests/unit/core/pipeline/drawn_map.hpp"
 
 namespace topo::pipeline {
@@ -39,6 +40,41 @@ TEST(CloseGaps, aWallBetweenStaysClosedAndWideGapsStay) {
   grid::DenseMap map = drawn_map(rows);
   close_gaps(map, 2);
   EXPECT_THAT(text_of(map), ElementsAreArray(rows));
+}
+
+/// Is the next known cell that way free, within reach?
+bool sees_free(const grid::DenseMap& map, grid::CellIndex from, grid::CellIndex step, int reach) {
+  for (int k = 1; k <= reach; ++k) {
+    const grid::CellState state = map.state({from.x + k * step.x, from.y + k * step.y});
+    if (state != grid::CellState::kUnknown) return state == grid::CellState::kFree;
+  }
+  return false;
+}
+
+TEST(CloseGaps, closesWhatLiesBetweenFreeCellsInMapsOfAnySize) {
+  EXPECT_TRUE(rc::check([] {
+    const int reach = *rc::gen::inRange(1, 4);
+    grid::DenseMap map =
+        grid::filled_map(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 12), grid::CellState::kUnknown);
+    for (int known = *rc::gen::inRange(0, 200); known > 0; --known) {
+      map.cells[*rc::gen::inRange<std::size_t>(0, map.cells.size())] =
+          *rc::gen::element(grid::CellState::kFree, grid::CellState::kFree, grid::CellState::kOccupied);
+    }
+    const grid::DenseMap before = map;
+    close_gaps(map, reach);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const grid::CellIndex c = map.cell(i);
+      const bool inside = c.x - map.box.min.x >= reach && map.box.max.x - c.x >= reach &&
+                          c.y - map.box.min.y >= reach && map.box.max.y - c.y >= reach;
+      bool between = false;
+      for (std::size_t d = 0; d < 4; ++d) {
+        const grid::CellIndex there = grid::kNeighbours[d], back{-there.x, -there.y};
+        between = between || (sees_free(before, c, there, reach) && sees_free(before, c, back, reach));
+      }
+      const bool closes = inside && between && before.cells[i] == grid::CellState::kUnknown;
+      RC_ASSERT(map.cells[i] == (closes ? grid::CellState::kFree : before.cells[i]));
+    }
+  }));
 }
 
 TEST(FreeDisc, takesUnknownCellsOnly) {
