@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/mapfile/outlines.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace topo::daemon {
 namespace {
@@ -63,13 +65,64 @@ class Walker {
   std::uint16_t label_ = 0;
 };
 
+/// Calls f(from, to) for the sides of a ring.
+template <class F>
+void for_each_side(const Ring& ring, F&& f) {
+  for (std::size_t k = 0; k < ring.size(); ++k) f(ring[k], ring[(k + 1) % ring.size()]);
+}
+
+/// Twice: positive when counter-clockwise.
+std::int64_t signed_area(const Ring& ring) {
+  std::int64_t twice = 0;
+  for_each_side(ring, [&](const CellIndex& a, const CellIndex& b) {
+    twice += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
+  });
+  return twice;
+}
+
+/// The lower side of some cell, on the ring: its left end.
+CellIndex a_lower_side(const Ring& ring) {
+  CellIndex found;
+  for_each_side(ring, [&](const CellIndex& a, const CellIndex& b) {
+    if (a.y == b.y) found = {std::min(a.x, b.x), a.y};
+  });
+  return found;
+}
+
+/// No side of a cell is of two rings: one ring is inside of another when one of its sides is.
+bool encloses(const Ring& outer, const CellIndex& side) {
+  int above = 0;
+  for_each_side(outer, [&](const CellIndex& a, const CellIndex& b) {
+    const bool over =
+        a.y == b.y && a.y > side.y && std::min(a.x, b.x) <= side.x && side.x < std::max(a.x, b.x);
+    above += over ? 1 : 0;
+  });
+  return above % 2 == 1;
+}
+
 }  // namespace
+
+std::vector<std::vector<Ring>> parts_of(std::vector<Ring> rings) {
+  std::stable_sort(rings.begin(), rings.end(),
+                   [](const Ring& a, const Ring& b) { return signed_area(a) > signed_area(b); });
+  const auto holes =
+      std::find_if(rings.begin(), rings.end(), [](const Ring& r) { return signed_area(r) < 0; });
+  std::vector<std::vector<Ring>> parts;
+  for (auto outer = rings.begin(); outer != holes; ++outer) parts.push_back({std::move(*outer)});
+  for (auto hole = holes; hole != rings.end(); ++hole) {
+    // A part may lie in the hole of another: the smallest that encloses it.
+    const auto part = std::find_if(parts.rbegin(), parts.rend(), [&](const std::vector<Ring>& p) {
+      return encloses(p.front(), a_lower_side(*hole));
+    });
+    if (part != parts.rend()) part->push_back(std::move(*hole));
+  }
+  return parts;
+}
 
 std::vector<std::vector<Ring>> outlines_of(const grid::DenseMap& map, std::span<const std::uint16_t> labels,
                                            std::size_t label_count) {
   std::vector<std::vector<Ring>> rings(label_count);
   Walker walker(map, labels);
-  // From below: the first ring of a label that is met is its outer one.
   for (auto i = static_cast<std::size_t>(map.width()); i < labels.size(); ++i) {
     if (walker.starts_at(i)) rings[labels[i] - 1U].push_back(walker.walk(i));
   }

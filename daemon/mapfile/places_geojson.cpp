@@ -45,6 +45,16 @@ class Features {
     return out;
   }
 
+  [[nodiscard]] Json polygons(const std::vector<Ring>& rings, double resolution_m) const {
+    Json all = Json::array();
+    for (const std::vector<Ring>& part : parts_of(rings)) {
+      Json polygon = Json::array();
+      for (const Ring& ring : part) polygon.push_back(closed_ring(ring, resolution_m));
+      all.push_back(std::move(polygon));
+    }
+    return all;
+  }
+
   types::Vector2 origin_;
   Json features_ = Json::array();
 };
@@ -60,9 +70,10 @@ void Features::add_places(const pipeline::Analysis& analysis) {
       outlines_of(analysis.map, map.labels.by_cell(analysis.map.cells.size()), map.places.size());
   for (std::size_t p = 0; p < map.places.size(); ++p) {
     const places::Place& place = map.places[p];
-    Json rings = Json::array();
-    for (const Ring& ring : outlines[p]) rings.push_back(closed_ring(ring, analysis.map.resolution_m));
-    features_.push_back(feature("Polygon", std::move(rings),
+    Json parts = polygons(outlines[p], analysis.map.resolution_m);
+    const bool is_one = parts.size() == 1;
+    features_.push_back(feature(is_one ? "Polygon" : "MultiPolygon",
+                                is_one ? Json(parts[0]) : std::move(parts),
                                 {{"kind", "place"},
                                  {"number", p + 1},
                                  {"area_m2", rounded(place.area_m2)},

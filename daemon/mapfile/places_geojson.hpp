@@ -13,7 +13,8 @@ namespace topo::daemon {
 /// The place map as a GeoJSON FeatureCollection (RFC 7946), for any viewer of maps. Coordinates are metres in
 /// `map`, x then y, not degrees: its members `frame` and `units` say so. Every feature has `properties.kind`:
 /// - "place": Polygon, the outline of its free space (outer ring counter-clockwise, what stands in it as
-///   holes); properties number, area_m2, clearance_m (greatest), centroid, neighbours (numbers).
+///   holes), or MultiPolygon, where furniture cuts it into parts, the largest first; properties number,
+///   area_m2, clearance_m (greatest), centroid, neighbours (numbers).
 /// - "wall": LineString; property length_m.
 /// - "goal": Point; properties verdict ("accepted" or why not), place, side, opening_m, opening (point), and
 ///   number (as in the overview) for the open ones.

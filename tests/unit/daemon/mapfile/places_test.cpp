@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/grid/wavefront.hpp"
 #include "daemon/mapfile/outlines.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/places_geojson.hpp"
@@ -111,6 +112,53 @@ TEST(Outlines, EncloseEveryCellOfTheirLabelOnce) {
       }
       RC_ASSERT(twice == 2 * std::count(labels.begin(), labels.end(), label));
     }
+  }));
+}
+
+/// Cells of each region of marked cells that hang together over sides and corners, in rising order.
+std::vector<std::int64_t> region_sizes(const grid::DenseMap& map, std::vector<std::uint16_t> labels) {
+  std::vector<std::int64_t> sizes;
+  for (std::size_t seed = 0; seed < labels.size(); ++seed) {
+    if (labels[seed] == 0) continue;
+    std::vector<std::size_t> region{seed};
+    labels[seed] = 0;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      const grid::CellIndex at = map.cell(region[i]);
+      for (const grid::CellIndex& by : grid::kNeighbours) {
+        const std::size_t next = map.index({at.x + by.x, at.y + by.y});
+        if (labels[next] == 0) continue;
+        labels[next] = 0;
+        region.push_back(next);
+      }
+    }
+    sizes.push_back(static_cast<std::int64_t>(region.size()));
+  }
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+TEST(Outlines, ByPartsAreThoseOfTheRegionsThatHangTogether) {
+  EXPECT_TRUE(rc::check([] {
+    grid::DenseMap map;
+    map.box = {{-1, -1}, {20, 16}};
+    map.cells.assign(22U * 18U, CellState::kUnknown);
+    std::vector<std::uint16_t> labels(map.cells.size(), 0);
+    const int share = *rc::gen::inRange(1, 10);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 20; ++x) labels[map.index({x, y})] = *rc::gen::inRange(0, 10) < share ? 1 : 0;
+    std::vector<std::int64_t> areas;
+    for (const std::vector<Ring>& part : parts_of(outlines_of(map, labels, 1)[0])) {
+      std::int64_t twice = 0;
+      for (const Ring& ring : part) {
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          const grid::CellIndex a = ring[k], b = ring[(k + 1) % ring.size()];
+          twice += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
+        }
+      }
+      areas.push_back(twice / 2);
+    }
+    std::sort(areas.begin(), areas.end());
+    RC_ASSERT(areas == region_sizes(map, labels));
   }));
 }
 
