@@ -175,14 +175,14 @@ void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   std::erase_if(blocked, [&](const Blocked& b) { return b.until <= in.now; });
   travel_clearance_m = clearance.clearance_m();
   lower_clearance(map, echoed(), params.travel.preferred_m, travel_clearance_m);
-  keep_trail_open(map, in.map->keyframes, params.travel.radius_m, travel_clearance_m);
+  const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
+  keep_trail_open(map, in.map->keyframes, start, params.travel.radius_m, travel_clearance_m);
   for (const std::vector<KeyframePose>& way : in.map->mates)
-    keep_trail_open(map, way, params.travel.radius_m, travel_clearance_m);
+    keep_trail_open(map, way, start, params.travel.radius_m, travel_clearance_m);
   // What it got stuck on stands there on its own trail, too: without that it would go the same way for ever.
   lower_clearance(map, stuck_on(), params.travel.preferred_m, travel_clearance_m);
   lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
   crowd_mates();
-  const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
   search.begin(map, travel_clearance_m, start, params.travel, field);
   has_coarse = false;
 }

@@ -49,8 +49,10 @@ void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> 
                      std::vector<float>& clearance_m);
 
 /// Where the robot went it can go back, whatever else is thought to stand there: clearance of at least
-/// `radius_m` on the lines between consecutive stations of its way that are near to one another.
-void keep_trail_open(const grid::DenseMap& map, std::span<const KeyframePose> way, double radius_m,
-                     std::vector<float>& clearance_m);
+/// `radius_m` on the lines between consecutive stations of its way that are near to one another. Where it
+/// stands, at `here`, nothing changes: were that cell open, it would leave over open cells only, and not over
+/// whatever is around it (grid::TravelRules::start_m).
+void keep_trail_open(const grid::DenseMap& map, std::span<const KeyframePose> way, grid::CellIndex here,
+                     double radius_m, std::vector<float>& clearance_m);
 
 }  // namespace topo::pipeline

@@ -163,7 +163,7 @@ TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
   std::vector<float> clearance(map.cells.size(), 0.0F);
   clearance[map.index({7, 10})] = 0.9F;
   const std::vector<KeyframePose> way{station(0.35, 1.05), station(1.05, 1.05), station(3.05, 1.05)};
-  keep_trail_open(map, way, 0.33, clearance);
+  keep_trail_open(map, way, {39, 19}, 0.33, clearance);
   for (const int x : {3, 4, 5, 8, 9, 10}) {
     EXPECT_FLOAT_EQ(clearance[map.index({x, 10})], 0.33F) << x;
     EXPECT_FLOAT_EQ(clearance[map.index({x, 11})], 0.0F) << x << ": no wider than its line";
@@ -171,6 +171,24 @@ TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
   EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.0F) << "occupied";
   EXPECT_FLOAT_EQ(clearance[map.index({7, 10})], 0.9F) << "never lowered";
   EXPECT_FLOAT_EQ(clearance[map.index({20, 10})], 0.0F) << "carried from one to the next";
+}
+
+/// In a team the second robot stands 1.3 m ahead, and walls are near: who stood still at its start for two
+/// keyframes never left it.
+TEST(KeepTrailOpen, whereTheRobotStandsItLeavesOverWhatIsAroundIt) {
+  const grid::DenseMap map = grid::filled_map(80, 11, grid::CellState::kFree);  // 0.55 m wide
+  const std::vector<float> narrow_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const std::vector<KeyframePose> way{station(0.32, 0.28), station(0.33, 0.28)};
+  const grid::CellIndex here = map.cell_at(way.back().T_map_base.se2().translation());
+  const grid::TravelRules rules;
+  const auto reached = [&](const std::vector<float>& clearance_m) {
+    const grid::TravelField field = grid::travel_field(map, clearance_m, here, rules);
+    return std::count_if(field.cost_m.begin(), field.cost_m.end(), [](float c) { return std::isfinite(c); });
+  };
+  std::vector<float> clearance_m = narrow_m;
+  keep_trail_open(map, way, here, rules.radius_m, clearance_m);
+  EXPECT_GE(reached(clearance_m), reached(narrow_m));
+  EXPECT_GT(reached(clearance_m), 50);
 }
 
 TEST(ApplyLimits, outsideAndKeepOutAreWalls) {
