@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <filesystem>
+
 #include "tests/bench/topobench/analyse/label_picture.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
@@ -17,6 +20,29 @@ SegmentCommand command_of(const std::filesystem::path& labels, const std::filesy
   command.labels = labels;
   command.truth = truth;
   return command;
+}
+
+TEST(SegmentCommand, WritesNoLabelsOverMapsOrTruth) {
+  const daemon::testing::TempDir maps, truth;
+  ASSERT_TRUE(save_labels(maps.file("map.png"), {2, 1, false, {1, 2}}).has_value());
+  ASSERT_TRUE(save_labels(truth.file("map.png"), {2, 1, false, {1, 2}}).has_value());
+  for (const std::string& labels : {maps.str(), truth.str()}) {
+    SegmentCommand command = command_of(labels, truth.str());
+    command.maps = maps.str();
+    const auto refused = run_segment(command);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_THAT(refused.error().message, HasSubstr("expected another folder"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(maps.file("overlay")));
+  EXPECT_FALSE(std::filesystem::exists(truth.file("overlay")));
+}
+
+TEST(SegmentCommand, RefusesATurnThatIsNone) {
+  SegmentCommand command = command_of("labels", "truth");
+  command.turn_deg = std::nan("");
+  const auto refused = run_segment(command);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(refused.error().message, HasSubstr("--turn: found nan"));
 }
 
 TEST(SegmentCommand, NothingToScoreIsNoScore) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::bench {
@@ -45,7 +47,8 @@ TEST(TableCommand, refusesWhatCannotBeRunAndNamesTheOption) {
        {std::vector{0}, std::vector{9}, std::vector{2, 2}, std::vector<int>{}})
     EXPECT_NE(error_after([&](auto& c) { c.robots = robots; }).find("--robots"), std::string::npos);
   EXPECT_NE(error_after([](auto& c) { c.seeds = 0; }).find("--seeds: found 0"), std::string::npos);
-  EXPECT_NE(error_after([](auto& c) { c.limit_s = 0.0; }).find("--limit"), std::string::npos);
+  for (const double limit_s : {0.0, 1e10, HUGE_VAL, std::nan("")})
+    EXPECT_NE(error_after([&](auto& c) { c.limit_s = limit_s; }).find("--limit"), std::string::npos);
   EXPECT_NE(error_after([](auto& c) { c.wall_limit_s = 0; }).find("--wall-limit"), std::string::npos);
   EXPECT_NE(error_after([](auto& c) { c.radios = {"perfect", "smoke"}; }).find("smoke"), std::string::npos);
   EXPECT_NE(error_after([](auto& c) { c.radios = {"none", "none"}; }).find("--radio"), std::string::npos);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/types/se2.hpp"
@@ -85,6 +86,27 @@ json to_json(const SegmentScore& s) {
           {"rooms", s.rooms}};
 }
 
+/// With maps, labels are written: not over the pictures of others.
+Status check(const SegmentCommand& command, const fs::path& truth) {
+  constexpr double kMost_deg = 360.0;
+  if (!(std::abs(command.turn_deg) <= kMost_deg)) {
+    return types::fail(types::Errc::kInvalidInput,
+                       fmt::format("--turn: found {}, expected degrees from -360 to 360", command.turn_deg));
+  }
+  if (command.maps.empty()) return {};
+  std::error_code error;
+  for (const fs::path& other : {command.maps, command.truth, truth}) {
+    if (fs::equivalent(command.labels, other, error)) {
+      return types::fail(
+          types::Errc::kInvalidInput,
+          fmt::format("--labels: found {}, which holds the maps or their truth, expected another "
+                      "folder: with --maps the labels are written there",
+                      command.labels.string()));
+    }
+  }
+  return {};
+}
+
 json means(const json& each) {
   json report{{"maps", each.size()}};
   for (const char* key :
@@ -101,6 +123,7 @@ json means(const json& each) {
 Status run_segment(const SegmentCommand& command) {
   const fs::path lines = command.truth / "gt_lines";
   const fs::path truth = fs::is_directory(lines) ? lines : command.truth;
+  if (auto checked = check(command, truth); !checked) return checked;
   if (!command.maps.empty()) {
     if (auto done = analyse_all(command, truth); !done) return done;
   }

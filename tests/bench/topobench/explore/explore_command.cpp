@@ -12,7 +12,10 @@
 #include "tests/bench/topobench/output.hpp"
 
 namespace topo::bench {
+
 namespace {
+
+constexpr double kLimitMax_s = 1e6;  // eleven days
 
 using types::Errc;
 
@@ -45,15 +48,13 @@ types::Status check(const ExploreCommand& command) {
                     "mapper all poses are known",
                     command.fidelity));
   if (const auto radio = parse_radio(command.radio); !radio) return tl::unexpected(radio.error());
-  if (!(command.entry_delay_s >= 0.0))
-    return types::fail(Errc::kInvalidInput, fmt::format("--entry-delay: found {}, expected seconds from 0 up",
-                                                        command.entry_delay_s));
+  if (!(command.entry_delay_s >= 0.0 && command.entry_delay_s <= kLimitMax_s))
+    return types::fail(Errc::kInvalidInput,
+                       fmt::format("--entry-delay: found {}, expected seconds from 0 to {}",
+                                   command.entry_delay_s, kLimitMax_s));
   if (!command.start.empty() && command.start.size() != 3)
     return types::fail(Errc::kInvalidInput, "--start: expected X,Y,THETA in metres and radians");
-  if (!(command.limit_s > 0.0))
-    return types::fail(Errc::kInvalidInput,
-                       fmt::format("--limit: found {}, expected seconds above 0", command.limit_s));
-  return {};
+  return check_limit(command.limit_s);
 }
 
 types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World& world) {
@@ -104,6 +105,13 @@ types::Result<nlohmann::json> run_together(const ExploreCommand& command, sim::W
 }
 
 }  // namespace
+
+types::Status check_limit(double limit_s) {
+  if (limit_s > 0.0 && limit_s <= kLimitMax_s) return {};
+  return types::fail(
+      types::Errc::kInvalidInput,
+      fmt::format("--limit: found {}, expected seconds above 0, at most {}", limit_s, kLimitMax_s));
+}
 
 types::Result<nlohmann::json> explore(const ExploreCommand& command, RunHooks& hooks) {
   if (auto status = check(command); !status) return tl::unexpected(status.error());

@@ -31,6 +31,9 @@ struct ExploreCommand {
   bool json = false;
 };
 
+/// Is it so many seconds that an exploration may last?
+types::Status check_limit(double limit_s);
+
 /// One exploration as commanded, with its files but without a word on standard output: the report of REPORTS
 /// "topobench explore". `hooks`: of the first robot. The same command gives the same report but for what says
 /// how long it took.

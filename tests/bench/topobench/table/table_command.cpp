@@ -48,9 +48,7 @@ types::Status check(const TableCommand& command) {
                 fmt::format("--fidelity: found {} for several robots, expected plan", command.fidelity));
   if (command.seeds < 1)
     return fail(Errc::kInvalidInput, fmt::format("--seeds: found {}, expected 1 or more", command.seeds));
-  if (!(command.limit_s > 0.0))
-    return fail(Errc::kInvalidInput,
-                fmt::format("--limit: found {}, expected seconds above 0", command.limit_s));
+  if (auto limit = check_limit(command.limit_s); !limit) return limit;
   if (command.out.empty()) return fail(Errc::kInvalidInput, "--out: expected a folder for the runs");
   if (command.wall_limit_s < 1)
     return fail(Errc::kInvalidInput,
