@@ -18,6 +18,10 @@ constexpr std::size_t kMateQueries = 2;  ///< about team-mates' keyframes, at on
 /// Beams and columns that are drawn anew with one scan: a correction of everything that half an hour saw is
 /// shown after some seconds.
 constexpr std::size_t kRedrawnAScan = 6000;
+/// What a correction left a little off is drawn when no other has come for a while: no more than a keyframe
+/// with one scan, for nobody waits.
+constexpr types::Duration kSettleAfter = std::chrono::seconds(5);
+constexpr std::size_t kSettledAScan = 1;
 constexpr std::size_t kWaiting = 16;  ///< scans that may wait for odometry: 0.4 s at 40 Hz
 
 types::Stamp end_of(const types::Scan& scan) {
@@ -44,10 +48,11 @@ struct MappingState::Impl {
   void place_front(const types::Scan& scan, MappingOutput& output);
   void boundary(MappingOutput& output);
   void redraw();
+  void settle();
   void draw(MappingOutput& output);
   [[nodiscard]] bool has_news() const {
     return !mates_keyframes.empty() || !mates_relations.empty() || !known.empty() || has_mates_answer ||
-           mapper.has_mates_to_ask_about() || (correction && correction->drawn);
+           mapper.has_mates_to_ask_about() || (correction && correction->drawn) || has_settled;
   }
   void join_news(MappingOutput& output);
 
@@ -63,6 +68,8 @@ struct MappingState::Impl {
   slam::Mapper mapper;
   slam::MapBuilder builder;
   std::optional<Correction> correction;
+  bool is_settled = true;    ///< the shown map has every keyframe where it is, to the cell
+  bool has_settled = false;  ///< since the last boundary
   std::optional<grid::OccupancyGrid> published;  ///< of the newest snapshot
   std::uint64_t changed_cells = 0;               ///< from the first snapshot to that one
   walls::ColumnCollector columns;
@@ -73,9 +80,10 @@ struct MappingState::Impl {
   std::vector<slam::FoundRelation> mates_relations;
   std::vector<std::pair<slam::RelationKey, slam::Relation>> known;  ///< of where team-mates are
   slam::Cloud cloud;
-  types::Stamp newest{};  ///< stamp of the newest scan heard of, either laser
-  types::Stamp placed{};  ///< stamp of the newest front scan placed
-  types::Stamp drawn{};   ///< the same, when the map was drawn last
+  types::Stamp newest{};     ///< stamp of the newest scan heard of, either laser
+  types::Stamp placed{};     ///< stamp of the newest front scan placed
+  types::Stamp drawn{};      ///< the same, when the map was drawn last
+  types::Stamp corrected{};  ///< the same, when a correction was shown last
   std::uint64_t revision = 0;
   MappingLosses losses;
 };
@@ -155,6 +163,7 @@ void MappingState::Impl::boundary(MappingOutput& output) {
     output.loop_queries.push_back(std::move(query));
   if (auto query = mapper.take_alignment_query()) output.alignment_query = std::move(query);
   drawn = placed;
+  has_settled = false;
   draw(output);
   if (auto query = mapper.take_graph_query()) output.graph_query = std::move(query);
   ++revision;
@@ -162,9 +171,15 @@ void MappingState::Impl::boundary(MappingOutput& output) {
 }
 
 void MappingState::Impl::redraw() {
-  if (!correction) return;
+  if (!correction) return settle();
   const auto keyframes = mapper.keyframes().first(correction->poses.size());
   correction->drawn = builder.prepare(keyframes, correction->poses, kRedrawnAScan);
+}
+
+void MappingState::Impl::settle() {
+  if (is_settled || placed - corrected < kSettleAfter) return;
+  is_settled = builder.settle(mapper.keyframes(), mapper.poses(), kSettledAScan);
+  has_settled = is_settled;
 }
 
 /// What came since the last boundary, with corrected poses when the map is drawn with them.
@@ -178,6 +193,8 @@ void MappingState::Impl::draw(MappingOutput& output) {
   builder.show();
   mapper.adopt(std::move(correction->poses));
   correction.reset();
+  corrected = placed;
+  is_settled = has_settled = false;
   output.corrected = true;
 }
 

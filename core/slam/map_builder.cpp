@@ -50,7 +50,22 @@ bool MapBuilder::prepare(std::span<const KeyframePtr> keyframes, std::span<const
 }
 
 void MapBuilder::show() {
-  if (next_) shown_ = *std::exchange(next_, std::nullopt);
+  if (!next_) return;
+  shown_ = *std::exchange(next_, std::nullopt);
+  settled_ = 0;
+}
+
+bool MapBuilder::settle(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
+                        std::size_t beams_max) {
+  if (next_) return false;
+  for (std::size_t beams = 0; settled_ < shown_.drawn.size(); ++settled_) {
+    if (shown_.drawn[settled_] == poses[settled_]) continue;
+    if (beams >= beams_max) return false;
+    const Keyframe& keyframe = *keyframes[settled_];
+    draw(shown_, settled_, keyframe, poses[settled_]);
+    beams += keyframe.hits.size() + keyframe.columns.size();
+  }
+  return true;
 }
 
 void MapBuilder::update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses) {

@@ -38,6 +38,13 @@ class MapBuilder {
   /// The map in preparation takes the place of the one that is shown.
   void show();
 
+  /// Draws the shown map to the cell: keyframes that lie less than the parameters say from where they were
+  /// drawn, of them as many as see `beams_max` beams and columns together, and one at least. True when none
+  /// is left. Nothing while a map is in preparation. `poses` are those of the map that was shown last, and of
+  /// what extended it.
+  bool settle(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
+              std::size_t beams_max);
+
   /// All of it at once, to the cell: the map of these keyframes at these poses is shown, the same as if they
   /// had been drawn nowhere before.
   void update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses);
@@ -62,6 +69,7 @@ class MapBuilder {
   Version shown_;
   std::optional<Version> next_;  ///< in preparation
   std::size_t prepared_ = 0;     ///< keyframes that are drawn well in it
+  std::size_t settled_ = 0;      ///< keyframes that are drawn to the cell in the shown map
   walls::ColumnLedger ledger_;   ///< of the version that later ones are made from
 };
 

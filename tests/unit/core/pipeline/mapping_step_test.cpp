@@ -101,10 +101,10 @@ TEST(MappingStep, AnySplitOfTheInputGivesTheSamePoses) {
   EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
 }
 
-/// A robot that goes ahead for a while and then stands, whose third keyframe is told to be 0.3 m off.
+/// A robot that goes ahead for a while and then stands, whose third keyframe is told to be off.
 class ToldOff {
  public:
-  explicit ToldOff(int goes_ms) : goes_ms_(goes_ms) {}
+  explicit ToldOff(int goes_ms, const Se2& off = {0.3, 0.2, 0.0}) : goes_ms_(goes_ms), off_(off) {}
 
   /// One scan.
   MappingOutput step() {
@@ -132,11 +132,12 @@ class ToldOff {
     candidate.rejection = slam::LoopRejection::kNone;
     const auto poses = state_.mapper().poses();
     const Eigen::Matrix3d sure = Eigen::Vector3d(1e4, 1e4, 1e5).asDiagonal();
-    candidate.edge = {0, 2, poses[0].inverse() * poses[2] * Se2{0.3, 0.2, 0.0}, sure, false};
+    candidate.edge = {0, 2, poses[0].inverse() * poses[2] * off_, sure, false};
     state_.offer(slam::LoopAnswer{2, {candidate}});
   }
 
   int goes_ms_;
+  Se2 off_;
   int ms_ = 0;
   bool told_ = false;
   MappingState state_{slam::MapperParams{}};
@@ -162,6 +163,21 @@ TEST(MappingStep, PosesAndMapAreCorrectedTogetherWhenBothAreReady) {
     EXPECT_LT(robot.cells_elsewhere(), 100U) << "keyframes that hardly moved are not drawn again";
     EXPECT_FALSE(robot.step().graph_query) << "nothing new since";
   }
+}
+
+TEST(MappingStep, WhatACorrectionLeftALittleOffIsDrawnAndShownByAndBy) {
+  ToldOff robot(2800, {0.015, 0.012, 0.0});
+  std::optional<slam::GraphQuery> query;
+  for (int i = 0; i < 40 && !query; ++i) query = robot.step().graph_query;
+  ASSERT_TRUE(query);
+  robot.state().offer(slam::solve_graph(*query));
+  for (int i = 0; i < 40 && !robot.step().corrected; ++i) {
+  }
+  ASSERT_GT(robot.cells_elsewhere(), 0U) << "nothing to draw";
+  int shown = 0;
+  for (int i = 0; i < 100; ++i) shown += robot.step().keyframe_added ? 1 : 0;
+  EXPECT_EQ(robot.cells_elsewhere(), 0U);
+  EXPECT_EQ(shown, 1) << "who stands makes no keyframes, and tells of the map once";
 }
 
 TEST(MappingStep, AGraphThatWasNotSolvedIsAskedAboutAgain) {

@@ -83,6 +83,34 @@ TEST(MapBuilder, TheMapAtOtherPosesIsMadeBesideTheOneThatIsShown) {
   }));
 }
 
+TEST(MapBuilder, WhatWasShownALittleOffIsDrawnToTheCellByAndBy) {
+  std::mt19937 random(4);
+  std::vector<Se2> poses{{2.0, 2.0, 0.0}, {3.5, 2.5, 0.5}, {5.0, 3.5, -0.5}, {8.5, 3.6, 0.1}};
+  std::vector<KeyframePtr> keyframes;
+  for (std::uint32_t i = 0; i < poses.size(); ++i) keyframes.push_back(keyframe_at(poses[i], i, random));
+  MapBuilder builder({}), exact({});
+  builder.extend(keyframes, poses);
+  for (Se2& pose : poses) pose = Se2{0.012, -0.011, 0.001} * pose;  // less than is drawn again at once
+  exact.update(keyframes, poses);
+  ASSERT_TRUE(builder.prepare(keyframes, poses, 1));
+  EXPECT_FALSE(builder.settle(keyframes, poses, 1)) << "another map is in preparation";
+  builder.show();
+  ASSERT_NE(states(builder.grid()), states(exact.grid()));
+  std::size_t pieces = 1;
+  while (!builder.settle(keyframes, poses, 1)) ++pieces;
+  EXPECT_EQ(pieces, poses.size());
+  EXPECT_EQ(states(builder.grid()), states(exact.grid()));
+  EXPECT_EQ(columns(builder.walls()), columns(exact.walls()));
+  // Back again: whatever is taken back is what was drawn.
+  for (Se2& pose : poses) pose = Se2{-0.3, 0.2, 0.0} * pose;
+  exact.update(keyframes, poses);
+  while (!builder.prepare(keyframes, poses, 1)) {
+  }
+  builder.show();
+  EXPECT_TRUE(builder.settle(keyframes, poses, 1));
+  EXPECT_EQ(states(builder.grid()), states(exact.grid()));
+}
+
 TEST(MapBuilder, WallsFollowTheirKeyframe) {
   std::mt19937 random(2);
   const std::vector<KeyframePtr> keyframes{keyframe_at({2.0, 2.0, 0.0}, 0, random)};
