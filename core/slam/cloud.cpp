@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace topo::slam {
 namespace {
@@ -99,6 +100,18 @@ class Thinning {
   float spacing_m_, swept_m_;
 };
 
+/// Is the hit of a beam that met an edge, and measured something between it and what is behind it? Those are
+/// lone readings between two surfaces (veiling points; Tuley, Vandapel and Hebert 2005). A wall that is seen
+/// at a grazing angle jumps from beam to beam as well, but by much the same each time.
+bool is_mixed(std::span<const float> range_m, std::size_t i, float jump_m) {
+  if (i < 2 || i + 2 >= range_m.size()) return false;
+  const float before = range_m[i] - range_m[i - 1], after = range_m[i + 1] - range_m[i];
+  // Beside a beam without a distance nothing compares.
+  if (!(before * after > 0.0F) || !(std::abs(before) > jump_m) || !(std::abs(after) > jump_m)) return false;
+  return std::abs(range_m[i - 1] - range_m[i - 2]) < 0.5F * std::abs(before) &&
+         std::abs(range_m[i + 2] - range_m[i + 1]) < 0.5F * std::abs(after);
+}
+
 }  // namespace
 
 void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
@@ -109,6 +122,7 @@ void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const S
   const types::Se2 first = motion.T_ref_first * T_base_laser, last = motion.T_ref_last * T_base_laser;
   const double turn = types::wrap_angle(last.theta_rad - first.theta_rad);
   const double beams = std::max<double>(1.0, scan.beams - 1.0);
+  const std::span<const float> ranges_m(scan.range_m.data(), scan.beams);
   const float range_max = std::min(scan.geometry.range_max_m, static_cast<float>(params.range_max_m));
   // One rotation a beam by recurrence instead of a sine and cosine a beam; drift over 1440 steps is below
   // 1e-12.
@@ -120,7 +134,8 @@ void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const S
   double x = first.x_m, y = first.y_m;
   for (std::size_t i = 0; i < scan.beams; ++i) {
     const float r = scan.range_m[i];
-    if (types::is_hit(r) && r >= scan.geometry.range_min_m && r < range_max) {
+    if (types::is_hit(r) && r >= scan.geometry.range_min_m && r < range_max &&
+        !is_mixed(ranges_m, i, static_cast<float>(params.mixed_jump_m))) {
       const double range = static_cast<double>(r);
       cloud.points.emplace_back(static_cast<float>(x + range * c), static_cast<float>(y + range * s));
       cloud.spacing_m.push_back(r * std::abs(scan.geometry.angle_increment_rad));

@@ -37,7 +37,7 @@ struct SweepMotion {
 };
 
 /// The scan's hits in base_link at the reference stamp. Invalid, too near, too far and missing returns are
-/// left out. `cloud` is reused: nothing is allocated once its vectors have grown.
+/// left out, and mixed pixels. `cloud` is reused: nothing is allocated once its vectors have grown.
 void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
                 const CloudParams& params, Cloud& cloud);
 

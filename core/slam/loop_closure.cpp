@@ -31,8 +31,11 @@ bool fits(const Match& match, const LoopQuery& query, const LoopGroup& group, co
   if (match.response >= (wide ? params.response_min_wide : params.response_min)) return true;
   if (group.window.half_m < kWideSearch_m) return false;  // no drift to mend: what is left must be exact
   if (match.response < params.response_unopposed || match.fit() < params.fit_unopposed) return false;
-  return seen_through(group.keyframes, group.poses, map)
-             .contradiction(map, query.keyframe->match_points, match.T_map_base) <= params.contradiction_max;
+  const auto& points = query.keyframe->match_points;
+  const double share_max = std::max(params.contradiction_max,
+                                    (params.contradicting_points + 0.5) / static_cast<double>(points.size()));
+  return seen_through(group.keyframes, group.poses, map).contradiction(map, points, match.T_map_base) <=
+         share_max;
 }
 
 LoopRejection gate(const Match& match, const LoopCandidate& candidate, const LoopQuery& query,

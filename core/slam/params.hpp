@@ -27,6 +27,7 @@ struct CloudParams {
   double normal_radius_m = 0.25;  ///< neighbourhood of a surfel's line fit
   double break_factor = 3.0;  ///< neighbours further apart than this many beam spacings are not one surface
   double break_floor_m = 0.20;
+  double mixed_jump_m = 0.10;  ///< a lone reading so far behind one surface and before another is on neither
 };
 
 /// Iterated closest point-to-line refinement.
@@ -93,7 +94,8 @@ struct LoopParams {
   double overlap_min = 0.45;         ///< share of points with a surfel in reach
   double response_unopposed = 0.45;  ///< enough where drift has gathered and nothing speaks against the place
   double fit_unopposed = 0.80;       ///< nothing: of what the other visit knows at least this share fits,
-  double contradiction_max = 0.02;   ///< and of all points at most this stand where it looked through
+  double contradiction_max = 0.02;   ///< and of all points at most this stand where it looked through,
+  int contradicting_points = 2;      ///< or so many: of a small scan a stray one is a large share
 };
 
 struct GraphParams {

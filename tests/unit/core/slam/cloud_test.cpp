@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
 #include "tests/mocks/flat_world.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
@@ -30,6 +35,40 @@ TEST(MakeCloud, LeavesOutWhatIsNoDistance) {
   ASSERT_EQ(cloud.points.size(), 1U);
   EXPECT_NEAR(cloud.points[0].x(), 1.2, 1e-6);
   EXPECT_NEAR(cloud.sensor.x(), 0.2, 1e-6);
+}
+
+/// What is left of a sweep of 0.25 degrees from beam to beam.
+std::vector<Point> hits_of(std::initializer_list<float> range_m) {
+  types::Scan scan;
+  scan.beams = static_cast<std::uint16_t>(range_m.size());
+  scan.geometry = {0.0F, 0.0044F, 0.0F, 0.0F, 0.1F, 30.0F};
+  std::copy(range_m.begin(), range_m.end(), scan.range_m.begin());
+  Cloud cloud;
+  make_cloud(scan, {}, {}, kCloudParams, cloud);
+  return cloud.points;
+}
+
+TEST(MakeCloud, LeavesOutALoneReadingBetweenTwoSurfaces) {
+  for (const float between : {2.2F, 3.0F, 3.8F}) {
+    const auto hits = hits_of({2.0F, 2.01F, between, 4.0F, 4.02F});
+    ASSERT_EQ(hits.size(), 4U) << between;
+    for (const Point& p : hits) EXPECT_GT(std::abs(p.norm() - between), 0.1F);
+    EXPECT_EQ(hits_of({4.02F, 4.0F, between, 2.01F, 2.0F}).size(), 4U) << "on the other side of it";
+  }
+}
+
+TEST(MakeCloud, KeepsWhatIsNoMixedPixel) {
+  EXPECT_EQ(hits_of({4.0F, 4.0F, 2.0F, 4.0F, 4.0F}).size(), 5U) << "a pole";
+  EXPECT_EQ(hits_of({2.0F, 2.0F, 2.08F, 4.0F, 4.0F}).size(), 5U) << "noise at an edge";
+  EXPECT_EQ(hits_of({2.0F, 2.2F, 2.43F, 2.7F, 3.0F}).size(), 5U) << "a wall at a grazing angle";
+  EXPECT_EQ(hits_of({2.0F, 2.0F, 3.0F, 3.0F, 4.0F, 4.0F}).size(), 6U) << "a step that two beams saw";
+  EXPECT_EQ(hits_of({2.0F, 3.0F, 4.0F}).size(), 3U)
+      << "at the sweep's ends nothing is known of what is beside";
+  for (const float none : {types::kNoReturn, types::kTooNear, types::kInvalid}) {
+    EXPECT_EQ(hits_of({none, 2.0F, 3.0F, 4.0F, 4.0F}).size(), 4U) << "no surface before it";
+    EXPECT_EQ(hits_of({2.0F, 2.0F, 3.0F, none, none}).size(), 3U) << "nor behind";
+    EXPECT_EQ(hits_of({2.0F, 2.0F, 3.0F, none, 4.0F}).size(), 4U);
+  }
 }
 
 /// A robot that drives and turns while the mirror sweeps sees a straight wall bent; the cloud must be
