@@ -4,7 +4,6 @@
 #include "core/walls/wall_extraction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -107,9 +106,13 @@ double filled_share(std::span<const Place> places, double bin_m) {
   return static_cast<double>(filled) / (last + 1);
 }
 
+std::size_t points_min(const WallParams& params) {
+  return static_cast<std::size_t>(std::max(params.points_min, 2));
+}
+
 /// What is long, full and dense enough to be a wall.
 bool is_wall_run(std::span<const Place> places, const WallParams& params) {
-  if (places.size() < static_cast<std::size_t>(std::max(params.points_min, 2))) return false;
+  if (places.size() < points_min(params)) return false;
   // A hair of slack: 20 cells of 0.05 m are a metre, whatever the rounding of the projection says.
   const double length_m = static_cast<double>(places.back().u - places.front().u) + 1e-3;
   return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
@@ -154,6 +157,7 @@ class WallFinder {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const auto low = lines_.bin(i);
       const auto high = i + 1 < lines_.size() ? lines_.bin(i + 1) : std::span<const Place>();
+      if (low.size() + high.size() < points_min(params_)) continue;
       const std::size_t first = merged_.size();
       merged_.resize(first + low.size() + high.size());  // reserved: spans stay valid
       const std::span line = std::span(merged_).subspan(first);
@@ -242,8 +246,8 @@ bool on_surface(const grid::DenseMap& map, grid::CellIndex cell) {
   if (map.is_on_border(cell)) return true;  // all is unknown outside
   const std::ptrdiff_t up = map.width();
   const grid::CellState* const at = &map.cells[map.index(cell)];
-  return std::ranges::any_of(std::array{std::ptrdiff_t{1}, std::ptrdiff_t{-1}, up, -up},
-                             [at](std::ptrdiff_t by) { return at[by] != grid::CellState::kOccupied; });
+  const auto is_occupied = [at](std::ptrdiff_t by) { return at[by] == grid::CellState::kOccupied; };
+  return !(is_occupied(1) && is_occupied(-1) && is_occupied(up) && is_occupied(-up));
 }
 
 }  // namespace
