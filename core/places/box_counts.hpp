@@ -14,7 +14,7 @@ namespace topo::places {
 struct CompassFrame {
   explicit CompassFrame(double compass_rad) : cos(std::cos(compass_rad)), sin(std::sin(compass_rad)) {}
   [[nodiscard]] types::Vector2 from_map(const types::Vector2& p) const {
-    return {cos * p.x() + sin * p.y(), cos * p.y() - sin * p.x()};
+    return cos * p + sin * types::Vector2(p.y(), -p.x());
   }
   [[nodiscard]] types::Vector2 to_map(const types::Vector2& p) const {
     return {cos * p.x() - sin * p.y(), cos * p.y() + sin * p.x()};

@@ -20,11 +20,24 @@ struct Thinning {
   std::vector<std::uint8_t> marks;    ///< as map.cells
   std::vector<std::uint32_t> remain;  ///< the cells that are on, in rising order of clearance
 
-  static constexpr std::uint8_t kOn = 1;     ///< not yet taken away
-  static constexpr std::uint8_t kRidge = 2;  ///< of the distance map: an end here is meant
-  static constexpr std::uint8_t kQueued = 4;
-  static constexpr std::uint8_t kNode = 8;  ///< part of a node, or of an edge, of the graph
+  static constexpr std::uint8_t kOn = 1;       ///< not yet taken away
+  static constexpr std::uint8_t kRidge = 2;    ///< of the distance map: an end here is meant
+  static constexpr std::uint8_t kDoubted = 4;  ///< may be taken away: it was not looked at as it is now
+  static constexpr std::uint8_t kNode = 8;     ///< part of a node, or of an edge, of the graph
   static constexpr std::uint8_t kEdge = 16;
+  static constexpr std::uint8_t kAhead = 32;  ///< its turn is still to come
+
+  /// Takes a cell away, and casts doubt on those beside it. Calls come(neighbour) for each that was in none.
+  template <class F>
+  void take_away(std::uint32_t cell, const std::array<std::ptrdiff_t, 8>& offsets, F&& come) {
+    marks[cell] = 0;
+    for (const std::ptrdiff_t offset : offsets) {
+      const auto beside = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(cell) + offset);
+      if ((marks[beside] & (kOn | kDoubted)) != kOn) continue;
+      marks[beside] |= kDoubted;
+      come(beside);
+    }
+  }
 
   /// Which of a cell's neighbours are on; bit k: that at offsets[k].
   [[nodiscard]] unsigned pattern_at(std::uint32_t cell, const std::array<std::ptrdiff_t, 8>& offsets) const {
@@ -53,10 +66,11 @@ inline void fetch_around(const Thinning& thinning, std::uint32_t cell,
 /// So many cells before.
 inline constexpr std::size_t kFetchAhead = 12;
 
-/// Thinning begins with what erosion keeps.
+/// Thinning begins with what erosion keeps, all of it in doubt.
 Thinning thin_to_ridge(const grid::DenseMap& map, const Erosion& erosion);
 
-/// Takes away every cell that is not needed for connection, apart from ends on the ridge, until none is left.
+/// Takes away every cell that is not needed for connection, apart from ends on the ridge, until none is left
+/// and none is in doubt.
 void thin_to_lines(const grid::DenseMap& map, Thinning& thinning);
 
 }  // namespace topo::places

@@ -155,7 +155,8 @@ struct Change {
   Cloud come, gone;
 
   void note(const Sample& sample, const Placing& placing, bool was, bool is) {
-    if (was == is) return;
+    if (was == is) [[likely]]
+      return;
     Cloud& cloud = is ? come : gone;
     cloud.x.push_back(sample.x(placing));
     cloud.y.push_back(sample.y(placing));
