@@ -10,6 +10,7 @@
 #include "core/grid/free_runs.hpp"
 #include "core/places/ascent.hpp"
 #include "core/places/catchments.hpp"
+#include "core/places/fetch_ahead.hpp"
 #include "core/places/sparse_scan.hpp"
 
 namespace topo::places {
@@ -147,7 +148,9 @@ void label_lost(const DenseMap& map, FirstLabels& first) {
 /// Gives the axis its labels. Calls changed(cell) where it is another, or has another label.
 template <class F>
 void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
-  for (const std::uint32_t i : first.axis) {
+  for (std::size_t k = 0; k < first.axis.size(); ++k) {
+    const std::uint32_t i = first.axis[k];
+    fetch_ahead(first.slopes.data(), first.axis, k);
     if (skeleton.on[i]) continue;
     first.slopes[i] &= static_cast<Slope>(~kOnAxis);
     changed(i);
@@ -156,6 +159,8 @@ void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels&
   first.pieces = pieces.labels();
   for (std::size_t k = 0; k < first.axis.size(); ++k) {
     const std::uint32_t i = first.axis[k], label = first.pieces[pieces.number(k)];
+    fetch_ahead(first.slopes.data(), first.axis, k);
+    fetch_ahead(first.labels.data(), first.axis, k);
     if ((first.slopes[i] & kOnAxis) != 0 && first.labels[i] == label) continue;
     first.slopes[i] |= kOnAxis;
     first.labels[i] = label;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/places/fetch_ahead.hpp"
+
 namespace topo::places {
 
 namespace {
@@ -111,6 +113,7 @@ void GraphTracer::trace(Thinning& thinning, Skeleton& skeleton) {
   skeleton.axis.clear();
   for (std::size_t k = 0; k < thinning.remain.size(); ++k) {
     const std::uint32_t i = thinning.remain[k];
+    fetch_ahead(clearance_m_.data(), thinning.remain, k);  // for the edges
     if (k + kFetchAhead < thinning.remain.size())
       fetch_around(thinning, thinning.remain[k + kFetchAhead], offsets_);
     if (is_taken(i)) continue;

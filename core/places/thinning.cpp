@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/places/fetch_ahead.hpp"
 #include "core/places/simple_cell.hpp"
 
 namespace topo::places {
@@ -11,7 +12,10 @@ using grid::DenseMap;
 
 Thinning thin_to_ridge(const DenseMap& map, const Erosion& erosion) {
   Thinning thinning{std::vector<std::uint8_t>(map.cells.size(), 0), erosion.kept};
-  for (const std::uint32_t i : erosion.kept) {
+  for (std::size_t k = 0; k < erosion.kept.size(); ++k) {
+    const std::uint32_t i = erosion.kept[k];
+    fetch_ahead(erosion.fates.data(), erosion.kept, k);
+    fetch_ahead(thinning.marks.data(), erosion.kept, k);
     const bool ridge = (erosion.fates[i] & Erosion::kRidge) != 0;
     thinning.marks[i] = Thinning::kOn | Thinning::kDoubted | (ridge ? Thinning::kRidge : 0);
   }

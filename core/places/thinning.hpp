@@ -63,8 +63,6 @@ inline void fetch_around(const Thinning& thinning, std::uint32_t cell,
   const std::uint8_t* const mark = thinning.marks.data() + cell;
   for (const std::ptrdiff_t row : {offsets[6], std::ptrdiff_t{0}, offsets[2]}) __builtin_prefetch(mark + row);
 }
-/// So many cells before.
-inline constexpr std::size_t kFetchAhead = 12;
 
 /// Thinning begins with what erosion keeps, all of it in doubt.
 Thinning thin_to_ridge(const grid::DenseMap& map, const Erosion& erosion);
