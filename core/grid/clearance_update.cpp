@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <utility>
 
 #include "core/grid/box_array.hpp"
 #include "core/grid/distance_passes.hpp"
+#include "core/grid/other_blocks.hpp"
 
 namespace topo::grid {
 namespace {
@@ -45,12 +47,28 @@ struct RowRenewal {
   std::vector<Cells> reached;
 };
 
-/// Distances along the columns of some columns side by side, row by row.
+/// Distances along some columns side by side, in the rows [low, high).
 struct Strip {
   std::size_t first = 0, width = 0;
+  std::size_t low = SIZE_MAX, high = 0;
   std::vector<Steps> steps;
 
-  [[nodiscard]] const Steps* row(std::size_t y) const { return &steps[y * width]; }
+  [[nodiscard]] bool has_row(std::size_t y) const { return y >= low && y < high; }
+  [[nodiscard]] Steps* row(std::size_t y) { return &steps[(y - low) * width]; }
+  [[nodiscard]] const Steps* row(std::size_t y) const { return &steps[(y - low) * width]; }
+};
+
+/// In which of a strip's columns boundary was met on the way through its rows.
+class MetBoundary {
+ public:
+  void look(const CellState* cells, std::size_t width) {
+    for (std::size_t x = 0; x < width; ++x)
+      met_[x] = static_cast<std::uint8_t>(met_[x] | static_cast<std::uint8_t>(cells[x] != CellState::kFree));
+  }
+  [[nodiscard]] bool in_all(std::size_t width) const { return std::memchr(met_.data(), 0, width) == nullptr; }
+
+ private:
+  std::array<std::uint8_t, kStripWidth> met_{};
 };
 
 }  // namespace
@@ -67,6 +85,7 @@ struct ClearanceUpdate::Impl {
 
   void lay_out(const DenseMap& map);
   [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
+  void widen(Strip& strip) const;
   void measure(Strip& strip) const;
   void renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal);
   [[nodiscard]] Cells reached_from(Cells there, const float* row_m) const;
@@ -85,39 +104,46 @@ void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   resolution_m = map.resolution_m;
 }
 
-/// Takes the map's cells; returns the strips of columns in which one is another, not measured yet.
+/// Takes the map's cells; returns the strips of columns in which one is another, from the first row with one
+/// to the last, not measured yet.
 std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map) {
   const auto width = static_cast<std::size_t>(map.width());
-  std::vector<bool> other((width - 1) / kStripWidth + 1, false);
-  for (std::size_t row = 0; row < cells.size(); row += width) {
-    if (are_same(&map.cells[row], &cells[row], width)) continue;
-    for (std::size_t s = 0; s < other.size(); ++s) {
-      const std::size_t x = s * kStripWidth, at = row + x, count = std::min(kStripWidth, width - x);
-      other[s] = other[s] || !are_same(&map.cells[at], &cells[at], count);
-    }
-    std::copy_n(&map.cells[row], width, &cells[row]);
-  }
-  std::vector<Strip> strips;
-  for (std::size_t s = 0; s < other.size(); ++s) {
-    if (other[s]) strips.push_back({s * kStripWidth, std::min(kStripWidth, width - s * kStripWidth), {}});
-  }
+  std::vector<Strip> strips((width - 1) / kStripWidth + 1);
+  for_each_other_block(map.cells, cells, width, kStripWidth,
+                       [&](std::size_t y, std::size_t x, std::size_t count) {
+                         Strip& strip = strips[x / kStripWidth];
+                         strip = {x, count, std::min(strip.low, y), y + 1, {}};
+                         std::copy_n(&map.cells[y * width + x], count, &cells[y * width + x]);
+                       });
+  std::erase_if(strips, [](const Strip& strip) { return strip.width == 0; });
   return strips;
 }
 
-/// From below first, then from above.
+/// By the rows to both sides in which distances may be others: up to where boundary was met in each column,
+/// because what lies beyond has none nearer than that.
+void ClearanceUpdate::Impl::widen(Strip& strip) const {
+  const auto width = static_cast<std::size_t>(box.width()), height = static_cast<std::size_t>(box.height());
+  for (MetBoundary met; strip.low > 0 && !met.in_all(strip.width);)
+    met.look(&cells[--strip.low * width + strip.first], strip.width);
+  for (MetBoundary met; strip.high < height && !met.in_all(strip.width);)
+    met.look(&cells[strip.high++ * width + strip.first], strip.width);
+}
+
+/// From below first, then from above. What was measured beside the strip's ends holds: at the worst it is the
+/// distance to boundary that is met within the strip, and then that is nearer.
 void ClearanceUpdate::Impl::measure(Strip& strip) const {
   const auto width = static_cast<std::size_t>(box.width()), height = static_cast<std::size_t>(box.height());
   const std::array<Steps, kStripWidth> outside{};
-  strip.steps.resize(strip.width * height);
-  const Steps* beside = outside.data();
-  for (std::size_t y = 0; y < height; ++y) {
-    Steps* const row = &strip.steps[y * strip.width];
+  strip.steps.resize(strip.width * (strip.high - strip.low));
+  const Steps* beside = strip.low == 0 ? outside.data() : &steps[(strip.low - 1) * width + strip.first];
+  for (std::size_t y = strip.low; y < strip.high; ++y) {
+    Steps* const row = strip.row(y);
     steps_on<Boundary::kOccupiedOrUnknown>(&cells[y * width + strip.first], beside, row, strip.width);
     beside = row;
   }
-  beside = outside.data();
-  for (std::size_t y = height; y-- > 0;) {
-    Steps* const row = &strip.steps[y * strip.width];
+  beside = strip.high == height ? outside.data() : &steps[strip.high * width + strip.first];
+  for (std::size_t y = strip.high; y-- > strip.low;) {
+    Steps* const row = strip.row(y);
     steps_back(beside, row, strip.width);
     beside = row;
   }
@@ -129,6 +155,7 @@ void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> stri
   float* const row_m = &clearance_m[at];
   renewal.reached.clear();
   for (const Strip& strip : strips) {
+    if (!strip.has_row(y)) continue;
     const std::span<const Steps> is(strip.row(y), strip.width);
     Steps* const was = &steps[at + strip.first];
     if (are_same(is.data(), was, is.size())) continue;
@@ -176,10 +203,16 @@ void ClearanceUpdate::take(const DenseMap& map) {
   impl.lay_out(map);
   if (map.cells.empty()) return;
   std::vector<Strip> strips = impl.renew_cells(map);
-  for (Strip& strip : strips) impl.measure(strip);
-  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  RowRenewal renewal(width, map.resolution_m);
-  for (std::size_t y = 0; y < height; ++y) impl.renew_row(y, strips, renewal);
+  std::size_t low = SIZE_MAX, high = 0;
+  for (Strip& strip : strips) {
+    impl.widen(strip);
+    impl.measure(strip);
+    low = std::min(low, strip.low);
+    high = std::max(high, strip.high);
+  }
+  if (strips.empty()) return;
+  RowRenewal renewal(static_cast<std::size_t>(map.width()), map.resolution_m);
+  for (std::size_t y = low; y < high; ++y) impl.renew_row(y, strips, renewal);
 }
 
 }  // namespace topo::grid

@@ -12,7 +12,7 @@
 namespace topo::grid {
 
 /// clearance_m with kOccupiedOrUnknown (distance.hpp) of one map after the other: a map that has grown or was
-/// corrected costs a comparison of its cells, and the transform for the rows in which something has changed.
+/// corrected costs a comparison of its cells, and the transform around those that have changed.
 /// Always equal to the transform of the whole map.
 class ClearanceUpdate {
  public:

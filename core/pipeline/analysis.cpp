@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/grid/distance.hpp"
-#include "core/places/furniture.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -50,6 +49,9 @@ class Stages {
   }
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
+  }
+  [[nodiscard]] const grid::DenseMap& without_furniture(places::FurnitureUpdate& update) const {
+    return update.take(a_.map, a_.walls, params_.places.furniture_m);
   }
   void find_skeleton(const OpenMap& open, const places::Erosion& erosion) {
     a_.skeleton = places::skeletonise(open.map, open.clearance_m, erosion);
@@ -118,7 +120,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
   const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
   stages.find_walls(memory.compass);
-  const grid::DenseMap map = stages.without_furniture();
+  const grid::DenseMap& map = stages.without_furniture(memory.furniture);
   memory.open.take(map);
   // A coarse map's distances are not its own: they count where there is no furniture.
   const std::span<const float> own_m = memory.open.clearance_m();

@@ -12,6 +12,7 @@
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/places/erosion.hpp"
+#include "core/places/furniture.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
 #include "core/walls/wall_extraction.hpp"
@@ -62,6 +63,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 /// What one analysis leaves to the next.
 struct AnalysisMemory {
   walls::CompassMemory compass;
+  places::FurnitureUpdate furniture;
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
   bool is_own = false;  ///< erosion and labels are by the distances of `open`

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace topo::places {
 
@@ -20,9 +21,11 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
   if (map.cells.empty()) extent = {{0.0, 0.0}, {0.0, 0.0}};
   corner_ = extent.min;
   // One column and one row of zeros before the first bin.
-  columns_ = static_cast<std::size_t>((extent.max.x() - corner_.x()) / bin_m_) + 3;
+  columns_ =
+      (static_cast<std::size_t>((extent.max.x() - corner_.x()) / bin_m_) + 3 + kBlock - 1) / kBlock * kBlock;
   rows_ = static_cast<std::size_t>((extent.max.y() - corner_.y()) / bin_m_) + 3;
-  sums_.resize(columns_ * rows_);
+  along_columns_.resize(columns_ * rows_);
+  before_blocks_.resize(columns_ / kBlock * rows_);
   const double step = map.resolution_m / bin_m_;
   for (int y = 0; y < map.height(); ++y) {
     const types::Vector2 first =
@@ -40,22 +43,32 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
       const auto x = static_cast<double>(at - row);
       const auto u = static_cast<std::size_t>(first.x() + x * step * frame.cos);
       const auto v = static_cast<std::size_t>(first.y() - x * step * frame.sin);
-      ++sums_[(v + 1) * columns_ + u + 1];
+      ++along_columns_[(v + 1) * columns_ + u + 1];
     }
   }
   sum_up();
 }
 
 void BoxCounts::sum_up() {
+  std::uint32_t* before = before_blocks_.data() + columns_ / kBlock;
   for (std::size_t v = 1; v < rows_; ++v) {
-    std::uint32_t* const here = &sums_[v * columns_];
+    std::uint32_t* const here = &along_columns_[v * columns_];
     const std::uint32_t* const below = here - columns_;
+    for (std::size_t u = 0; u < columns_; ++u) here[u] += below[u];
     std::uint32_t run = 0;
-    for (std::size_t u = 1; u < columns_; ++u) {
-      run += here[u];
-      here[u] = run + below[u];
+    for (std::size_t first = 0; first < columns_; first += kBlock) {
+      *before++ = run;
+      run = std::accumulate(here + first, here + first + kBlock, run);
     }
   }
+}
+
+/// Both included.
+std::uint32_t BoxCounts::occupied_up_to(std::size_t column, std::size_t row) const {
+  const std::size_t block = column / kBlock;
+  const std::uint32_t* const sums = &along_columns_[row * columns_];
+  return std::accumulate(sums + block * kBlock, sums + column + 1,
+                         before_blocks_[row * columns_ / kBlock + block]);
 }
 
 std::uint32_t BoxCounts::occupied_in(const types::Rectangle& box) const {
@@ -65,9 +78,8 @@ std::uint32_t BoxCounts::occupied_in(const types::Rectangle& box) const {
   };
   const std::size_t u0 = bin(box.min.x(), corner_.x(), columns_),
                     u1 = bin(box.max.x(), corner_.x(), columns_);
-  const std::size_t v0 = bin(box.min.y(), corner_.y(), rows_) * columns_;
-  const std::size_t v1 = bin(box.max.y(), corner_.y(), rows_) * columns_;
-  return sums_[v1 + u1] - sums_[v0 + u1] - sums_[v1 + u0] + sums_[v0 + u0];
+  const std::size_t v0 = bin(box.min.y(), corner_.y(), rows_), v1 = bin(box.max.y(), corner_.y(), rows_);
+  return occupied_up_to(u1, v1) - occupied_up_to(u1, v0) - occupied_up_to(u0, v1) + occupied_up_to(u0, v0);
 }
 
 }  // namespace topo::places

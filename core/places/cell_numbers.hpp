@@ -24,11 +24,6 @@ class CellNumbers {
     }
     numbers_[block + cell % kBlock] = number;
   }
-  /// No cell has one; the memory stays.
-  void clear() {
-    blocks_.assign(blocks_.size(), 0);
-    numbers_.resize(kBlock);
-  }
 
  private:
   static constexpr std::uint32_t kBlock = 32;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/grid/box_array.hpp"
+#include "core/places/cells_beside.hpp"
 #include "core/places/fate.hpp"
 #include "core/places/first_fates.hpp"
 #include "core/places/settling.hpp"
@@ -30,22 +31,12 @@ class Change {
   /// Cells with another clearance, ascending; whether those beside them are on the ridge may have changed as
   /// well.
   void apply(std::span<const std::uint32_t> cells, Settling& settling) {
-    const auto width = static_cast<std::size_t>(map_.width()),
-               height = static_cast<std::size_t>(map_.height());
-    for (std::size_t k = 0; k < cells.size();) {
-      const std::size_t begin = k++, row = cells[begin] / width, x = cells[begin] % width;
-      while (k < cells.size() && cells[k] == cells[k - 1] + 1 && x + (k - begin) < width) ++k;
-      const std::size_t from = std::max<std::size_t>(x, 2) - 1,
-                        end = std::min(x + (k - begin) + 1, width - 1);
-      for (std::size_t y = std::max<std::size_t>(row, 2) - 1; y <= row + 1 && y + 1 < height; ++y)
-        for (std::size_t i = y * width + from; i < y * width + end; ++i)
-          renew(static_cast<std::uint32_t>(i), settling);
-    }
+    for (const grid::CellRun& run : cells_and_beside(map_, cells))
+      for (std::uint32_t i = run.first; i < run.end; ++i) renew(i, settling);
   }
 
  private:
   void renew(std::uint32_t i, Settling& settling) {
-    if (settling.is_in_doubt(i)) return;  // beside another one
     if (map_.cells[i] != CellState::kFree) {
       fates_[i] = 0;
       return;

@@ -10,6 +10,7 @@
 #include "core/grid/free_runs.hpp"
 #include "core/places/ascent.hpp"
 #include "core/places/catchments.hpp"
+#include "core/places/fetch_ahead.hpp"
 #include "core/places/sparse_scan.hpp"
 
 namespace topo::places {
@@ -106,39 +107,29 @@ class AxisPieces {
   std::vector<std::size_t> passages_;
 };
 
-/// Spreads labels from the cells in `queue` over free cells, breadth first over the given neighbours.
-void spread(const DenseMap& map, std::span<const std::ptrdiff_t> offsets, std::vector<std::uint32_t>& labels,
-            std::vector<std::uint32_t>& queue) {
-  const CellState* cells = map.cells.data();
+/// Spreads labels from the cells in `queue` over all that are open to their eight neighbours, breadth first.
+void spread(std::span<const std::ptrdiff_t> offsets, FirstLabels& first, std::vector<std::uint32_t>& queue) {
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const auto i = static_cast<std::ptrdiff_t>(queue[next]);
-    const std::uint32_t label = labels[queue[next]];
+    const std::uint32_t label = first.labels[queue[next]];
     for (const std::ptrdiff_t offset : offsets) {
       const auto j = static_cast<std::size_t>(i + offset);
-      if (cells[j] != CellState::kFree || labels[j] != 0) continue;
-      labels[j] = label;
+      if ((first.slopes[j] & kClosed) != 0 || first.labels[j] != 0) continue;
+      first.labels[j] = label;
       queue.push_back(static_cast<std::uint32_t>(j));
     }
   }
 }
 
-constexpr std::uint32_t kBarred = UINT32_MAX;
-
-/// Sets the array's outermost cells: what spreads need not ask where the array ends.
-void bar_border(const DenseMap& map, std::uint32_t label, std::vector<std::uint32_t>& labels) {
-  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
-  for (std::size_t x = 0; x < width; ++x) labels[x] = labels[(height - 1) * width + x] = label;
-  for (std::size_t y = 0; y < height; ++y) labels[y * width] = labels[y * width + width - 1] = label;
-}
-
 /// Cells with a label that have one of the given cells as a neighbour, ascending.
-std::vector<std::uint32_t> labelled_beside(const DenseMap& map, std::span<const std::uint32_t> cells,
+std::vector<std::uint32_t> labelled_beside(std::span<const std::ptrdiff_t> offsets,
+                                           std::span<const std::uint32_t> cells,
                                            const std::vector<std::uint32_t>& labels) {
   std::vector<std::uint32_t> beside;
   for (const std::uint32_t i : cells) {
-    for (const std::ptrdiff_t offset : neighbour_offsets(map)) {
+    for (const std::ptrdiff_t offset : offsets) {
       const auto j = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset);
-      if (labels[j] != 0 && labels[j] != kBarred) beside.push_back(j);
+      if (labels[j] != 0) beside.push_back(j);
     }
   }
   std::sort(beside.begin(), beside.end());
@@ -148,18 +139,18 @@ std::vector<std::uint32_t> labelled_beside(const DenseMap& map, std::span<const 
 
 /// Who came nowhere gets the label of whoever is nearest.
 void label_lost(const DenseMap& map, FirstLabels& first) {
-  if (first.lost.empty()) return;
   for (const std::uint32_t i : first.lost) first.labels[i] = 0;
-  bar_border(map, kBarred, first.labels);
-  std::vector<std::uint32_t> queue = labelled_beside(map, first.lost, first.labels);
-  spread(map, neighbour_offsets(map), first.labels, queue);
-  bar_border(map, 0, first.labels);
+  const auto offsets = neighbour_offsets(map);
+  std::vector<std::uint32_t> queue = labelled_beside(offsets, first.lost, first.labels);
+  spread(offsets, first, queue);
 }
 
 /// Gives the axis its labels. Calls changed(cell) where it is another, or has another label.
 template <class F>
 void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
-  for (const std::uint32_t i : first.axis) {
+  for (std::size_t k = 0; k < first.axis.size(); ++k) {
+    const std::uint32_t i = first.axis[k];
+    fetch_ahead(first.slopes.data(), first.axis, k);
     if (skeleton.on[i]) continue;
     first.slopes[i] &= static_cast<Slope>(~kOnAxis);
     changed(i);
@@ -168,6 +159,8 @@ void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels&
   first.pieces = pieces.labels();
   for (std::size_t k = 0; k < first.axis.size(); ++k) {
     const std::uint32_t i = first.axis[k], label = first.pieces[pieces.number(k)];
+    fetch_ahead(first.slopes.data(), first.axis, k);
+    fetch_ahead(first.labels.data(), first.axis, k);
     if ((first.slopes[i] & kOnAxis) != 0 && first.labels[i] == label) continue;
     first.slopes[i] |= kOnAxis;
     first.labels[i] = label;

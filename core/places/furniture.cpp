@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
-#include <vector>
+#include <utility>
 
+#include "core/grid/cell_block.hpp"
 #include "core/grid/free_runs.hpp"
-#include "core/grid/joined_runs.hpp"
+#include "core/grid/other_blocks.hpp"
 
 namespace topo::places {
 namespace {
@@ -16,30 +18,33 @@ namespace {
 using grid::CellState;
 using grid::DenseMap;
 
-/// Islands of what is not free.
+using Extent = grid::JoinedRuns::Extent;
+
+/// Islands of what is not free in a part of a map, as far as they lie in it.
 class Islands {
  public:
-  explicit Islands(const DenseMap& map)
+  Islands(const DenseMap& map, const Extent& part)
       : width_(static_cast<std::size_t>(map.width())), height_(static_cast<std::size_t>(map.height())) {
     runs_.clear(width_);
-    for (std::size_t row = 0; row < map.cells.size(); row += width_) add_row(map.cells, row);
+    for (std::size_t y = part.low; y <= part.high; ++y)
+      add_row(map.cells, y * width_ + part.left, y * width_ + part.right);
     extents_ = runs_.extents();
   }
 
-  /// Calls visit(run) for the runs of the islands that are no longer than `side` cells and touch no border.
+  /// Calls visit(run, extent) for the runs of the islands that are no longer than `side` cells and touch no
+  /// border of the map.
   template <class Visit>
   void for_each_small(std::size_t side, Visit&& visit) {
     for (std::uint32_t r = 0; r < runs_.size(); ++r) {
-      const grid::JoinedRuns::Extent& e = extents_[runs_.root_of(r)];
+      const Extent& e = extents_[runs_.root_of(r)];
       const bool inside = e.left > 0 && e.low > 0 && e.right < width_ && e.high + 1 < height_;
-      if (inside && e.right - e.left <= side && e.high - e.low < side) visit(runs_[r]);
+      if (inside && e.right - e.left <= side && e.high - e.low < side) visit(runs_[r], e);
     }
   }
 
  private:
-  void add_row(std::span<const CellState> cells, std::size_t row) {
-    const std::size_t end = row + width_;
-    for (std::size_t i = row; (i = grid::end_of_free(cells, i, end)) < end;) {
+  void add_row(std::span<const CellState> cells, std::size_t from, std::size_t end) {
+    for (std::size_t i = from; (i = grid::end_of_free(cells, i, end)) < end;) {
       const std::size_t first = i;
       const void* free = std::memchr(&cells[i], static_cast<int>(CellState::kFree), end - i);
       i = free == nullptr ? end
@@ -49,8 +54,22 @@ class Islands {
   }
   std::size_t width_, height_;
   grid::JoinedRuns runs_;
-  std::vector<grid::JoinedRuns::Extent> extents_;
+  std::vector<Extent> extents_;
 };
+
+constexpr Extent kNothing{UINT32_MAX, 0, UINT32_MAX, 0};
+
+/// By so many cells to each side, within a map.
+Extent grown(const Extent& e, std::size_t by, const DenseMap& map) {
+  const auto cells = static_cast<std::uint32_t>(by), width = static_cast<std::uint32_t>(map.width()),
+             height = static_cast<std::uint32_t>(map.height());
+  return {e.left - std::min(e.left, cells), std::min(e.right + cells, width), e.low - std::min(e.low, cells),
+          std::min(e.high + cells, height - 1)};
+}
+
+bool overlap(const Extent& a, const Extent& b) {
+  return a.left < b.right && b.left < a.right && a.low <= b.high && b.low <= a.high;
+}
 
 /// Puts back what there is within a cell of the wall.
 void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& open) {
@@ -69,14 +88,73 @@ void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& op
 
 }  // namespace
 
-DenseMap without_furniture(const DenseMap& map, std::span<const types::Segment> walls, double furniture_m) {
-  DenseMap open = map;
+/// What was cleared away is as it is in the map taken last.
+void FurnitureUpdate::put_back() {
+  auto from = hidden_.begin();
+  for (const Piece& piece : pieces_) {
+    const auto end = from + (piece.run.end - piece.run.first);
+    std::copy(from, end, open_.cells.begin() + piece.run.first);
+    from = end;
+  }
+}
+
+/// Takes the map's cells; returns what those span that were others.
+FurnitureUpdate::Extent FurnitureUpdate::renew_cells(const DenseMap& map) {
+  const auto width = static_cast<std::uint32_t>(map.width()),
+             height = static_cast<std::uint32_t>(map.height());
+  if (open_.box != map.box || open_.resolution_m != map.resolution_m) {
+    open_ = map;
+    pieces_.clear();
+    return {0, width, 0, height - 1};
+  }
+  Extent others = kNothing;
+  const auto take = [&](std::size_t y, std::size_t x, std::size_t count) {
+    const auto row = static_cast<std::uint32_t>(y), from = static_cast<std::uint32_t>(x);
+    others = {std::min(others.left, from), std::max(others.right, from + static_cast<std::uint32_t>(count)),
+              std::min(others.low, row), row};
+    std::copy_n(&map.cells[y * width + x], count, &open_.cells[y * width + x]);
+  };
+  grid::for_each_other_block(map.cells, open_.cells, width, grid::kCellBlock, take);
+  return others;
+}
+
+/// What stood or stands about and spans nothing beside a change is the same. All the rest lies no farther
+/// from one than its own length.
+void FurnitureUpdate::find_pieces(const Extent& changed) {
+  if (changed.left >= changed.right) return;
+  const Extent beside = grown(changed, 1, open_);
+  std::erase_if(pieces_, [&](const Piece& piece) { return overlap(piece.whole, beside); });
+  Islands(open_, grown(changed, side_ + 1, open_))
+      .for_each_small(side_, [&](const grid::CellRun& run, const Extent& whole) {
+        if (overlap(whole, beside)) pieces_.push_back({run, whole});
+      });
+}
+
+void FurnitureUpdate::clear_away() {
+  hidden_.clear();
+  for (const Piece& piece : pieces_) {
+    const auto begin = open_.cells.begin() + piece.run.first, end = open_.cells.begin() + piece.run.end;
+    hidden_.insert(hidden_.end(), begin, end);
+    std::fill(begin, end, CellState::kFree);
+  }
+}
+
+const DenseMap& FurnitureUpdate::take(const DenseMap& map, std::span<const types::Segment> walls,
+                                      double furniture_m) {
   const auto side = static_cast<std::size_t>(std::lround(furniture_m / map.resolution_m));
-  Islands(map).for_each_small(side, [&](const grid::CellRun& run) {
-    std::fill(open.cells.begin() + run.first, open.cells.begin() + run.end, CellState::kFree);
-  });
-  for (const types::Segment& wall : walls) restore_along(wall, map, open);
-  return open;
+  if (std::exchange(side_, side) != side) open_ = {};
+  if (!open_.cells.empty()) put_back();
+  if (map.cells.empty()) return open_ = map;
+  find_pieces(renew_cells(map));
+  clear_away();
+  for (const types::Segment& wall : walls) restore_along(wall, map, open_);
+  return open_;
+}
+
+DenseMap without_furniture(const DenseMap& map, std::span<const types::Segment> walls, double furniture_m) {
+  FurnitureUpdate update;
+  update.take(map, walls, furniture_m);
+  return std::move(update).release();
 }
 
 }  // namespace topo::places

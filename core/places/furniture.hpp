@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "core/grid/cell_run.hpp"
 #include "core/grid/dense_map.hpp"
+#include "core/grid/joined_runs.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -16,5 +21,35 @@ namespace topo::places {
 /// Linear in the cells.
 grid::DenseMap without_furniture(const grid::DenseMap& map, std::span<const types::Segment> walls,
                                  double furniture_m);
+
+/// The same of one map after the other: what stands about is looked for anew around the cells that have
+/// changed. Always equal to without_furniture of the whole map. A value.
+class FurnitureUpdate {
+ public:
+  /// Good until the next call.
+  const grid::DenseMap& take(const grid::DenseMap& map, std::span<const types::Segment> walls,
+                             double furniture_m);
+
+  /// What was returned last, for the asking.
+  [[nodiscard]] grid::DenseMap release() && { return std::move(open_); }
+
+ private:
+  using Extent = grid::JoinedRuns::Extent;
+  /// A row of what stands about, and what all of it spans.
+  struct Piece {
+    grid::CellRun run;
+    Extent whole;
+  };
+
+  void put_back();
+  [[nodiscard]] Extent renew_cells(const grid::DenseMap& map);
+  void find_pieces(const Extent& changed);
+  void clear_away();
+
+  grid::DenseMap open_;
+  std::size_t side_ = 0;  ///< what stands about is no longer, in cells
+  std::vector<Piece> pieces_;
+  std::vector<grid::CellState> hidden_;  ///< the pieces' cells in the map, one piece after the other
+};
 
 }  // namespace topo::places

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/places/fetch_ahead.hpp"
 #include "core/places/regions.hpp"
 
 namespace topo::places {
@@ -128,7 +129,10 @@ void add_cores(const DenseMap& map, std::span<const float> clearance_m, const Fi
   std::vector<CompassFrame> turns;
   for (std::size_t k = 0; k < kTurns; ++k)
     turns.emplace_back(compass_rad + static_cast<double>(k + 1) * step_rad);
-  for (const std::uint32_t i : first.axis) {
+  for (std::size_t n = 0; n < first.axis.size(); ++n) {
+    const std::uint32_t i = first.axis[n];
+    fetch_ahead(first.labels.data(), first.axis, n);
+    fetch_ahead(clearance_m.data(), first.axis, n);
     Region& region = regions[numbers.of(first.labels[i])];
     const types::Vector2 centre = map.centre_of(map.cell(i));
     const double r = std::abs(static_cast<double>(clearance_m[i]) - 0.5 * map.resolution_m);
@@ -148,7 +152,8 @@ std::uint32_t label_beside(const DenseMap& map, const std::vector<std::uint32_t>
   for (double d = 0.5 * map.resolution_m; d <= kReachM; d += map.resolution_m) {
     const grid::CellIndex cell = map.cell_at(p + d * direction);
     if (!map.contains(cell)) return 0;
-    if (const std::uint32_t label = labels[map.index(cell)]; label != 0) return label;
+    const std::size_t i = map.index(cell);
+    if (map.cells[i] == grid::CellState::kFree && labels[i] != 0) return labels[i];
   }
   return 0;
 }

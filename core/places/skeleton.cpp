@@ -26,13 +26,17 @@ double protrusion_m(const grid::DenseMap& map, const Skeleton& skeleton, const S
 /// when one was taken away.
 bool drop_spurs(const grid::DenseMap& map, const Skeleton& skeleton, double spur_m, Thinning& thinning) {
   bool dropped = false;
+  const auto offsets = neighbour_offsets(map);
+  const auto drop = [&](std::span<const std::uint32_t> cells) {
+    for (const std::uint32_t i : cells) thinning.take_away(i, offsets, [](std::uint32_t) {});
+  };
   for (const SkeletonEdge& edge : skeleton.edges) {
     const bool a_ends = skeleton.nodes[edge.a].degree == 1, b_ends = skeleton.nodes[edge.b].degree == 1;
     if (a_ends == b_ends) continue;  // between junctions, or all there is of a component
     const std::uint32_t end = a_ends ? edge.a : edge.b;
     if (protrusion_m(map, skeleton, edge, end) > spur_m) continue;
-    for (const std::uint32_t i : skeleton.cells_of(edge)) thinning.marks[i] = 0;
-    for (const std::uint32_t i : skeleton.cells_of(skeleton.nodes[end])) thinning.marks[i] = 0;
+    drop(skeleton.cells_of(edge));
+    drop(skeleton.cells_of(skeleton.nodes[end]));
     dropped = true;
   }
   if (dropped) std::erase_if(thinning.remain, [&](std::uint32_t i) { return thinning.marks[i] == 0; });

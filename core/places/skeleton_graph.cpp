@@ -5,13 +5,23 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/places/fetch_ahead.hpp"
+
 namespace topo::places {
 
-int GraphTracer::count_around(std::uint32_t i) const {
-  int count = 0;
-  for (std::size_t k = 0; k < 8; ++k) count += thinning_->marks[neighbour(i, k)] & Thinning::kOn;
-  return count;
-}
+namespace {
+
+/// The bits of a pattern that are set; not every machine has an instruction for it.
+constexpr std::array<std::uint8_t, 256> kBitsSet = [] {
+  std::array<std::uint8_t, 256> table{};
+  for (unsigned pattern = 0; pattern < 256; ++pattern)
+    table[pattern] = static_cast<std::uint8_t>(std::popcount(pattern));
+  return table;
+}();
+
+}  // namespace
+
+int GraphTracer::count_around(std::uint32_t i) const { return kBitsSet[thinning_->pattern_at(i, offsets_)]; }
 
 float GraphTracer::step_m(std::size_t direction) const {
   return static_cast<float>(map_.resolution_m * (direction % 2 == 0 ? 1.0 : 1.41421356));
@@ -98,12 +108,12 @@ void GraphTracer::trace(Thinning& thinning, Skeleton& skeleton) {
   out_ = &skeleton;
   for (const std::uint32_t i : thinning.remain)
     thinning.marks[i] &= static_cast<std::uint8_t>(~(Thinning::kNode | Thinning::kEdge));
-  node_of_.clear();
   skeleton.nodes.clear();
   skeleton.edges.clear();
   skeleton.axis.clear();
   for (std::size_t k = 0; k < thinning.remain.size(); ++k) {
     const std::uint32_t i = thinning.remain[k];
+    fetch_ahead(clearance_m_.data(), thinning.remain, k);  // for the edges
     if (k + kFetchAhead < thinning.remain.size())
       fetch_around(thinning, thinning.remain[k + kFetchAhead], offsets_);
     if (is_taken(i)) continue;

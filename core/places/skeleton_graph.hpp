@@ -38,7 +38,7 @@ class GraphTracer {
   const grid::DenseMap& map_;
   std::span<const float> clearance_m_;
   std::array<std::ptrdiff_t, 8> offsets_;
-  CellNumbers node_of_;  ///< node + 1 of the nodes' cells
+  CellNumbers node_of_;  ///< node + 1 of the cells that are marked as nodes; of others some earlier one
   Thinning* thinning_ = nullptr;
   Skeleton* out_ = nullptr;
 };

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/grid/cell_block.hpp"
+#include "core/places/cells_beside.hpp"
 
 namespace topo::places {
 namespace {
@@ -63,7 +64,7 @@ std::vector<Slope> slopes_of(const DenseMap& map, std::span<const float> clearan
 
 std::vector<std::uint32_t> renew_slopes(const DenseMap& map, std::span<const float> clearance_m,
                                         std::span<const std::uint32_t> cells, std::vector<Slope>& slopes) {
-  const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
+  const auto width = static_cast<std::size_t>(map.width());
   std::array<Slope, kCellBlock> now{};
   std::vector<std::uint32_t> others;
   const auto renew = [&](std::size_t first, std::size_t count) {
@@ -76,14 +77,9 @@ std::vector<std::uint32_t> renew_slopes(const DenseMap& map, std::span<const flo
       others.push_back(static_cast<std::uint32_t>(first + i));
     }
   };
-  for (std::size_t k = 0; k < cells.size();) {
-    const std::size_t begin = k++, row = cells[begin] / width;
-    while (k < cells.size() && k - begin < kCellBlock - 2 && cells[k] == cells[k - 1] + 1) ++k;
-    const std::size_t x = std::max<std::size_t>(cells[begin] % width, 2) - 1;
-    const std::size_t end = std::min(cells[begin] % width + (k - begin) + 1, width - 1);
-    for (std::size_t y = std::max<std::size_t>(row, 2) - 1; y <= row + 1 && y + 1 < height && x < end; ++y)
-      renew(y * width + x, end - x);
-  }
+  for (const grid::CellRun& run : cells_and_beside(map, cells))
+    for (std::size_t first = run.first; first < run.end; first += kCellBlock)
+      renew(first, std::min<std::size_t>(kCellBlock, run.end - first));
   return others;
 }
 

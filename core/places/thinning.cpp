@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/places/fetch_ahead.hpp"
 #include "core/places/simple_cell.hpp"
 
 namespace topo::places {
@@ -11,9 +12,12 @@ using grid::DenseMap;
 
 Thinning thin_to_ridge(const DenseMap& map, const Erosion& erosion) {
   Thinning thinning{std::vector<std::uint8_t>(map.cells.size(), 0), erosion.kept};
-  for (const std::uint32_t i : erosion.kept) {
+  for (std::size_t k = 0; k < erosion.kept.size(); ++k) {
+    const std::uint32_t i = erosion.kept[k];
+    fetch_ahead(erosion.fates.data(), erosion.kept, k);
+    fetch_ahead(thinning.marks.data(), erosion.kept, k);
     const bool ridge = (erosion.fates[i] & Erosion::kRidge) != 0;
-    thinning.marks[i] = ridge ? Thinning::kOn | Thinning::kRidge : Thinning::kOn;
+    thinning.marks[i] = Thinning::kOn | Thinning::kDoubted | (ridge ? Thinning::kRidge : 0);
   }
   return thinning;
 }
@@ -21,24 +25,24 @@ Thinning thin_to_ridge(const DenseMap& map, const Erosion& erosion) {
 void thin_to_lines(const DenseMap& map, Thinning& thinning) {
   auto& marks = thinning.marks;
   const auto offsets = neighbour_offsets(map);
-  std::vector<std::uint32_t> queue = thinning.remain;
-  for (const std::uint32_t i : queue) marks[i] |= Thinning::kQueued;
-  // A cell that must stay now may go when a neighbour is gone: every change brings its neighbours back.
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const std::uint32_t i = queue[next];
-    if (next + kFetchAhead < queue.size()) fetch_around(thinning, queue[next + kFetchAhead], offsets);
-    marks[i] &= static_cast<std::uint8_t>(~Thinning::kQueued);
+  // A cell that must stay now may go when a neighbour is gone: every change brings its neighbours back, in
+  // their turn if that is still to come.
+  std::vector<std::uint32_t> again;
+  const auto look_at = [&](std::uint32_t i) {
+    marks[i] &= static_cast<std::uint8_t>(~Thinning::kDoubted);
     const unsigned pattern = thinning.pattern_at(i, offsets);
     const bool end = (marks[i] & Thinning::kRidge) != 0 && (pattern & (pattern - 1)) == 0;
-    if (end || !is_simple(pattern)) continue;
-    marks[i] = 0;
-    for (const std::ptrdiff_t offset : offsets) {
-      const auto j = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset);
-      if ((marks[j] & (Thinning::kOn | Thinning::kQueued)) != Thinning::kOn) continue;
-      marks[j] |= Thinning::kQueued;
-      queue.push_back(j);
-    }
+    if (end || !is_simple(pattern)) return;
+    thinning.take_away(i, offsets, [&](std::uint32_t j) {
+      if ((marks[j] & Thinning::kAhead) == 0) again.push_back(j);
+    });
+  };
+  for (const std::uint32_t i : thinning.remain) marks[i] |= Thinning::kAhead;
+  for (const std::uint32_t i : thinning.remain) {
+    marks[i] &= static_cast<std::uint8_t>(~Thinning::kAhead);
+    if ((marks[i] & Thinning::kDoubted) != 0) look_at(i);
   }
+  for (std::size_t next = 0; next < again.size(); ++next) look_at(again[next]);
   std::erase_if(thinning.remain, [&](std::uint32_t i) { return marks[i] == 0; });
 }
 

@@ -155,7 +155,8 @@ struct Change {
   Cloud come, gone;
 
   void note(const Sample& sample, const Placing& placing, bool was, bool is) {
-    if (was == is) return;
+    if (was == is) [[likely]]
+      return;
     Cloud& cloud = is ? come : gone;
     cloud.x.push_back(sample.x(placing));
     cloud.y.push_back(sample.y(placing));
@@ -172,8 +173,7 @@ struct Change {
 void renew(CompassMemory& memory, std::span<const types::Vector2> points, std::uint64_t few_limit,
            std::uint64_t all_limit) {
   Change few, all;
-  const auto change = [&](const types::Vector2& p, bool was, bool is) {
-    const Sample sample(p);
+  const auto change = [&](const Sample& sample, bool was, bool is) {
     few.note(sample, memory.placing, was && sample.hash <= memory.few.limit, is && sample.hash <= few_limit);
     all.note(sample, memory.placing, was && sample.hash <= memory.all.limit, is && sample.hash <= all_limit);
   };
@@ -181,14 +181,18 @@ void renew(CompassMemory& memory, std::span<const types::Vector2> points, std::u
   const auto comes_before = [](const types::Vector2& a, const types::Vector2& b) {
     return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
   };
-  auto old = memory.points.begin();
+  std::vector<Sample> samples;
+  samples.reserve(points.size());
+  auto old = memory.samples.begin();
+  const auto end = memory.samples.end();
   for (const types::Vector2& p : points) {
-    for (; old != memory.points.end() && comes_before(*old, p); ++old) change(*old, true, false);
-    const bool was = old != memory.points.end() && *old == p;
-    change(p, was, true);
-    if (was) ++old;
+    for (; old != end && comes_before(old->p, p); ++old) change(*old, true, false);
+    const bool was = old != end && old->p == p;
+    samples.push_back(was ? *old++ : Sample(p));
+    change(samples.back(), was, true);
   }
-  for (; old != memory.points.end(); ++old) change(*old, true, false);
+  for (; old != end; ++old) change(*old, true, false);
+  memory.samples = std::move(samples);
   few.apply_to(memory.few);
   all.apply_to(memory.all);
 }
@@ -211,17 +215,16 @@ Compass entropy_compass(std::span<const types::Vector2> points, const CompassPar
   const std::uint64_t few_limit = hash_limit(points.size(), std::min(most, kCoarsePoints));
   const std::uint64_t all_limit = hash_limit(points.size(), most);
   if (memory.placing != placing || memory.radius != radius)
-    memory = {placing, radius, {}, {}, {}};
+    memory = {placing, radius, {points.begin(), points.end()}, {}, {}};
   else
     renew(memory, points, few_limit, all_limit);
-  memory.points.assign(points.begin(), points.end());
   memory.few.limit = few_limit;
   memory.all.limit = all_limit;
   const auto curve = [&](KeptCurve& kept) {
     return [&, cloud = Cloud{}](double angle_rad) mutable {
       const auto [at, is_new] = kept.at.try_emplace(angle_rad, radius, angle_rad);
       if (is_new) {
-        if (cloud.x.empty()) cloud = sampled(points, kept.limit, placing);
+        if (cloud.x.empty()) cloud = sampled(memory.samples, kept.limit, placing);
         at->second.projection.add(cloud);
       }
       at->second.unused = 0;

@@ -51,7 +51,7 @@ struct KeptCurve {
 struct CompassMemory {
   Placing placing;
   float radius = 0.0F;
-  std::vector<types::Vector2> points;
+  std::vector<Sample> samples;  ///< the points
   KeptCurve few, all;
 };
 

@@ -30,6 +30,23 @@ const WeightedLog& weighted_log() {
   return log;
 }
 
+/// Of n log n over pairs of neighbours, n the points in both. Several sums at once: each waits for its own
+/// last term only. Exact whatever the order: 24 bits a term, and less than 2 to the power of 30 in all.
+double sum_over_bins(const std::vector<std::uint16_t>& half_bins, const WeightedLog& log) {
+  std::array<double, 4> sums{};
+  std::uint32_t before = half_bins.front();
+  const auto term = [&](std::size_t i) {
+    const std::uint32_t here = half_bins[i], both = before + here;
+    before = here;
+    return static_cast<double>(log(both));
+  };
+  std::size_t i = 1;
+  for (; i + sums.size() <= half_bins.size(); i += sums.size())
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += term(i + k);
+  for (; i < half_bins.size(); ++i) sums[0] += term(i);
+  return sums[0] + sums[1] + sums[2] + sums[3];
+}
+
 }  // namespace
 
 Projection::Projection(float radius, double angle_rad)
@@ -62,25 +79,11 @@ void Projection::change(const Cloud& cloud, int by) {
   points_ += by * static_cast<std::int64_t>(cloud.x.size());
 }
 
-/// Several sums at once: each waits for its own last term only. Exact whatever the order: 24 bits a term, and
-/// less than 2 to the power of 30 in all.
 double Projection::entropy() const {
   const WeightedLog& log = weighted_log();
-  const auto pair = [&](const std::vector<std::uint16_t>& bins, std::size_t i) {
-    return static_cast<double>(log(std::uint32_t{bins[i]} + bins[i + 1]));
-  };
-  std::array<double, 4> sums{};
-  std::size_t i = 0;
-  for (; i + 2 < along_.size(); i += 2) {
-    sums[0] += pair(along_, i);
-    sums[1] += pair(along_, i + 1);
-    sums[2] += pair(across_, i);
-    sums[3] += pair(across_, i + 1);
-  }
-  for (; i + 1 < along_.size(); ++i) sums[0] += pair(along_, i) + pair(across_, i);
   // Every point is in two bins.
   const double points = 2.0 * static_cast<double>(points_);
-  return 2.0 * std::log(points) - (sums[0] + sums[1] + sums[2] + sums[3]) / points;
+  return 2.0 * std::log(points) - (sum_over_bins(along_, log) + sum_over_bins(across_, log)) / points;
 }
 
 }  // namespace topo::walls

@@ -52,10 +52,9 @@ std::uint64_t hash_limit(std::size_t points, std::size_t size) {
   return share >= 1.0 ? UINT64_MAX : static_cast<std::uint64_t>(share * kHashes);
 }
 
-Cloud sampled(std::span<const types::Vector2> points, std::uint64_t limit, const Placing& placing) {
+Cloud sampled(std::span<const Sample> samples, std::uint64_t limit, const Placing& placing) {
   Cloud cloud;
-  for (const types::Vector2& p : points) {
-    const Sample sample(p);
+  for (const Sample& sample : samples) {
     if (sample.hash > limit) continue;
     cloud.x.push_back(sample.x(placing));
     cloud.y.push_back(sample.y(placing));

@@ -32,8 +32,8 @@ struct Sample {
 /// About `size` of so many points have a hash of no more than this.
 std::uint64_t hash_limit(std::size_t points, std::size_t size);
 
-/// Points up to a limit, neighbours far from each other: what falls into one bin is then not counted one
+/// Those up to a limit, neighbours far from each other: what falls into one bin is then not counted one
 /// after the other, and no count waits for the one before it.
-Cloud sampled(std::span<const types::Vector2> points, std::uint64_t limit, const Placing& placing);
+Cloud sampled(std::span<const Sample> samples, std::uint64_t limit, const Placing& placing);
 
 }  // namespace topo::walls

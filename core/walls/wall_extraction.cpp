@@ -4,7 +4,6 @@
 #include "core/walls/wall_extraction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -107,9 +106,13 @@ double filled_share(std::span<const Place> places, double bin_m) {
   return static_cast<double>(filled) / (last + 1);
 }
 
+std::size_t points_min(const WallParams& params) {
+  return static_cast<std::size_t>(std::max(params.points_min, 2));
+}
+
 /// What is long, full and dense enough to be a wall.
 bool is_wall_run(std::span<const Place> places, const WallParams& params) {
-  if (places.size() < static_cast<std::size_t>(std::max(params.points_min, 2))) return false;
+  if (places.size() < points_min(params)) return false;
   // A hair of slack: 20 cells of 0.05 m are a metre, whatever the rounding of the projection says.
   const double length_m = static_cast<double>(places.back().u - places.front().u) + 1e-3;
   return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
@@ -154,6 +157,7 @@ class WallFinder {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const auto low = lines_.bin(i);
       const auto high = i + 1 < lines_.size() ? lines_.bin(i + 1) : std::span<const Place>();
+      if (low.size() + high.size() < points_min(params_)) continue;
       const std::size_t first = merged_.size();
       merged_.resize(first + low.size() + high.size());  // reserved: spans stay valid
       const std::span line = std::span(merged_).subspan(first);
@@ -238,12 +242,10 @@ class WallFinder {
   std::vector<std::vector<Run>> walls_on_;
 };
 
-bool on_surface(const grid::DenseMap& map, grid::CellIndex cell) {
-  if (map.is_on_border(cell)) return true;  // all is unknown outside
-  const std::ptrdiff_t up = map.width();
-  const grid::CellState* const at = &map.cells[map.index(cell)];
-  return std::ranges::any_of(std::array{std::ptrdiff_t{1}, std::ptrdiff_t{-1}, up, -up},
-                             [at](std::ptrdiff_t by) { return at[by] != grid::CellState::kOccupied; });
+/// Of an occupied cell that is not on the map's border.
+bool on_surface(const grid::CellState* at, std::ptrdiff_t up) {
+  const auto is_occupied = [at](std::ptrdiff_t by) { return at[by] == grid::CellState::kOccupied; };
+  return !(is_occupied(1) && is_occupied(-1) && is_occupied(up) && is_occupied(-up));
 }
 
 }  // namespace
@@ -264,17 +266,19 @@ std::vector<types::Vector2> occupied_points(const grid::DenseMap& map) {
   const auto width = static_cast<std::size_t>(map.width());
   for (int y = map.box.min.y; y <= map.box.max.y && width > 0; ++y) {
     const grid::CellState* const row = &map.cells[map.index({map.box.min.x, y})];
-    const grid::CellState* at = row;
-    while (at != row + width) {
+    const grid::CellState* const end = row + width;
+    const bool is_outermost = y == map.box.min.y || y == map.box.max.y;
+    const double y_m = map.centre_of({map.box.min.x, y}).y();
+    for (const grid::CellState* at = row; at != end; ++at) {
       if (*at != grid::CellState::kOccupied) {
         // Most cells are not occupied: the library looks at many at once.
         at = static_cast<const grid::CellState*>(std::memchr(at, static_cast<int>(grid::CellState::kOccupied),
-                                                             static_cast<std::size_t>(row + width - at)));
+                                                             static_cast<std::size_t>(end - at)));
         if (at == nullptr) break;
       }
-      const grid::CellIndex cell{map.box.min.x + static_cast<int>(at - row), y};
-      if (on_surface(map, cell)) points.push_back(map.centre_of(cell));
-      ++at;
+      // All is unknown outside of the map.
+      if (is_outermost || at == row || at + 1 == end || on_surface(at, map.width()))
+        points.emplace_back(map.centre_of({map.box.min.x + static_cast<int>(at - row), y}).x(), y_m);
     }
   }
   return points;

@@ -39,6 +39,22 @@ TEST(ClearanceUpdate, IsTheWholeTransformWhateverTheMapBefore) {
   }));
 }
 
+TEST(ClearanceUpdate, OfPatchesHereAndThereIsThatOfTheWholeMap) {
+  EXPECT_TRUE(rc::check([] {
+    DenseMap map = filled_map(100, 130, CellState::kFree);
+    ClearanceUpdate update;
+    for (int step = 0; step < 12; ++step) {
+      update.take(map);
+      RC_ASSERT(update.clearance_m() == clearance_m(map, Boundary::kOccupiedOrUnknown));
+      const int x = *rc::gen::inRange(0, 90), y = *rc::gen::inRange(0, 100), width = *rc::gen::inRange(1, 80),
+                height = *rc::gen::inRange(1, 30);
+      const auto state = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
+      for (int j = y; j < y + height; ++j)
+        for (int i = x; i < std::min(x + width, 100); ++i) map.cells[map.index({i, j})] = state;
+    }
+  }));
+}
+
 TEST(ClearanceUpdate, SaysWhatHasChanged) {
   EXPECT_TRUE(rc::check("growing and changing maps", [] {
     DenseMap map = random_map(48);

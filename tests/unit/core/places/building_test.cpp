@@ -79,24 +79,5 @@ TEST(Building, KeepsItsPlacesWhenTurnedAndShifted) {
   }));
 }
 
-TEST(Furniture, GoesWhereItStandsFreeAndIsShort) {
-  DrawnMap drawn = DrawnMap(200, 200).room(10, 10, 190, 190);
-  const DenseMap empty = drawn.map();
-  drawn.occupied(50, 50, 60, 58).occupied(60, 58, 65, 62).fill(100, 100, 110, 110, CellState::kUnknown);
-  EXPECT_EQ(without_furniture(drawn.map(), {}, 1.0).cells, empty.cells) << "what touches over corners is one";
-}
-
-TEST(Furniture, StaysWhereItIsLongOrTouchesTheWallOrIsAWall) {
-  DrawnMap drawn =
-      DrawnMap(200, 200).room(10, 10, 190, 190).occupied(40, 40, 61, 45).occupied(10, 100, 18, 110);
-  EXPECT_EQ(without_furniture(drawn.map(), {}, 1.0).cells, drawn.map().cells);
-  drawn.occupied(100, 99, 118, 101);
-  const std::vector<types::Segment> walls{{{4.9, 5.0}, {6.0, 5.0}}};
-  EXPECT_EQ(without_furniture(drawn.map(), walls, 1.0).cells, drawn.map().cells);
-  EXPECT_NE(without_furniture(drawn.map(), {}, 1.0).cells, drawn.map().cells);
-}
-
-TEST(Furniture, OfNothingIsNothing) { EXPECT_TRUE(without_furniture(DenseMap{}, {}, 1.0).cells.empty()); }
-
 }  // namespace
 }  // namespace topo::places

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/places/furniture.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <vector>
+
+#include "tests/unit/core/places/drawn_map.hpp"
+#include "tests/unit/core/places/patches.hpp"
+
+namespace topo::places {
+namespace {
+
+using grid::CellState;
+using grid::DenseMap;
+
+TEST(Furniture, GoesWhereItStandsFreeAndIsShort) {
+  DrawnMap drawn = DrawnMap(200, 200).room(10, 10, 190, 190);
+  const DenseMap empty = drawn.map();
+  drawn.occupied(50, 50, 60, 58).occupied(60, 58, 65, 62).fill(100, 100, 110, 110, CellState::kUnknown);
+  EXPECT_EQ(without_furniture(drawn.map(), {}, 1.0).cells, empty.cells) << "what touches over corners is one";
+}
+
+TEST(Furniture, StaysWhereItIsLongOrTouchesTheWallOrIsAWall) {
+  DrawnMap drawn =
+      DrawnMap(200, 200).room(10, 10, 190, 190).occupied(40, 40, 61, 45).occupied(10, 100, 18, 110);
+  EXPECT_EQ(without_furniture(drawn.map(), {}, 1.0).cells, drawn.map().cells);
+  drawn.occupied(100, 99, 118, 101);
+  const std::vector<types::Segment> walls{{{4.9, 5.0}, {6.0, 5.0}}};
+  EXPECT_EQ(without_furniture(drawn.map(), walls, 1.0).cells, drawn.map().cells);
+  EXPECT_NE(without_furniture(drawn.map(), {}, 1.0).cells, drawn.map().cells);
+}
+
+TEST(Furniture, OfNothingIsNothing) { EXPECT_TRUE(without_furniture(DenseMap{}, {}, 1.0).cells.empty()); }
+
+/// Walls along which furniture stays, some of them across it.
+std::vector<types::Segment> some_walls() {
+  std::vector<types::Segment> walls;
+  for (int k = *rc::gen::inRange(0, 3); k > 0; --k) {
+    const auto metres = [] { return 0.05 * *rc::gen::inRange(-10, 180); };
+    walls.push_back({{metres(), metres()}, {metres(), metres()}});
+  }
+  return walls;
+}
+
+TEST(Furniture, OfOneMapAfterTheOtherIsThatOfTheWholeMap) {
+  EXPECT_TRUE(rc::check([] {
+    DenseMap map = DrawnMap(170, 90).room(4, 4, 166, 86).map();
+    draw_patches(map, 30, 12);
+    FurnitureUpdate update;
+    for (int step = 0; step < 6; ++step) {
+      const std::vector<types::Segment> walls = some_walls();
+      const double furniture_m = *rc::gen::inRange(0, 8) == 0 ? 0.4 : 0.6;
+      RC_ASSERT(update.take(map, walls, furniture_m).cells ==
+                without_furniture(map, walls, furniture_m).cells);
+      draw_patches(map, *rc::gen::inRange(0, 3), *rc::gen::inRange(2, 20));
+    }
+  }));
+}
+
+TEST(Furniture, OfAnotherMapIsThatOfTheOtherMap) {
+  const DenseMap one = DrawnMap(80, 60).room(4, 4, 76, 56).occupied(20, 20, 28, 28).map(),
+                 other = DrawnMap(90, 60).room(4, 4, 86, 56).occupied(40, 20, 48, 28).map();
+  FurnitureUpdate update;
+  for (const DenseMap& map : {one, other, DenseMap{}, one})
+    EXPECT_EQ(update.take(map, {}, 1.0).cells, without_furniture(map, {}, 1.0).cells);
+  DenseMap coarse = one;
+  coarse.resolution_m = 0.1;
+  EXPECT_EQ(update.take(coarse, {}, 0.7).cells, without_furniture(coarse, {}, 0.7).cells);
+}
+
+}  // namespace
+}  // namespace topo::places
