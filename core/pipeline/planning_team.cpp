@@ -281,7 +281,7 @@ team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
   else if (located && !in.control->estop_latched && !mission.paused && mission.order == Order::kExplore)
     word.duty = team::Duty::kAble;
   if (has_target) word.way_map = beginning_of(route);
-  word.visited = put_off.visited(in.now);
+  word.visited = put_off.visited();
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
   if (ended || at_home || returning || mission.order != Order::kExplore) return word;
   word.bids = bids;
