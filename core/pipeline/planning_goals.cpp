@@ -123,7 +123,7 @@ std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput
   std::vector<Candidate> found =
       candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, put_off,
                     T_map_base.se2(), in.now, cut_off);
-  if (in.team != nullptr)
+  if (is_coordinated(in))
     std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c, PutOffGoals::kSame_m); });
   return found;
 }
