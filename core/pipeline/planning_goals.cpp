@@ -105,7 +105,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
     // What is still open after a visit cannot be seen from there: the last looks find from where it can.
-    if (!looks.leave(goal->p_map)) put_off.visit(goal->p_map);
+    if (!looks.arrive(goal->p_map)) put_off.visit(goal->p_map);
     note(in, goal->p_map, "reached");
     goal.reset();
     return;

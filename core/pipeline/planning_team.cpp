@@ -286,6 +286,7 @@ team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
     word.duty = team::Duty::kAble;
   if (has_target) word.way_map = beginning_of(route);
   word.visited = put_off.visited();
+  word.looked = looks.looked();
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
   if (ended || at_home || returning || mission.order != Order::kExplore) return word;
   word.bids = bids;
