@@ -9,6 +9,11 @@ namespace topo::pipeline {
 namespace {
 
 constexpr types::Duration kStillTrue = std::chrono::seconds(30);
+constexpr double kSameLook_m = 0.5;
+
+bool is_same_opening(const types::Vector2& a, const types::Vector2& b) {
+  return (a - b).norm() < kSameLook_m;
+}
 
 }  // namespace
 
@@ -35,8 +40,22 @@ void LastLooks::settle(const grid::DenseMap& map, types::Stamp now) {
                 [&](const Open& o) { return map.state(map.cell_at(o.sight)) != grid::CellState::kUnknown; });
 }
 
+bool LastLooks::arrive(const types::Vector2& p_map) {
+  for (const Open& o : open_) {
+    if (o.goal.p_map == p_map) looked_.push_back(o.goal.opening);
+  }
+  return leave(p_map);
+}
+
 bool LastLooks::leave(const types::Vector2& p_map) {
   return std::erase_if(open_, [&](const Open& o) { return o.goal.p_map == p_map; }) > 0;
+}
+
+void LastLooks::share(std::span<const types::Vector2> looked) {
+  for (const types::Vector2& opening : looked) {
+    std::erase_if(open_, [&](const Open& o) { return is_same_opening(o.goal.opening, opening); });
+    if (!was_offered(opening)) offered_.push_back(opening);
+  }
 }
 
 std::optional<double> LastLooks::reached_m(const types::Vector2& p_map) const {
@@ -46,9 +65,8 @@ std::optional<double> LastLooks::reached_m(const types::Vector2& p_map) const {
 }
 
 bool LastLooks::was_offered(const types::Vector2& opening) const {
-  constexpr double kSame_m = 0.5;
   return std::any_of(offered_.begin(), offered_.end(),
-                     [&](const types::Vector2& p) { return (p - opening).norm() < kSame_m; });
+                     [&](const types::Vector2& p) { return is_same_opening(p, opening); });
 }
 
 /// While a robot waits it asks every second, and of a frontier whose cells are the same the answer is, too.

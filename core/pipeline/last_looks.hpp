@@ -37,7 +37,7 @@ struct LookedAt {
 
 /// The last sweep of an exploration that is to be complete. When no other goal can be gone for now, cluttered
 /// rooms may still have corners that were never in sight, behind gaps through which one cannot drive: each is
-/// looked into, once by each robot, if all of them together promise enough.
+/// looked into, once by one robot of the team, if all of them together promise enough.
 class LastLooks {
  public:
   explicit LastLooks(const LastLookParams& params) : params_(params) {}
@@ -52,8 +52,14 @@ class LastLooks {
   void interrupt(types::Stamp now);
   /// Takes away those whose sight is known by now; all, when the time is over.
   void settle(const grid::DenseMap& map, types::Stamp now);
-  /// A robot was there, or could not get there. False: what is there is no look.
+  /// The robot was there. False: what is there is no look.
+  bool arrive(const types::Vector2& p_map);
+  /// It could not get there; the same.
   bool leave(const types::Vector2& p_map);
+  /// A mate has looked into these openings.
+  void share(std::span<const types::Vector2> looked);
+  /// Openings that this robot has looked into.
+  [[nodiscard]] const std::vector<types::Vector2>& looked() const { return looked_; }
   /// How near the robot has to come to a goal that is a look; nothing for other goals.
   [[nodiscard]] std::optional<double> reached_m(const types::Vector2& p_map) const;
   [[nodiscard]] double reached_m() const { return params_.reached_m; }
@@ -79,7 +85,8 @@ class LastLooks {
 
   LastLookParams params_;
   std::vector<Open> open_;
-  std::vector<types::Vector2> offered_;  ///< openings; each is looked into once
+  std::vector<types::Vector2> offered_;  ///< openings, here or to a mate; each is looked into once
+  std::vector<types::Vector2> looked_;
   std::vector<Answer> answers_;
   std::uint64_t asked_ = 0;  ///< revision of the map
   types::Stamp begun_{}, asked_at_{};

@@ -104,8 +104,8 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   const double reached_m = looks.reached_m(goal->p_map).value_or(params.goal_reached_m);
   if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
-    // What is still open after a visit cannot be seen from there: no reason to come again soon.
-    if (!looks.leave(goal->p_map)) put_off.visit(goal->p_map, in.now + types::from_seconds(params.visited_s));
+    // What is still open after a visit cannot be seen from there: the last looks find from where it can.
+    if (!looks.arrive(goal->p_map)) put_off.visit(goal->p_map);
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
@@ -123,7 +123,7 @@ std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput
   std::vector<Candidate> found =
       candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, put_off,
                     T_map_base.se2(), in.now, cut_off);
-  if (in.team != nullptr)
+  if (is_coordinated(in))
     std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c, PutOffGoals::kSame_m); });
   return found;
 }

@@ -104,6 +104,9 @@ struct PlanningState::Impl {
   /// The candidate to go for, by what the team knows; null: none, or others have them.
   const Candidate* pick(const PlanningInput& in, std::span<const Candidate> candidates,
                         const Candidate* present);
+  /// Does it heed what mates want and where they were? Without coordination robots share their maps alone
+  /// (Yamauchi 1998).
+  [[nodiscard]] bool is_coordinated(const PlanningInput& in) const;
   [[nodiscard]] bool mate_was_at(const PlanningInput& in, const Candidate& candidate, double within_m) const;
   [[nodiscard]] bool others_have_goals(const PlanningInput& in) const;
   [[nodiscard]] Claims claims_of_mates(const PlanningInput& in) const;

@@ -131,6 +131,10 @@ const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<co
   return chosen ? &candidates[*chosen] : nullptr;
 }
 
+bool PlanningState::Impl::is_coordinated(const PlanningInput& in) const {
+  return in.team != nullptr && rule_of(params) != team::Rule::kAlone;
+}
+
 bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& candidate,
                                       double within_m) const {
   const auto heard = roster.heard(in.now);
@@ -141,7 +145,7 @@ bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& 
 }
 
 bool PlanningState::Impl::others_have_goals(const PlanningInput& in) const {
-  if (rule_of(params) == team::Rule::kAlone) return false;
+  if (!is_coordinated(in)) return false;
   const auto counted = roster.counted(in.now);
   return std::any_of(counted.begin(), counted.end(),
                      [](const team::Word* word) { return word->claim || !word->bids.empty(); });
@@ -281,7 +285,8 @@ team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
   else if (located && !in.control->estop_latched && !mission.paused && mission.order == Order::kExplore)
     word.duty = team::Duty::kAble;
   if (has_target) word.way_map = beginning_of(route);
-  word.visited = put_off.visited(in.now);
+  word.visited = put_off.visited();
+  word.looked = looks.looked();
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
   if (ended || at_home || returning || mission.order != Order::kExplore) return word;
   word.bids = bids;

@@ -91,6 +91,7 @@ bool PlanningState::Impl::looks_around() const {
 void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
                                     bool& cut_off) {
   looks.settle(map, in.now);
+  for (const team::Word* mate : roster.heard(in.now)) looks.share(mate->looked);
   const bool is_awaited = in.team == nullptr || !others_have_goals(in);
   looks.find({map, map_revision, known_m2, field, analysis->walls}, in.now,
              is_awaited ? kAskAgain : kAskAgainMeanwhile);

@@ -17,9 +17,7 @@ void PutOffGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::
   note({p_map, until, 1, std::move(why), false});
 }
 
-void PutOffGoals::visit(const types::Vector2& p_map, types::Stamp until) {
-  note({p_map, until, 1, "visited", true});
-}
+void PutOffGoals::visit(const types::Vector2& p_map) { note({p_map, {}, 1, "visited", true}); }
 
 void PutOffGoals::note(PutOffGoal goal) {
   const auto same = std::find_if(list_.begin(), list_.end(), [&](const PutOffGoal& g) {
@@ -40,12 +38,12 @@ bool PutOffGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
   });
 }
 
-std::vector<types::Vector2> PutOffGoals::visited(types::Stamp now) const {
-  std::vector<types::Vector2> held;
+std::vector<types::Vector2> PutOffGoals::visited() const {
+  std::vector<types::Vector2> all;
   for (const PutOffGoal& g : list_) {
-    if (g.visited && is_held(g, now)) held.push_back(g.p_map);
+    if (g.visited) all.push_back(g.p_map);
   }
-  return held;
+  return all;
 }
 
 std::vector<PutOffGoal> PutOffGoals::held(types::Stamp now) const {

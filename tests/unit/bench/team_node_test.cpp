@@ -137,6 +137,7 @@ TEST(TeamNode, hearsAMateInItsOwnFrameOrNotAtAll) {
   Robot robot(0), mate(1);
   team::Word said = word(1, 5.0);
   said.claim = team::Bid{{6.0, 0.0}, 3.0};
+  said.looked = {{7.0, 0.0}};
   mate.node.say(said);
   mate.source.stands = {5.0, 0.0, 0.0};
   mate.node.gather();
@@ -150,6 +151,7 @@ TEST(TeamNode, hearsAMateInItsOwnFrameOrNotAtAll) {
   EXPECT_LT((words[0].T_map_base.translation() - types::Vector2(1.0, 7.0)).norm(), 1e-12);
   EXPECT_LT((words[0].claim->p_map - types::Vector2(1.0, 8.0)).norm(), 1e-12);
   EXPECT_EQ(words[0].claim->cost_m, 3.0);
+  EXPECT_LT((words[0].looked.front() - types::Vector2(1.0, 9.0)).norm(), 1e-12);
 }
 
 TEST(TeamNode, handsEachWordToThePlannerOnce) {

@@ -24,6 +24,7 @@ team::Word in_frame(const types::Se2& T_map_mates, team::Word word) {
   if (word.claim) move(word.claim->p_map);
   for (team::Bid& bid : word.bids) move(bid.p_map);
   for (types::Vector2& place : word.visited) move(place);
+  for (types::Vector2& opening : word.looked) move(opening);
   for (types::Vector2& point : word.way_map) move(point);
   return word;
 }

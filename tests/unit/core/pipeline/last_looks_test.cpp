@@ -81,6 +81,34 @@ TEST_F(TwoGaps, AreOfferedOnce) {
   EXPECT_EQ(looks.goals().size(), 2U);
 }
 
+TEST_F(TwoGaps, OfWhichAMateHasLookedIntoOneLeaveTheOther) {
+  find(1);
+  const std::vector<types::Vector2> looked{looks.goals().front().opening + types::Vector2(0.1, 0.0)};
+  looks.share(looked);
+  ASSERT_EQ(looks.goals().size(), 1U);
+  EXPECT_GT((looks.goals().front().opening - looked.front()).norm(), 0.5);
+  EXPECT_TRUE(looks.looked().empty()) << "what a mate saw is the mate's to tell";
+}
+
+TEST_F(TwoGaps, AreNotFoundWhenAMateHasLookedIntoThem) {
+  find(1);
+  std::vector<types::Vector2> looked;
+  for (const goals::Goal& goal : looks.goals()) looked.push_back(goal.opening);
+  looks.begin(now);
+  looks.share(looked);
+  find(2);
+  EXPECT_TRUE(looks.empty());
+}
+
+TEST_F(TwoGaps, AreToldToMatesWhenTheRobotWasThereNotWhenItCouldNotGetThere) {
+  find(1);
+  const goals::Goal first = looks.goals().front();
+  EXPECT_FALSE(looks.arrive({1.0, 1.0}));
+  EXPECT_TRUE(looks.arrive(first.p_map));
+  EXPECT_TRUE(looks.leave(looks.goals().front().p_map));
+  EXPECT_EQ(looks.looked(), std::vector{first.opening});
+}
+
 TEST_F(TwoGaps, AreSettledWhenTheirSightIsKnown) {
   find(1);
   for (int y = 1; y < 59; ++y)
@@ -152,26 +180,48 @@ std::vector<std::string> room_and_chamber() {
   return rows;
 }
 
-double known_in_the_end(PlannerParams params) {
+struct End {
+  double known = 0.0;
+  std::vector<types::Vector2> looked;  ///< what the robot tells its mates
+};
+
+/// Of an exploration of these by a robot whose mate, at home, has looked into some openings.
+End end_of_exploration(const PlannerParams& params, std::vector<types::Vector2> mate_looked = {}) {
   ToyBuilding building{room_and_chamber(), 5.0};
   PlanningState state(params);
+  team::Word mate;
+  mate.robot = 2;
+  mate.duty = team::Duty::kOver;
+  mate.T_map_base = {200.0, 0.0, 0.0};
+  mate.looked = std::move(mate_looked);
+  const TeamInput input{5, {&mate, 1}};
+  building.hear(&input);
   PlanningOutput out;
   do {
+    ++mate.sequence;
     out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
   } while (!out.report->mission_ended && building.now() < types::stamp_from_seconds(900.0));
   EXPECT_EQ(out.report->activity, Activity::kDone) << out.report->reason;
-  return building.coverage();
+  return {building.coverage(), out.word->looked};
 }
 
 TEST(LastLooks, ShowMoreOfAChamberThatNobodyCanDriveInto) {
   PlannerParams complete;
   PlannerParams without = complete;
   without.looks.promise_min = 1e9;
-  const double with_m = known_in_the_end(complete), without_m = known_in_the_end(without);
-  EXPECT_GT(with_m, without_m + 0.05);
+  const double with = end_of_exploration(complete).known, without_them = end_of_exploration(without).known;
+  EXPECT_GT(with, without_them + 0.05);
   PlannerParams essential = complete;
   essential.finish = Finish::kEssential;
-  EXPECT_LE(known_in_the_end(essential), without_m + 0.01);
+  EXPECT_LE(end_of_exploration(essential).known, without_them + 0.01);
+}
+
+TEST(LastLooks, OfARobotAreNoneForItsMates) {
+  const End looks = end_of_exploration({});
+  ASSERT_FALSE(looks.looked.empty());
+  const End leaves = end_of_exploration({}, looks.looked);
+  EXPECT_TRUE(leaves.looked.empty());
+  EXPECT_LT(leaves.known, looks.known - 0.05);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ const Mission kExplore{1, Order::kExplore, false, {0.0, 0.0}};
 /// A robot with id 5 that explores, and what its only mate, id 2, says.
 class WithAMate : public ::testing::Test {
  protected:
-  WithAMate() : building_(kTwoRooms, 4.0), state_(PlannerParams{}) {
+  explicit WithAMate(const PlannerParams& params = {}) : building_(kTwoRooms, 4.0), state_(params) {
     mate_.robot = 2;
     mate_.duty = team::Duty::kAble;
     mate_.T_map_base = {200.0, 0.0, 0.0};  // far away
@@ -55,12 +55,48 @@ class WithAMate : public ::testing::Test {
     return out_;
   }
 
+  /// The mate says that it was everywhere the robot could go to: how many of these goals are left?
+  std::size_t goals_where_the_mate_was() {
+    for (int i = 0; i < 2; ++i) (void)period();
+    for (const team::Bid& bid : out_.word->bids) mate_.visited.push_back(bid.p_map);
+    EXPECT_GE(mate_.visited.size(), 2U) << "a room at either end";
+    for (int i = 0; i < 4; ++i) (void)period();  // a decision holds one and a half seconds
+    const auto& bids = out_.word->bids;
+    const auto is_left = [&](const Vector2& p) {
+      return std::any_of(bids.begin(), bids.end(), [&](const auto& bid) { return bid.p_map == p; });
+    };
+    return static_cast<std::size_t>(std::count_if(mate_.visited.begin(), mate_.visited.end(), is_left));
+  }
+
   ToyBuilding building_;
   PlanningState state_;
   team::Word mate_;
   TeamInput input_;
   PlanningOutput out_;
 };
+
+PlannerParams params_of(Strategy strategy) {
+  PlannerParams params;
+  params.strategy = strategy;
+  return params;
+}
+
+class InTurnWithAMate : public WithAMate {
+ protected:
+  InTurnWithAMate() : WithAMate(params_of(Strategy::kGreedyFrontier)) {}
+};
+
+class UncoordinatedWithAMate : public WithAMate {
+ protected:
+  UncoordinatedWithAMate() : WithAMate(params_of(Strategy::kNearestFrontier)) {}
+};
+
+TEST_F(WithAMate, doesNotGoWhereTheMateWas) { EXPECT_EQ(goals_where_the_mate_was(), 0U); }
+TEST_F(InTurnWithAMate, doesNotGoWhereTheMateWas) { EXPECT_EQ(goals_where_the_mate_was(), 0U); }
+// The baseline without coordination shares the map and nothing else.
+TEST_F(UncoordinatedWithAMate, goesWhereTheMateWas) {
+  EXPECT_GE(goals_where_the_mate_was(), 2U) << "the room at either end";
+}
 
 TEST_F(WithAMate, claimsOneOfItsBids) {
   for (int i = 0; i < 4; ++i) (void)period();
