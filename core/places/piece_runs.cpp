@@ -56,6 +56,11 @@ std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const CellB
     while (old != before.end() && (old->end < from || (old->end == from && !goes_on(from))))
       runs.push_back(*old++);
     if (old != before.end()) from = std::min<std::size_t>(from, old->first);
+    // So is one that was looked at with the block before as far as it went, and now goes on in this one.
+    if (from == done && !runs.empty() && runs.back().end == from && runs.back().label == labels[from]) {
+      from = runs.back().first;
+      runs.pop_back();
+    }
     for (; old != before.end() && (old->first < end || (old->first == end && goes_on(end))); ++old)
       end = std::max<std::size_t>(end, old->end);
     scan(from, end, clearance_m, labels, runs);
