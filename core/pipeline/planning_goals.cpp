@@ -104,8 +104,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   const double reached_m = looks.reached_m(goal->p_map).value_or(params.goal_reached_m);
   if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
-    // What is still open after a visit cannot be seen from there: the last looks find from where it can.
-    if (!looks.arrive(goal->p_map)) put_off.visit(goal->p_map);
+    if (!looks.arrive(goal->p_map)) put_off.visit(goal->p_map, next_visit(in.now));
     note(in, goal->p_map, "reached");
     goal.reset();
     return;

@@ -90,6 +90,8 @@ struct PlanningState::Impl {
   void add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
   [[nodiscard]] bool looks_around() const;
+  /// When a goal that was just visited may be one again; nothing: never.
+  [[nodiscard]] std::optional<types::Stamp> next_visit(types::Stamp now) const;
   void add_looks(const PlanningInput& in, std::vector<Candidate>& candidates, bool& cut_off);
   void estimate_far_ones(std::vector<Candidate>& candidates);
   [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);

@@ -55,6 +55,7 @@ struct PlannerParams {
   double goal_reached_m = 0.5;   ///< an exploration goal counts as visited from here
   double home_reached_m = 0.15;
   double give_up_s = 60.0;       ///< a goal given up comes back after this
+  double visited_s = 300.0;      ///< one that a robot was at after this, when there are no last looks
   double switch_gain = 0.8;      ///< another goal must cost less than this share of the present one's
   double battery_home_v = 11.6;  ///< below for 10 s: home
   double charge_home = 0.2;      ///< the same for a reported state of charge

@@ -17,7 +17,7 @@ using types::Vector2;
 constexpr double kWay_m = 6.0;          // of a route that the others are told
 constexpr double kWaySpacing_m = 0.3;   // finer than a robot is wide
 constexpr double kRoomSearch_m = 12.0;  // to the next door or junction of a corridor
-constexpr double kRoomReached_m = 0.25;
+constexpr double kRoomReached_m = 0.10;
 constexpr double kCrowd_m = 1.2;   // around a mate, where a route is dear
 constexpr double kBehind_m = 1.5;  // half a metre of backing off, and two robots' length
 constexpr types::Duration kRoomFor = std::chrono::seconds(30);  // then it is of no use
@@ -285,7 +285,7 @@ team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
   else if (located && !in.control->estop_latched && !mission.paused && mission.order == Order::kExplore)
     word.duty = team::Duty::kAble;
   if (has_target) word.way_map = beginning_of(route);
-  word.visited = put_off.visited();
+  word.visited = put_off.visited(in.now);
   word.looked = looks.looked();
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
   if (ended || at_home || returning || mission.order != Order::kExplore) return word;

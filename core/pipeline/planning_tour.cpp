@@ -87,6 +87,13 @@ bool PlanningState::Impl::looks_around() const {
   return params.finish == Finish::kComplete && params.strategy == Strategy::kTopometric;
 }
 
+/// What is still open after a visit cannot be seen from there. Last looks find from where it can; without
+/// them a second visit is all that is left to do.
+std::optional<types::Stamp> PlanningState::Impl::next_visit(types::Stamp now) const {
+  if (looks_around()) return std::nullopt;
+  return now + types::from_seconds(params.visited_s);
+}
+
 /// When there is nothing else to do.
 void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
                                     bool& cut_off) {

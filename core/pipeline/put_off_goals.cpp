@@ -14,10 +14,12 @@ bool is_held(const PutOffGoal& goal, types::Stamp now) { return goal.is_for_good
 }  // namespace
 
 void PutOffGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::string why) {
-  note({p_map, until, 1, std::move(why), false});
+  note({p_map, until, 1, std::move(why), false, false});
 }
 
-void PutOffGoals::visit(const types::Vector2& p_map) { note({p_map, {}, 1, "visited", true}); }
+void PutOffGoals::visit(const types::Vector2& p_map, std::optional<types::Stamp> until) {
+  note({p_map, until.value_or(types::Stamp{}), 1, "visited", true, !until});
+}
 
 void PutOffGoals::note(PutOffGoal goal) {
   const auto same = std::find_if(list_.begin(), list_.end(), [&](const PutOffGoal& g) {
@@ -38,12 +40,12 @@ bool PutOffGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
   });
 }
 
-std::vector<types::Vector2> PutOffGoals::visited() const {
-  std::vector<types::Vector2> all;
+std::vector<types::Vector2> PutOffGoals::visited(types::Stamp now) const {
+  std::vector<types::Vector2> held;
   for (const PutOffGoal& g : list_) {
-    if (g.visited) all.push_back(g.p_map);
+    if (g.visited && is_held(g, now)) held.push_back(g.p_map);
   }
-  return all;
+  return held;
 }
 
 std::vector<PutOffGoal> PutOffGoals::held(types::Stamp now) const {

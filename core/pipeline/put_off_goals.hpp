@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,27 +17,28 @@ struct PutOffGoal {
   types::Stamp until{};
   int times = 0;  ///< how often it was put off
   std::string why;
-  bool visited = false;  ///< a robot was there: what is still open cannot be seen from there
+  bool visited = false;    ///< a robot was there: what is still open cannot be seen from there
+  bool forbidden = false;  ///< as long as the list stands
 
   static constexpr int kTimesMax = 2;
-  /// It does not come back, whatever `until` says: "Once a robot has visited what seemed to be an attractive
-  /// location, we do not wish to return there" (paper section II-E).
-  [[nodiscard]] bool is_for_good() const { return visited || times >= kTimesMax; }
+  /// It does not come back, whatever `until` says.
+  [[nodiscard]] bool is_for_good() const { return forbidden || times >= kTimesMax; }
 };
 
-/// Goals that did not work out, and those the robot was at. What did not work out comes back after a while,
-/// or when nothing else is left, and stays away after the second time. Where the robot was stays away at
-/// once.
+/// Goals that did not work out, and those the robot was at. Each comes back after a while, or when nothing
+/// else is left; after the second time it stays away.
 class PutOffGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
 
   void give_up(const types::Vector2& p_map, types::Stamp until, std::string why);
-  void visit(const types::Vector2& p_map);
+  /// Without a stamp the robot never comes again: "Once a robot has visited what seemed to be an attractive
+  /// location, we do not wish to return there" (paper section II-E).
+  void visit(const types::Vector2& p_map, std::optional<types::Stamp> until);
   /// Is a goal here put off at this time?
   [[nodiscard]] bool hold(const types::Vector2& p_map, types::Stamp now) const;
-  /// Those that the robot was at.
-  [[nodiscard]] std::vector<types::Vector2> visited() const;
+  /// Those put off at this time because the robot was there.
+  [[nodiscard]] std::vector<types::Vector2> visited(types::Stamp now) const;
   /// Lets all come back that may; false when there is none.
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }

@@ -136,7 +136,7 @@ TEST(PutOffGoals, areToldWhileTheyStayAway) {
   PutOffGoals put_off;
   const auto soon = kNow + std::chrono::seconds(10), later = kNow + std::chrono::seconds(60);
   put_off.give_up({1.0, 1.0}, soon, "stuck");
-  put_off.give_up({5.0, 1.0}, later, "stuck");
+  put_off.visit({5.0, 1.0}, later);
   EXPECT_EQ(put_off.held(kNow).size(), 2U);
   ASSERT_EQ(put_off.held(soon).size(), 1U) << "the first is back";
   EXPECT_EQ(put_off.held(soon).front().p_map, Vector2(5.0, 1.0));
@@ -149,25 +149,28 @@ TEST(PutOffGoals, areToldWhileTheyStayAway) {
 
 // Paper section II-E: "Once a robot has visited what seemed to be an attractive location, we do not wish to
 // return there."
-TEST(PutOffGoals, whereTheRobotWasItDoesNotComeAgain) {
+TEST(PutOffGoals, whereTheRobotWasForTheLastTimeItDoesNotComeAgain) {
   PutOffGoals put_off;
-  put_off.visit({5.0, 1.0});
+  put_off.visit({5.0, 1.0}, std::nullopt);
   EXPECT_TRUE(put_off.hold({5.5, 1.0}, kNow + std::chrono::hours(1)));
   EXPECT_FALSE(put_off.call_back(kNow)) << "want of anything else is no reason";
   EXPECT_TRUE(put_off.hold({5.5, 1.0}, kNow));
   ASSERT_EQ(put_off.held(kNow).size(), 1U);
   EXPECT_TRUE(put_off.held(kNow).front().is_for_good());
+  EXPECT_EQ(put_off.visited(kNow).size(), 1U);
 }
 
-TEST(PutOffGoals, ofThoseTheRobotWasAtTheOthersAreTold) {
+TEST(PutOffGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
   PutOffGoals put_off;
   const auto later = kNow + std::chrono::seconds(60);
   put_off.give_up({1.0, 1.0}, later, "stuck");
-  put_off.visit({5.0, 1.0});
-  ASSERT_EQ(put_off.visited().size(), 1U);
-  EXPECT_EQ(put_off.visited().front(), Vector2(5.0, 1.0));
-  put_off.visit({1.0, 1.3});  // stuck on the way there, then there: what happened last counts
-  EXPECT_EQ(put_off.visited().size(), 2U);
+  put_off.visit({5.0, 1.0}, later);
+  ASSERT_EQ(put_off.visited(kNow).size(), 1U);
+  EXPECT_EQ(put_off.visited(kNow).front(), Vector2(5.0, 1.0));
+  EXPECT_TRUE(put_off.hold({5.0, 1.0}, kNow));
+  EXPECT_TRUE(put_off.visited(later).empty());
+  put_off.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
+  EXPECT_EQ(put_off.visited(kNow).size(), 2U);
   EXPECT_EQ(put_off.held(kNow).size(), 2U);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which goal a robot that stands is bound for: when it leaves one for another, and that one it was at is
-// none again.
+// Which goal a robot that stands is bound for: when it leaves one for another, and when one it was at is
+// a goal again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,8 +100,36 @@ TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
   EXPECT_EQ(report.put_off.size(), 2U);
   for (const PutOffGoal& goal : report.put_off) {
     EXPECT_TRUE(goal.visited);
-    EXPECT_EQ(goal.times, 1);
+    EXPECT_TRUE(goal.is_for_good());
   }
+}
+
+TEST(VisitedGoals, withoutLastLooksWhereTheRobotWasIsAGoalAgainWhenThatTimeIsOver) {
+  using std::chrono::seconds;
+  PlannerParams params;
+  params.strategy = Strategy::kNearestFrontier;
+  params.visited_s = 10.0;
+  params.give_up_s = 1000.0;
+  params.goal_reached_m = 4.0;  // in front of the passage, and not at the end of the hall
+  HallAndPassage scene(4, 6.0, params);
+  scene.open_the_door();
+  types::Stamp visited = scene.now();
+  while (scene.period().put_off.empty() && scene.now() < visited + seconds(60)) {
+  }
+  const PlanningReport* report = &scene.period();
+  ASSERT_EQ(report->put_off.size(), 1U);
+  EXPECT_TRUE(report->put_off.front().visited);
+  visited = report->put_off.front().until - seconds(10);
+  EXPECT_LE(visited, report->stamp);
+  EXPECT_GE(visited, report->stamp - seconds(1));
+  const auto is_open = [&] {
+    return std::any_of(report->open_goals.begin(), report->open_goals.end(),
+                       [&](const goals::Goal& goal) { return scene.is_passage(goal); });
+  };
+  for (; report->stamp < visited + seconds(10); report = &scene.period())
+    EXPECT_FALSE(is_open()) << types::to_seconds(report->stamp - visited);
+  while (!is_open() && report->stamp < visited + seconds(12)) report = &scene.period();
+  EXPECT_TRUE(is_open());
 }
 
 }  // namespace
