@@ -38,7 +38,7 @@ class FurnitureUpdate {
   /// A row of what stands about, and what all of it spans.
   struct Piece {
     grid::CellRun run;
-    Extent whole;
+    Extent whole{};
   };
 
   void put_back();
