@@ -25,7 +25,7 @@ struct CompassParams {
 
 /// The direction that a building is aligned to (paper section II-A).
 struct Compass {
-  std::optional<double> angle_rad;  ///< in [0, pi/2); nothing: no dominant direction
+  std::optional<double> angle_rad;  ///< in [0, pi/2), in steps of 0.05 deg; nothing: no dominant direction
   double confidence = 0.0;          ///< depth of the minimum below the curve's median, relative: 0 to 1
   std::vector<double> entropy;      ///< of both projections, summed, per coarse step from 0 to pi/2
 };

@@ -32,6 +32,27 @@ TEST(Compass, TurnsWithTheBuilding) {
   }
 }
 
+TEST(Compass, AnswersInStepsThatAFewPointsDoNotChange) {
+  for (const double a_deg : {0.0, 33.0, 71.5}) {
+    Points points = cell_centres(turned(building(), a_deg * types::kDegree_rad));
+    const auto angle_rad = entropy_compass(points).angle_rad;
+    ASSERT_TRUE(angle_rad) << a_deg;
+    const double steps = *angle_rad / types::kDegree_rad / 0.05;
+    EXPECT_NEAR(steps, std::round(steps), 1e-6) << a_deg;
+    for (int gone = 10; gone <= 50; gone += 10) {
+      points.resize(points.size() - 10);
+      EXPECT_EQ(entropy_compass(points).angle_rad, angle_rad) << a_deg << " without " << gone;
+    }
+  }
+}
+
+TEST(Compass, OnBothSidesOfAQuarterTurnIsTheSame) {
+  for (const double a_deg : {-0.02, 0.0, 0.02, 89.98, 90.02}) {
+    const Points plan = cell_centres(turned(building(), a_deg * types::kDegree_rad));
+    EXPECT_EQ(entropy_compass(plan).angle_rad, 0.0) << a_deg;
+  }
+}
+
 TEST(Compass, IsNotTurnedByFurniture) {
   Points plan = cell_centres(building());
   furnish(plan, 3);
