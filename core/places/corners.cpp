@@ -3,6 +3,7 @@
 #include "core/places/corners.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/places/reduction.hpp"
@@ -22,6 +23,7 @@ class Corners {
         resolution_m_(resolution_m),
         params_(params),
         members_(pieces.size()),
+        wholes_(pieces.size()),
         is_left_(pieces.size(), false) {
     for (std::uint32_t p = 0; p < pieces.size(); ++p) members_[places[p]].push_back(p);
   }
@@ -45,9 +47,7 @@ class Corners {
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
       const auto& contacts = pieces_[p].contacts;
       if (members_[places_[p]].size() > 1 &&
-          std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-            return places_[c.other] != places_[p] && c.upright + c.level != 0;
-          }))
+          std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) { return leaves_place(p, c); }))
         found.push_back(p);
     }
     std::sort(found.begin(), found.end(),
@@ -55,25 +55,43 @@ class Corners {
     return found;
   }
 
+  /// Does an open border of the piece's lead to another place?
+  [[nodiscard]] bool leaves_place(std::uint32_t p, const Contact& c) const {
+    return places_[c.other] != places_[p] && c.upright + c.level != 0;
+  }
+
+  /// Could the piece by itself go to a corridor beside its place? With its spurs it is as clear or clearer,
+  /// and a passage then narrower for it: for most pieces that is the end of it.
+  bool opens_onto_corridor(std::uint32_t p) {
+    const auto& contacts = pieces_[p].contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+      return leaves_place(p, c) && is_open_to(pieces_[p], whole(places_[c.other]), c);
+    });
+  }
+  [[nodiscard]] bool is_open_to(const Region& moved, const Region& beside, const Contact& c) const {
+    return is_corridor(beside) && no_wall_between(c, resolution_m_, params_) &&
+           no_narrows(moved, beside, c, resolution_m_, params_);
+  }
+
   bool settle_piece(std::uint32_t p) {
+    if (!opens_onto_corridor(p)) return false;
     const std::uint32_t own = places_[p];
     const std::vector<std::uint32_t> corner = with_its_spurs(p);
     const Region moved = together(corner), rest = together(others(own, corner));
     if (!is_corridor(rest) || moved.cells > 2 * pieces_[p].cells) return false;
     for (const Contact& c : pieces_[p].contacts) {
+      if (!leaves_place(p, c)) continue;
       const std::uint32_t other = places_[c.other];
-      if (other == own || c.upright + c.level == 0) continue;
-      const Region beside = together(members_[other]);
-      if (!is_corridor(beside) || beside.cells <= rest.cells) continue;
-      if (!no_wall_between(c, resolution_m_, params_) ||
-          !no_narrows(moved, beside, c, resolution_m_, params_))
-        continue;
+      const Region& beside = whole(other);
+      if (beside.cells <= rest.cells || !is_open_to(moved, beside, c)) continue;
       if (!is_in_line(rest, moved) || !is_in_line(beside, moved)) continue;
       for (const std::uint32_t piece : corner) {
         std::erase(members_[own], piece);
         members_[other].push_back(piece);
         places_[piece] = other;
       }
+      wholes_[own].reset();
+      wholes_[other].reset();
       return true;
     }
     return false;
@@ -126,6 +144,12 @@ class Corners {
     return to - from >= kInLine * (piece.core.max[across] - piece.core.min[across]);
   }
 
+  const Region& whole(std::uint32_t place) {
+    std::optional<Region>& known = wholes_[place];
+    if (!known) known = together(members_[place]);
+    return *known;
+  }
+
   [[nodiscard]] Region together(const std::vector<std::uint32_t>& members) const {
     Region all;
     for (const std::uint32_t p : members) {
@@ -142,6 +166,7 @@ class Corners {
   double resolution_m_;
   const PlaceParams& params_;
   std::vector<std::vector<std::uint32_t>> members_;  ///< by the number of the place
+  std::vector<std::optional<Region>> wholes_;        ///< the members together, of places that were looked at
   std::vector<bool> is_left_;  ///< of a place's pieces, while those that hang together are looked for
 };
 

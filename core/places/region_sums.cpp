@@ -152,8 +152,8 @@ std::uint32_t label_beside(const DenseMap& map, const std::vector<std::uint32_t>
   for (double d = 0.5 * map.resolution_m; d <= kReachM; d += map.resolution_m) {
     const grid::CellIndex cell = map.cell_at(p + d * direction);
     if (!map.contains(cell)) return 0;
-    const std::size_t i = map.index(cell);
-    if (map.cells[i] == grid::CellState::kFree && labels[i] != 0) return labels[i];
+    const std::uint32_t label = labels[map.index(cell)];
+    if (label != 0) return label;
   }
   return 0;
 }
