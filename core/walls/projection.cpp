@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace topo::walls {
 namespace {
@@ -30,31 +31,56 @@ const WeightedLog& weighted_log() {
   return log;
 }
 
-/// Of n log n over pairs of neighbours, n the points in both. Several sums at once: each waits for its own
-/// last term only. Exact whatever the order: 24 bits a term, and less than 2 to the power of 30 in all.
-double sum_over_bins(const std::vector<std::uint16_t>& half_bins, const WeightedLog& log) {
+/// Of n log n over `count` pairs of neighbours, a multiple of four, n the points in both. Several sums at
+/// once: each waits for its own last term only. Exact whatever the order, as are sums of these: 24 bits a
+/// term, and less than 2 to the power of 30 in all.
+double sum_over_pairs(const std::uint16_t* half_bins, std::size_t count, const WeightedLog& log) {
   std::array<double, 4> sums{};
-  std::uint32_t before = half_bins.front();
-  const auto term = [&](std::size_t i) {
-    const std::uint32_t here = half_bins[i], both = before + here;
-    before = here;
-    return static_cast<double>(log(both));
-  };
-  std::size_t i = 1;
-  for (; i + sums.size() <= half_bins.size(); i += sums.size())
-    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += term(i + k);
-  for (; i < half_bins.size(); ++i) sums[0] += term(i);
+  for (std::size_t i = 0; i < count; i += sums.size())
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      sums[k] += static_cast<double>(log(std::uint32_t{half_bins[i + k]} + half_bins[i + k + 1]));
   return sums[0] + sums[1] + sums[2] + sums[3];
 }
 
 }  // namespace
+
+Histogram::Histogram(std::size_t half_bins)
+    : sums_(half_bins / kBlock + 1, 0.0), has_changed_(sums_.size(), 0) {
+  points_.resize(sums_.size() * kBlock + 1, 0);
+}
+
+void Histogram::add(std::span<const std::int32_t> half_bins, std::uint16_t step) {
+  if (half_bins.empty()) return;
+  std::int32_t least = half_bins.front(), most = least;
+  for (const std::int32_t half_bin : half_bins) {
+    least = std::min(least, half_bin);
+    most = std::max(most, half_bin);
+  }
+  for (const std::int32_t half_bin : half_bins) {
+    std::uint16_t& points = points_[static_cast<std::size_t>(half_bin) + 1];
+    points = static_cast<std::uint16_t>(points + step);
+  }
+  // The last one is in a bin with the next.
+  const std::size_t first = static_cast<std::size_t>(least) / kBlock,
+                    last = (static_cast<std::size_t>(most) + 1) / kBlock;
+  std::fill_n(has_changed_.begin() + static_cast<std::ptrdiff_t>(first), last + 1 - first, std::uint8_t{1});
+}
+
+double Histogram::sum() {
+  for (std::size_t block = 0; block < sums_.size(); ++block) {
+    if (has_changed_[block] == 0) continue;
+    sums_[block] = sum_over_pairs(&points_[block * kBlock], kBlock, weighted_log());
+    has_changed_[block] = 0;
+  }
+  return std::accumulate(sums_.begin(), sums_.end(), 0.0);
+}
 
 Projection::Projection(float radius, double angle_rad)
     : cos_(static_cast<float>(std::cos(angle_rad))),
       sin_(static_cast<float>(std::sin(angle_rad))),
       middle_(std::floor(radius) + 2.5F),
       along_(static_cast<std::size_t>(2.0F * middle_) + 2),
-      across_(along_.size()) {}
+      across_(along_) {}
 
 /// A block of points after the other, in vector instructions.
 void Projection::change(const Cloud& cloud, int by) {
@@ -69,21 +95,16 @@ void Projection::change(const Cloud& cloud, int by) {
       u[i] = static_cast<std::int32_t>(middle + c * x[i] + s * y[i]);
       v[i] = static_cast<std::int32_t>(middle + c * y[i] - s * x[i]);
     }
-    for (std::size_t i = 0; i < size; ++i) {
-      std::uint16_t &along = along_[static_cast<std::size_t>(u[i])],
-                    &across = across_[static_cast<std::size_t>(v[i])];
-      along = static_cast<std::uint16_t>(along + step);
-      across = static_cast<std::uint16_t>(across + step);
-    }
+    along_.add(std::span(u).first(size), step);
+    across_.add(std::span(v).first(size), step);
   }
   points_ += by * static_cast<std::int64_t>(cloud.x.size());
 }
 
-double Projection::entropy() const {
-  const WeightedLog& log = weighted_log();
+double Projection::entropy() {
   // Every point is in two bins.
   const double points = 2.0 * static_cast<double>(points_);
-  return 2.0 * std::log(points) - (sum_over_bins(along_, log) + sum_over_bins(across_, log)) / points;
+  return 2.0 * std::log(points) - (along_.sum() + across_.sum()) / points;
 }
 
 }  // namespace topo::walls

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace topo::walls {
@@ -13,8 +15,26 @@ struct Cloud {
   std::vector<float> y;
 };
 
-/// Histograms of points' two projections at an angle, and their entropy. Bins overlap by half: where a wall
-/// lies between two bins then does not matter.
+/// Points by half bins, and the sum of n log n over all bins, n the points in one. Bins overlap by half:
+/// where a wall lies between two then does not matter.
+class Histogram {
+ public:
+  explicit Histogram(std::size_t half_bins);
+
+  /// `step`: points for each of the half bins, modulo 2 to the power of 16.
+  void add(std::span<const std::int32_t> half_bins, std::uint16_t step);
+
+  /// Costs the blocks of half bins between those that have changed since the last time.
+  double sum();
+
+ private:
+  static constexpr std::size_t kBlock = 64;
+  std::vector<std::uint16_t> points_;  ///< of the half bins, after an empty one
+  std::vector<double> sums_;           ///< of each block's half bins with the ones before them
+  std::vector<std::uint8_t> has_changed_;
+};
+
+/// Histograms of points' two projections at an angle, and their entropy.
 class Projection {
  public:
   /// `radius`: no point is farther from the middle, in half bins. At most UINT16_MAX points.
@@ -23,14 +43,14 @@ class Projection {
   void add(const Cloud& cloud) { change(cloud, 1); }
   void remove(const Cloud& cloud) { change(cloud, -1); }
 
-  [[nodiscard]] double entropy() const;
+  [[nodiscard]] double entropy();
 
  private:
   void change(const Cloud& cloud, int by);
 
   float cos_, sin_, middle_;
   std::int64_t points_ = 0;
-  std::vector<std::uint16_t> along_, across_;
+  Histogram along_, across_;
 };
 
 }  // namespace topo::walls
