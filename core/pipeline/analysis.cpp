@@ -31,21 +31,23 @@ class Stages {
 
   [[nodiscard]] const grid::DenseMap& map() const { return a_.map; }
 
-  void find_walls(walls::CompassMemory& memory) {
+  void find_walls(walls::CompassMemory& compass_memory, walls::WallMemory& wall_memory) {
     // The store's walls are the confident ones; without a coronal scanner there are none, and what is
     // occupied must do.
     const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
     walls::CompassParams compass = params_.compass;
     compass.cell_m = a_.map.resolution_m;
-    a_.compass = walls::entropy_compass(occupied, compass, memory);
+    a_.compass = walls::entropy_compass(occupied, compass, compass_memory);
     tell(Stage::kCompass);
     const bool has_store = !wall_points_.empty() && params_.wall_store;
-    a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls);
+    a_.walls =
+        walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls, wall_memory);
     tell(Stage::kWalls);
   }
   void find_walls() {
-    walls::CompassMemory none;
-    find_walls(none);
+    walls::CompassMemory no_compass;
+    walls::WallMemory no_walls;
+    find_walls(no_compass, no_walls);
   }
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
@@ -119,7 +121,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
                  const StageWatch& done) {
   const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls(memory.compass);
+  stages.find_walls(memory.compass, memory.walls);
   const grid::DenseMap& map = stages.without_furniture(memory.furniture);
   memory.open.take(map);
   // A coarse map's distances are not its own: they count where there is no furniture.

@@ -63,6 +63,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 /// What one analysis leaves to the next.
 struct AnalysisMemory {
   walls::CompassMemory compass;
+  walls::WallMemory walls;
   places::FurnitureUpdate furniture;
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
@@ -72,8 +73,8 @@ struct AnalysisMemory {
 
 /// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a
 /// map that has grown or was corrected, distances and thinning are redone where something has changed; first
-/// labels, too, while the box stays the same, and the compass's histograms while its walls' box does. What
-/// the compass turns is done anew: with every wall that is seen it turns a little, and with it all boxes.
+/// labels, too, while the box stays the same, and the compass's histograms while its walls' box does; walls
+/// while, too, the compass does not turn. All boxes of regions are made anew.
 /// Empty: of no map.
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
                  const StageWatch& done = {});

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/types/geometry.hpp"
+#include "core/walls/points_change.hpp"
 
 namespace topo::walls {
 namespace {
@@ -181,10 +182,7 @@ void renew(CompassMemory& memory, std::span<const types::Vector2> points, std::u
     few.note(sample, memory.placing, was && sample.hash <= memory.few.limit, is && sample.hash <= few_limit);
     all.note(sample, memory.placing, was && sample.hash <= memory.all.limit, is && sample.hash <= all_limit);
   };
-  // Both go row by row over a map; of points in other orders more are taken for others than need be.
-  const auto comes_before = [](const types::Vector2& a, const types::Vector2& b) {
-    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
-  };
+  // As in points_change, but that of each point more is known than where it is.
   std::vector<Sample> samples;
   samples.reserve(points.size());
   auto old = memory.samples.begin();

@@ -4,8 +4,8 @@
 #include "core/walls/wall_extraction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <tuple>
 
@@ -13,28 +13,6 @@ namespace topo::walls {
 namespace {
 
 using Points = std::span<const types::Vector2>;
-
-/// A point by where it is along the walls looked for, and across.
-struct Place {
-  float u;
-  float v;
-};
-
-bool is_before(const Place& a, const Place& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); }
-
-/// As std::merge, without a branch that nobody can predict.
-void merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> out) {
-  const Place *at_a = a.data(), *at_b = b.data();
-  const Place *const end_a = at_a + a.size(), *const end_b = at_b + b.size();
-  Place* to = out.data();
-  while (at_a != end_a && at_b != end_b) {
-    const bool second = is_before(*at_b, *at_a);
-    *to++ = *(second ? at_b : at_a);
-    at_a += second ? 0 : 1;
-    at_b += second ? 1 : 0;
-  }
-  std::copy(at_b, end_b, std::copy(at_a, end_a, to));
-}
 
 /// Points that follow each other along one line without a gap.
 struct Run {
@@ -44,102 +22,17 @@ struct Run {
   [[nodiscard]] float to() const { return places.back().u; }
 };
 
-/// The points of one direction in lines of overlapping bins: line i holds what lies in half bins i and i + 1,
-/// by u. A wall of less than half a bin is then whole in some line, wherever it lies.
-class Lines {
- public:
-  /// Direction (c, s) of the walls.
-  Lines(Points points, double c, double s, double half_bin_m) {
-    std::vector<double> across(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k) across[k] = c * points[k].y() - s * points[k].x();
-    double low_m = across.front(), high_m = across.front();
-    for (const double v : across) {
-      low_m = v < low_m ? v : low_m;
-      high_m = high_m < v ? v : high_m;
-    }
-    // A few points far out must not ask for more bins than there are points to put into them.
-    const double bins_max = 1000.0 + 8.0 * static_cast<double>(points.size());
-    const double wide_m = high_m - low_m, width_m = std::max(half_bin_m, wide_m / bins_max);
-    first_.assign(static_cast<std::size_t>(wide_m / width_m) + 2, 0);
-    // Signed numbers, of which vector instructions are made.
-    std::vector<std::int32_t> bins(points.size());
-    for (std::size_t k = 0; k < points.size(); ++k)
-      bins[k] = static_cast<std::int32_t>((across[k] - low_m) / width_m);
-    for (const std::int32_t bin : bins) ++first_[static_cast<std::size_t>(bin) + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    places_.resize(points.size());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t k = 0; k < points.size(); ++k)
-      places_[next[static_cast<std::size_t>(bins[k])]++] = {
-          static_cast<float>(c * points[k].x() + s * points[k].y()), static_cast<float>(across[k])};
-    sort_bins();
-  }
-
-  [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
-  [[nodiscard]] std::span<const Place> bin(std::size_t i) const {
-    return std::span(places_).subspan(first_[i], first_[i + 1] - first_[i]);
-  }
-
- private:
-  void sort_bins() {
-    for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
-      const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
-                 end = places_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]);
-      // Of points row by row most bins are in order along one of the two directions.
-      if (!std::is_sorted(begin, end, is_before)) std::sort(begin, end, is_before);
-    }
-  }
-
-  std::vector<std::size_t> first_;  ///< of every half bin, and one past the last
-  std::vector<Place> places_;
-};
-
-/// Share of a run's length, in bins, that points were seen on.
-double filled_share(std::span<const Place> places, double bin_m) {
-  const float per_m = static_cast<float>(1.0 / bin_m);
-  int filled = 0, last = -1;
-  for (const Place& place : places) {
-    const int slot = static_cast<int>((place.u - places.front().u) * per_m);
-    if (slot != last) ++filled;
-    last = slot;
-  }
-  return static_cast<double>(filled) / (last + 1);
-}
-
-std::size_t points_min(const WallParams& params) {
-  return static_cast<std::size_t>(std::max(params.points_min, 2));
-}
-
-/// What is long, full and dense enough to be a wall.
-bool is_wall_run(std::span<const Place> places, const WallParams& params) {
-  if (places.size() < points_min(params)) return false;
-  // A hair of slack: 20 cells of 0.05 m are a metre, whatever the rounding of the projection says.
-  const double length_m = static_cast<double>(places.back().u - places.front().u) + 1e-3;
-  return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
-}
-
-/// Cuts a line at its gaps.
-template <class F>
-void for_contiguous(std::span<const Place> places, double gap_max_m, F&& f) {
-  const auto gap_m = static_cast<float>(gap_max_m);
-  std::size_t first = 0;
-  for (std::size_t i = 1; i <= places.size(); ++i) {
-    if (i < places.size() && places[i].u - places[i - 1].u <= gap_m) continue;
-    if (i > first) f(places.subspan(first, i - first));
-    first = i;
-  }
-}
-
 /// Walls of one direction.
 class WallFinder {
  public:
-  WallFinder(Points points, double c, double s, const WallParams& params)
-      : params_(params), c_(c), s_(s), lines_(points, c, s, params.bin_m / 2.0), walls_on_(lines_.size()) {
-    merged_.reserve(2 * points.size());
-  }
+  WallFinder(const WallLines& lines, const Direction& direction, const WallParams& params)
+      : params_(params), along_(direction), lines_(lines), walls_on_(lines_.size()) {}
 
   void append_to(std::vector<types::Segment>& segments) {
-    std::vector<Run> runs = candidates();
+    std::vector<Run> runs;
+    for (const WallLines::Stretch& stretch : lines_.stretches())
+      runs.push_back({static_cast<int>(stretch.line), lines_.places_of(stretch)});
+    // A wall has one in each line that it touches: the fullest is its local maximum.
     const auto fuller = [](const Run& a, const Run& b) {
       return std::make_tuple(b.places.size(), a.line, a.from()) <
              std::make_tuple(a.places.size(), b.line, b.from());
@@ -151,24 +44,6 @@ class WallFinder {
   }
 
  private:
-  /// Runs of all lines. A wall gives one in each line that it touches: the fullest is its local maximum.
-  std::vector<Run> candidates() {
-    std::vector<Run> runs;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const auto low = lines_.bin(i);
-      const auto high = i + 1 < lines_.size() ? lines_.bin(i + 1) : std::span<const Place>();
-      if (low.size() + high.size() < points_min(params_)) continue;
-      const std::size_t first = merged_.size();
-      merged_.resize(first + low.size() + high.size());  // reserved: spans stay valid
-      const std::span line = std::span(merged_).subspan(first);
-      merge(low, high, line);
-      for_contiguous(line, params_.gap_max_m, [&](std::span<const Place> places) {
-        if (is_wall_run(places, params_)) runs.push_back({static_cast<int>(i), places});
-      });
-    }
-    return runs;
-  }
-
   /// Takes from a run what no fuller one beside it explains, when that is a wall still.
   void accept_uncovered(const Run& run) {
     std::vector<Run> beside;
@@ -220,7 +95,7 @@ class WallFinder {
     v /= static_cast<double>(run.places.size());
     const auto point = [&](float u) {
       const auto along = static_cast<double>(u);
-      return types::Vector2(c_ * along - s_ * v, s_ * along + c_ * v);
+      return types::Vector2(along_.cos * along - along_.sin * v, along_.sin * along + along_.cos * v);
     };
     return {point(run.from()), point(run.to())};
   }
@@ -235,10 +110,8 @@ class WallFinder {
   static constexpr int kBandBeside = 6;
 
   const WallParams& params_;
-  double c_;
-  double s_;
-  Lines lines_;
-  std::vector<Place> merged_;
+  Direction along_;
+  const WallLines& lines_;
   std::vector<std::vector<Run>> walls_on_;
 };
 
@@ -284,13 +157,25 @@ std::vector<types::Vector2> occupied_points(const grid::DenseMap& map) {
   return points;
 }
 
-std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params) {
+std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params,
+                                          WallMemory& memory) {
   std::vector<types::Segment> walls;
+  if (memory.params != params || points.empty()) memory = {{}, params, {}};
   if (points.empty()) return walls;
   const double c = std::cos(compass_rad), s = std::sin(compass_rad);
-  WallFinder(points, c, s, params).append_to(walls);
-  WallFinder(points, -s, c, params).append_to(walls);
+  const std::array<Direction, 2> directions{{{c, s}, {-s, c}}};
+  const PointsChange change = points_change(memory.points, points);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    memory.lines[i].take(change, directions[i], params);
+    WallFinder(memory.lines[i], directions[i], params).append_to(walls);
+  }
+  memory.points.assign(points.begin(), points.end());
   return walls;
+}
+
+std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params) {
+  WallMemory none;
+  return extract_walls(points, compass_rad, params, none);
 }
 
 }  // namespace topo::walls

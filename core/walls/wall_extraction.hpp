@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
 #include "core/types/geometry.hpp"
+#include "core/walls/wall_lines.hpp"
+#include "core/walls/wall_params.hpp"
 #include "core/walls/wall_store.hpp"
 
 namespace topo::walls {
-
-struct WallParams {
-  double bin_m = 0.10;      ///< bin of the projection across the wall
-  double gap_max_m = 0.45;  ///< a run goes on over a smaller gap: less than half of the narrowest door, more
-                            ///< than what a pipe or a person hides
-  double length_min_m = 1.0;  ///< paper section II-B
-  int points_min = 8;         ///< a local maximum with fewer cells is noise
-  double filled_min = 0.35;   ///< share of a run's length that cells were seen on
-  double contrast_min = 2.2;  ///< so many times the cells of the lines beside it: clutter is no wall
-};
 
 /// Centres of the store's cells that are wall by their heights (is_wall).
 std::vector<types::Vector2> wall_points(const WallStore& store);
@@ -35,5 +28,18 @@ std::vector<types::Vector2> occupied_points(const grid::DenseMap& map);
 /// within each bin.
 std::vector<types::Segment> extract_walls(std::span<const types::Vector2> points, double compass_rad,
                                           const WallParams& params = {});
+
+/// What one extraction leaves to the next.
+struct WallMemory {
+  std::vector<types::Vector2> points;
+  WallParams params;
+  std::array<WallLines, 2> lines;  ///< of what runs along the compass, and across it
+};
+
+/// The same, equal to the bit, from what the extraction of other points left, and leaves it of these. Costs
+/// what has changed, and a few passes over the points, while the compass stays the same and the box of the
+/// points in its frame.
+std::vector<types::Segment> extract_walls(std::span<const types::Vector2> points, double compass_rad,
+                                          const WallParams& params, WallMemory& memory);
 
 }  // namespace topo::walls

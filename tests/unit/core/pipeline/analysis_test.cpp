@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/grid/distance.hpp"
@@ -107,7 +108,9 @@ void check_goals(const std::vector<goals::Goal>& a, const std::vector<goals::Goa
 }
 
 TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
-  EXPECT_TRUE(rc::check([] {
+  int angles_kept = 0, angles_changed = 0;
+  EXPECT_TRUE(rc::check([&] {
+    std::optional<double> last_rad;
     Exploration exploration(building());
     AnalysisMemory memory;
     // Of a map that does not get larger more is kept.
@@ -128,6 +131,8 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
       RC_ASSERT(again.revision == whole.revision);
       RC_ASSERT(again.map.cells == whole.map.cells);
       RC_ASSERT(again.compass.angle_rad == whole.compass.angle_rad);
+      ++(again.compass.angle_rad == std::exchange(last_rad, whole.compass.angle_rad) ? angles_kept
+                                                                                     : angles_changed);
       RC_ASSERT(again.walls.size() == whole.walls.size());
       for (std::size_t w = 0; w < again.walls.size(); ++w)
         RC_ASSERT(again.walls[w].a == whole.walls[w].a && again.walls[w].b == whole.walls[w].b);
@@ -137,6 +142,8 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
       check_goals(again.goals.rejected, whole.goals.rejected);
     }
   }));
+  EXPECT_GT(angles_kept, 50);
+  EXPECT_GT(angles_changed, 50);
 }
 
 /// Of a coarse map the distances given are not those between its own cells.

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/walls/wall_lines.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace topo::walls {
+namespace {
+
+using Points = std::span<const types::Vector2>;
+
+bool is_before(const Place& a, const Place& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); }
+
+/// As std::merge, without a branch that nobody can predict.
+void merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> out) {
+  const Place *at_a = a.data(), *at_b = b.data();
+  const Place *const end_a = at_a + a.size(), *const end_b = at_b + b.size();
+  Place* to = out.data();
+  while (at_a != end_a && at_b != end_b) {
+    const bool second = is_before(*at_b, *at_a);
+    *to++ = *(second ? at_b : at_a);
+    at_a += second ? 0 : 1;
+    at_b += second ? 1 : 0;
+  }
+  std::copy(at_b, end_b, std::copy(at_a, end_a, to));
+}
+
+/// Share of a run's length, in bins, that points were seen on.
+double filled_share(std::span<const Place> places, double bin_m) {
+  const float per_m = static_cast<float>(1.0 / bin_m);
+  int filled = 0, last = -1;
+  for (const Place& place : places) {
+    const int slot = static_cast<int>((place.u - places.front().u) * per_m);
+    if (slot != last) ++filled;
+    last = slot;
+  }
+  return static_cast<double>(filled) / (last + 1);
+}
+
+std::size_t points_min(const WallParams& params) {
+  return static_cast<std::size_t>(std::max(params.points_min, 2));
+}
+
+/// Cuts a line at its gaps: calls f(first, count).
+template <class F>
+void for_contiguous(std::span<const Place> places, double gap_max_m, F&& f) {
+  const auto gap_m = static_cast<float>(gap_max_m);
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= places.size(); ++i) {
+    if (i < places.size() && places[i].u - places[i - 1].u <= gap_m) continue;
+    if (i > first) f(first, i - first);
+    first = i;
+  }
+}
+
+std::vector<double> across_of(Points points, const Direction& along) {
+  std::vector<double> across_m(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    across_m[k] = along.cos * points[k].y() - along.sin * points[k].x();
+  return across_m;
+}
+
+}  // namespace
+
+bool is_wall_run(std::span<const Place> places, const WallParams& params) {
+  if (places.size() < points_min(params)) return false;
+  // A hair of slack: 20 cells of 0.05 m are a metre, whatever the rounding of the projection says.
+  const double length_m = static_cast<double>(places.back().u - places.front().u) + 1e-3;
+  return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
+}
+
+void WallLines::take(const PointsChange& points, const Direction& direction, const WallParams& params) {
+  const std::vector<double> across_m = across_of(points.now, direction);
+  const Layout layout = layout_of(across_m, direction, params.bin_m / 2.0);
+  const std::vector<std::size_t> first_before = std::exchange(first_, {});
+  if (std::exchange(layout_, layout) == layout)
+    change_bins(points, first_before);
+  else
+    fill_bins(points.now, across_m);
+  renew_lines(first_before, params);
+}
+
+WallLines::Layout WallLines::layout_of(std::span<const double> across_m, const Direction& direction,
+                                       double half_bin_m) {
+  double low_m = across_m.front(), high_m = across_m.front();
+  for (const double v : across_m) {
+    low_m = v < low_m ? v : low_m;
+    high_m = high_m < v ? v : high_m;
+  }
+  // A few points far out must not ask for more bins than there are points to put into them.
+  const double bins_max = 1000.0 + 8.0 * static_cast<double>(across_m.size());
+  const double wide_m = high_m - low_m, width_m = std::max(half_bin_m, wide_m / bins_max);
+  return {direction, low_m, width_m, static_cast<std::size_t>(wide_m / width_m) + 1};
+}
+
+void WallLines::fill_bins(Points points, std::span<const double> across_m) {
+  const Layout layout = layout_;
+  std::vector<std::int32_t> bins(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) bins[k] = layout.bin(across_m[k]);
+  first_.assign(layout.bins + 2, 0);
+  for (const std::int32_t bin : bins) ++first_[static_cast<std::size_t>(bin) + 1];
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  places_.resize(points.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 2);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    places_[next[static_cast<std::size_t>(bins[k])]++] = layout.place(points[k], across_m[k]);
+  sort_bins();
+  is_new_.assign(layout.bins + 1, 1);
+}
+
+void WallLines::sort_bins() {
+  for (std::size_t i = 0; i < layout_.bins; ++i) {
+    const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
+               end = places_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]);
+    // Of points row by row most bins are in order along one of the two directions.
+    if (!std::is_sorted(begin, end, is_before)) std::sort(begin, end, is_before);
+  }
+}
+
+WallLines::BinnedPlaces WallLines::binned(Points points) const {
+  BinnedPlaces binned;
+  for (const types::Vector2& p : points) {
+    const double across_m = layout_.across(p);
+    binned.emplace_back(layout_.bin(across_m), layout_.place(p, across_m));
+  }
+  std::sort(binned.begin(), binned.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : is_before(a.second, b.second);
+  });
+  return binned;
+}
+
+void WallLines::change_bins(const PointsChange& points, std::span<const std::size_t> first_before) {
+  const BinnedPlaces come = binned(points.come), gone = binned(points.gone);
+  const std::vector<Place> before = std::exchange(places_, {});
+  places_.reserve(points.now.size());
+  first_.reserve(first_before.size());
+  is_new_.assign(layout_.bins + 1, 0);
+  auto next_come = come.begin(), next_gone = gone.begin();
+  std::vector<Place> here_come, here_gone, stay;
+  const auto take_of = [](std::size_t bin, auto& next, auto end, std::vector<Place>& places) {
+    places.clear();
+    for (; next != end && static_cast<std::size_t>(next->first) == bin; ++next)
+      places.push_back(next->second);
+  };
+  for (std::size_t bin = 0; bin < layout_.bins; ++bin) {
+    first_.push_back(places_.size());
+    const auto old = std::span(before).subspan(first_before[bin], first_before[bin + 1] - first_before[bin]);
+    take_of(bin, next_come, come.end(), here_come);
+    take_of(bin, next_gone, gone.end(), here_gone);
+    is_new_[bin] = here_come.empty() && here_gone.empty() ? 0 : 1;
+    stay.clear();
+    std::set_difference(old.begin(), old.end(), here_gone.begin(), here_gone.end(), std::back_inserter(stay),
+                        is_before);
+    std::merge(stay.begin(), stay.end(), here_come.begin(), here_come.end(), std::back_inserter(places_),
+               is_before);
+  }
+  first_.insert(first_.end(), 2, places_.size());
+}
+
+void WallLines::renew_lines(std::span<const std::size_t> first_before, const WallParams& params) {
+  const std::vector<Place> before = std::exchange(merged_, std::vector<Place>(start_of(layout_.bins)));
+  const std::vector<Stretch> stretches_before = std::exchange(stretches_, {});
+  auto old = stretches_before.begin();
+  for (std::size_t line = 0; line < layout_.bins; ++line) {
+    const auto low = bin(line), high = bin(line + 1);
+    const auto places = std::span(merged_).subspan(start_of(line), low.size() + high.size());
+    const auto old_end = std::find_if(old, stretches_before.end(),
+                                      [line](const Stretch& stretch) { return stretch.line > line; });
+    if (is_new_[line] == 0 && is_new_[line + 1] == 0) {
+      const Place* const same = before.data() + start_of(line, first_before);
+      std::copy(same, same + places.size(), places.begin());
+      stretches_.insert(stretches_.end(), old, old_end);
+    } else if (places.size() >= points_min(params)) {
+      merge(low, high, places);
+      find_stretches(line, places, params);
+    }
+    old = old_end;
+  }
+}
+
+void WallLines::find_stretches(std::size_t line, std::span<const Place> places, const WallParams& params) {
+  for_contiguous(places, params.gap_max_m, [&](std::size_t first, std::size_t count) {
+    if (is_wall_run(places.subspan(first, count), params)) stretches_.push_back({line, first, count});
+  });
+}
+
+}  // namespace topo::walls

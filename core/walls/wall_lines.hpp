@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/walls/points_change.hpp"
+#include "core/walls/wall_params.hpp"
+
+namespace topo::walls {
+
+/// A point by where it is along the walls looked for, and across.
+struct Place {
+  float u;
+  float v;
+};
+
+/// Of walls.
+struct Direction {
+  double cos, sin;
+  friend bool operator==(const Direction&, const Direction&) = default;
+};
+
+/// What is long, full and dense enough to be a wall.
+bool is_wall_run(std::span<const Place> places, const WallParams& params);
+
+/// The points of one direction in lines of overlapping bins: line i holds what lies in half bins i and i + 1,
+/// by u. A wall of less than half a bin is then whole in some line, wherever it lies. A value.
+class WallLines {
+ public:
+  /// Points of a line that follow each other without a gap and may be a wall.
+  struct Stretch {
+    std::size_t line;
+    std::size_t first, count;  ///< among the line's
+  };
+
+  /// Makes of the lines of other points those of these, `points` telling how they differ. Costs what has
+  /// changed, and a pass over the points, while the direction and the extent across it stay the same; the
+  /// parameters must. At least one point.
+  void take(const PointsChange& points, const Direction& direction, const WallParams& params);
+
+  [[nodiscard]] std::size_t size() const { return layout_.bins; }
+  /// Of a half bin, by u.
+  [[nodiscard]] std::span<const Place> bin(std::size_t i) const {
+    return std::span(places_).subspan(first_[i], first_[i + 1] - first_[i]);
+  }
+  /// A wall gives one in each line that it touches.
+  [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
+  [[nodiscard]] std::span<const Place> places_of(const Stretch& stretch) const {
+    return std::span(merged_).subspan(start_of(stretch.line) + stretch.first, stretch.count);
+  }
+
+ private:
+  /// How points fall into half bins.
+  struct Layout {
+    Direction along{1.0, 0.0};
+    double low_m = 0.0, width_m = 1.0;
+    std::size_t bins = 0;
+    friend bool operator==(const Layout&, const Layout&) = default;
+
+    [[nodiscard]] double across(const types::Vector2& p) const {
+      return along.cos * p.y() - along.sin * p.x();
+    }
+    /// Signed, as vector instructions want it.
+    [[nodiscard]] std::int32_t bin(double across_m) const {
+      return static_cast<std::int32_t>((across_m - low_m) / width_m);
+    }
+    [[nodiscard]] Place place(const types::Vector2& p, double across_m) const {
+      return {static_cast<float>(along.cos * p.x() + along.sin * p.y()), static_cast<float>(across_m)};
+    }
+  };
+  /// In the order of half bins, and of places within each.
+  using BinnedPlaces = std::vector<std::pair<std::int32_t, Place>>;
+
+  static Layout layout_of(std::span<const double> across_m, const Direction& direction, double half_bin_m);
+  void fill_bins(std::span<const types::Vector2> points, std::span<const double> across_m);
+  void sort_bins();
+  void change_bins(const PointsChange& points, std::span<const std::size_t> first_before);
+  [[nodiscard]] BinnedPlaces binned(std::span<const types::Vector2> points) const;
+  void renew_lines(std::span<const std::size_t> first_before, const WallParams& params);
+  void find_stretches(std::size_t line, std::span<const Place> places, const WallParams& params);
+
+  /// Where in `merged_` a line begins: behind the bins before it, all of which but the first are in two
+  /// lines.
+  [[nodiscard]] static std::size_t start_of(std::size_t line, std::span<const std::size_t> first) {
+    return first[line] + first[line + 1] - first[1];
+  }
+  [[nodiscard]] std::size_t start_of(std::size_t line) const { return start_of(line, first_); }
+
+  Layout layout_;
+  std::vector<std::size_t> first_;    ///< of every half bin, one past the last, and that again
+  std::vector<Place> places_;         ///< bin by bin
+  std::vector<std::uint8_t> is_new_;  ///< of every half bin and one more: not as it was before
+  std::vector<Place> merged_;         ///< line by line; of lines with too few points without meaning
+  std::vector<Stretch> stretches_;
+};
+
+}  // namespace topo::walls
