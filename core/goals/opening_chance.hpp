@@ -12,10 +12,9 @@ namespace topo::goals {
 /// How likely an opening leads onto much, 10 m2 or more that a robot can reach: the odds grow in proportion
 /// to its width, and with its distance from all paths to the power 1.5. Who has passed close by has seen into
 /// whatever is wide; what is still unknown beside a path is the shadow of something. That is the pose history
-/// of paper section II-E as a matter of degree. Fitted to the openings of partial maps of the floor plans
-/// that the project is measured on; fits to halves of them agree. The unknown space ahead says a little more,
-/// and costs a flood at every opening; room for the robot's disc, occupied cells beside it and rays add
-/// nothing.
+/// of paper section II-E as a matter of degree. Fitted to the openings of partial maps of one half of the
+/// floor plans and tried on the other half; what else was tried (unknown space ahead, room for the robot's
+/// disc, occupied cells beside it, rays) adds nothing to these two.
 double chance_to_lead_on(double opening_m, double from_paths_m);
 
 /// From a point to the nearest pose of all paths; HUGE_VAL where there is none. Costs the poses.
