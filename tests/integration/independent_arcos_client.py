@@ -71,7 +71,20 @@ class Arcos:
                 self.bad += 1
                 self.link.buffer = data[start + 2:]
                 continue
-            self.link.fill(deadline)
+            if start < 0:
+                self.link.fill(deadline)
+            else:
+                self.fill_or_skip(start, deadline)
+
+    def fill_or_skip(self, start, deadline, silence=0.3):
+        """More of the packet that begins there. One that a reset cut short has no more: what came after it counts."""
+        try:
+            self.link.fill(min(deadline, time.monotonic() + silence))
+        except TimeoutError:
+            if time.monotonic() >= deadline:
+                raise
+            self.bad += 1
+            self.link.buffer = self.link.buffer[start + 2:]
 
     def sip(self):
         while True:
