@@ -68,10 +68,10 @@ double Trail::turn_to_back_rad() const {
 }
 
 types::Twist2 Trail::back_twist(double speed_mps) const {
-  constexpr double kOff_rad = 0.35, kOff_m = 0.1;
+  constexpr double kOff_m = 0.1;
   if (size_ < 2) return {};
   const Vector2 target = target_base();
-  if (target.norm() < kSpacing_m || std::abs(turn_to_back_rad()) > kOff_rad) return {};
+  if (target.norm() < kSpacing_m || std::abs(turn_to_back_rad()) > kBehind_rad) return {};
   if ((points_[size_ - 1] - pose_.translation()).norm() > kOff_m) return {};
   return {-speed_mps, -speed_mps * 2.0 * target.y() / target.squaredNorm()};
 }

@@ -11,12 +11,14 @@
 
 namespace topo::motion {
 
-/// The last metre of the way that the robot drove forwards, in odom: the only way back that it knows to be
-/// free (DESIGN "Motion and safety": the rear is blind). Fixed size.
+/// The last metre of the way that the robot drove forwards, in odom or whatever frame the poses are in
+/// (steady_frame.hpp): the only way back that it knows to be free (DESIGN "Motion and safety": the rear is
+/// blind). Fixed size.
 class Trail {
  public:
   static constexpr double kSpacing_m = 0.02;
   static constexpr double kLength_m = 1.0;
+  static constexpr double kBehind_rad = 0.35;  ///< farther aside than this the trail is not behind the robot
 
   /// The newest pose. Forwards the trail grows, backwards it is used up; a jump of more than a quarter of a
   /// metre (the base's reckoning began anew) ends it.
@@ -27,7 +29,7 @@ class Trail {
   [[nodiscard]] double length_m() const;
 
   /// Backwards along the trail with |v| = `speed_mps`; zero when there is no trail left, or when it does not
-  /// lie straight behind (within 20 degrees and 0.1 m).
+  /// lie straight behind (within kBehind_rad and 0.1 m).
   [[nodiscard]] types::Twist2 back_twist(double speed_mps) const;
   /// How far the robot has to turn so that the trail lies straight behind, radians; 0 without a trail.
   [[nodiscard]] double turn_to_back_rad() const;

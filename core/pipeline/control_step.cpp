@@ -12,6 +12,7 @@
 #include "core/motion/moving_obstacles.hpp"
 #include "core/motion/path_follower.hpp"
 #include "core/motion/recovery.hpp"
+#include "core/motion/steady_frame.hpp"
 #include "core/motion/stop_zone.hpp"
 #include "core/motion/trail.hpp"
 #include "core/motion/unseen_echoes.hpp"
@@ -94,6 +95,8 @@ struct ControlState::Impl {
   GateReason last_reason = GateReason::kFree;
   motion::PathFollower follower;
   motion::Recovery recovery;
+  motion::SteadyFrame steady_frame;  ///< of the trail and of the blind spot
+  std::uint64_t steady_plan = 0;     ///< the last one that it was told of
   motion::Trail trail;
   types::Stamp trail_stamp{};
   types::Stamp wanted_at{};  ///< when somebody last wanted to move; zero: never, or an e-stop since
@@ -120,6 +123,7 @@ struct ControlState::Impl {
                                                                         const ControlInput& in);
   [[nodiscard]] std::span<const motion::ScanPoint> look_around(
       const ControlSetup& setup, const ControlInput& in, std::span<const motion::MovingObstacle> moving_now);
+  void follow_drift(const ControlSetup& setup, const ControlInput& in);
   void drive_on(const ControlInput& in);
   void count_touches(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] bool may_follow(const ControlSetup& setup, const ControlInput& in);
@@ -190,7 +194,7 @@ std::span<const motion::ScanPoint> ControlState::Impl::look_around(
   const std::span<motion::ScanPoint> all(points);
   const std::size_t seen = motion::scan_points(*in.front, setup.T_base_laser, all.subspan(kSeen));
   if (in.state == nullptr || !motion::is_finite(*in.state)) return all.subspan(kSeen, seen);
-  const types::Odometry& odometry = in.state->odometry;
+  const types::Odometry odometry = steady_frame.steady(in.state->odometry);
   blind_spot.update(*in.front, setup.T_base_laser, all.subspan(kSeen, seen), moving_now,
                     setup.limits.footprint, odometry);
   const std::size_t kept = blind_spot.size();
@@ -198,11 +202,19 @@ std::span<const motion::ScanPoint> ControlState::Impl::look_around(
   return all.subspan(kSeen - kept, kept + seen);
 }
 
+/// Once for every plan.
+void ControlState::Impl::follow_drift(const ControlSetup& setup, const ControlInput& in) {
+  if (in.state == nullptr || !motion::is_finite(*in.state)) return;
+  if (!place(setup, in)) return steady_frame.lose();
+  if (in.plan->sequence == std::exchange(steady_plan, in.plan->sequence)) return;
+  steady_frame.update(in.plan->T_map_odom, in.state->odometry);
+}
+
 /// The trail takes every reckoning once.
 void ControlState::Impl::drive_on(const ControlInput& in) {
   if (in.state == nullptr || in.state->odometry.stamp == trail_stamp || !motion::is_finite(*in.state)) return;
   trail_stamp = in.state->odometry.stamp;
-  trail.update(in.state->odometry.T_odom_base.se2());
+  trail.update(steady_frame.steady(in.state->odometry).T_odom_base.se2());
 }
 
 void ControlState::Impl::count_touches(const ControlSetup& setup, const ControlInput& in) {
@@ -337,6 +349,7 @@ void ControlState::Impl::latch(const ControlInput& in) {
 
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input) {
   ControlState::Impl& memory = *state.impl_;
+  memory.follow_drift(setup, input);
   memory.drive_on(input);
   memory.count_touches(setup, input);
   motion::GateInput gate_in = memory.gate_input(setup, input);

@@ -226,6 +226,28 @@ TEST_F(ControlStepTest, BacksOffFromWhatBlocksItButNotIntoAMate) {
   EXPECT_LT(fastest_back_mps(false), -0.05);
 }
 
+/// A robot that stands where it came to, while its odometry turns it by 0.2 rad and the map knows better.
+TEST_F(ControlStepTest, BacksOffAlongItsTrailThoughTheOdometryHasDrifted) {
+  Plan plan;
+  plan.located = true;
+  input.plan = &plan;
+  drive.twist = {};
+  const auto period = [&](const types::Se2& T_map_base, const types::Se2& T_odom_base) {
+    state.odometry.stamp = plan.stamp = now + milliseconds(50);
+    state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(T_odom_base);
+    plan.T_map_odom = types::Transform2<types::Map, types::Odom>(T_map_base * T_odom_base.inverse());
+    ++plan.sequence;
+    return run(1);
+  };
+  for (int i = 0; i <= 50; ++i) period({0.02 * i, 0.0, 0.0}, {0.02 * i, 0.0, 0.0});
+  for (int i = 0; i <= 10; ++i) period({1.0, 0.0, 0.0}, {1.0, 0.0, 0.02 * i});
+  drive.twist = {-0.1, 0.0};
+  types::Twist2 back;
+  for (int i = 0; i < 10; ++i) back = period({1.0, 0.0, 0.0}, {1.0, 0.0, 0.2}).command.twist;
+  EXPECT_LT(back.v_mps, -0.05);
+  EXPECT_NEAR(back.omega_radps, 0.0, 0.02) << "the trail is straight behind";
+}
+
 TEST_F(ControlStepTest, EveryTouchIsCountedOnceWithItsPlace) {
   state.odometry.T_odom_base = {1.0, 2.0, 0.0};
   EXPECT_EQ(run(3).report.touches, 0U);

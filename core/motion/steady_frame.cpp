@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/steady_frame.hpp"
+
+#include <cmath>
+
+namespace topo::motion {
+namespace {
+
+// The matcher's noise, and a fifth of what the robot went and turned: five percent of scale and a short slip.
+constexpr double kNoise_m = 0.02, kNoise_rad = 0.02;
+constexpr double kShare = 0.2;
+
+bool is_drift(const types::Se2& by, const types::Se2& way) {
+  return by.translation().norm() <= kNoise_m + kShare * way.translation().norm() &&
+         std::abs(by.theta_rad) <= kNoise_rad + kShare * std::abs(way.theta_rad);
+}
+
+}  // namespace
+
+void SteadyFrame::update(const types::Transform2<types::Map, types::Odom>& T_map_odom,
+                         const types::Odometry& odometry) {
+  const types::Se2& now = T_map_odom.se2();
+  const types::Se2& T_odom_base = odometry.T_odom_base.se2();
+  if (T_map_odom_) {
+    // The correction as the robot feels it: far from the origin a small turn of odom is a long way.
+    const types::Se2 by = (*T_map_odom_ * T_odom_base).inverse() * (now * T_odom_base);
+    const types::Se2 way = T_odom_base_.inverse() * T_odom_base;
+    if (is_drift(by, way)) T_steady_odom_ = T_steady_odom_ * T_odom_base * by * T_odom_base.inverse();
+  }
+  T_map_odom_ = now;
+  T_odom_base_ = T_odom_base;
+}
+
+types::Odometry SteadyFrame::steady(const types::Odometry& odometry) const {
+  types::Odometry out = odometry;
+  out.T_odom_base = types::Transform2<types::Odom, types::Base>(T_steady_odom_ * odometry.T_odom_base.se2());
+  return out;
+}
+
+}  // namespace topo::motion
