@@ -17,6 +17,8 @@ constexpr types::Duration kRefused = milliseconds(700);  // then this motion wil
 constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
 constexpr types::Duration kTryMax = 2 * kPhaseMax;  // what is left of it is for leaving
 constexpr double kAligned_rad = 0.25;
+// The tail of a P3-DX swings 2 cm aside: less than the margin that it came with.
+constexpr double kStraightBehind_rad = 0.1;
 constexpr double kBackedSlack_m = 0.05;
 constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
 
@@ -47,6 +49,7 @@ void Recovery::enter(RecoveryPhase phase, const RecoveryInput& in) {
   since_ = in.now;
   blocked_ = refused_ = Stamp{};
   sense_ = 0;
+  backs_askew_ = false;
   progress_ = in.now;
   progress_at_ = phase_at_ = in.T_odom_base.translation();
 }
@@ -113,14 +116,21 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
     return {};
   }
   const double aside_rad = in.trail->turn_to_back_rad();
-  // The robot has turned since: first bring the trail behind it.
-  const bool aside = !in.touching && backed_m < 0.05 && std::abs(aside_rad) > kAligned_rad &&
-                     in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s;
+  // The robot has turned since: first bring the trail behind it, or the tail sweeps where it never was.
+  bool aside = !in.touching && !backs_askew_ && backed_m < 0.05 &&
+               std::abs(aside_rad) > kStraightBehind_rad &&
+               in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s;
+  if (aside && std::abs(aside_rad) <= Trail::kBehind_rad && lasts(refused_, in.now, kRefused)) {
+    // No room to turn even so little, as in a doorway: then back as it stands, as far as the gate lets it.
+    backs_askew_ = true;
+    aside = false;
+    refused_ = Stamp{};
+  }
   if (aside) turn_other_way_when_refused(aside_rad, in);
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
+  if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits), false};
   const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
   if (twist != types::Twist2{}) return {phase_, twist, true};
-  if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits), false};
   backed_m_ = backed_m;
   enter(RecoveryPhase::kTurning, in);
   return turn(in);

@@ -71,11 +71,12 @@ class Recovery {
 
   RecoveryRules rules_;
   RecoveryPhase phase_ = RecoveryPhase::kNone;
-  types::Stamp since_{};     ///< of the phase
-  types::Stamp blocked_{};   ///< since when; zero: not
-  types::Stamp refused_{};   ///< since when; zero: not
-  int sense_ = 0;            ///< of a turn that was refused the shorter way: 1 left, -1 right
-  types::Stamp progress_{};  ///< when it last got on
+  types::Stamp since_{};      ///< of the phase
+  types::Stamp blocked_{};    ///< since when; zero: not
+  types::Stamp refused_{};    ///< since when; zero: not
+  int sense_ = 0;             ///< of a turn that was refused the shorter way: 1 left, -1 right
+  bool backs_askew_ = false;  ///< it had no room to bring the trail straight behind it
+  types::Stamp progress_{};   ///< when it last got on
   types::Vector2 progress_at_{0.0, 0.0};
   types::Vector2 phase_at_{0.0, 0.0};
   types::Vector2 first_at_{0.0, 0.0};  ///< of the first try

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <vector>
 
 namespace topo::motion {
@@ -80,6 +81,45 @@ TEST(Recovery, BacksOffFartherAtTheNextTry) {
   ASSERT_EQ(backed_m.size(), 2U);
   EXPECT_NEAR(backed_m[0], 0.2, 0.02);
   EXPECT_NEAR(backed_m[1], 0.4, 0.02);
+}
+
+/// In a dead end half a metre wide the tail of a robot that backed off 0.3 rad aside met the wall.
+TEST(Recovery, BacksOffOnlyWhenTheTrailIsBehindIt) {
+  for (const double turned_rad : {-0.34, -0.2, 0.15, 0.3}) {
+    StuckRobot s;
+    s.in.blocked = true;
+    s.in.T_odom_base.theta_rad = turned_rad;
+    s.trail.update(s.in.T_odom_base);
+    bool backs_off = false;
+    for (int i = 0; i < 200 && !backs_off; ++i) {
+      const double aside_rad = s.trail.turn_to_back_rad();
+      backs_off = s.step().backing_off;
+      EXPECT_TRUE(!backs_off || std::abs(aside_rad) <= 0.1) << turned_rad;
+    }
+    EXPECT_TRUE(backs_off) << turned_rad;
+  }
+}
+
+/// Ten degrees askew in a doorway, one corner 2 cm from the jamb: there was no room to turn, and it stayed.
+TEST(Recovery, WhoHasNoRoomForASmallTurnBacksOffAsItStands) {
+  StuckRobot s;
+  s.in.blocked = true;
+  s.in.T_odom_base.theta_rad = 0.2;
+  s.trail.update(s.in.T_odom_base);
+  bool backs_off = false;
+  double turned_rad = 0.0;
+  for (int i = 0; i < 200 && !backs_off; ++i) {
+    const types::Se2 before = s.in.T_odom_base;
+    const RecoveryOutput out = s.step();
+    backs_off = out.backing_off;
+    s.in.refused = !backs_off && out.twist.omega_radps != 0.0;
+    if (s.in.refused) s.in.T_odom_base = before;
+    s.trail.update(s.in.T_odom_base);
+    turned_rad = std::max(turned_rad, std::abs(s.in.T_odom_base.theta_rad - 0.2));
+    if (out.phase == RecoveryPhase::kTurning) break;
+  }
+  EXPECT_TRUE(backs_off);
+  EXPECT_LT(turned_rad, 0.05) << "not the long way round";
 }
 
 /// Turned aside between furniture, with something in the corner that the shorter turn back would sweep.
