@@ -171,7 +171,7 @@ std::optional<CellIndex> approach_cell(const DenseMap& map, const Frontier& fron
     std::optional<CellIndex> best;
     double best_m2 = HUGE_VAL;
     for (const Spread::Place& at : spread.ring()) {
-      if (std::isinf(field.cost_m[at.in_map])) continue;
+      if (!field.can_stay_at(at.in_map)) continue;
       const CellIndex cell = map.cell(at.in_map);
       const double away_m2 = (map.centre_of(cell) - frontier.centroid).squaredNorm();
       if (away_m2 >= best_m2) continue;

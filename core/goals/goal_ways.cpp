@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/grid/nearest_reachable.hpp"
+
 namespace topo::goals {
 namespace {
 

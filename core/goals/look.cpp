@@ -123,7 +123,7 @@ class Sights {
     for (std::int32_t y = around_.min.y; y <= around_.max.y; ++y) {
       for (std::int32_t x = around_.min.x; x <= around_.max.x; ++x) {
         const int sources = blocks_.find(block_of({x, y}))->sources;
-        if (sources < kLeast || std::isinf(field.cost_m[map_.index({x, y})])) continue;
+        if (sources < kLeast || !field.can_stay_at(map_.index({x, y}))) continue;
         reached.emplace_back(CellIndex{x, y}, sources);
         most = std::max(most, sources);
       }

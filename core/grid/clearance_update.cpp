@@ -44,7 +44,7 @@ struct RowRenewal {
 
   RowPass pass;
   std::vector<float> now_m;
-  std::vector<Cells> reached;
+  std::vector<Cells> others, reached;
 };
 
 /// Distances along some columns side by side, in the rows [low, high).
@@ -82,9 +82,11 @@ struct ClearanceUpdate::Impl {
   std::vector<Steps> steps;  ///< distance along the column to the nearest boundary
   std::vector<float> clearance_m;
   std::optional<std::vector<std::uint32_t>> changed;
+  OccupiedChange occupied;
 
   void lay_out(const DenseMap& map);
   [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
+  void take_cells(const DenseMap& map, std::size_t first, std::size_t count);
   void widen(Strip& strip) const;
   void measure(Strip& strip) const;
   void renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal);
@@ -94,6 +96,7 @@ struct ClearanceUpdate::Impl {
 void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   const bool is_same =
       resolution_m == map.resolution_m && !box.empty() && map.contains(box.min) && map.contains(box.max);
+  occupied = {};
   changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
   if (is_same && box == map.box) return;
   const CellBox before = is_same ? box : CellBox{};
@@ -113,10 +116,18 @@ std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map) {
                        [&](std::size_t y, std::size_t x, std::size_t count) {
                          Strip& strip = strips[x / kStripWidth];
                          strip = {x, count, std::min(strip.low, y), y + 1, {}};
-                         std::copy_n(&map.cells[y * width + x], count, &cells[y * width + x]);
+                         take_cells(map, y * width + x, count);
                        });
   std::erase_if(strips, [](const Strip& strip) { return strip.width == 0; });
   return strips;
+}
+
+void ClearanceUpdate::Impl::take_cells(const DenseMap& map, std::size_t first, std::size_t count) {
+  for (std::size_t i = first; i < first + count; ++i) {
+    const CellState is = map.cells[i], was = std::exchange(cells[i], is);
+    if (is == was || (is != CellState::kOccupied && was != CellState::kOccupied)) continue;
+    (is == CellState::kOccupied ? occupied.come : occupied.gone).push_back(static_cast<std::uint32_t>(i));
+  }
 }
 
 /// By the rows to both sides in which distances may be others: up to where boundary was met in each column,
@@ -153,7 +164,7 @@ void ClearanceUpdate::Impl::measure(Strip& strip) const {
 void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal) {
   const std::size_t at = y * static_cast<std::size_t>(box.width());
   float* const row_m = &clearance_m[at];
-  renewal.reached.clear();
+  renewal.others.clear();
   for (const Strip& strip : strips) {
     if (!strip.has_row(y)) continue;
     const std::span<const Steps> is(strip.row(y), strip.width);
@@ -163,9 +174,10 @@ void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> stri
     while (is[from] == was[from]) ++from;
     while (is[end - 1] == was[end - 1]) --end;
     std::ranges::copy(is, was);
-    const Cells there{static_cast<int>(strip.first + from), static_cast<int>(strip.first + end)};
-    unite(reached_from(there, row_m), renewal.reached);
+    unite({static_cast<int>(strip.first + from), static_cast<int>(strip.first + end)}, renewal.others);
   }
+  renewal.reached.clear();
+  for (const Cells& there : renewal.others) unite(reached_from(there, row_m), renewal.reached);
   float* const now_m = renewal.now_m.data();
   for (const Cells& those : renewal.reached) {
     std::fill(now_m + those.from, now_m + those.end, 0.0F);
@@ -197,6 +209,8 @@ ClearanceUpdate::~ClearanceUpdate() = default;
 const std::vector<float>& ClearanceUpdate::clearance_m() const { return impl_->clearance_m; }
 
 const std::optional<std::vector<std::uint32_t>>& ClearanceUpdate::changed() const { return impl_->changed; }
+
+const OccupiedChange& ClearanceUpdate::occupied() const { return impl_->occupied; }
 
 void ClearanceUpdate::take(const DenseMap& map) {
   Impl& impl = *impl_;

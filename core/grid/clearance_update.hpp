@@ -11,6 +11,11 @@
 
 namespace topo::grid {
 
+/// Cells that are occupied on one map and not on another.
+struct OccupiedChange {
+  std::vector<std::uint32_t> come, gone;
+};
+
 /// clearance_m with kOccupiedOrUnknown (distance.hpp) of one map after the other: a map that has grown or was
 /// corrected costs a comparison of its cells, and the transform around those that have changed.
 /// Always equal to the transform of the whole map.
@@ -30,6 +35,10 @@ class ClearanceUpdate {
   /// outside of that map had none. Nothing when it was another map: of another resolution, or with a box that
   /// is not inside this one's. Good until the next take().
   [[nodiscard]] const std::optional<std::vector<std::uint32_t>>& changed() const;
+
+  /// Of the map taken last, as against the one before it; of no meaning when that had another box. Good until
+  /// the next take().
+  [[nodiscard]] const OccupiedChange& occupied() const;
 
  private:
   struct Impl;

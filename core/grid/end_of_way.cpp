@@ -28,7 +28,7 @@ std::optional<CellIndex> end_of_way(const DenseMap& map, std::span<const float> 
   enter(goal, false);
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const auto [cell, past_unknown] = queue[i];
-    if (!std::isinf(field.cost_m[map.index(cell)]))
+    if (field.can_stay_at(map.index(cell)))
       return past_unknown || i == 0 ? std::optional(cell) : std::nullopt;
     enter({cell.x + 1, cell.y}, past_unknown);
     enter({cell.x - 1, cell.y}, past_unknown);

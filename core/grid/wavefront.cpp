@@ -128,19 +128,28 @@ class TravelSearch::Impl {
         : preferred_m_(static_cast<float>(rules.preferred_m)),
           per_m_(rules.preferred_m > rules.radius_m
                      ? static_cast<float>(rules.crowding / (rules.preferred_m - rules.radius_m))
-                     : 0.0F) {}
+                     : 0.0F),
+          radius_m_(static_cast<float>(rules.radius_m)),
+          tightness_(static_cast<float>(rules.tightness)) {}
     [[nodiscard]] float at(float clearance_m) const {
+      return leaving_at(clearance_m) + (clearance_m < radius_m_ ? tightness_ : 0.0F);
+    }
+    /// For a robot that stands there already.
+    [[nodiscard]] float leaving_at(float clearance_m) const {
       return 1.0F + per_m_ * std::max(0.0F, preferred_m_ - clearance_m);
     }
 
    private:
     float preferred_m_;
     float per_m_;
+    float radius_m_, tightness_;
   };
 
   void prepare(CellIndex start, const TravelRules& rules) {
     clear_field();
     field_->start = start;
+    field_->clearance_m = rules.tight_m < rules.radius_m ? clearance_m_ : std::span<const float>();
+    field_->radius_m = static_cast<float>(rules.radius_m);
     complete_ = true;
     marked_ = false;
     if (!map_->contains(start)) return;
@@ -148,13 +157,15 @@ class TravelSearch::Impl {
     field_->cost_m[first] = 0.0F;
     field_->written.push_back({first, first + 1});
     if (map_->is_on_border(start)) return;
-    price_cells(static_cast<float>(rules.radius_m));
-    const bool leaves = metre_cost_[first] == kUnreached;
+    const auto tight_m = static_cast<float>(std::min(rules.tight_m, rules.radius_m));
+    price_cells(tight_m);
+    const bool leaves =
+        metre_cost_[first] == kUnreached || clearance_m_[first] < static_cast<float>(rules.radius_m);
     if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
-    metre_cost_[first] = crowding_.at(clearance_m_[first]);  // whatever stands there, the robot does
+    metre_cost_[first] = crowding_.leaving_at(clearance_m_[first]);  // whatever stands there, the robot does
     field_->written = priced_;
     // Elsewhere the robot is too far from everything to get to a corner: mark_later need not ask.
-    may_pause_ = !is_near_something(static_cast<float>(rules.radius_m)) && !(leaves && meets_at_corners());
+    may_pause_ = !is_near_something(tight_m) && !(leaves && meets_at_corners());
     queue_.push(first, 0.0F);
     complete_ = false;
   }
@@ -172,7 +183,7 @@ class TravelSearch::Impl {
 
   /// What a metre costs in every cell, so that a step asks one array. Most of a map is not free: that costs
   /// nothing here. The outermost cells are never entered: neighbours of all others are in the array.
-  void price_cells(float radius_m) {
+  void price_cells(float tight_m) {
     for (const CellRun& run : priced_)
       std::fill(metre_cost_.begin() + run.first, metre_cost_.begin() + run.end, kUnreached);
     priced_.clear();
@@ -180,18 +191,18 @@ class TravelSearch::Impl {
     const auto width = static_cast<std::size_t>(map_->width());
     for (std::size_t row = width; row + width < map_->cells.size(); row += width) {
       for_each_free_run(map_->cells, row + 1, row + width - 1, [&](std::size_t first, std::size_t end) {
-        price_run(first, end, radius_m);
+        price_run(first, end, tight_m);
         priced_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)});
       });
     }
   }
-  void price_run(std::size_t first, std::size_t end, float radius_m) {
+  void price_run(std::size_t first, std::size_t end, float tight_m) {
     const Crowding crowding = crowding_;
     const float* const clearance_m = clearance_m_.data();
     float* const out = metre_cost_.data();
     for (std::size_t i = first; i < end; ++i) {
       const float here_m = clearance_m[i], open = crowding.at(here_m);
-      out[i] = here_m < radius_m ? kUnreached : open;
+      out[i] = here_m < tight_m ? kUnreached : open;
     }
   }
 
@@ -202,7 +213,7 @@ class TravelSearch::Impl {
         const CellIndex cell{x, y};
         if (!map_->contains(cell) || map_->is_on_border(cell) || !region.allows(cell)) continue;
         const std::size_t i = map_->index(cell);
-        metre_cost_[i] = crowding_.at(clearance_m_[i]);
+        metre_cost_[i] = crowding_.leaving_at(clearance_m_[i]);
         leaving_.extend(cell);
       }
     }
@@ -346,28 +357,6 @@ class TravelSearch::Impl {
   bool complete_ = true, may_pause_ = false, marked_ = false;
 };
 
-namespace {
-
-/// Calls f for the cells of the square ring `distance` cells around c.
-template <class F>
-void for_ring(CellIndex c, int distance, F&& f) {
-  if (distance == 0) return f(c);
-  for (int i = -distance; i < distance; ++i) {
-    f(CellIndex{c.x + i, c.y - distance});
-    f(CellIndex{c.x + distance, c.y + i});
-    f(CellIndex{c.x - i, c.y + distance});
-    f(CellIndex{c.x - distance, c.y - i});
-  }
-}
-
-/// How far a cell is from the box, along x or y; a double holds what 32 bits may not.
-double cells_outside(const CellBox& box, CellIndex c) {
-  const auto outside = [](double v, double low, double high) { return std::max({0.0, low - v, v - high}); };
-  return std::max(outside(c.x, box.min.x, box.max.x), outside(c.y, box.min.y, box.max.y));
-}
-
-}  // namespace
-
 TravelField travel_field(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
                          const TravelRules& rules) {
   TravelField field;
@@ -401,28 +390,6 @@ std::vector<CellIndex> route_to(const DenseMap& map, const TravelField& field, C
   }
   std::reverse(route.begin(), route.end());
   return route;
-}
-
-std::optional<CellIndex> nearest_reachable(const DenseMap& map, const TravelField& field, CellIndex goal,
-                                           double within_m) {
-  std::optional<CellIndex> best;
-  if (map.box.empty() || cells_outside(map.box, goal) * map.resolution_m > within_m) return best;
-  double best_m = within_m;
-  float best_cost_m = kUnreached;
-  const int side = std::max({std::abs(goal.x - map.box.min.x), std::abs(goal.x - map.box.max.x),
-                             std::abs(goal.y - map.box.min.y), std::abs(goal.y - map.box.max.y)});
-  for (int ring = 0; ring <= side && ring * map.resolution_m <= best_m; ++ring) {
-    for_ring(goal, ring, [&](CellIndex cell) {
-      if (!map.contains(cell)) return;
-      const float cost_m = field.cost_m[map.index(cell)];
-      const double away_m = distance_m(map, cell, goal);
-      if (std::isinf(cost_m) || away_m > best_m || (away_m == best_m && cost_m >= best_cost_m)) return;
-      best = cell;
-      best_m = away_m;
-      best_cost_m = cost_m;
-    });
-  }
-  return best;
 }
 
 }  // namespace topo::grid

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +16,10 @@ namespace topo::grid {
 
 /// What travelling costs (DESIGN "Exploration": one clearance-aware wavefront, unknown space forbidden).
 struct TravelRules {
-  double radius_m = 0.297;    ///< cells with less clearance are closed: the disc in which a P3-DX turns
+  double radius_m =
+      0.297;               ///< the disc in which a P3-DX turns: with less clearance it passes through, or not
+  double tight_m = 0.297;  ///< cells with less clearance are closed
+  double tightness = 100.0;   ///< extra cost of a metre below `radius_m`: another way is mostly better
   double preferred_m = 0.72;  ///< with more clearance than this a metre costs one metre
   double crowding = 3.0;      ///< extra cost of a metre at `radius_m`; falls linearly to 0 at preferred_m
   double start_m = 0.60;      ///< within this of the start, cells with too little clearance may be left
@@ -37,11 +39,19 @@ struct TravelField {
   std::vector<float> cost_m;
   std::vector<std::uint8_t> step;  ///< how the cell was entered: 0..7, the neighbour it came from; 255: none
   std::vector<CellRun> written;    ///< where a search may have set something: the next one clears no more
+  std::span<const float> clearance_m;  ///< what was searched by, borrowed; empty: nothing is tight
+  float radius_m = 0.0F;               ///< TravelRules::radius_m
+
+  /// Can the robot get to a cell and do there what it likes? In a tight passage it can but go on.
+  [[nodiscard]] bool can_stay_at(std::size_t index) const {
+    return cost_m[index] < std::numeric_limits<float>::infinity() &&
+           (clearance_m.empty() || clearance_m[index] >= radius_m);
+  }
 };
 
 /// Dijkstra over eight neighbours, with costs in a bucket queue. A step costs its length times the mean of
 /// what a metre costs at both ends, so a way costs the same in both directions. `clearance_m` as long as
-/// map.cells; where it is below `rules.radius_m` the robot cannot be, apart from the surroundings of the
+/// map.cells; where it is below `rules.tight_m` the robot cannot be, apart from the surroundings of the
 /// start: a robot that stands too near to something may leave, over free cells within rules.start_m that are
 /// no nearer to something than it is now (by more than a cell), and over whatever is not occupied below its
 /// own footprint. There, too, closeness costs, the more the closer. A step between two occupied cells that
@@ -82,9 +92,5 @@ class TravelSearch {
 
 /// The way to a cell, from the start on, as cells; empty when it cannot be reached.
 std::vector<CellIndex> route_to(const DenseMap& map, const TravelField& field, CellIndex goal);
-
-/// The reachable cell nearest to `goal` (straight line) within `within_m`; the goal itself when reachable.
-std::optional<CellIndex> nearest_reachable(const DenseMap& map, const TravelField& field, CellIndex goal,
-                                           double within_m);
 
 }  // namespace topo::grid

@@ -83,6 +83,14 @@ std::vector<Vector2> smooth_path(const DenseMap& map, std::span<const float> cle
   return points;
 }
 
+std::size_t nearest_point(std::span<const Vector2> path, const Vector2& here) {
+  const auto end = path.begin() + static_cast<std::ptrdiff_t>(std::min(path.size(), kNearPoints));
+  const auto nearest = std::min_element(path.begin(), end, [&](const Vector2& a, const Vector2& b) {
+    return (a - here).squaredNorm() < (b - here).squaredNorm();
+  });
+  return static_cast<std::size_t>(nearest - path.begin());
+}
+
 void put_path(std::span<const Vector2> path_map, const types::Transform2<types::Map, types::Odom>& T_map_odom,
               Plan& plan) {
   const types::Se2 T_odom_map = T_map_odom.se2().inverse();

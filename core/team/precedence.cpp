@@ -54,6 +54,7 @@ std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid
     for (std::int32_t dx = -reach; dx <= reach; dx += kStride) {
       const grid::CellIndex cell{field.start.x + dx, field.start.y + dy};
       if (!map.contains(cell) || field.cost_m[map.index(cell)] >= best_m) continue;
+      if (!field.can_stay_at(map.index(cell))) continue;
       const Vector2 p = map.centre_of(cell);
       if (leads_through(mate.way_map, p, params.room_m)) continue;
       const bool taken = std::any_of(mates.begin(), mates.end(), [&](const Word* other) {

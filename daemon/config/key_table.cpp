@@ -211,8 +211,10 @@ void add_motion(std::vector<KeySpec>& t) {
   using C = MotionConfig;
   t.push_back({"motion.margin_m", "m", false, RealKey{&at<kS, &C::margin_m>, 0.02, 0.5},
                "kept free around the hull; the robot stops before less is left"});
-  t.push_back({"motion.passage_radius_m", "m", false, RealKey{&at<kS, &C::passage_radius_m>, 0.0, 1.0},
-               "routes keep this far from everything; 0: room to turn on the spot"});
+  t.push_back(
+      {"motion.passage_radius_m", "m", false, RealKey{&at<kS, &C::passage_radius_m>, 0.0, 1.0},
+       "routes keep this far from everything; 0: room to turn on the spot, less in a door that is the only "
+       "way"});
 }
 
 void add_control_and_log(std::vector<KeySpec>& t) {

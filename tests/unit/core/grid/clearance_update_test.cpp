@@ -84,6 +84,29 @@ TEST(ClearanceUpdate, SaysWhatHasChanged) {
   }));
 }
 
+TEST(ClearanceUpdate, SaysWhatIsOccupiedNowAndWasNot) {
+  EXPECT_TRUE(rc::check([] {
+    DenseMap map = random_map(80);
+    ClearanceUpdate update;
+    update.take(map);
+    for (int step = 0; step < 6; ++step) {
+      const DenseMap before = map;
+      for (int change = *rc::gen::inRange(0, 20); change > 0; --change) {
+        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
+        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
+      }
+      update.take(map);
+      std::vector<std::uint32_t> come, gone;
+      for (std::uint32_t i = 0; i < map.cells.size(); ++i) {
+        const bool was = before.cells[i] == CellState::kOccupied, is = map.cells[i] == CellState::kOccupied;
+        if (is && !was) come.push_back(i);
+        if (was && !is) gone.push_back(i);
+      }
+      RC_ASSERT(update.occupied().come == come && update.occupied().gone == gone);
+    }
+  }));
+}
+
 TEST(ClearanceUpdate, OfAHallIsThatOfTheWholeMap) {
   ClearanceUpdate update;
   DenseMap map = filled_map(400, 330, CellState::kFree);

@@ -149,9 +149,6 @@ TEST(Wavefront, ReachesNothingFromOutsideTheMapOrInEmptyOnes) {
   EXPECT_THAT(field.cost_m, testing::Each(testing::Gt(1e9F)));
   EXPECT_TRUE(route_to(map, field, {10, 10}).empty());
   EXPECT_TRUE(travel_field(DenseMap{}, {}, {0, 0}, {}).cost_m.empty());
-  EXPECT_FALSE(nearest_reachable(DenseMap{}, TravelField{}, {0, 0}, 5.0));
-  EXPECT_FALSE(
-      nearest_reachable(map, travel_field(map, clearance, {10, 10}, {}), {INT32_MAX, INT32_MIN}, 5.0));
 }
 
 TEST(Wavefront, FromTheBorderReachesTheStartOnly) {
@@ -209,26 +206,6 @@ TEST(Wavefront, DoesNotSlipBetweenOccupiedCellsThatMeetAtACorner) {
   const TravelField field = travel_field(map, clearance, {1, 3}, rules);
   EXPECT_TRUE(std::isinf(field.cost_m[map.index({5, 3})]));
   EXPECT_FALSE(std::isinf(field.cost_m[map.index({3, 4})]));
-}
-
-TEST(Wavefront, NearestReachableIsTheNearestWithinTheLimit) {
-  EXPECT_TRUE(rc::check("nearest", [] {
-    const auto [map, clearance, cells] = random_place(40);
-    const TravelField field = travel_field(map, clearance, *rc::gen::elementOf(cells), kSmallRobot);
-    const CellIndex goal{*rc::gen::inRange(-10, 50), *rc::gen::inRange(-10, 50)};
-    const double within_m = 0.05 * *rc::gen::inRange(0, 30);
-    double expected = HUGE_VAL;
-    for (std::size_t i = 0; i < map.cells.size(); ++i) {
-      const CellIndex c = map.cell(i);
-      if (!std::isinf(field.cost_m[i]))
-        expected = std::min(expected, std::hypot(c.x - goal.x, c.y - goal.y) * 0.05);
-    }
-    const auto found = nearest_reachable(map, field, goal, within_m);
-    RC_ASSERT(found.has_value() == (expected <= within_m));
-    if (!found) return;
-    RC_ASSERT(!std::isinf(field.cost_m[map.index(*found)]));
-    RC_ASSERT(std::abs(std::hypot(found->x - goal.x, found->y - goal.y) * 0.05 - expected) < 1e-9);
-  }));
 }
 
 TEST(TravelSearch, PausedAndResumedIsTheWholeField) {
@@ -295,6 +272,35 @@ TEST(TravelSearch, OfOneMapLeavesNothingToThatOfTheNext) {
       RC_ASSERT(field.step == fresh.step);
     }
   }));
+}
+
+/// A door of 0.5 m, in which a P3-DX cannot turn, to a room that has another of 0.9 m far off.
+TEST(Wavefront, ATightPassageIsGoneThroughWhenThereIsNoOtherWayAndNobodyStaysInIt) {
+  const auto rooms = [](bool with_wide_door) {
+    DenseMap map = filled_map(200, 80, CellState::kFree);
+    for (int x = 0; x < 200; ++x) {
+      const bool is_door = (x >= 41 && x < 51) || (with_wide_door && x >= 150 && x < 168);
+      if (!is_door) map.cells[map.index({x, 40})] = CellState::kOccupied;
+    }
+    return map;
+  };
+  const TravelRules straight_on{.tight_m = 0.25};
+  const CellIndex start{45, 20}, beyond{45, 60}, in_door{45, 40};
+  for (const bool with_wide_door : {false, true}) {
+    const DenseMap map = rooms(with_wide_door);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const TravelField field = travel_field(map, clearance, start, straight_on);
+    const auto route = route_to(map, field, beyond);
+    ASSERT_FALSE(route.empty());
+    const bool through = std::any_of(route.begin(), route.end(), [&](CellIndex c) { return c == in_door; });
+    EXPECT_EQ(through, !with_wide_door);
+    EXPECT_FALSE(std::isinf(field.cost_m[map.index(in_door)]));
+    EXPECT_FALSE(field.can_stay_at(map.index(in_door)));
+  }
+  const DenseMap map = rooms(false);
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelField field = travel_field(map, clearance, start, {});
+  EXPECT_TRUE(std::isinf(field.cost_m[map.index(beyond)])) << "without tight passages";
 }
 
 }  // namespace

@@ -20,6 +20,20 @@ TEST(Configuration, RoutesHaveRoomToTurnOnTheSpot) {
   EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3at, 0.05), 0.340 + 0.03);
 }
 
+TEST(Configuration, StraightThroughADoorLessIsEnoughUnlessTheRadiusIsTold) {
+  Configuration configuration;
+  configuration.robot.model = RobotModel::kP3dx;
+  configuration.motion.margin_m = 0.05;
+  const auto travel = [&] { return planner_params(configuration).travel; };
+  EXPECT_NEAR(travel().tight_m, footprint(configuration).half_width_m + 0.05 + 0.01, 1e-12);
+  EXPECT_LT(travel().tight_m, travel().radius_m);
+  configuration.motion.margin_m = 0.5;
+  EXPECT_LE(travel().tight_m, travel().radius_m) << "never more than to turn in";
+  configuration.motion.passage_radius_m = 0.4;
+  EXPECT_EQ(travel().tight_m, 0.4);
+  EXPECT_EQ(travel().radius_m, 0.4);
+}
+
 // Else the planner sends the robot where the gate holds it back.
 TEST(Configuration, RoutesHaveRoomForTheMarginThatIsKept) {
   for (const RobotModel model : {RobotModel::kP3dx, RobotModel::kP3at}) {
