@@ -114,11 +114,18 @@ bool is_mixed(std::span<const float> range_m, std::size_t i, float jump_m) {
 
 }  // namespace
 
+double invalid_share(const types::Scan& scan) {
+  const std::span<const float> ranges_m = scan.ranges();
+  const auto invalid = std::count_if(ranges_m.begin(), ranges_m.end(), [](float r) { return std::isnan(r); });
+  return ranges_m.empty() ? 0.0 : static_cast<double>(invalid) / static_cast<double>(ranges_m.size());
+}
+
 void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
                 const CloudParams& params, Cloud& cloud) {
   cloud.sensor = T_base_laser.translation().cast<float>();
   cloud.points.clear();
   cloud.spacing_m.clear();
+  cloud.invalid_share = invalid_share(scan);
   const types::Se2 first = motion.T_ref_first * T_base_laser, last = motion.T_ref_last * T_base_laser;
   const double turn = types::wrap_angle(last.theta_rad - first.theta_rad);
   const double beams = std::max<double>(1.0, scan.beams - 1.0);

@@ -27,7 +27,11 @@ struct Cloud {
   Point sensor = Point::Zero();  ///< the laser in base_link
   std::vector<Point> points;     ///< hits, in beam order
   std::vector<float> spacing_m;  ///< distance between neighbouring beams at each hit's range
+  double invalid_share = 0.0;    ///< of the scan's beams, those that told nothing
 };
+
+/// Of a scan's beams, those that tell nothing; 0 of none.
+double invalid_share(const types::Scan& scan);
 
 /// Motion of base_link during the sweep, as its pose relative to the pose at `stamp`, at the first and at the
 /// last beam. Poses between are interpolated.

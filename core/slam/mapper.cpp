@@ -80,7 +80,8 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   T_odom_base_ = T_odom_base;
   stamp_ = cloud.stamp;
   report.T_map_base = T_map_base_;
-  const bool due = is_apart(own_.back(), params_.keyframe.travel_m, params_.keyframe.turn_rad);
+  const bool due = is_apart(own_.back(), params_.keyframe.travel_m, params_.keyframe.turn_rad) ||
+                   cloud.invalid_share < invalid_share_ - params_.keyframe.unveiled_share;
   if (due && has_enough_alike()) {
     columns.drop();
   } else if (due) {
@@ -199,6 +200,7 @@ void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const P
                           walls::ColumnCollector& columns) {
   auto keyframe = make_keyframe({maker_.robot, next_sequence_++, maker_.run}, cloud, points_, T_odom_base_,
                                 columns.take(T_odom_base_.inverse()), params_.cloud);
+  invalid_share_ = cloud.invalid_share;
   const bool first = own_.empty();
   const std::size_t before = first ? 0 : own_.back();
   const std::size_t node = add_own_node(std::move(keyframe), T_map_base_);

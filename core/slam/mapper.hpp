@@ -173,6 +173,7 @@ class Mapper {
   std::vector<Edge> edges_;
   std::uint32_t next_sequence_ = 0;
   types::Se2 T_map_base_, T_odom_base_;
+  double invalid_share_ = 0.0;    ///< of the beams of the robot's newest keyframe
   types::Stamp stamp_{};          ///< of the scan placed last
   types::Se2 T_previous_last_;    ///< the way between the two scans placed last
   double previous_last_s_ = 0.0;  ///< and its time

@@ -75,6 +75,9 @@ struct KeyframeParams {
   int alike_max = 3;
   double alike_m = 0.10;
   double alike_rad = 0.10;
+  /// Of a standing robot's beams: who saw so many less at the last keyframe, since a team-mate stood before
+  /// it, looks again when that one is gone.
+  double unveiled_share = 0.03;
 };
 
 struct LoopParams {

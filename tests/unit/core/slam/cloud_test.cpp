@@ -35,6 +35,9 @@ TEST(MakeCloud, LeavesOutWhatIsNoDistance) {
   ASSERT_EQ(cloud.points.size(), 1U);
   EXPECT_NEAR(cloud.points[0].x(), 1.2, 1e-6);
   EXPECT_NEAR(cloud.sensor.x(), 0.2, 1e-6);
+  EXPECT_NEAR(cloud.invalid_share, 1.0 / 6.0, 1e-12) << "the others tell something";
+  scan.beams = 0;
+  EXPECT_EQ(invalid_share(scan), 0.0);
 }
 
 /// What is left of a sweep of 0.25 degrees from beam to beam.

@@ -143,6 +143,25 @@ TEST(Mapper, StandingStillMakesNoKeyframes) {
   EXPECT_EQ(mapper.keyframes().size(), 1U);
 }
 
+/// Keyframes of a robot that stands, before which a mate stood for a while.
+std::size_t keyframes_beside_a_mate(double share_behind_it) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  std::mt19937 random(4);
+  Mapper mapper({});
+  walls::ColumnCollector columns({});
+  for (int i = 0; i < 40; ++i) {
+    Cloud cloud = testing::view_of(world, {3.0, 3.0, 0.2}, 0.02, random).cloud;
+    cloud.invalid_share = i < 20 ? share_behind_it : 0.0;
+    (void)mapper.add(cloud, {}, columns);
+  }
+  return mapper.keyframes().size();
+}
+
+TEST(Mapper, WhoStoodBehindAMateLooksOnceAgainWhenThatOneIsGone) {
+  EXPECT_EQ(keyframes_beside_a_mate(0.08), 2U);
+  EXPECT_EQ(keyframes_beside_a_mate(0.02), 1U) << "beams fail now and then";
+}
+
 TEST(Mapper, TurningOnTheSpotMakesNoMoreKeyframesThanThePlaceNeeds) {
   const auto keyframes_after = [](int turns) {
     std::mt19937 random(1);
