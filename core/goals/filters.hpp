@@ -16,20 +16,6 @@ namespace topo::goals {
 /// Internal boundaries: is there another place right behind the middle of this side?
 bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side);
 
-/// Centroid filter over the goals of one place: what is nearer to the centroid than centroid_ratio of the
-/// half extent is dropped where another goal of the place that stays is further out, and near enough to stand
-/// in for it.
-/// Of a place more than twice as long as wide, what stands on a long side counts as at that side's midpoint,
-/// where the paper has it.
-void drop_near_centroid(const places::PlaceMap& places, std::span<Goal> goals_of_place,
-                        const GoalParams& params);
-
-/// Few accepted goals that stand in for all: a goal stands in for those within separation_m, and within
-/// in_sight_m where they see each other: who is at the one sees what the other is for. Greedy set cover: the
-/// goal that stands in for most that nobody stands in for yet, of several the one with the widest opening.
-/// Costs the goals squared.
-void drop_duplicates(const grid::DenseMap& map, std::span<Goal> goals, const GoalParams& params);
-
 /// Is everything free on the straight line between two cells' centres?
 bool sees(const grid::DenseMap& map, grid::CellIndex a, grid::CellIndex b);
 

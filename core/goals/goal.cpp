@@ -28,12 +28,12 @@ std::string_view to_text(Verdict verdict) {
       return "leads to another known place";
     case Verdict::kNoOpening:
       return "no unknown space behind it that a robot could enter";
-    case Verdict::kNearCentroid:
-      return "on a long side of its place, which has goals further out";
-    case Verdict::kDuplicate:
-      return "another goal nearby is as good";
     case Verdict::kVisited:
       return "a robot was there already";
+    case Verdict::kServed:
+      return "in sight of another goal";
+    case Verdict::kUnlikely:
+      return "too narrow, or too near to where a robot was, to lead onto much";
   }
   return "unknown";
 }

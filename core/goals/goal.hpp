@@ -17,11 +17,11 @@ std::string_view to_text(Side side);
 /// What a candidate became.
 enum class Verdict : std::uint8_t {
   kAccepted,
-  kInternal,      ///< a boundary between two places, not a frontier of the map
-  kNoOpening,     ///< no unknown space behind it that a robot could enter
-  kNearCentroid,  ///< driven to the middle of its place: a long side
-  kDuplicate,     ///< another goal is as good, nearby
-  kVisited,       ///< a robot was there already
+  kInternal,   ///< a boundary between two places, not a frontier of the map
+  kNoOpening,  ///< no unknown space behind it that a robot could enter
+  kVisited,    ///< a robot was there already
+  kServed,     ///< in sight of another goal
+  kUnlikely,   ///< too small a chance that it leads onto much
 };
 /// One sentence for a person.
 std::string_view to_text(Verdict verdict);

@@ -10,10 +10,10 @@
 
 namespace topo::goals {
 
-/// A run of free cells that touch unknown space, in one place and on one side of its box.
+/// A frontier of a place.
 struct Opening {
-  std::uint16_t place = 0;  ///< label in the place map
-  Side side = Side::kNone;
+  std::uint16_t place = 0;   ///< label in the place map, of its middle
+  Side side = Side::kNone;   ///< of that place's box, where its middle is
   std::uint32_t middle = 0;  ///< the cell nearest to the centroid of the cells
   double width_m = 0.0;      ///< greater extent of its cells plus one cell
   std::vector<std::uint32_t> cells;
@@ -23,8 +23,7 @@ struct Opening {
 ///
 /// Departure from paper section II-E, which tries the midpoints of the four sides of a place's box: on a side
 /// of thirty metres the midpoint says little of a doorway near its end, and a frontier through a door need
-/// not lie at any midpoint. So a side's candidates stand where the place is really open there, and the
-/// filters that follow judge the same sides.
+/// not lie at any midpoint. So a side's candidates stand where the place is really open there.
 std::vector<Opening> find_openings(const GoalInput& input, const GoalParams& params);
 
 /// The side of the place's box that a point is nearest to.

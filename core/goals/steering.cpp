@@ -59,25 +59,41 @@ CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params
   }
 }
 
-/// The cell with room for the robot that is nearest through free space.
-std::optional<CellIndex> nearest_room(const GoalInput& input, CellIndex from, const GoalParams& params) {
-  const int reach = static_cast<int>(std::lround(params.room_reach_m / input.map.resolution_m));
-  const int side = 2 * reach + 1;
-  std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
-  std::vector<CellIndex> queue = {from};
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const CellIndex here = queue[next];
-    if (static_cast<double>(input.clearance_m[input.map.index(here)]) >= params.robot_radius_m) return here;
-    for (const CellIndex by : kStraightFirst) {
-      const CellIndex c{here.x + by.x, here.y + by.y};
-      const int u = c.x - from.x + reach, v = c.y - from.y + reach;
-      if (u < 0 || v < 0 || u >= side || v >= side || input.map.state(c) != CellState::kFree) continue;
-      std::uint8_t& mark = seen[static_cast<std::size_t>(v * side + u)];
-      if (mark == 0) queue.push_back(c);
-      mark = 1;
+std::int64_t squared_cells(CellIndex a, CellIndex b) {
+  const std::int64_t x = a.x - b.x, y = a.y - b.y;
+  return x * x + y * y;
+}
+
+/// The same within a window around the opening.
+std::optional<CellIndex> nearest_room_within(const GoalInput& input, const Opening& opening, double reach_m,
+                                             const GoalParams& params) {
+  const CellIndex middle = input.map.cell(opening.middle);
+  const int reach = static_cast<int>(std::lround(reach_m / input.map.resolution_m));
+  grid::CellBox box;
+  for (const std::uint32_t i : opening.cells) box.extend(input.map.cell(i));
+  box = {{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(box.width() * box.height()), 0);
+  std::vector<CellIndex> queue;
+  const auto visit = [&](CellIndex c) {
+    const std::int64_t u = c.x - box.min.x, v = c.y - box.min.y;
+    if (u < 0 || v < 0 || u >= box.width() || v >= box.height()) return;
+    std::uint8_t& mark = seen[static_cast<std::size_t>(v * box.width() + u)];
+    if (mark == 0 && input.map.state(c) == CellState::kFree) queue.push_back(c);
+    mark = 1;
+  };
+  for (const std::uint32_t i : opening.cells) visit(input.map.cell(i));
+  // By steps from the opening. A wide one has room before all of its length: the stand is before its middle.
+  std::optional<CellIndex> room;
+  for (std::size_t next = 0; next < queue.size() && !room;) {
+    for (const std::size_t end = queue.size(); next < end; ++next) {
+      const CellIndex here = queue[next];
+      const bool has_room =
+          static_cast<double>(input.clearance_m[input.map.index(here)]) >= params.robot_radius_m;
+      if (has_room && (!room || squared_cells(here, middle) < squared_cells(*room, middle))) room = here;
+      for (const CellIndex by : std::span(kStraightFirst).first<4>()) visit({here.x + by.x, here.y + by.y});
     }
   }
-  return std::nullopt;
+  return room;
 }
 
 }  // namespace
@@ -98,18 +114,23 @@ bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
   return true;
 }
 
-std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
-                                    FreeNodes& nodes) {
+std::optional<CellIndex> nearest_room(const GoalInput& input, const Opening& opening,
+                                      const GoalParams& params) {
+  constexpr double kMostlyM = 1.0;  // saves the wide window
+  if (const auto room = nearest_room_within(input, opening, kMostlyM, params)) return room;
+  return nearest_room_within(input, opening, params.room_reach_m, params);
+}
+
+types::Vector2 steer(const GoalInput& input, const Opening& opening, CellIndex stand,
+                     const GoalParams& params, FreeNodes& nodes) {
   const CellIndex from = input.map.cell(opening.middle);
   if (const auto node = free_node(input, from, params, nodes)) {
     nodes.take(*node);
     return input.map.centre_of(input.skeleton.nodes[*node].cell);
   }
   const CellIndex up = climb(input, from, params);
-  if (static_cast<double>(input.clearance_m[input.map.index(up)]) >= params.robot_radius_m)
-    return input.map.centre_of(up);
-  const auto room = nearest_room(input, from, params);
-  return room ? std::optional(input.map.centre_of(*room)) : std::nullopt;
+  const bool has_room = static_cast<double>(input.clearance_m[input.map.index(up)]) >= params.robot_radius_m;
+  return input.map.centre_of(has_room ? up : stand);
 }
 
 }  // namespace topo::goals

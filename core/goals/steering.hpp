@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/goals/essential_goals.hpp"
@@ -38,11 +39,15 @@ class FreeNodes {
   std::vector<bool> taken_;
 };
 
+/// The cell with robot_radius_m of clearance that is nearest to an opening through free space, of several the
+/// one nearest to its middle; nothing when there is none within room_reach_m.
+std::optional<grid::CellIndex> nearest_room(const GoalInput& input, const Opening& opening,
+                                            const GoalParams& params);
+
 /// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening
 /// and is one of `nodes` (from which it is taken); else up the distance field until clear_m or the axis.
-/// Where that ends too narrow, the nearest cell through free space with robot_radius_m of clearance; nothing
-/// when there is none within reach.
-std::optional<types::Vector2> steer(const GoalInput& input, const Opening& opening, const GoalParams& params,
-                                    FreeNodes& nodes);
+/// Where that ends too narrow, `stand`.
+types::Vector2 steer(const GoalInput& input, const Opening& opening, grid::CellIndex stand,
+                     const GoalParams& params, FreeNodes& nodes);
 
 }  // namespace topo::goals

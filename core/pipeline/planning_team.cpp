@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/goals/filters.hpp"
+#include "core/grid/nearest_reachable.hpp"
 #include "core/pipeline/planning_state.hpp"
 #include "core/team/coordination.hpp"
 #include "core/team/homes.hpp"
@@ -36,6 +37,13 @@ team::Rule rule_of(const PlannerParams& params) {
       return team::Rule::kMinPos;
   }
   return team::Rule::kAlone;
+}
+
+/// Where a goal is, for the others: at the opening, which all see at one place. From where a robot would look
+/// into it depends on what else it would see from there, and may be metres away (core/goals/goal_cover.hpp).
+/// Gaps are looked into from beside them.
+const Vector2& told(const goals::Goal& goal) {
+  return goal.side != goals::Side::kNone ? goal.opening : goal.p_map;
 }
 
 /// The next metres of a route, spaced for the others.
@@ -113,11 +121,11 @@ const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<co
   bids.clear();
   for (const Candidate& c : candidates)
     bids.push_back(
-        {c.goal.p_map, weighed_cost_m(c, present, params.switch_gain), c.goal.side != goals::Side::kNone});
+        {told(c.goal), weighed_cost_m(c, present, params.switch_gain), c.goal.side != goals::Side::kNone});
   team::Word self;
   self.robot = in.team->robot;
   self.bids = bids;
-  if (present != nullptr) self.claim = team::Bid{present->goal.p_map, claimed_m};
+  if (present != nullptr) self.claim = team::Bid{told(present->goal), claimed_m};
   const auto in_sight = [&](const Vector2& a, const Vector2& b) {
     return goals::sees(map, map.cell_at(a), map.cell_at(b));
   };
@@ -290,7 +298,7 @@ team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
   if (ended || at_home || returning || mission.order != Order::kExplore) return word;
   word.bids = bids;
-  if (goal && !seeks_contact) word.claim = team::Bid{goal->p_map, claimed_m};
+  if (goal && !seeks_contact) word.claim = team::Bid{told(*goal), claimed_m};
   return word;
 }
 
