@@ -31,29 +31,35 @@ class Stages {
 
   [[nodiscard]] const grid::DenseMap& map() const { return a_.map; }
 
-  void find_walls(walls::CompassMemory& compass_memory, walls::WallMemory& wall_memory) {
-    // The store's walls are the confident ones; without a coronal scanner there are none, and what is
-    // occupied must do.
-    const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
+  void find_walls(const walls::PointsChange& occupied, walls::CompassMemory& compass_memory,
+                  walls::WallMemory& wall_memory) {
     walls::CompassParams compass = params_.compass;
     compass.cell_m = a_.map.resolution_m;
     a_.compass = walls::entropy_compass(occupied, compass, compass_memory);
     tell(Stage::kCompass);
+    // The store's walls are the confident ones; without a coronal scanner there are none, and what is
+    // occupied must do.
     const bool has_store = !wall_points_.empty() && params_.wall_store;
-    a_.walls =
-        walls::extract_walls(has_store ? wall_points_ : occupied, compass_rad(), params_.walls, wall_memory);
+    a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied.now, compass_rad(), params_.walls,
+                                    wall_memory);
     tell(Stage::kWalls);
   }
   void find_walls() {
+    const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
     walls::CompassMemory no_compass;
     walls::WallMemory no_walls;
-    find_walls(no_compass, no_walls);
+    find_walls({occupied, {}, {}}, no_compass, no_walls);
   }
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
   }
-  [[nodiscard]] const grid::DenseMap& without_furniture(places::FurnitureUpdate& update) const {
-    return update.take(a_.map, a_.walls, params_.places.furniture_m);
+  /// What is occupied, as against the map before.
+  [[nodiscard]] walls::PointsChange take_map(places::FurnitureUpdate& furniture,
+                                             walls::OccupiedPoints& occupied) const {
+    return occupied.take(a_.map, furniture.take(a_.map, params_.places.furniture_m));
+  }
+  [[nodiscard]] const grid::DenseMap& without_furniture(places::FurnitureUpdate& furniture) const {
+    return furniture.clear(a_.map, a_.walls);
   }
   void find_skeleton(const OpenMap& open, const places::Erosion& erosion) {
     a_.skeleton = places::skeletonise(open.map, open.clearance_m, erosion);
@@ -66,10 +72,12 @@ class Stages {
                places::FirstLabels& first) const {
     places::relabel(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m, changed, first);
   }
-  void find_places_and_goals(const OpenMap& open, const places::FirstLabels& first) {
+  /// `occupied`: how the open map differs from that of which the memory is, if it does in that alone.
+  void find_places_and_goals(const OpenMap& open, const places::FirstLabels& first,
+                             const grid::OccupiedChange& occupied, places::ReductionMemory& memory) {
     tell(Stage::kLabels);
-    a_.places =
-        places::reduce_labels(open.map, open.clearance_m, first, a_.walls, compass_rad(), params_.places);
+    a_.places = places::reduce_labels(open.map, open.clearance_m, first, a_.walls, compass_rad(),
+                                      params_.places, occupied, memory);
     a_.places.labels = a_.places.labels.on_free_cells(a_.map);  // not where furniture stands
     tell(Stage::kReduction);
     a_.goals =
@@ -113,7 +121,8 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
   stages.find_skeleton(open, places::erode(map, open_m));
   places::FirstLabels first = stages.first_labels(open);
   first.slopes = {};  // nothing is labelled again
-  stages.find_places_and_goals(open, first);
+  places::ReductionMemory no_regions;
+  stages.find_places_and_goals(open, first, {}, no_regions);
   return stages.take();
 }
 
@@ -121,7 +130,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
                  const StageWatch& done) {
   const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls(memory.compass, memory.walls);
+  stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory.compass, memory.walls);
   const grid::DenseMap& map = stages.without_furniture(memory.furniture);
   memory.open.take(map);
   // A coarse map's distances are not its own: they count where there is no furniture.
@@ -139,7 +148,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
     stages.relabel(open, *changed, memory.first);
   else
     memory.first = stages.first_labels(open);
-  stages.find_places_and_goals(open, memory.first);
+  stages.find_places_and_goals(open, memory.first, memory.open.occupied(), memory.reduction);
   return stages.take();
 }
 

@@ -15,6 +15,7 @@
 #include "core/places/furniture.hpp"
 #include "core/places/place_map.hpp"
 #include "core/walls/compass.hpp"
+#include "core/walls/occupied_points.hpp"
 #include "core/walls/wall_extraction.hpp"
 
 namespace topo::pipeline {
@@ -62,6 +63,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 
 /// What one analysis leaves to the next.
 struct AnalysisMemory {
+  walls::OccupiedPoints occupied;
   walls::CompassMemory compass;
   walls::WallMemory walls;
   places::FurnitureUpdate furniture;
@@ -69,12 +71,13 @@ struct AnalysisMemory {
   places::Erosion erosion;
   bool is_own = false;  ///< erosion and labels are by the distances of `open`
   places::FirstLabels first;
+  places::ReductionMemory reduction;
 };
 
 /// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a
 /// map that has grown or was corrected, distances and thinning are redone where something has changed; first
 /// labels, too, while the box stays the same, and the compass's histograms while its walls' box does; walls
-/// while, too, the compass does not turn. All boxes of regions are made anew.
+/// and regions while, too, the compass does not turn. Regions are always merged anew.
 /// Empty: of no map.
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
                  const StageWatch& done = {});

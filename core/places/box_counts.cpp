@@ -10,7 +10,8 @@ namespace topo::places {
 
 using grid::CellState;
 
-BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin_m_(2.0 * map.resolution_m) {
+BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame)
+    : box_(map.box), resolution_m_(map.resolution_m), frame_(frame), bin_m_(2.0 * map.resolution_m) {
   types::Rectangle extent;
   for (const int x : {0, map.width()}) {
     for (const int y : {0, map.height()}) {
@@ -26,10 +27,8 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
   rows_ = static_cast<std::size_t>((extent.max.y() - corner_.y()) / bin_m_) + 3;
   along_columns_.resize(columns_ * rows_);
   before_blocks_.resize(columns_ / kBlock * rows_);
-  const double step = map.resolution_m / bin_m_;
   for (int y = 0; y < map.height(); ++y) {
-    const types::Vector2 first =
-        (frame.from_map(map.centre_of({map.box.min.x, map.box.min.y + y})) - corner_) / bin_m_;
+    const types::Vector2 start = row_start(y);
     const CellState* row =
         map.cells.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width());
     const CellState* const end = row + map.width();
@@ -40,13 +39,65 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame) : bin
             std::memchr(at, static_cast<int>(CellState::kOccupied), static_cast<std::size_t>(end - at)));
         if (at == nullptr) break;
       }
-      const auto x = static_cast<double>(at - row);
-      const auto u = static_cast<std::size_t>(first.x() + x * step * frame.cos);
-      const auto v = static_cast<std::size_t>(first.y() - x * step * frame.sin);
-      ++along_columns_[(v + 1) * columns_ + u + 1];
+      const Bin bin = bin_of(start, static_cast<double>(at - row));
+      ++along_columns_[bin.row * columns_ + bin.column];
     }
   }
   sum_up();
+}
+
+/// The place of its first cell, in bins.
+types::Vector2 BoxCounts::row_start(int y) const {
+  const types::Vector2 centre = types::Vector2(box_.min.x + 0.5, box_.min.y + y + 0.5) * resolution_m_;
+  return (frame_.from_map(centre) - corner_) / bin_m_;
+}
+
+BoxCounts::Bin BoxCounts::bin_of(const types::Vector2& row_start, double x) const {
+  const double step = resolution_m_ / bin_m_;
+  return {static_cast<std::size_t>(row_start.x() + x * step * frame_.cos) + 1,
+          static_cast<std::size_t>(row_start.y() - x * step * frame_.sin) + 1};
+}
+
+/// From the lowest row up.
+std::vector<BoxCounts::Step> BoxCounts::steps_of(const grid::OccupiedChange& cells) const {
+  std::vector<Step> steps;
+  const auto width = static_cast<std::uint32_t>(box_.width());
+  const auto add = [&](const std::vector<std::uint32_t>& those, std::uint32_t by) {
+    for (const std::uint32_t i : those)
+      steps.push_back({bin_of(row_start(static_cast<int>(i / width)), i % width), by});
+  };
+  add(cells.come, 1);
+  add(cells.gone, UINT32_MAX);
+  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.bin.row < b.bin.row; });
+  return steps;
+}
+
+void BoxCounts::change(const grid::OccupiedChange& cells) {
+  const std::vector<Step> steps = steps_of(cells);
+  if (steps.empty()) return;
+  std::size_t left = columns_, right = 0;
+  for (const Step& step : steps) {
+    left = std::min(left, step.bin.column);
+    right = std::max(right, step.bin.column + 1);
+  }
+  // Of the bins up to a row, and of those of blocks.
+  const std::size_t blocks = columns_ / kBlock, first_block = left / kBlock;
+  std::vector<std::uint32_t> more(right - left, 0), more_in(blocks, 0);
+  auto step = steps.begin();
+  for (std::size_t row = steps.front().bin.row; row < rows_; ++row) {
+    for (; step != steps.end() && step->bin.row == row; ++step) {
+      more[step->bin.column - left] += step->by;
+      more_in[step->bin.column / kBlock] += step->by;
+    }
+    std::uint32_t* const bins = &along_columns_[row * columns_ + left];
+    for (std::size_t k = 0; k < more.size(); ++k) bins[k] += more[k];
+    std::uint32_t* const before = &before_blocks_[row * blocks];
+    std::uint32_t more_before = 0;
+    for (std::size_t b = first_block + 1; b < blocks; ++b) {
+      more_before += more_in[b - 1];
+      before[b] += more_before;
+    }
+  }
 }
 
 void BoxCounts::sum_up() {

@@ -42,9 +42,12 @@ class Search {
     offsets_[4] = 1;
   }
 
-  void begin_at(std::uint32_t i) {
-    if (is_open(slopes_[i])) visit(i);
-    visit_those(i, kHighs & open(around(i)));
+  /// From there it goes on to all that is beside these cells: which of it is linked to them need not be
+  /// known.
+  void begin_at(std::span<const std::uint32_t> cells) {
+    for (const std::uint32_t i : cells)
+      if (is_open(slopes_[i])) mark(i);
+    for (const std::uint32_t i : cells) visit_those(i, kHighs & open(around(i)));
   }
   void run() {
     while (!queue_.empty()) {
@@ -80,9 +83,12 @@ class Search {
     }
   }
   void visit(std::uint32_t i) {
+    mark(i);
+    queue_.push_back(i);
+  }
+  void mark(std::uint32_t i) {
     slopes_[i] |= kVisited;
     found_.add(i);
-    queue_.push_back(i);
   }
 
   Slope* slopes_;
@@ -97,7 +103,7 @@ class Search {
 CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
                            std::vector<Slope>& slopes) {
   Search search(map, slopes);
-  for (const std::uint32_t i : changed) search.begin_at(i);
+  search.begin_at(changed);
   search.run();
   return std::move(search).found();
 }

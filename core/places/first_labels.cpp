@@ -66,7 +66,7 @@ class AxisPieces {
       lowest[numbers_[k]] = std::min(lowest[numbers_[k]], skeleton_.axis[k] + 1);
     return lowest;
   }
-  [[nodiscard]] std::uint32_t number(std::size_t axis_cell) const { return numbers_[axis_cell]; }
+  [[nodiscard]] const std::vector<std::uint32_t>& numbers() const { return numbers_; }
 
  private:
   void divide_edge(const SkeletonEdge& edge) {
@@ -157,8 +157,9 @@ void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels&
   }
   first.axis = skeleton.axis;
   first.pieces = pieces.labels();
+  first.axis_pieces = pieces.numbers();
   for (std::size_t k = 0; k < first.axis.size(); ++k) {
-    const std::uint32_t i = first.axis[k], label = first.pieces[pieces.number(k)];
+    const std::uint32_t i = first.axis[k], label = first.pieces[first.axis_pieces[k]];
     fetch_ahead(first.slopes.data(), first.axis, k);
     fetch_ahead(first.labels.data(), first.axis, k);
     if ((first.slopes[i] & kOnAxis) != 0 && first.labels[i] == label) continue;
@@ -168,11 +169,46 @@ void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels&
   }
 }
 
+void number_runs(FirstLabels& first, std::size_t cells) {
+  const PieceNumbers numbers(first, cells);
+  first.run_pieces.resize(first.runs.size());
+  for (std::size_t k = 0; k < first.runs.size(); ++k) first.run_pieces[k] = numbers.of(first.runs[k].label);
+}
+
+/// Adds the labels of the runs that reach into blocks of cells.
+void add_labels_in(const CellBlocks& blocks, std::span<const PieceRun> runs,
+                   std::vector<std::uint32_t>& labels) {
+  auto run = runs.begin();
+  blocks.for_each([&](std::size_t from, std::size_t end) {
+    while (run != runs.end() && run->end <= from) ++run;
+    for (; run != runs.end() && run->first < end; ++run) {
+      labels.push_back(run->label);
+      if (run->end > end) break;  // into the next block as well
+    }
+  });
+}
+
+/// Takes the runs anew where something has changed, and tells what that is.
+LabelChange renew_runs(const CellBlocks& changed, std::span<const float> clearance_m, FirstLabels& first) {
+  LabelChange change;
+  changed.for_each([&](std::size_t from, std::size_t end) {
+    change.cells.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end)});
+  });
+  add_labels_in(changed, first.runs, change.pieces);
+  first.runs = renewed_runs(first.runs, changed, clearance_m, first.labels);
+  add_labels_in(changed, first.runs, change.pieces);
+  std::sort(change.pieces.begin(), change.pieces.end());
+  change.pieces.erase(std::unique(change.pieces.begin(), change.pieces.end()), change.pieces.end());
+  return change;
+}
+
 }  // namespace
 
 FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
                          double piece_m) {
-  FirstLabels first{map.box, std::vector<std::uint32_t>(map.cells.size(), 0), {}, {}, {}, {}, {}};
+  FirstLabels first;
+  first.box = map.box;
+  first.labels.resize(map.cells.size(), 0);
   if (map.cells.empty()) return first;
   first.slopes = slopes_of(map, clearance_m);
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first, [](std::uint32_t) {});
@@ -184,12 +220,14 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   first.lost = ascent.lost();
   label_lost(map, first);
   first.runs = piece_runs(map, clearance_m, first.labels);
+  number_runs(first, map.cells.size());
   return first;
 }
 
 void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
              double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first) {
   assert(first.box == map.box);
+  first.change = LabelChange{};
   if (map.cells.empty()) return;
   std::vector<std::uint32_t> others = renew_slopes(map, clearance_m, changed, first.slopes);
   for (const std::uint32_t i : others)
@@ -217,7 +255,8 @@ void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skel
   for (const auto& cells :
        {changed, std::span<const std::uint32_t>(others), std::span<const std::uint32_t>(first.lost)})
     for (const std::uint32_t i : cells) again.add(i);
-  first.runs = renewed_runs(first.runs, again, clearance_m, first.labels);
+  first.change = renew_runs(again, clearance_m, first);
+  number_runs(first, map.cells.size());
 }
 
 }  // namespace topo::places

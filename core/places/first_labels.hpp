@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/grid/cell_run.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/places/cell_numbers.hpp"
 #include "core/places/piece_runs.hpp"
@@ -13,6 +15,13 @@
 #include "core/places/slopes.hpp"
 
 namespace topo::places {
+
+/// How first labels differ from those that they were made of.
+struct LabelChange {
+  /// Where there may be cells with another label, another clearance, or another relation to the axis.
+  std::vector<grid::CellRun> cells;
+  std::vector<std::uint32_t> pieces;  ///< all with such a cell, before or now, by their labels: ascending
+};
 
 /// The over-segmentation that the reduction begins with (paper section II-C), and what it was made of.
 struct FirstLabels {
@@ -23,8 +32,11 @@ struct FirstLabels {
   std::vector<std::uint32_t> pieces;
   std::vector<Slope> slopes;
   std::vector<std::uint32_t> axis;
-  std::vector<std::uint32_t> lost;  ///< cells that do not lead up to the axis
+  std::vector<std::uint32_t> axis_pieces;  ///< of each of its cells, numbers in `pieces`
+  std::vector<std::uint32_t> lost;         ///< cells that do not lead up to the axis
   std::vector<PieceRun> runs;
+  std::vector<std::uint32_t> run_pieces;  ///< of each of them
+  std::optional<LabelChange> change;      ///< nothing: they were made anew
 };
 
 /// The number of a piece by its label.

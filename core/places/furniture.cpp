@@ -82,7 +82,8 @@ void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& op
     if (!map.contains(middle) || map.is_on_border(middle)) continue;  // beside it nothing stands free
     const std::size_t i = map.index(middle);
     for (const std::size_t row : {i - width, i, i + width})
-      std::copy_n(&map.cells[row - 1], 3, &open.cells[row - 1]);
+      std::memcpy(&open.cells[row - 1], &map.cells[row - 1],
+                  3 * sizeof(CellState));  // no call, unlike copy_n
   }
 }
 
@@ -139,21 +140,32 @@ void FurnitureUpdate::clear_away() {
   }
 }
 
-const DenseMap& FurnitureUpdate::take(const DenseMap& map, std::span<const types::Segment> walls,
-                                      double furniture_m) {
+grid::Rows FurnitureUpdate::take(const DenseMap& map, double furniture_m) {
   const auto side = static_cast<std::size_t>(std::lround(furniture_m / map.resolution_m));
   if (std::exchange(side_, side) != side) open_ = {};
   if (!open_.cells.empty()) put_back();
-  if (map.cells.empty()) return open_ = map;
-  find_pieces(renew_cells(map));
+  if (map.cells.empty()) {
+    open_ = map;
+    pieces_.clear();
+    hidden_.clear();
+    return {};
+  }
+  const Extent others = renew_cells(map);
+  find_pieces(others);
   clear_away();
+  if (others.left >= others.right) return {};
+  return {others.low, std::size_t{others.high} + 1};
+}
+
+const DenseMap& FurnitureUpdate::clear(const DenseMap& map, std::span<const types::Segment> walls) {
   for (const types::Segment& wall : walls) restore_along(wall, map, open_);
   return open_;
 }
 
 DenseMap without_furniture(const DenseMap& map, std::span<const types::Segment> walls, double furniture_m) {
   FurnitureUpdate update;
-  update.take(map, walls, furniture_m);
+  update.take(map, furniture_m);
+  update.clear(map, walls);
   return std::move(update).release();
 }
 

@@ -10,6 +10,7 @@
 #include "core/grid/cell_run.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/grid/joined_runs.hpp"
+#include "core/grid/rows.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -26,11 +27,14 @@ grid::DenseMap without_furniture(const grid::DenseMap& map, std::span<const type
 /// changed. Always equal to without_furniture of the whole map. A value.
 class FurnitureUpdate {
  public:
-  /// Good until the next call.
-  const grid::DenseMap& take(const grid::DenseMap& map, std::span<const types::Segment> walls,
-                             double furniture_m);
+  /// Of the next map, with its furniture. Returns the rows that are not as on the one before; all of them
+  /// when that had another box or resolution.
+  grid::Rows take(const grid::DenseMap& map, double furniture_m);
 
-  /// What was returned last, for the asking.
+  /// The map taken last, once; `map` is that. Good until the next one is taken.
+  const grid::DenseMap& clear(const grid::DenseMap& map, std::span<const types::Segment> walls);
+
+  /// What was cleared last, for the asking.
   [[nodiscard]] grid::DenseMap release() && { return std::move(open_); }
 
  private:

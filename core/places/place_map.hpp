@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
+#include "core/places/box_counts.hpp"
 #include "core/places/first_labels.hpp"
 #include "core/places/place_labels.hpp"
+#include "core/places/regions.hpp"
 #include "core/places/skeleton.hpp"
 #include "core/types/geometry.hpp"
 
@@ -61,6 +63,20 @@ struct PlaceMap {
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                        const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params = {});
+
+/// What one reduction leaves to the next. Empty: of no map.
+struct ReductionMemory {
+  RegionMemory regions;
+  std::optional<BoxCounts> counts;
+};
+
+/// The same, equal to the bit, from what the reduction of another map left, and leaves it of this one. If the
+/// first labels have a change, it is from those that the memory is of; `occupied`: how this map differs from
+/// that one, if the box is the same.
+PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
+                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
+                       const PlaceParams& params, const grid::OccupiedChange& occupied,
+                       ReductionMemory& memory);
 
 /// Both: the first labels, then the reduction.
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cassert>
 #include <numbers>
+#include <utility>
 
+#include "core/places/borders.hpp"
 #include "core/places/fetch_ahead.hpp"
 #include "core/places/regions.hpp"
 
@@ -11,71 +14,52 @@ namespace {
 
 using grid::DenseMap;
 
-/// What lies between regions, summed up as it is found.
-class Borders {
- public:
-  explicit Borders(std::size_t regions) : of_lower_(regions) {}
+/// Which regions are made anew, by their numbers.
+using IsNew = std::vector<std::uint8_t>;
 
-  /// That between two regions; `other` is of no meaning.
-  Contact& between(std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax(a, b);
-    std::vector<Contact>& contacts = of_lower_[low];
-    const auto known = std::find_if(contacts.rbegin(), contacts.rend(),
-                                    [high = high](const Contact& c) { return c.other == high; });
-    if (known != contacts.rend()) return *known;
-    Contact& contact = contacts.emplace_back();
-    contact.other = high;
-    return contact;
-  }
-
-  /// To both sides, in the order of the others' numbers.
-  void hand_out(std::vector<Region>& regions) {
-    for (std::uint32_t low = 0; low < regions.size(); ++low) {
-      std::vector<Contact>& contacts = of_lower_[low];
-      std::sort(contacts.begin(), contacts.end(),
-                [](const Contact& a, const Contact& b) { return a.other < b.other; });
-      for (Contact& contact : contacts) {
-        contact.open = static_cast<float>(contact.border());
-        regions[low].contacts.push_back(contact);
-        regions[contact.other].contacts.push_back(contact);
-        regions[contact.other].contacts.back().other = low;
-      }
-    }
-  }
-
- private:
-  std::vector<std::vector<Contact>> of_lower_;  ///< of each pair of regions at the one with the lower number
+/// What all sums are made of.
+struct Source {
+  const DenseMap& map;
+  std::span<const float> clearance_m;
+  const FirstLabels& first;
+  const CompassFrame& frame;
 };
 
-/// Sums over the regions' cells.
+/// Sums over the cells of regions that are made anew, and over all their borders.
 class CellSums {
  public:
-  CellSums(const DenseMap& map, std::span<const float> clearance_m, const CompassFrame& frame,
-           const PieceNumbers& numbers, std::vector<Region>& regions, Borders& borders)
-      : map_(map),
-        clearance_m_(clearance_m),
-        frame_(frame),
-        numbers_(numbers),
+  CellSums(const Source& source, const IsNew& is_new, std::vector<Region>& regions, Borders& borders)
+      : map_(source.map),
+        clearance_m_(source.clearance_m),
+        frame_(source.frame),
+        runs_(source.first.runs),
+        pieces_(source.first.run_pieces),
+        is_new_(is_new),
         regions_(regions),
         borders_(borders) {}
 
-  void add(std::span<const PieceRun> runs) {
-    const auto width = static_cast<std::uint32_t>(map_.width());
-    std::size_t above = 0;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      const PieceRun& run = runs[k];
-      add_run(run);
-      if (k + 1 < runs.size() && runs[k + 1].first == run.end) note_upright(run, runs[k + 1]);
-      while (above < runs.size() && runs[above].end <= run.first + width) ++above;
-      for (std::size_t a = above; a < runs.size() && runs[a].first < run.end + width; ++a)
-        if (runs[a].label != run.label) note_level(run, runs[a], width);
+  void add() {
+    const bool all = std::find(is_new_.begin(), is_new_.end(), 0) == is_new_.end();
+    std::size_t above = 0, below = 0;
+    for (std::size_t k = 0; k < runs_.size(); ++k) {
+      if (!is_new(k)) continue;
+      add_run(k);
+      if (k + 1 < runs_.size() && runs_[k + 1].first == runs_[k].end) note_upright(k, k + 1);
+      note_above(k, above);
+      if (all) continue;
+      // With one that is new as well that is noted already, from there.
+      if (k > 0 && !is_new(k - 1) && runs_[k - 1].end == runs_[k].first) note_upright(k - 1, k);
+      note_below(k, below);
     }
     pad_boxes();
   }
 
  private:
-  void add_run(const PieceRun& run) {
-    Region& region = regions_[numbers_.of(run.label)];
+  [[nodiscard]] bool is_new(std::size_t k) const { return is_new_[pieces_[k]] != 0; }
+
+  void add_run(std::size_t k) {
+    const PieceRun& run = runs_[k];
+    Region& region = regions_[pieces_[k]];
     const std::uint32_t count = run.end - run.first;
     const types::Vector2 a = map_.centre_of(map_.cell(run.first));
     const types::Vector2 b = a + types::Vector2(static_cast<double>(count - 1) * map_.resolution_m, 0.0);
@@ -86,33 +70,52 @@ class CellSums {
     region.first = std::min(region.first, run.first);
     region.clearance_m = std::max(region.clearance_m, run.clearance_m);
   }
-  void note_upright(const PieceRun& run, const PieceRun& next) {
-    Contact& contact = borders_.between(numbers_.of(run.label), numbers_.of(next.label));
-    ++contact.upright;
-    const float here_m = std::min(clearance_m_[run.end - 1], clearance_m_[run.end]);
-    contact.clearance_m = std::max(contact.clearance_m, here_m);
+  void note_upright(std::size_t left, std::size_t right) {
+    auto& between = borders_.between(pieces_[left], pieces_[right]);
+    ++between.upright;
+    const std::uint32_t i = runs_[right].first;
+    between.clearance_m = std::max(between.clearance_m, std::min(clearance_m_[i - 1], clearance_m_[i]));
   }
-  void note_level(const PieceRun& run, const PieceRun& above, std::uint32_t width) {
-    Contact& contact = borders_.between(numbers_.of(run.label), numbers_.of(above.label));
-    const std::uint32_t first = std::max(run.first, above.first - width),
-                        end = std::min(run.end, above.end - width);
-    contact.level += end - first;
+  /// `above`: no run before it ends above this one or later.
+  void note_above(std::size_t k, std::size_t& above) {
+    const std::uint32_t first = runs_[k].first + width_, end = runs_[k].end + width_;
+    while (above < runs_.size() && runs_[above].end <= first) ++above;
+    for (std::size_t a = above; a < runs_.size() && runs_[a].first < end; ++a)
+      if (pieces_[a] != pieces_[k]) note_level(k, a);
+  }
+  /// The same for those below that are not new.
+  void note_below(std::size_t k, std::size_t& below) {
+    const std::uint32_t first = runs_[k].first - width_, end = runs_[k].end - width_;
+    while (runs_[below].end <= first) ++below;
+    for (std::size_t b = below; runs_[b].first < end; ++b)
+      if (!is_new(b)) note_level(b, k);
+  }
+  void note_level(std::size_t low, std::size_t high) {
+    auto& between = borders_.between(pieces_[low], pieces_[high]);
+    const std::uint32_t first = std::max(runs_[low].first, runs_[high].first - width_),
+                        end = std::min(runs_[low].end, runs_[high].end - width_);
+    between.level += end - first;
     for (std::size_t i = first; i < end; ++i)
-      contact.clearance_m = std::max(contact.clearance_m, std::min(clearance_m_[i], clearance_m_[i + width]));
+      between.clearance_m =
+          std::max(between.clearance_m, std::min(clearance_m_[i], clearance_m_[i + width_]));
   }
   /// From the centres of cells to their sides.
   void pad_boxes() {
     const double half = 0.5 * map_.resolution_m * (std::abs(frame_.cos) + std::abs(frame_.sin));
-    for (Region& region : regions_) {
-      region.box.min -= types::Vector2(half, half);
-      region.box.max += types::Vector2(half, half);
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (is_new_[r] == 0) continue;
+      regions_[r].box.min -= types::Vector2(half, half);
+      regions_[r].box.max += types::Vector2(half, half);
     }
   }
 
   const DenseMap& map_;
+  std::uint32_t width_ = static_cast<std::uint32_t>(map_.width());
   std::span<const float> clearance_m_;
   const CompassFrame& frame_;
-  const PieceNumbers& numbers_;
+  std::span<const PieceRun> runs_;
+  std::span<const std::uint32_t> pieces_;  ///< of the runs
+  const IsNew& is_new_;
   std::vector<Region>& regions_;
   Borders& borders_;
 };
@@ -122,75 +125,99 @@ inline void extend_by_disc(types::Rectangle& box, const types::Vector2& centre, 
   box.max = box.max.cwiseMax(centre + types::Vector2(radius_m, radius_m));
 }
 
-void add_cores(const DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
-               const PieceNumbers& numbers, const CompassFrame& frame, std::vector<Region>& regions) {
+void add_cores(const Source& source, const IsNew& is_new, std::vector<Region>& regions) {
+  const CompassFrame& frame = source.frame;
   const double compass_rad = std::atan2(frame.sin, frame.cos),
                step_rad = std::numbers::pi / 2.0 / (kTurns + 1);
   std::vector<CompassFrame> turns;
   for (std::size_t k = 0; k < kTurns; ++k)
     turns.emplace_back(compass_rad + static_cast<double>(k + 1) * step_rad);
+  const FirstLabels& first = source.first;
   for (std::size_t n = 0; n < first.axis.size(); ++n) {
-    const std::uint32_t i = first.axis[n];
-    fetch_ahead(first.labels.data(), first.axis, n);
-    fetch_ahead(clearance_m.data(), first.axis, n);
-    Region& region = regions[numbers.of(first.labels[i])];
-    const types::Vector2 centre = map.centre_of(map.cell(i));
-    const double r = std::abs(static_cast<double>(clearance_m[i]) - 0.5 * map.resolution_m);
-    extend_by_disc(region.core, frame.from_map(centre), r);
-    for (std::size_t k = 0; k < kTurns; ++k) extend_by_disc(region.turned[k], turns[k].from_map(centre), r);
+    const std::uint32_t i = first.axis[n], r = first.axis_pieces[n];
+    if (is_new[r] == 0) continue;
+    fetch_ahead(source.clearance_m.data(), first.axis, n);
+    Region& region = regions[r];
+    const types::Vector2 centre = source.map.centre_of(source.map.cell(i));
+    const double reach_m =
+        std::abs(static_cast<double>(source.clearance_m[i]) - 0.5 * source.map.resolution_m);
+    extend_by_disc(region.core, frame.from_map(centre), reach_m);
+    for (std::size_t k = 0; k < kTurns; ++k)
+      extend_by_disc(region.turned[k], turns[k].from_map(centre), reach_m);
   }
-  for (Region& region : regions) {
-    region.core.min = region.core.min.cwiseMax(region.box.min);
-    region.core.max = region.core.max.cwiseMin(region.box.max);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (is_new[r] == 0) continue;
+    regions[r].core.min = regions[r].core.min.cwiseMax(regions[r].box.min);
+    regions[r].core.max = regions[r].core.max.cwiseMin(regions[r].box.max);
   }
 }
 
-/// First label met from `p` on in the given direction: beyond the wall's thickness there is what it bounds.
-std::uint32_t label_beside(const DenseMap& map, const std::vector<std::uint32_t>& labels,
-                           const types::Vector2& p, const types::Vector2& direction) {
-  constexpr double kReachM = 0.40;
-  for (double d = 0.5 * map.resolution_m; d <= kReachM; d += map.resolution_m) {
-    const grid::CellIndex cell = map.cell_at(p + d * direction);
-    if (!map.contains(cell)) return 0;
-    const std::uint32_t label = labels[map.index(cell)];
-    if (label != 0) return label;
+/// The number that a piece has now which had a cell's label before; UINT32_MAX: it has changed, or is gone.
+std::vector<std::uint32_t> numbers_now(const std::vector<std::uint32_t>& before, const PieceNumbers& numbers,
+                                       const FirstLabels& first) {
+  std::vector<std::uint32_t> now(before.size(), UINT32_MAX);
+  for (std::size_t p = 0; p < before.size(); ++p) {
+    const auto& changed = first.change->pieces;
+    if (std::binary_search(changed.begin(), changed.end(), before[p])) continue;
+    now[p] = numbers.of(before[p]);
+    assert(first.pieces[now[p]] == before[p]);
   }
-  return 0;
+  return now;
 }
 
-void note_walls(const DenseMap& map, const std::vector<std::uint32_t>& labels, const PieceNumbers& numbers,
-                std::span<const types::Segment> walls, std::vector<Region>& regions, Borders& borders) {
-  constexpr double kStepM = 0.10;
-  for (const types::Segment& wall : walls) {
-    const double length_m = wall.length_m();
-    if (!(length_m > 0.0) || !std::isfinite(length_m)) continue;
-    const types::Vector2 along = (wall.b - wall.a) / length_m, across(-along.y(), along.x());
-    for (double d = 0.5 * kStepM; d < length_m; d += kStepM) {
-      const types::Vector2 p = wall.a + d * along;
-      const std::uint32_t a = label_beside(map, labels, p, across);
-      if (a == 0) continue;
-      const std::uint32_t b = label_beside(map, labels, p, -across);
-      if (b == 0) continue;
-      float& wall_m =
-          a == b ? regions[numbers.of(a)].straddled_m : borders.between(numbers.of(a), numbers.of(b)).wall_m;
-      wall_m += static_cast<float>(kStepM);
+/// Moves regions without a change to where they are now, and the borders between two of them. Returns which
+/// others there are.
+IsNew carry_over(const std::vector<std::uint32_t>& now, std::vector<Region>& before,
+                 std::vector<Region>& regions, Borders& borders) {
+  IsNew is_new(regions.size(), 1);
+  for (std::size_t p = 0; p < now.size(); ++p) {
+    if (now[p] == UINT32_MAX) continue;
+    for (const Contact& c : before[p].contacts) {
+      if (c.other < p || now[c.other] == UINT32_MAX || c.upright + c.level == 0) continue;
+      auto& between = borders.between(now[p], now[c.other]);
+      between.upright = c.upright;
+      between.level = c.level;
+      between.clearance_m = c.clearance_m;
     }
   }
+  for (std::size_t p = 0; p < now.size(); ++p) {
+    if (now[p] == UINT32_MAX) continue;
+    is_new[now[p]] = 0;
+    regions[now[p]] = std::move(before[p]);
+  }
+  return is_new;
+}
+
+void note_walls(const WallSides& walls, const PieceNumbers& numbers, std::vector<Region>& regions,
+                Borders& borders) {
+  std::vector<std::uint32_t> straddled(regions.size(), 0);
+  for (const WallBetween& wall : walls.all()) {
+    const std::uint32_t a = numbers.of(wall.a), b = numbers.of(wall.b);
+    (a == b ? straddled[a] : borders.between(a, b).wall_steps) += wall.steps;
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r) regions[r].straddled_m = wall_length_m(straddled[r]);
 }
 
 }  // namespace
 
-std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const types::Segment> walls,
-                               const CompassFrame& frame) {
+void renew_regions(const DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
+                   std::span<const types::Segment> walls, const CompassFrame& frame, RegionMemory& memory) {
+  const bool again = first.change && memory.frame == frame;
+  const PieceNumbers numbers(first, map.cells.size());
   std::vector<Region> regions(first.pieces.size());
   Borders borders(regions.size());
-  const PieceNumbers numbers(first, map.cells.size());
-  CellSums(map, clearance_m, frame, numbers, regions, borders).add(first.runs);
-  add_cores(map, clearance_m, first, numbers, frame, regions);
-  note_walls(map, first.labels, numbers, walls, regions, borders);
+  const IsNew is_new =
+      again ? carry_over(numbers_now(memory.pieces, numbers, first), memory.regions, regions, borders)
+            : IsNew(regions.size(), 1);
+  const Source source{map, clearance_m, first, frame};
+  CellSums(source, is_new, regions, borders).add();
+  add_cores(source, is_new, regions);
+  memory.walls.take(map, first.labels, walls, first.change);
+  note_walls(memory.walls, numbers, regions, borders);
   borders.hand_out(regions);
-  return regions;
+  memory.frame = frame;
+  memory.pieces = first.pieces;
+  memory.regions = std::move(regions);
 }
 
 }  // namespace topo::places

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
 #include "core/places/box_counts.hpp"
 #include "core/places/first_labels.hpp"
+#include "core/places/wall_sides.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -47,10 +49,19 @@ struct Region {
   std::vector<Contact> contacts;
 };
 
-/// Regions of the first labels, in the order of the pieces, with their contacts; walls as in segment_places.
-std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
-                               const FirstLabels& first, std::span<const types::Segment> walls,
-                               const CompassFrame& frame);
+/// The regions of first labels, and what they leave to those of the next. A value; empty: of no map.
+struct RegionMemory {
+  std::optional<CompassFrame> frame;
+  std::vector<std::uint32_t> pieces;  ///< as in FirstLabels
+  std::vector<Region> regions;
+  WallSides walls;
+};
+
+/// Makes of the regions those of these first labels, in the order of the pieces, with their contacts; walls
+/// as in segment_places. `memory`: of those labels that these were made of, if they have a change; then it
+/// costs the pieces with one, and a pass over all.
+void renew_regions(const grid::DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
+                   std::span<const types::Segment> walls, const CompassFrame& frame, RegionMemory& memory);
 
 /// Moves everything of region `from` to region `into`, whose core only grows by a part of equal rank.
 void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core);

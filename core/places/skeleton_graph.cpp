@@ -9,23 +9,7 @@
 
 namespace topo::places {
 
-namespace {
-
-/// The bits of a pattern that are set; not every machine has an instruction for it.
-constexpr std::array<std::uint8_t, 256> kBitsSet = [] {
-  std::array<std::uint8_t, 256> table{};
-  for (unsigned pattern = 0; pattern < 256; ++pattern)
-    table[pattern] = static_cast<std::uint8_t>(std::popcount(pattern));
-  return table;
-}();
-
-}  // namespace
-
-int GraphTracer::count_around(std::uint32_t i) const { return kBitsSet[thinning_->pattern_at(i, offsets_)]; }
-
-float GraphTracer::step_m(std::size_t direction) const {
-  return static_cast<float>(map_.resolution_m * (direction % 2 == 0 ? 1.0 : 1.41421356));
-}
+int GraphTracer::count_around(std::uint32_t i) const { return thinning_->count_around(i, offsets_); }
 
 void GraphTracer::add_node(std::uint32_t seed, bool whole_junction) {
   SkeletonNode node;
@@ -60,8 +44,7 @@ void GraphTracer::add_edge(std::uint32_t node, std::uint32_t from, std::size_t d
   edge.a = node;
   edge.first_cell = static_cast<std::uint32_t>(out_->axis.size());
   std::uint32_t here = neighbour(from, direction);
-  edge.clearance_min_m = std::min(clearance_m_[from], clearance_m_[here]);
-  edge.length_m = step_m(direction);
+  edge.length_m = step_m(map_, direction);
   while (!is_taken(here)) {
     thinning_->marks[here] |= Thinning::kEdge;
     out_->axis.push_back(here);
@@ -70,14 +53,14 @@ void GraphTracer::add_edge(std::uint32_t node, std::uint32_t from, std::size_t d
     const unsigned ahead = thinning_->pattern_at(here, offsets_) & ~back;
     direction = static_cast<std::size_t>(std::countr_zero(ahead));
     here = neighbour(here, direction);
-    edge.clearance_min_m = std::min(edge.clearance_min_m, clearance_m_[here]);
-    edge.length_m += step_m(direction);
+    edge.length_m += step_m(map_, direction);
   }
   edge.b = node_of_.at(here) - 1;
   edge.cell_count = static_cast<std::uint32_t>(out_->axis.size()) - edge.first_cell;
   ++out_->nodes[edge.a].degree;
   ++out_->nodes[edge.b].degree;
   out_->edges.push_back(edge);
+  ends_.push_back({from, here});
 }
 
 void GraphTracer::add_edges_of(std::uint32_t node) {
@@ -103,17 +86,24 @@ void GraphTracer::add_rings() {
   }
 }
 
+void GraphTracer::find_narrowest(Skeleton& skeleton) const {
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+    SkeletonEdge& edge = skeleton.edges[e];
+    edge.clearance_min_m = std::min(clearance_m_[ends_[e][0]], clearance_m_[ends_[e][1]]);
+    for (std::size_t k = edge.first_cell; k < edge.first_cell + edge.cell_count; ++k) {
+      fetch_ahead(clearance_m_.data(), skeleton.axis, k);
+      edge.clearance_min_m = std::min(edge.clearance_min_m, clearance_m_[skeleton.axis[k]]);
+    }
+  }
+}
+
 void GraphTracer::trace(Thinning& thinning, Skeleton& skeleton) {
   thinning_ = &thinning;
   out_ = &skeleton;
-  for (const std::uint32_t i : thinning.remain)
-    thinning.marks[i] &= static_cast<std::uint8_t>(~(Thinning::kNode | Thinning::kEdge));
-  skeleton.nodes.clear();
-  skeleton.edges.clear();
-  skeleton.axis.clear();
+  ends_.clear();
+  skeleton.axis.reserve(thinning.remain.size());
   for (std::size_t k = 0; k < thinning.remain.size(); ++k) {
     const std::uint32_t i = thinning.remain[k];
-    fetch_ahead(clearance_m_.data(), thinning.remain, k);  // for the edges
     if (k + kFetchAhead < thinning.remain.size())
       fetch_around(thinning, thinning.remain[k + kFetchAhead], offsets_);
     if (is_taken(i)) continue;

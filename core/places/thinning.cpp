@@ -17,7 +17,8 @@ Thinning thin_to_ridge(const DenseMap& map, const Erosion& erosion) {
     fetch_ahead(erosion.fates.data(), erosion.kept, k);
     fetch_ahead(thinning.marks.data(), erosion.kept, k);
     const bool ridge = (erosion.fates[i] & Erosion::kRidge) != 0;
-    thinning.marks[i] = Thinning::kOn | Thinning::kDoubted | (ridge ? Thinning::kRidge : 0);
+    thinning.marks[i] =
+        Thinning::kOn | Thinning::kDoubted | Thinning::kAhead | (ridge ? Thinning::kRidge : 0);
   }
   return thinning;
 }
@@ -37,13 +38,16 @@ void thin_to_lines(const DenseMap& map, Thinning& thinning) {
       if ((marks[j] & Thinning::kAhead) == 0) again.push_back(j);
     });
   };
-  for (const std::uint32_t i : thinning.remain) marks[i] |= Thinning::kAhead;
   for (const std::uint32_t i : thinning.remain) {
     marks[i] &= static_cast<std::uint8_t>(~Thinning::kAhead);
     if ((marks[i] & Thinning::kDoubted) != 0) look_at(i);
   }
   for (std::size_t next = 0; next < again.size(); ++next) look_at(again[next]);
-  std::erase_if(thinning.remain, [&](std::uint32_t i) { return marks[i] == 0; });
+  std::erase_if(thinning.remain, [&](std::uint32_t i) {
+    if (marks[i] == 0) return true;
+    marks[i] |= Thinning::kAhead;  // the next time
+    return false;
+  });
 }
 
 }  // namespace topo::places

@@ -15,17 +15,33 @@
 
 namespace topo::places {
 
+/// The bits of a pattern of neighbours that are set; not every machine has an instruction for it.
+inline int bits_set(unsigned pattern) {
+  static constexpr std::array<std::uint8_t, 256> kBitsSet = [] {
+    std::array<std::uint8_t, 256> table{};
+    for (unsigned p = 0; p < 256; ++p) table[p] = static_cast<std::uint8_t>(std::popcount(p));
+    return table;
+  }();
+  return kBitsSet[pattern];
+}
+
+/// To a cell's neighbour in a direction, as in neighbour_offsets.
+inline float step_m(const grid::DenseMap& map, std::size_t direction) {
+  return static_cast<float>(map.resolution_m * (direction % 2 == 0 ? 1.0 : 1.41421356));
+}
+
 /// Free space while it is thinned to its axis. Cells at the array's border count as not free.
 struct Thinning {
-  std::vector<std::uint8_t> marks;    ///< as map.cells
-  std::vector<std::uint32_t> remain;  ///< the cells that are on, in rising order of clearance
+  std::vector<std::uint8_t> marks;  ///< as map.cells
+  /// The cells that are on, in rising order of clearance, and those taken away since the last thinning.
+  std::vector<std::uint32_t> remain;
 
   static constexpr std::uint8_t kOn = 1;       ///< not yet taken away
   static constexpr std::uint8_t kRidge = 2;    ///< of the distance map: an end here is meant
   static constexpr std::uint8_t kDoubted = 4;  ///< may be taken away: it was not looked at as it is now
   static constexpr std::uint8_t kNode = 8;     ///< part of a node, or of an edge, of the graph
   static constexpr std::uint8_t kEdge = 16;
-  static constexpr std::uint8_t kAhead = 32;  ///< its turn is still to come
+  static constexpr std::uint8_t kAhead = 32;  ///< its turn is still to come; so it is before all turns
 
   /// Takes a cell away, and casts doubt on those beside it. Calls come(neighbour) for each that was in none.
   template <class F>
@@ -53,6 +69,9 @@ struct Thinning {
     const std::uint32_t below = (south & kOns) * kRising >> 16U & 7U;
     const std::uint32_t above = (north >> 8U & kOns) * kFalling >> 16U & 7U;
     return (mark[1] & unsigned{kOn}) | above << 1U | (mark[-1] & unsigned{kOn}) << 4U | below << 5U;
+  }
+  [[nodiscard]] int count_around(std::uint32_t cell, const std::array<std::ptrdiff_t, 8>& offsets) const {
+    return bits_set(pattern_at(cell, offsets));
   }
 };
 

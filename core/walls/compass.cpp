@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 
 #include "core/types/geometry.hpp"
-#include "core/walls/points_change.hpp"
+#include "core/walls/replace_part.hpp"
 
 namespace topo::walls {
 namespace {
@@ -174,35 +175,55 @@ struct Change {
   }
 };
 
+/// Puts the points that come in their places, and leaves out those that go.
+void exchange(std::vector<Sample>& samples, const PointsChange& points) {
+  if (points.come.empty() && points.gone.empty()) return;
+  const std::vector<Sample> come(points.come.begin(), points.come.end()),
+      gone(points.gone.begin(), points.gone.end());
+  const auto before = [](const Sample& a, const Sample& b) { return comes_before(a.p, b.p); };
+  const auto is_first = [&](const std::vector<Sample>& a, const std::vector<Sample>& b) {
+    return b.empty() || (!a.empty() && before(a.front(), b.front()));
+  };
+  const auto is_last = [&](const std::vector<Sample>& a, const std::vector<Sample>& b) {
+    return b.empty() || (!a.empty() && before(b.back(), a.back()));
+  };
+  const Sample& least = is_first(come, gone) ? come.front() : gone.front();
+  const Sample& most = is_last(come, gone) ? come.back() : gone.back();
+  const auto first = std::lower_bound(samples.begin(), samples.end(), least, before),
+             end = std::upper_bound(first, samples.end(), most, before);
+  std::vector<Sample> stay, now;
+  std::set_difference(first, end, gone.begin(), gone.end(), std::back_inserter(stay), before);
+  std::merge(stay.begin(), stay.end(), come.begin(), come.end(), std::back_inserter(now), before);
+  replace_part(samples, first, end, now);
+}
+
 /// Makes of the curves those by these points.
-void renew(CompassMemory& memory, std::span<const types::Vector2> points, std::uint64_t few_limit,
+void renew(CompassMemory& memory, const PointsChange& points, std::uint64_t few_limit,
            std::uint64_t all_limit) {
   Change few, all;
-  const auto change = [&](const Sample& sample, bool was, bool is) {
-    few.note(sample, memory.placing, was && sample.hash <= memory.few.limit, is && sample.hash <= few_limit);
-    all.note(sample, memory.placing, was && sample.hash <= memory.all.limit, is && sample.hash <= all_limit);
-  };
-  // As in points_change, but that of each point more is known than where it is.
-  std::vector<Sample> samples;
-  samples.reserve(points.size());
-  auto old = memory.samples.begin();
-  const auto end = memory.samples.end();
-  for (const types::Vector2& p : points) {
-    for (; old != end && comes_before(old->p, p); ++old) change(*old, true, false);
-    const bool was = old != end && old->p == p;
-    samples.push_back(was ? *old++ : Sample(p));
-    change(samples.back(), was, true);
+  const Placing& placing = memory.placing;
+  if (memory.few.limit != few_limit || memory.all.limit != all_limit) {
+    for (const Sample& sample : memory.samples) {
+      few.note(sample, placing, sample.hash <= memory.few.limit, sample.hash <= few_limit);
+      all.note(sample, placing, sample.hash <= memory.all.limit, sample.hash <= all_limit);
+    }
   }
-  for (; old != end; ++old) change(*old, true, false);
-  memory.samples = std::move(samples);
+  const auto change = [&](const types::Vector2& p, bool was, bool is) {
+    const Sample sample(p);
+    if (sample.hash <= few_limit) few.note(sample, placing, was, is);
+    if (sample.hash <= all_limit) all.note(sample, placing, was, is);
+  };
+  for (const types::Vector2& p : points.gone) change(p, true, false);
+  for (const types::Vector2& p : points.come) change(p, false, true);
+  exchange(memory.samples, points);
   few.apply_to(memory.few);
   all.apply_to(memory.all);
 }
 
 }  // namespace
 
-Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params,
-                        CompassMemory& memory) {
+Compass entropy_compass(const PointsChange& change, const CompassParams& params, CompassMemory& memory) {
+  const std::span<const types::Vector2> points = change.now;
   if (points.size() < kPointsMin) {
     memory = {};
     return {};
@@ -219,7 +240,7 @@ Compass entropy_compass(std::span<const types::Vector2> points, const CompassPar
   if (memory.placing != placing || memory.radius != radius)
     memory = {placing, radius, {points.begin(), points.end()}, {}, {}};
   else
-    renew(memory, points, few_limit, all_limit);
+    renew(memory, change, few_limit, all_limit);
   memory.few.limit = few_limit;
   memory.all.limit = all_limit;
   const auto curve = [&](KeptCurve& kept) {
@@ -244,7 +265,7 @@ Compass entropy_compass(std::span<const types::Vector2> points, const CompassPar
 
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
   CompassMemory memory;
-  return entropy_compass(points, params, memory);
+  return entropy_compass({points, {}, {}}, params, memory);
 }
 
 }  // namespace topo::walls

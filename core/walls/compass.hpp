@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/types/se2.hpp"
+#include "core/walls/points_change.hpp"
 #include "core/walls/projection.hpp"
 #include "core/walls/sampling.hpp"
 
@@ -56,9 +57,8 @@ struct CompassMemory {
 };
 
 /// The same, equal to the bit, from what the compass of other points left, and leaves it of these: points
-/// come and go in the histograms. Costs those, and a pass over the points, when both are in the order of a
-/// map's rows and within the same box.
-Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params,
-                        CompassMemory& memory);
+/// come and go in the histograms. `points`: how they differ from those, row by row; of no meaning when there
+/// were none. Costs what has changed, and a pass or two over the points, when both are within the same box.
+Compass entropy_compass(const PointsChange& points, const CompassParams& params, CompassMemory& memory);
 
 }  // namespace topo::walls

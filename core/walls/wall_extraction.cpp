@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <tuple>
 
 namespace topo::walls {
@@ -115,12 +114,6 @@ class WallFinder {
   std::vector<std::vector<Run>> walls_on_;
 };
 
-/// Of an occupied cell that is not on the map's border.
-bool on_surface(const grid::CellState* at, std::ptrdiff_t up) {
-  const auto is_occupied = [at](std::ptrdiff_t by) { return at[by] == grid::CellState::kOccupied; };
-  return !(is_occupied(1) && is_occupied(-1) && is_occupied(up) && is_occupied(-up));
-}
-
 }  // namespace
 
 std::vector<types::Vector2> wall_points(const WallStore& store) {
@@ -130,30 +123,6 @@ std::vector<types::Vector2> wall_points(const WallStore& store) {
     const auto cell = patricia::cell_of(key);
     points.emplace_back((cell.x + 0.5) * store.resolution_m(), (cell.y + 0.5) * store.resolution_m());
   });
-  return points;
-}
-
-std::vector<types::Vector2> occupied_points(const grid::DenseMap& map) {
-  static_assert(sizeof(grid::CellState) == 1);
-  std::vector<types::Vector2> points;
-  const auto width = static_cast<std::size_t>(map.width());
-  for (int y = map.box.min.y; y <= map.box.max.y && width > 0; ++y) {
-    const grid::CellState* const row = &map.cells[map.index({map.box.min.x, y})];
-    const grid::CellState* const end = row + width;
-    const bool is_outermost = y == map.box.min.y || y == map.box.max.y;
-    const double y_m = map.centre_of({map.box.min.x, y}).y();
-    for (const grid::CellState* at = row; at != end; ++at) {
-      if (*at != grid::CellState::kOccupied) {
-        // Most cells are not occupied: the library looks at many at once.
-        at = static_cast<const grid::CellState*>(std::memchr(at, static_cast<int>(grid::CellState::kOccupied),
-                                                             static_cast<std::size_t>(end - at)));
-        if (at == nullptr) break;
-      }
-      // All is unknown outside of the map.
-      if (is_outermost || at == row || at + 1 == end || on_surface(at, map.width()))
-        points.emplace_back(map.centre_of({map.box.min.x + static_cast<int>(at - row), y}).x(), y_m);
-    }
-  }
   return points;
 }
 

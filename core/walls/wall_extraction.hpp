@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "core/grid/dense_map.hpp"
 #include "core/types/geometry.hpp"
 #include "core/walls/wall_lines.hpp"
 #include "core/walls/wall_params.hpp"
@@ -16,10 +15,6 @@ namespace topo::walls {
 
 /// Centres of the store's cells that are wall by their heights (is_wall).
 std::vector<types::Vector2> wall_points(const WallStore& store);
-
-/// Centres of the occupied cells on the surface of what is occupied: a side of theirs is not. The inside of a
-/// solid mass, as drawn maps have it, says nothing of walls, and can be most of the map.
-std::vector<types::Vector2> occupied_points(const grid::DenseMap& map);
 
 /// Line segments along the compass direction and across it, from cell centre to cell centre: local maxima of
 /// both histograms, their cells broken into contiguous runs (paper section II-B). A maximum is local along

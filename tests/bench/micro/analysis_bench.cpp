@@ -25,6 +25,7 @@
 #include "core/places/place_map.hpp"
 #include "core/places/skeleton.hpp"
 #include "core/walls/compass.hpp"
+#include "core/walls/occupied_points.hpp"
 #include "core/walls/wall_extraction.hpp"
 #include "tests/bench/micro/drawn_building.hpp"
 #include "tests/bench/micro/memory_gauge.hpp"

@@ -78,6 +78,16 @@ class Exploration {
   std::vector<float> clearance_m_;  ///< of the newest input
 };
 
+/// As a wall store has them: not of all that is occupied, and in another order than the map's.
+std::vector<types::Vector2> some_occupied(const DenseMap& map) {
+  std::vector<types::Vector2> points;
+  const std::size_t left_out = *rc::gen::inRange<std::size_t>(2, 9);
+  for (std::size_t i = map.cells.size(); i-- > 0;)
+    if (map.cells[i] == CellState::kOccupied && i % left_out != 0)
+      points.push_back(map.centre_of(map.cell(i)));
+  return points;
+}
+
 void check_skeleton(const places::Skeleton& a, const places::Skeleton& b) {
   RC_ASSERT(a.on == b.on);
   RC_ASSERT(a.axis == b.axis);
@@ -99,6 +109,10 @@ void check_places(const places::PlaceMap& a, const places::PlaceMap& b) {
     RC_ASSERT(a.places[p].centroid == b.places[p].centroid);
   }
   RC_ASSERT(a.borders.size() == b.borders.size());
+  for (std::size_t k = 0; k < a.borders.size(); ++k) {
+    RC_ASSERT(a.borders[k].a == b.borders[k].a && a.borders[k].b == b.borders[k].b);
+    RC_ASSERT(a.borders[k].length_m == b.borders[k].length_m);
+  }
 }
 
 void check_goals(const std::vector<goals::Goal>& a, const std::vector<goals::Goal>& b) {
@@ -126,7 +140,10 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
         exploration.change(*rc::gen::inRange(1, 170), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 28),
                            state);
       }
-      const AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
+      AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
+      if (*rc::gen::inRange(0, 8) == 0) (void)analyse(AnalysisInput{}, {}, memory);  // of no map
+      if (*rc::gen::inRange(0, 3) == 0) input.wall_points = some_occupied(input.map);
+      if (*rc::gen::inRange(0, 4) == 0) (void)analyse(input, {}, memory);  // the same twice
       const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
       RC_ASSERT(again.revision == whole.revision);
       RC_ASSERT(again.map.cells == whole.map.cells);

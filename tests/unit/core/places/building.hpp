@@ -10,6 +10,7 @@
 #include "core/places/box_counts.hpp"
 #include "core/places/furniture.hpp"
 #include "core/walls/compass.hpp"
+#include "core/walls/occupied_points.hpp"
 #include "core/walls/wall_extraction.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 

@@ -45,16 +45,33 @@ std::vector<types::Segment> some_walls() {
   return walls;
 }
 
+/// From the first to the last row that is another one.
+grid::Rows other_rows(const DenseMap& a, const DenseMap& b) {
+  grid::Rows rows;
+  const auto width = static_cast<std::size_t>(a.width());
+  for (std::size_t i = 0; i < a.cells.size(); ++i) {
+    if (a.cells[i] == b.cells[i]) continue;
+    if (rows.empty()) rows.first = i / width;
+    rows.end = i / width + 1;
+  }
+  return rows;
+}
+
 TEST(Furniture, OfOneMapAfterTheOtherIsThatOfTheWholeMap) {
   EXPECT_TRUE(rc::check([] {
     DenseMap map = DrawnMap(170, 90).room(4, 4, 166, 86).map();
     draw_patches(map, 30, 12);
     FurnitureUpdate update;
+    DenseMap before;
+    double furniture_before_m = 0.0;
     for (int step = 0; step < 6; ++step) {
       const std::vector<types::Segment> walls = some_walls();
       const double furniture_m = *rc::gen::inRange(0, 8) == 0 ? 0.4 : 0.6;
-      RC_ASSERT(update.take(map, walls, furniture_m).cells ==
-                without_furniture(map, walls, furniture_m).cells);
+      const grid::Rows others = update.take(map, furniture_m);
+      if (step > 0 && furniture_m == furniture_before_m) RC_ASSERT(others == other_rows(before, map));
+      RC_ASSERT(update.clear(map, walls).cells == without_furniture(map, walls, furniture_m).cells);
+      before = map;
+      furniture_before_m = furniture_m;
       draw_patches(map, *rc::gen::inRange(0, 3), *rc::gen::inRange(2, 20));
     }
   }));
@@ -64,11 +81,14 @@ TEST(Furniture, OfAnotherMapIsThatOfTheOtherMap) {
   const DenseMap one = DrawnMap(80, 60).room(4, 4, 76, 56).occupied(20, 20, 28, 28).map(),
                  other = DrawnMap(90, 60).room(4, 4, 86, 56).occupied(40, 20, 48, 28).map();
   FurnitureUpdate update;
-  for (const DenseMap& map : {one, other, DenseMap{}, one})
-    EXPECT_EQ(update.take(map, {}, 1.0).cells, without_furniture(map, {}, 1.0).cells);
+  for (const DenseMap& map : {one, other, DenseMap{}, one}) {
+    EXPECT_EQ(update.take(map, 1.0), (grid::Rows{0, static_cast<std::size_t>(map.height())}));
+    EXPECT_EQ(update.clear(map, {}).cells, without_furniture(map, {}, 1.0).cells);
+  }
   DenseMap coarse = one;
   coarse.resolution_m = 0.1;
-  EXPECT_EQ(update.take(coarse, {}, 0.7).cells, without_furniture(coarse, {}, 0.7).cells);
+  EXPECT_EQ(update.take(coarse, 0.7), (grid::Rows{0, static_cast<std::size_t>(coarse.height())}));
+  EXPECT_EQ(update.clear(coarse, {}).cells, without_furniture(coarse, {}, 0.7).cells);
 }
 
 }  // namespace

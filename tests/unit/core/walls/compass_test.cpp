@@ -84,13 +84,17 @@ TEST(Compass, OfPointsThatCameAndWentIsThatOfThosePresent) {
     CompassParams params;
     params.points_max = static_cast<std::size_t>(*rc::gen::element(300, 3000, 20000));
     CompassMemory memory;
+    Points before;
     for (int step = 0; step < 6; ++step) {
       Points points = plan;
       if (*rc::gen::inRange(0, 2) == 0) furnish(points, static_cast<unsigned>(*rc::gen::inRange(0, 4)));
       const double x_m = *rc::gen::inRange(0, 28), wide_m = *rc::gen::inRange(0, 8);
       std::erase_if(points, [&](const auto& p) { return p.x() > x_m && p.x() < x_m + wide_m; });
       if (*rc::gen::inRange(0, 9) == 0) points.clear();
-      const Compass again = entropy_compass(points, params, memory), fresh = entropy_compass(points, params);
+      std::sort(points.begin(), points.end(), comes_before);
+      const Compass again = entropy_compass(points_change(before, points), params, memory),
+                    fresh = entropy_compass(points, params);
+      before = points;
       RC_ASSERT(again.angle_rad == fresh.angle_rad);
       RC_ASSERT(again.entropy == fresh.entropy);
       RC_ASSERT(again.confidence == fresh.confidence);

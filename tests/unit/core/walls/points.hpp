@@ -15,7 +15,7 @@ namespace topo::walls {
 using Points = std::vector<types::Vector2>;
 
 /// Points every 2.5 cm along a straight line.
-inline void draw_line(Points& points, types::Vector2 a, types::Vector2 b) {
+inline void draw_line(Points& points, const types::Vector2& a, const types::Vector2& b) {
   const double length_m = (b - a).norm();
   for (double at_m = 0.0; at_m <= length_m; at_m += 0.025) points.push_back(a + (b - a) * (at_m / length_m));
 }

@@ -133,18 +133,5 @@ TEST(WallPoints, AreTheCellsThatAreWallByTheirHeights) {
   EXPECT_NEAR((points[0] - types::Vector2(1.025, -2.025)).norm(), 0.0, 1e-9);
 }
 
-TEST(OccupiedPoints, AreTheSurfaceOfWhatIsOccupied) {
-  grid::DenseMap map;
-  EXPECT_TRUE(occupied_points(map).empty());
-  map.box = {{-3, -3}, {3, 3}};
-  map.cells.assign(49, grid::CellState::kUnknown);
-  EXPECT_TRUE(occupied_points(map).empty());
-  for (int y = -2; y <= 2; ++y)
-    for (int x = -2; x <= 2; ++x) map.cells[map.index({x, y})] = grid::CellState::kOccupied;
-  const auto points = occupied_points(map);
-  EXPECT_EQ(points.size(), 16U);
-  EXPECT_NEAR((points[0] - types::Vector2(-0.075, -0.075)).norm(), 0.0, 1e-9);
-}
-
 }  // namespace
 }  // namespace topo::walls
