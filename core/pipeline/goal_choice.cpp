@@ -8,6 +8,7 @@
 
 #include "core/goals/frontiers.hpp"
 #include "core/grid/end_of_way.hpp"
+#include "core/grid/nearest_reachable.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -42,7 +43,7 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const R
   for (const goals::Goal& goal : goals) {
     if (put_off.hold(goal.p_map, now)) continue;
     const grid::CellIndex at = map.cell_at(goal.p_map);
-    auto cell = grid::nearest_reachable(map, field, at, kGoalReach_m);
+    auto cell = grid::nearest_to_stay_at(map, field, at, kGoalReach_m);
     if (!cell && goal.side != goals::Side::kNone)
       cell = grid::end_of_way(map, clearance_m, field, at, radius_m, kUnseenWay_m);
     if (!cell) {

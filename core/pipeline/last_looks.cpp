@@ -74,8 +74,7 @@ std::optional<goals::Look> LastLooks::look_into(const goals::Frontier& frontier,
                                                 types::Stamp now) {
   const auto holds = [&](const Answer& a) {
     return a.opening == frontier.centroid && a.cells == frontier.cells.size() &&
-           (!a.look ||
-            (in.map.contains(a.look->from) && !std::isinf(in.field.cost_m[in.map.index(a.look->from)])));
+           (!a.look || (in.map.contains(a.look->from) && in.field.can_stay_at(in.map.index(a.look->from))));
   };
   const auto known = std::find_if(answers_.begin(), answers_.end(), holds);
   if (known != answers_.end()) return known->look;

@@ -16,9 +16,9 @@ namespace topo::pipeline {
 struct LastLookParams {
   double opening_min_m = 0.3;  ///< what one can look through
   double gain_min_m2 = 0.3;    ///< goals::Look::gain_m2
-  /// All looks together, of what is known. Over sixteen plans and one robot the sweep promised 6 and 10 %
-  /// where 1.0 and 1.2 % were missing, and at most 2.9 % where under 0.8 % were, which are not worth the way.
-  double promise_min = 0.04;
+  /// All looks together, of what is known: a sweep promises three to six times what is missing. Of less than
+  /// that, one percent of the building is not missing any more.
+  double promise_min = 0.02;
   double time_share = 0.75;   ///< of the time without them: all sweeps together take no longer
   double time_min_s = 60.0;   ///< or this, when that is less
   double length_share = 0.8;  ///< of a tour of looks (goals::tour_cost_m): nothing leads on any more

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/grid/nearest_reachable.hpp"
 #include "core/pipeline/planning_state.hpp"
 
 namespace topo::pipeline {
@@ -20,6 +21,7 @@ constexpr types::Duration kPatience = std::chrono::seconds(6);
 constexpr int kResumesMax = 8;             // an exploration ends
 constexpr double kResumeFor_m = 1.2;       // a narrower gap does not turn a robot round on its way home
 constexpr double kBlockedAhead_m = 0.45;   // from the centre of the robot to what it got stuck on
+constexpr double kTightAhead_m = 1.2;      // a passage that it stands before, and does not get into
 constexpr double kHomeWhenStuck_m = 0.45;  // of what is home, half a metre: who gets no nearer is there
 constexpr types::Duration kBlockedFor =
     std::chrono::minutes(5);  // what no laser sees is glass more often than a person
@@ -67,10 +69,35 @@ void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   goal.reset();
 }
 
-/// The robot did not get on here: whatever stands ahead, the next route goes round it.
+/// Where the next metre of the route is narrowest, if the map, and not what passes by, is too narrow there to
+/// turn in. Not where the robot stands: it may be near to something in the middle of a room.
+std::optional<types::Vector2> PlanningState::Impl::tight_ahead() const {
+  std::optional<types::Vector2> narrowest;
+  if (route.empty()) return narrowest;
+  auto least_m = static_cast<float>(params.travel.radius_m);
+  const types::Vector2 here = T_map_base.se2().translation();
+  double along_m = 0.0;
+  for (std::size_t i = nearest_point(route, here) + 1; i < route.size(); ++i) {
+    along_m += (route[i] - route[i - 1]).norm();
+    if (along_m >= kTightAhead_m) break;
+    const grid::CellIndex cell = map.cell_at(route[i]);
+    if (!map.contains(cell) || (route[i] - here).norm() < params.travel.radius_m) continue;
+    const float clear_m = clearance.clearance_m()[map.index(cell)];
+    if (clear_m >= least_m) continue;
+    narrowest = route[i];
+    least_m = clear_m;
+  }
+  return narrowest;
+}
+
+/// The robot did not get on here: whatever stands ahead, the next route goes round it. What is too tight is
+/// so for the rest of the mission.
 void PlanningState::Impl::block_ahead(const PlanningInput& in) {
   if (is_going_mate(T_map_base.se2() * types::Vector2(2.0 * kBlockedAhead_m, 0.0))) return;
-  blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
+  if (const auto tight = tight_ahead())
+    too_tight.push_back(*tight);
+  else
+    blocked.push_back({T_map_base.se2() * types::Vector2(kBlockedAhead_m, 0.0), in.now + kBlockedFor, 1});
   thought = {};  // this period's costs do not know of it yet
 }
 
@@ -230,11 +257,14 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   reason = description(*goal);
 }
 
-/// The reachable cell nearest to a point; the way to it is found later.
+/// The reachable cell nearest to a point, if there is one at which the robot can turn, that; the way to it is
+/// found later.
 std::optional<grid::CellIndex> PlanningState::Impl::reachable_cell(const types::Vector2& p_map) {
   constexpr double kNear_m = 0.5, kBeside_m = 2.0;
   search.settle(kBeside_m);
-  return grid::nearest_reachable(map, field, map.cell_at(p_map), kNear_m);
+  const grid::CellIndex cell = map.cell_at(p_map);
+  const auto stay = grid::nearest_to_stay_at(map, field, cell, kNear_m);
+  return stay ? stay : grid::nearest_reachable(map, field, cell, kNear_m);
 }
 
 void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_map, double reached_m,
@@ -257,8 +287,10 @@ void PlanningState::Impl::aim(const PlanningInput& in, const types::Vector2& p_m
   has_target = cell.has_value();
   if (cell) target = *cell;
   activity = underway;
-  if (!cell) reason = "no way there just now";
-  if (!cell) (void)forget_unseen(in);
+  if (cell) return;
+  reason = "no way there just now";
+  (void)forget_unseen(in);
+  too_tight.clear();  // what was too tight to explore may be the only way home
 }
 
 void PlanningState::Impl::go_home(const PlanningInput& in, std::string why) {

@@ -158,7 +158,7 @@ std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& i
 }
 
 std::vector<types::Vector2> PlanningState::Impl::stuck_on() const {
-  std::vector<types::Vector2> points;
+  std::vector<types::Vector2> points = too_tight;
   for (const Blocked& b : blocked) add_disc(b.p_map, points);
   return points;
 }

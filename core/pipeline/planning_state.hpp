@@ -81,11 +81,13 @@ struct PlanningState::Impl {
   [[nodiscard]] std::optional<grid::CellIndex> reachable_cell(const types::Vector2& p_map);
   void aim(const PlanningInput& in, const types::Vector2& target, double reached_m, Activity underway);
   void give_up(const PlanningInput& in, std::string why);
+  [[nodiscard]] std::optional<types::Vector2> tight_ahead() const;
   void block_ahead(const PlanningInput& in);
   void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
 
   // In which order (planning_tour.cpp).
   [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
+  [[nodiscard]] bool is_unlikely_goal_cut_off(const PlanningInput& in) const;
   void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
   void add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
                 std::vector<Candidate>& candidates, bool& cut_off) const;
@@ -201,9 +203,10 @@ struct PlanningState::Impl {
     types::Stamp until{};
     int times = 1;  ///< how often something was noticed there
   };
-  std::vector<Blocked> blocked;  ///< where the robot did not get on
-  std::vector<Blocked> echoes;   ///< where sonar hears, or the robot touched, what no laser sees
-  std::uint32_t touches = 0;     ///< of control's count, those remembered
+  std::vector<Blocked> blocked;           ///< where the robot did not get on
+  std::vector<types::Vector2> too_tight;  ///< the same in passages in which it cannot turn
+  std::vector<Blocked> echoes;            ///< where sonar hears, or the robot touched, what no laser sees
+  std::uint32_t touches = 0;              ///< of control's count, those remembered
   types::Stamp forgotten{};
   std::vector<goals::Goal> open_goals;
   std::vector<Decision> decisions;

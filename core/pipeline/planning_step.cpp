@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/grid/nearest_reachable.hpp"
 #include "core/pipeline/path.hpp"
 #include "core/pipeline/planning_state.hpp"
 #include "core/types/battery.hpp"
@@ -26,9 +27,6 @@ constexpr double kOffRoute_m = 0.4;
 constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
 constexpr double kCorrection_rad = 0.03;
 constexpr double kNear_m = 6.0;  // farther ways are found by the coarse map
-constexpr double kLookAhead_m = 3.0;
-/// Farther than that along its path no robot gets between two looks at it.
-constexpr auto kNearPoints = static_cast<std::size_t>(kLookAhead_m / kPathSpacing_m);
 
 /// Was the map bent where the robot is since a decision whose newest keyframe this was? Odometry that drifts
 /// moves the robot on the map, and the route not at all.
@@ -36,15 +34,6 @@ bool corrected(const KeyframePose& newest, std::size_t number, const MapSnapshot
   if (number >= map.keyframes.size() || map.keyframes[number].stamp != newest.stamp) return true;
   const types::Se2 change = newest.T_map_base.se2().inverse() * map.keyframes[number].T_map_base.se2();
   return change.translation().norm() > kCorrection_m || std::abs(change.theta_rad) > kCorrection_rad;
-}
-
-/// Index of the point of the path's beginning that is nearest to the robot.
-std::size_t nearest_point(const std::vector<types::Vector2>& path, const types::Vector2& here) {
-  const auto end = path.begin() + static_cast<std::ptrdiff_t>(std::min(path.size(), kNearPoints));
-  const auto nearest = std::min_element(path.begin(), end, [&](const auto& a, const auto& b) {
-    return (a - here).squaredNorm() < (b - here).squaredNorm();
-  });
-  return static_cast<std::size_t>(nearest - path.begin());
 }
 
 /// Why nobody knows where the robot is; null when its place is known in this very period.
@@ -86,6 +75,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   goal.reset();
   has_target = false;
   put_off.clear();
+  too_tight.clear();
   looks.begin(in.now);
   looks_meanwhile = false;
   goal_ways.doubt();
@@ -323,9 +313,9 @@ types::Status check_target(const Analysis& analysis, const PlannerParams& params
     case grid::CellState::kFree:
       break;
   }
-  const grid::TravelField field =
-      grid::travel_field(map, clearance_of(analysis), map.cell_at(from), params.travel);
-  if (!grid::nearest_reachable(map, field, cell, 0.25))
+  const std::vector<float> clearance_m = clearance_of(analysis);
+  const grid::TravelField field = grid::travel_field(map, clearance_m, map.cell_at(from), params.travel);
+  if (!grid::nearest_to_stay_at(map, field, cell, 0.25))
     return types::fail(Errc::kInvalidInput, "no way that is wide enough for the robot leads to the target");
   return {};
 }

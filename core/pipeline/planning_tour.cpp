@@ -6,10 +6,12 @@
 // to come back for it.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/goals/opening_check.hpp"
 #include "core/goals/tour.hpp"
+#include "core/grid/nearest_reachable.hpp"
 #include "core/pipeline/planning_state.hpp"
 
 namespace topo::pipeline {
@@ -46,6 +48,7 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
   clusters = static_cast<int>(frontiers.size());
   std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
   second_phase = candidates.empty();
+  if (candidates.empty() && !returning) cut_off = cut_off || is_unlikely_goal_cut_off(in);
   const bool complete = params.finish == Finish::kComplete;
   if (complete || second_phase) {
     if (!complete) leave_overlooked(frontiers);
@@ -59,6 +62,16 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
   }
   estimate_far_ones(candidates);
   return candidates;
+}
+
+/// An opening that is hardly worth a goal is worth a moment's patience all the same when its way is shut.
+bool PlanningState::Impl::is_unlikely_goal_cut_off(const PlanningInput& in) const {
+  std::vector<goals::Goal> unlikely;
+  std::ranges::copy_if(analysis->goals.rejected, std::back_inserter(unlikely),
+                       [](const goals::Goal& g) { return g.verdict == goals::Verdict::kUnlikely; });
+  bool cut_off = false;
+  (void)candidates_among(in, unlikely, cut_off);
+  return cut_off;
 }
 
 /// The few goals that stand in for all others are gone, and something big may still be behind a door that one

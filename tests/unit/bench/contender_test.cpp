@@ -29,7 +29,6 @@ TEST(Contender, isWholeUnlessAPartIsTakenAway) {
   EXPECT_TRUE(whole.analysis.wall_store);
   EXPECT_TRUE(whole.k_means);
   EXPECT_TRUE(std::isfinite(whole.analysis.places.width_ratio_max));
-  EXPECT_GT(whole.analysis.goals.centroid_ratio, 0.0);
 }
 
 TEST(Contender, isWithoutOnePartAndNoOther) {
@@ -41,7 +40,6 @@ TEST(Contender, isWithoutOnePartAndNoOther) {
   EXPECT_TRUE(no_k_means.analysis.wall_store);
   const pipeline::PlannerParams no_places = planner_of("topometric_no_places");
   EXPECT_TRUE(std::isinf(no_places.analysis.places.width_ratio_max));
-  EXPECT_EQ(no_places.analysis.goals.centroid_ratio, 0.0);
   EXPECT_TRUE(no_places.k_means);
   EXPECT_TRUE(no_places.analysis.wall_store);
 }

@@ -24,7 +24,6 @@ void drop_places(PlannerParams& planner) {
   places.width_ratio_max = HUGE_VAL;
   places.narrow_ratio = 0.0;
   places.wall_share_max = HUGE_VAL;
-  planner.analysis.goals.centroid_ratio = 0.0;
 }
 
 constexpr std::array kStrategies{Strategy::kTopometric, Strategy::kNearestFrontier, Strategy::kGreedyFrontier,

@@ -102,7 +102,7 @@ class PosedSource final : public SharedMapSource {
       T_map_base_ = readings.poses[i].T_map_base;
       tracked_.T_map_odom = types::Transform2<types::Map, types::Odom>(T_map_base_ * T_odom_base->inverse());
       heights_.add(readings.coronal[i], T_map_base_);
-      if (due()) add_keyframe(readings.front[i], *T_odom_base);
+      if (due(readings.front[i])) add_keyframe(readings.front[i], *T_odom_base);
       publish_when_due(readings.poses[i].stamp);
       tracked_.stamp = readings.poses[i].stamp;
       tracked_.revision = snapshot_->revision;
@@ -134,8 +134,10 @@ class PosedSource final : public SharedMapSource {
     return {k.keyframe->stamp, types::Transform2<types::Map, types::Base>(k.T_map_base)};
   }
 
-  [[nodiscard]] bool due() const {
+  /// As slam::Mapper.
+  [[nodiscard]] bool due(const types::Scan& scan) const {
     if (own_.empty()) return true;
+    if (slam::invalid_share(scan) < invalid_share_ - params_.keyframe.unveiled_share) return true;
     const types::Se2 moved = own_.back().T_map_base.se2().inverse() * T_map_base_;
     return moved.translation().norm() >= params_.keyframe.travel_m ||
            std::abs(moved.theta_rad) >= params_.keyframe.turn_rad;
@@ -146,6 +148,7 @@ class PosedSource final : public SharedMapSource {
     keyframe->id = {robot_, static_cast<std::uint32_t>(own_.size())};
     keyframe->stamp = scan.first_beam;
     keyframe->T_odom_base = T_odom_base;
+    invalid_share_ = slam::invalid_share(scan);
     keyframe->sensor = params_.T_base_laser.translation().cast<float>();
     dense_hits(scan, params_.T_base_laser, params_.cloud.range_max_m, keyframe->hits);
     keyframe->columns = heights_.take(T_map_base_);
@@ -195,6 +198,7 @@ class PosedSource final : public SharedMapSource {
   std::vector<pipeline::KeyframePose> own_;
   std::map<std::uint16_t, std::vector<pipeline::KeyframePose>> ways_;  ///< of team-mates
   types::Se2 T_map_base_;
+  double invalid_share_ = 0.0;  ///< of the beams of the newest keyframe
   pipeline::TrackedPose tracked_;
   std::unique_ptr<pipeline::MapSnapshot> snapshot_;  // after builder_: it must go first
 };

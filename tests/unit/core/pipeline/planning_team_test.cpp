@@ -58,12 +58,12 @@ class WithAMate : public ::testing::Test {
   /// The mate says that it was everywhere the robot could go to: how many of these goals are left?
   std::size_t goals_where_the_mate_was() {
     for (int i = 0; i < 2; ++i) (void)period();
-    for (const team::Bid& bid : out_.word->bids) mate_.visited.push_back(bid.p_map);
+    for (const goals::Goal& goal : out_.report->open_goals) mate_.visited.push_back(goal.p_map);
     EXPECT_GE(mate_.visited.size(), 2U) << "a room at either end";
     for (int i = 0; i < 4; ++i) (void)period();  // a decision holds one and a half seconds
-    const auto& bids = out_.word->bids;
+    const auto& open = out_.report->open_goals;
     const auto is_left = [&](const Vector2& p) {
-      return std::any_of(bids.begin(), bids.end(), [&](const auto& bid) { return bid.p_map == p; });
+      return std::any_of(open.begin(), open.end(), [&](const auto& goal) { return goal.p_map == p; });
     };
     return static_cast<std::size_t>(std::count_if(mate_.visited.begin(), mate_.visited.end(), is_left));
   }

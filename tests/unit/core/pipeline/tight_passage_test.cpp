@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "core/pipeline/planning_step.hpp"
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+constexpr double kWall_m = 5.0;  ///< from the start
+
+/// Two rooms, and between them a door of half a metre, in which no P3-DX can turn.
+std::vector<std::string> two_rooms() {
+  std::vector<std::string> rows(18, "#" + std::string(24, ' ') + "#" + std::string(24, ' ') + "#");
+  rows.insert(rows.begin(), std::string(51, '#'));
+  rows.push_back(std::string(51, '#'));
+  rows[9][5] = 'S';
+  rows[9][25] = rows[10][25] = ' ';
+  return rows;
+}
+
+PlannerParams params_with(double tight_m) {
+  PlannerParams params;
+  params.travel.tight_m = tight_m;
+  params.looks.promise_min = 1e9;
+  return params;
+}
+
+struct End {
+  Activity activity = Activity::kThinking;
+  double known = 0.0;
+  int times_stuck = 0;
+};
+
+/// Of an exploration in which the robot, if `sticks`, gets stuck whenever it comes to the door.
+End explore(const PlannerParams& params, bool sticks) {
+  ToyBuilding building(two_rooms());
+  const types::Vector2 start = building.robot();
+  const types::Vector2 door = start + types::Vector2(kWall_m, 0.0);
+  PlanningState state(params);
+  End end;
+  bool was_near = false;
+  for (int i = 0; i < 900; ++i) {
+    const double step_m = building.control().mode == ControlMode::kStuck ? 0.0 : 0.3;
+    const PlanningOutput out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}, step_m);
+    const bool is_near = (building.robot() - door).norm() < 0.8;
+    building.control().mode = sticks && is_near && !was_near ? ControlMode::kStuck : ControlMode::kFollowing;
+    if (building.control().mode == ControlMode::kStuck) ++end.times_stuck;
+    was_near = is_near;
+    end.activity = out.report->activity;
+    if (out.report->mission_ended) break;
+  }
+  end.known = building.coverage();
+  EXPECT_LT((building.robot() - start).norm(), 0.3);
+  return end;
+}
+
+TEST(TightPassage, IsDrivenThroughWhenNothingElseIsLeft) {
+  const End through = explore(params_with(0.22), false);
+  EXPECT_EQ(through.activity, Activity::kDone);
+  EXPECT_GT(through.known, 0.99);
+  EXPECT_LT(explore(params_with(0.297), false).known, 0.9) << "what is seen through the door";
+}
+
+TEST(TightPassage, InWhichTheRobotDidNotGetOnIsClosedForTheMission) {
+  const End end = explore(params_with(0.22), true);
+  EXPECT_EQ(end.activity, Activity::kDone);
+  EXPECT_LT(end.known, 0.97) << "what is seen from before the door";
+  EXPECT_EQ(end.times_stuck, 1);
+}
+
+}  // namespace
+}  // namespace topo::pipeline
