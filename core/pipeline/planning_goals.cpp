@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/grid/nearest_reachable.hpp"
+#include "core/pipeline/path.hpp"
 #include "core/pipeline/planning_state.hpp"
 
 namespace topo::pipeline {
