@@ -31,7 +31,7 @@ Candidate candidate_of(const GoalInput& input, const Opening& opening, const Goa
   goal.side = opening.side;
   goal.verdict = Verdict::kNoOpening;
   if (!leads_to_unknown(input.map, opening.cells, params)) return {goal, std::nullopt};
-  const std::optional<grid::CellIndex> stand = nearest_room(input, opening, params);
+  const std::optional<grid::CellIndex> stand = nearest_room(input, opening.cells, params);
   if (!stand) return {goal, std::nullopt};
   goal.p_map = steer(input, opening, *stand, params, nodes);
   goal.verdict = is_visited(goal, input.visited, params) ? Verdict::kVisited : Verdict::kUnlikely;

@@ -59,18 +59,12 @@ CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params
   }
 }
 
-std::int64_t squared_cells(CellIndex a, CellIndex b) {
-  const std::int64_t x = a.x - b.x, y = a.y - b.y;
-  return x * x + y * y;
-}
-
 /// The same within a window around the opening.
-std::optional<CellIndex> nearest_room_within(const GoalInput& input, const Opening& opening, double reach_m,
-                                             const GoalParams& params) {
-  const CellIndex middle = input.map.cell(opening.middle);
+std::optional<CellIndex> nearest_room_within(const GoalInput& input, std::span<const std::uint32_t> opening,
+                                             double reach_m, const GoalParams& params) {
   const int reach = static_cast<int>(std::lround(reach_m / input.map.resolution_m));
   grid::CellBox box;
-  for (const std::uint32_t i : opening.cells) box.extend(input.map.cell(i));
+  for (const std::uint32_t i : opening) box.extend(input.map.cell(i));
   box = {{box.min.x - reach, box.min.y - reach}, {box.max.x + reach, box.max.y + reach}};
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(box.width() * box.height()), 0);
   std::vector<CellIndex> queue;
@@ -81,19 +75,13 @@ std::optional<CellIndex> nearest_room_within(const GoalInput& input, const Openi
     if (mark == 0 && input.map.state(c) == CellState::kFree) queue.push_back(c);
     mark = 1;
   };
-  for (const std::uint32_t i : opening.cells) visit(input.map.cell(i));
-  // By steps from the opening. A wide one has room before all of its length: the stand is before its middle.
-  std::optional<CellIndex> room;
-  for (std::size_t next = 0; next < queue.size() && !room;) {
-    for (const std::size_t end = queue.size(); next < end; ++next) {
-      const CellIndex here = queue[next];
-      const bool has_room =
-          static_cast<double>(input.clearance_m[input.map.index(here)]) >= params.robot_radius_m;
-      if (has_room && (!room || squared_cells(here, middle) < squared_cells(*room, middle))) room = here;
-      for (const CellIndex by : std::span(kStraightFirst).first<4>()) visit({here.x + by.x, here.y + by.y});
-    }
+  for (const std::uint32_t i : opening) visit(input.map.cell(i));
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const CellIndex here = queue[next];
+    if (static_cast<double>(input.clearance_m[input.map.index(here)]) >= params.robot_radius_m) return here;
+    for (const CellIndex by : std::span(kStraightFirst).first<4>()) visit({here.x + by.x, here.y + by.y});
   }
-  return room;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -114,7 +102,7 @@ bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
   return true;
 }
 
-std::optional<CellIndex> nearest_room(const GoalInput& input, const Opening& opening,
+std::optional<CellIndex> nearest_room(const GoalInput& input, std::span<const std::uint32_t> opening,
                                       const GoalParams& params) {
   constexpr double kMostlyM = 1.0;  // saves the wide window
   if (const auto room = nearest_room_within(input, opening, kMostlyM, params)) return room;

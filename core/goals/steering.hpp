@@ -39,9 +39,9 @@ class FreeNodes {
   std::vector<bool> taken_;
 };
 
-/// The cell with robot_radius_m of clearance that is nearest to an opening through free space, of several the
-/// one nearest to its middle; nothing when there is none within room_reach_m.
-std::optional<grid::CellIndex> nearest_room(const GoalInput& input, const Opening& opening,
+/// The cell with robot_radius_m of clearance that is nearest to an opening through free space; nothing when
+/// there is none within room_reach_m.
+std::optional<grid::CellIndex> nearest_room(const GoalInput& input, std::span<const std::uint32_t> opening,
                                             const GoalParams& params);
 
 /// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening

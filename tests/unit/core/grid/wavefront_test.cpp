@@ -188,6 +188,18 @@ TEST(Wavefront, ARobotTooNearToAWallMayLeaveAndRunsAwayFromIt) {
   EXPECT_TRUE(std::isinf(field.cost_m[map.index({50, 2})]));
 }
 
+TEST(Wavefront, LeavingFromBesideAWallIsNoTightPassage) {
+  const DenseMap map = filled_map(60, 60, CellState::kFree);
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const CellIndex start{3, 30}, away{30, 30};
+  ASSERT_LT(clearance[map.index(start)], 0.25F);
+  const TravelRules dear{.tight_m = 0.25}, free_of_charge{.tight_m = 0.25, .tightness = 0.0};
+  const auto cost_m = [&](const TravelRules& rules) {
+    return travel_field(map, clearance, start, rules).cost_m[map.index(away)];
+  };
+  EXPECT_EQ(cost_m(dear), cost_m(free_of_charge));
+}
+
 TEST(Wavefront, LeavesUnknownCellsUnderItsFootprintButNoOthers) {
   DenseMap map = filled_map(60, 60, CellState::kFree);
   for (int y = 27; y <= 33; ++y)
