@@ -16,7 +16,6 @@ using grid::DenseMap;
 // What a way may cost more on the coarse map than the cheapest there and be the cheapest on the fine one.
 constexpr double kShare = 1.05;
 constexpr double kMore_m = 1.5;
-constexpr double kTight_m = 5.0;  // and a tight door at least (grid::TravelRules::tightness)
 
 /// By how much the coarse cells are wider, as a power of two.
 int doublings(const DenseMap& map, const DenseMap& coarse) {
@@ -85,9 +84,9 @@ std::vector<CellIndex> FarRoute::find(const DenseMap& map, std::span<const float
             passage(coarse.map, coarse_field, back_, static_cast<float>(most_m)), corridor_);
   search_.begin(corridor_.map, corridor_.clearance_m, start, rules, field_);
   search_.settle(HUGE_VAL);
-  // The coarse map does not see that a door is tight: dearer by more than that, there may be another way.
-  const float fine_m = field_.cost_m[corridor_.map.index(target)];
-  if (static_cast<double>(fine_m) > most_m + kTight_m) return {};
+  // The coarse map may not see that a door is tight. Dearer by a cell of that, there may be another way.
+  const auto fine_m = static_cast<double>(field_.cost_m[corridor_.map.index(target)]);
+  if (fine_m > most_m + rules.tightness * map.resolution_m) return {};
   return grid::route_to(corridor_.map, field_, target);
 }
 

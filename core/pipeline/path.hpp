@@ -12,7 +12,7 @@ namespace topo::pipeline {
 
 inline constexpr double kPathSpacing_m = 0.1;  ///< of a path's points, about
 /// Farther than these 3 m along its path no robot gets between two looks at it.
-inline constexpr std::size_t kNearPoints = 30;
+inline constexpr auto kNearPoints = static_cast<std::size_t>(3.0 / kPathSpacing_m);
 
 /// The route's cells as a path that a robot can follow, points kPathSpacing_m apart: corners of the grid are
 /// cut where the straight line keeps the clearance that the route had (as far as `preferred_m`), then

@@ -48,7 +48,7 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
   clusters = static_cast<int>(frontiers.size());
   std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
   second_phase = candidates.empty();
-  if (candidates.empty() && !returning) cut_off = cut_off || is_unlikely_goal_cut_off(in);
+  if (candidates.empty() && !returning && !cut_off) cut_off = is_unlikely_goal_cut_off(in);
   const bool complete = params.finish == Finish::kComplete;
   if (complete || second_phase) {
     if (!complete) leave_overlooked(frontiers);

@@ -75,6 +75,31 @@ TEST(FarRoute, isAsShortAsThatOfASearchOfTheWholeBuilding) {
   }));
 }
 
+/// A door in which the robot cannot turn, and 6 m aside a wide one. Where the wall lies in the coarse cells
+/// decides what those know of it.
+TEST(FarRoute, doesNotLeadThroughATightDoorBesideAWideOne) {
+  const grid::TravelRules rules{.radius_m = 0.28, .tight_m = 0.24};
+  const auto add_wall = [](grid::DenseMap& map, int x) {
+    for (int y = 0; y < 300; ++y) {
+      const bool tight = y >= 95 && y < 105, wide = y >= 220 && y < 245;
+      if (!tight && !wide) map.cells[map.index({x, y})] = CellState::kOccupied;
+    }
+  };
+  for (const int wall_x : {200, 201, 202, 203}) {
+    ClearMap fine;
+    fine.map = grid::filled_map(400, 300, CellState::kFree);
+    add_wall(fine.map, wall_x);
+    fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
+    const ClearMap coarse = coarser(fine.map, fine.clearance_m, 2);
+    const CellIndex start{150, 100}, target{250, 100};
+    const auto coarse_field = grid::travel_field(coarse.map, coarse.clearance_m,
+                                                 coarse.map.cell_at(fine.map.centre_of(start)), rules);
+    FarRoute far;
+    const auto route = far.find(fine.map, fine.clearance_m, coarse, coarse_field, start, target, rules);
+    for (const CellIndex& cell : route) EXPECT_TRUE(cell.x != wall_x || cell.y >= 220) << wall_x;
+  }
+}
+
 TEST(FarRoute, isNoneWhereTheCoarseMapHasNone) {
   ClearMap fine;
   fine.map = grid::filled_map(100, 60, CellState::kFree);

@@ -163,5 +163,15 @@ TEST(RoomBeside, isInTheNicheOfACorridor) {
   EXPECT_EQ(room_beside(map, field, mate, mates, 1.0), std::nullopt) << "not so near";
 }
 
+TEST(RoomBeside, isNoPlaceTooTightToTurnIn) {
+  const grid::DenseMap map = corridor_with_niche();
+  const auto clearance = clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const grid::TravelRules wide_robot{.radius_m = 1.5, .tight_m = 0.297, .tightness = 0.0};
+  const auto field = grid::travel_field(map, clearance, map.cell_at({7.0, 0.6}), wide_robot);
+  const Word mate = robot(1, {9.0, 0.6}, line({9.0, 0.6}, {1.0, 0.6}));
+  const std::vector<const Word*> mates{&mate};
+  EXPECT_EQ(room_beside(map, field, mate, mates, 8.0), std::nullopt);
+}
+
 }  // namespace
 }  // namespace topo::team
