@@ -29,13 +29,22 @@ DenseMap rooms() {
   return map;
 }
 
+/// A map, and what is kept up with it.
+struct Changing {
+  Changing() {
+    update.take(map);
+    first = first_labels(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPiece_m);
+  }
+
+  DenseMap map = rooms();
+  grid::ClearanceUpdate update;
+  FirstLabels first;
+};
+
 TEST(FirstLabels, OfAMapThatChangedAreThoseOfTheWholeMap) {
   EXPECT_TRUE(rc::check([] {
-    DenseMap map = rooms();
-    grid::ClearanceUpdate update;
-    update.take(map);
-    FirstLabels first =
-        first_labels(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPiece_m);
+    Changing now;
+    auto& [map, update, first] = now;
     for (int step = 0; step < 6; ++step) {
       draw_patches(map, *rc::gen::inRange(0, 4), *rc::gen::element(2, 8, 20));
       update.take(map);
@@ -63,11 +72,8 @@ std::vector<std::uint32_t> other_cells(const FirstLabels& a, const std::vector<f
 
 TEST(FirstLabels, SayWhatHasChanged) {
   EXPECT_TRUE(rc::check([] {
-    DenseMap map = rooms();
-    grid::ClearanceUpdate update;
-    update.take(map);
-    FirstLabels first =
-        first_labels(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPiece_m);
+    Changing now;
+    auto& [map, update, first] = now;
     RC_ASSERT(!first.change);
     for (int step = 0; step < 4; ++step) {
       const FirstLabels before = first;
