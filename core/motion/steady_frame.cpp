@@ -8,12 +8,12 @@ namespace topo::motion {
 namespace {
 
 // The matcher's noise, and a fifth of what the robot went and turned: five percent of scale and a short slip.
-constexpr double kNoise_m = 0.02, kNoise_rad = 0.02;
+constexpr double kMatchNoise_m = 0.02, kMatchNoise_rad = 0.02;
 constexpr double kShare = 0.2;
 
 bool is_drift(const types::Se2& by, const types::Se2& way) {
-  return by.translation().norm() <= kNoise_m + kShare * way.translation().norm() &&
-         std::abs(by.theta_rad) <= kNoise_rad + kShare * std::abs(way.theta_rad);
+  return by.translation().norm() <= kMatchNoise_m + kShare * way.translation().norm() &&
+         std::abs(by.theta_rad) <= kMatchNoise_rad + kShare * std::abs(way.theta_rad);
 }
 
 }  // namespace
