@@ -9,6 +9,7 @@
 #include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
+#include "tests/bench/topobench/compass/compass_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/goals/goals_command.hpp"
@@ -209,6 +210,17 @@ void add_options(CLI::App& app, topo::bench::AnalyseCommand& analyse) {
   app.add_flag("--json", analyse.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::CompassCommand& compass) {
+  app.add_option("--maps", compass.maps, "map_server YAML files, and folders of them")
+      ->required()
+      ->delimiter(',');
+  app.add_option("--turns", compass.turns_deg, "Degrees, counter-clockwise")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(number_from(-360.0, 360.0));
+  app.add_flag("--json", compass.json, "One JSON object on one line");
+}
+
 void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
   app.footer(
       "Clusters and goals are those of maps with eight frontier clusters (0.75 m) or more, openings those "
@@ -298,6 +310,10 @@ int start(int argc, char** argv) {
       "Can be stopped at any time: the same command goes on where it was. A run that crashed is tried "
       "again.");
   add_options(*table_app, table);
+  topo::bench::CompassCommand compass;
+  CLI::App* compass_app = app.add_subcommand(
+      "compass", "The direction of turned maps against that of the maps: how far the compass is off");
+  add_options(*compass_app, compass);
   topo::bench::GoalsCommand goals;
   CLI::App* goals_app = app.add_subcommand(
       "goals", "Goals on partial maps met while exploring: how few, and whether one is missing");
@@ -323,6 +339,7 @@ int start(int argc, char** argv) {
   if (*analyse_app) return finish(topo::bench::run_analyse(analyse));
   if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
+  if (*compass_app) return finish(topo::bench::run_compass(compass));
   if (*goals_app) return finish(topo::bench::run_goals(goals));
   if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));

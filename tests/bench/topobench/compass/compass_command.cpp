@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bench/topobench/compass/compass_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/types/se2.hpp"
+#include "tests/bench/topobench/analyse/map_input.hpp"
+#include "tests/bench/topobench/analyse/timed_analysis.hpp"
+#include "tests/bench/topobench/compass/turned_map.hpp"
+#include "tests/bench/topobench/table/table_world.hpp"
+
+namespace topo::bench {
+namespace {
+
+using nlohmann::json;
+
+json degrees_of(std::optional<double> angle_rad) {
+  if (!angle_rad) return nullptr;
+  return *angle_rad / types::kDegree_rad;
+}
+
+std::optional<double> direction_of(const grid::DenseMap& map) {
+  return timed_analysis(map, 1).analysis.compass.angle_rad;
+}
+
+}  // namespace
+
+double turn_error_deg(std::optional<double> angle_rad, std::optional<double> turned_rad, double turn_deg) {
+  constexpr double kQuarter_deg = 90.0;
+  if (!angle_rad || !turned_rad) return 0.5 * kQuarter_deg;
+  return std::abs(std::remainder((*turned_rad - *angle_rad) / types::kDegree_rad - turn_deg, kQuarter_deg));
+}
+
+types::Status run_compass(const CompassCommand& command) {
+  const auto files = world_files(command.maps);
+  if (!files) return tl::unexpected(files.error());
+  json each = json::array();
+  double worst_deg = 0.0, sum_deg = 0.0;
+  std::size_t count = 0;
+  for (const std::filesystem::path& file : *files) {
+    const auto input = read_map_input(file.string(), 0.0);
+    if (!input) return tl::unexpected(input.error());
+    const std::optional<double> angle_rad = direction_of(input->map);
+    json turns = json::array();
+    for (const double turn_deg : command.turns_deg) {
+      const auto turned_rad = direction_of(turned_map(input->map, turn_deg * types::kDegree_rad));
+      const double error_deg = turn_error_deg(angle_rad, turned_rad, turn_deg);
+      turns.push_back(
+          {{"turn_deg", turn_deg}, {"compass_deg", degrees_of(turned_rad)}, {"error_deg", error_deg}});
+      worst_deg = std::max(worst_deg, error_deg);
+      sum_deg += error_deg;
+      ++count;
+    }
+    each.push_back(
+        {{"map", file.stem()}, {"compass_deg", degrees_of(angle_rad)}, {"turns", std::move(turns)}});
+  }
+  const json printed{{"turned_maps", count},
+                     {"error_deg_mean", count == 0 ? 0.0 : sum_deg / static_cast<double>(count)},
+                     {"error_deg_max", worst_deg},
+                     {"each", std::move(each)}};
+  fmt::print("{}\n", command.json ? printed.dump() : printed.dump(2));
+  return {};
+}
+
+}  // namespace topo::bench
