@@ -39,9 +39,9 @@ struct RobotLimits {
   Footprint footprint;
   double margin_m = 0.05;       ///< kept free around the footprint
   double turn_margin_m = 0.03;  ///< the same while turning on the spot, where no way adds its error
-  /// One wheel that turns in vain for 0.4 of its way on a track of 0.36 m: what the robot may curve without
+  /// One wheel that turns in vain for 0.6 of its way on a track of 0.36 m: what the robot may curve without
   /// its encoders knowing. It has to be able to brake on such an arc as well.
-  double slip_curvature_per_m = 1.1;
+  double slip_curvature_per_m = 1.7;
   double v_beside_mps = 0.12;  ///< slow enough to drive beside something whatever the wheels do
   bool allow_reverse = false;  ///< the rear is blind; whoever sets this vouches for the way
   double v_reverse_max_mps = 0.1;

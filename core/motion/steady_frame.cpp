@@ -7,13 +7,17 @@
 namespace topo::motion {
 namespace {
 
-// The matcher's noise, and a fifth of what the robot went and turned: five percent of scale and a short slip.
 constexpr double kMatchNoise_m = 0.02, kMatchNoise_rad = 0.02;
+constexpr double kHalfTrack_m = 0.18;
+/// One wheel that turns in vain for 0.4 of its way (as RobotLimits::slip_curvature_per_m) leaves the robot's
+/// middle half of that behind, and turns the robot by so much of it over half the track.
 constexpr double kShare = 0.2;
 
+/// Can slip have done it, and a wrong size of the wheels? One that turns on the spot rolls as well.
 bool is_drift(const types::Se2& by, const types::Se2& way) {
-  return by.translation().norm() <= kMatchNoise_m + kShare * way.translation().norm() &&
-         std::abs(by.theta_rad) <= kMatchNoise_rad + kShare * std::abs(way.theta_rad);
+  const double lost_m = kShare * (way.translation().norm() + kHalfTrack_m * std::abs(way.theta_rad));
+  return by.translation().norm() <= kMatchNoise_m + lost_m &&
+         std::abs(by.theta_rad) <= kMatchNoise_rad + lost_m / kHalfTrack_m;
 }
 
 }  // namespace

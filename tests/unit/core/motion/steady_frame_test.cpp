@@ -42,6 +42,22 @@ TEST(SteadyFrame, FollowsTheDriftOfARobotThatTurnsAbout) {
   EXPECT_GT(std::abs(types::wrap_angle(T_odom_base.theta_rad - moved.theta_rad)), 0.25) << "odometry alone";
 }
 
+/// From one word of the mapper to the next the wheels report `rolled` and the robot goes `gone`.
+void expect_followed(const Se2& rolled, const Se2& gone) {
+  SteadyFrame frame;
+  const Se2 start{5.0, -3.0, 0.7};
+  frame.update(MapOdom(start), at({}));
+  frame.update(MapOdom(start * gone * rolled.inverse()), at(rolled));
+  expect_near(frame.steady(at(rolled)).T_odom_base.se2(), gone, 1e-9);
+}
+
+TEST(SteadyFrame, FollowsASlipOnTheSpotAndUnderWay) {
+  // A wheel in vain for a part of a turn carries the middle of the robot off ...
+  expect_followed({0.0, 0.0, 0.986}, {-0.027, 0.029, 0.849});
+  // ... and turns a robot that drives straight on.
+  expect_followed({0.392, 0.0, 0.005}, {0.366, 0.040, 0.210});
+}
+
 TEST(SteadyFrame, ALoopClosureMovesTheRobotAndItsSurroundingsTogether) {
   SteadyFrame frame;
   const Odometry odometry = at({12.0, 3.0, 1.0});
