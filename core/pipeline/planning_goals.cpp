@@ -19,7 +19,6 @@ constexpr types::Duration kStandstill = std::chrono::seconds(25);
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
 constexpr types::Duration kPatience = std::chrono::seconds(6);
-constexpr int kResumesMax = 8;             // an exploration ends
 constexpr double kResumeFor_m = 1.2;       // a narrower gap does not turn a robot round on its way home
 constexpr double kBlockedAhead_m = 0.45;   // from the centre of the robot to what it got stuck on
 constexpr double kTightAhead_m = 1.2;      // a passage that it stands before, and does not get into
@@ -228,10 +227,10 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   if (returning) {
     const bool worth_it = std::any_of(candidates.begin(), candidates.end(),
                                       [](const Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
-    if (!worth_it || resumed == kResumesMax || pick(in, candidates, nullptr) == nullptr)
+    if (!worth_it || pick(in, candidates, nullptr) == nullptr ||
+        !resumes.take(T_map_base.se2().translation()))
       return go_home(in, return_reason);
-    ++resumed;  // a way has opened
-    returning = false;
+    returning = false;  // a way has opened
     goal.reset();
   }
   const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;

@@ -18,6 +18,34 @@
 
 namespace topo::pipeline {
 
+/// Where robots were, each by itself: corrected poses of its keyframes, in map.
+std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot);
+
+/// How often an exploration found a goal on its way home. It ends: eight times at one spot, and at three
+/// spots. A robot that is caught finds goals and loses them again where it stands; once it is free it goes
+/// on.
+class Resumes {
+ public:
+  /// Counts, if it may go on from here.
+  bool take(const types::Vector2& p_map) {
+    if (spots_ == 0 || (p_map - spot_).norm() > kSpot_m) {
+      if (spots_ == kSpotsMax) return false;
+      ++spots_;
+      spot_ = p_map;
+      here_ = 0;
+    }
+    if (here_ == kTimesMax) return false;
+    ++here_;
+    return true;
+  }
+
+ private:
+  static constexpr int kSpotsMax = 3, kTimesMax = 8;
+  static constexpr double kSpot_m = 3.0;
+  types::Vector2 spot_{0.0, 0.0};
+  int spots_ = 0, here_ = 0;
+};
+
 /// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
 struct PlanningState::Impl {
   explicit Impl(const PlannerParams& given)
@@ -155,8 +183,8 @@ struct PlanningState::Impl {
   std::string hindrance;  ///< why nothing can be planned in this period; empty: it can
   bool ended = true;
   bool second_phase = false;
-  bool returning = false;        ///< an exploration on its way home
-  int resumed = 0;               ///< how often it found a goal on its way home
+  bool returning = false;  ///< an exploration on its way home
+  Resumes resumes;
   types::Stamp nothing_since{};  ///< when the last goal in reach was gone; zero: there is one
   bool cut_short = false;        ///< by the battery: what was ordered is not fulfilled by being home
   std::string return_reason;

@@ -69,7 +69,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   ignore_room_until = {};
   home.reset();
   bids.clear();
-  resumed = 0;
+  resumes = {};
   nothing_since = {};
   battery_low = false;
   goal.reset();
