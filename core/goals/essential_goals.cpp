@@ -37,7 +37,8 @@ Candidate candidate_of(const GoalInput& input, const Opening& opening, const Goa
   goal.verdict = is_visited(goal, input.visited, params) ? Verdict::kVisited : Verdict::kUnlikely;
   if (goal.verdict == Verdict::kVisited) return {goal, std::nullopt};
   const double from_paths_m = distance_from_paths_m(goal.opening, input.visited);
-  return {goal, Prospect{goal.p_map, *stand, chance_to_lead_on(opening.width_m, from_paths_m)}};
+  goal.chance = chance_to_lead_on(opening.width_m, from_paths_m);
+  return {goal, Prospect{goal.p_map, *stand, goal.chance}};
 }
 
 /// A side without an opening: kept with the reason, for who asks why there is no goal.

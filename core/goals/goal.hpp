@@ -32,6 +32,7 @@ struct Goal {
   types::Vector2 opening{0.0, 0.0};  ///< middle of the frontier that it is for, in map
   double opening_m = 0.0;            ///< width of that frontier
   double behind_m2 = HUGE_VAL;       ///< enclosed unknown space behind it; HUGE_VAL: it leads on
+  double chance = 0.0;               ///< that it leads onto much (opening_chance.hpp), where it leads on
   std::uint16_t place = 0;           ///< label in the place map, 0 without one
   Side side = Side::kNone;
   Verdict verdict = Verdict::kAccepted;

@@ -28,19 +28,6 @@ double free_area_m2(const grid::DenseMap& map) {
   return static_cast<double>(cells) * map.resolution_m * map.resolution_m;
 }
 
-/// Where robots were, each by itself: corrected poses of its keyframes.
-std::vector<std::vector<types::Vector2>> visited(const MapSnapshot& snapshot) {
-  std::vector<std::vector<types::Vector2>> ways;
-  const auto add = [&](const std::vector<KeyframePose>& poses) {
-    std::vector<types::Vector2>& way = ways.emplace_back();
-    way.reserve(poses.size());
-    for (const KeyframePose& keyframe : poses) way.push_back(keyframe.T_map_base.se2().translation());
-  };
-  add(snapshot.keyframes);
-  for (const std::vector<KeyframePose>& poses : snapshot.mates) add(poses);
-  return ways;
-}
-
 /// A ring of points that stands for something unseen.
 void add_disc(const types::Vector2& centre, std::vector<types::Vector2>& points) {
   points.push_back(centre);
@@ -72,6 +59,18 @@ constexpr types::Duration kForgetAgain = std::chrono::seconds(60);
 constexpr types::Duration kEchoFor = std::chrono::minutes(10);
 
 }  // namespace
+
+std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot) {
+  std::vector<std::vector<types::Vector2>> paths;
+  const auto add = [&](const std::vector<KeyframePose>& poses) {
+    std::vector<types::Vector2>& path = paths.emplace_back();
+    path.reserve(poses.size());
+    for (const KeyframePose& keyframe : poses) path.push_back(keyframe.T_map_base.se2().translation());
+  };
+  add(snapshot.keyframes);
+  for (const std::vector<KeyframePose>& poses : snapshot.mates) add(poses);
+  return paths;
+}
 
 /// Something that no laser sees, noticed so many times.
 void PlanningState::Impl::remember_unseen(const types::Vector2& p_map, int times, types::Stamp until) {
@@ -143,7 +142,7 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   if (params.coarse_analysis) wide = coarser(map, clearance.clearance_m());
   AnalysisInput input{map_revision, params.coarse_analysis ? std::move(wide.map) : map,
                       params.coarse_analysis ? wide.clearance_m : clearance.clearance_m(),
-                      walls::wall_points(in.map->walls), visited(*in.map)};
+                      walls::wall_points(in.map->walls), driven_paths(*in.map)};
   Analysis made = analyse(std::move(input), params.analysis, analysis_memory);
   made.coarse_m = std::move(wide.clearance_m);
   analysis = std::make_shared<const Analysis>(std::move(made));

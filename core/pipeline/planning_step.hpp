@@ -34,7 +34,9 @@ std::string_view to_text(Finish finish);
 /// The order in which a robot means to visit its goals (core/goals/tour.hpp).
 struct TourParams {
   double length_share = 0.2;    ///< see goals::tour_cost_m
-  double gap_share = 0.5;       ///< what a gap is worth, against an essential goal at an opening as wide
+  double leads_on_m2 = 10.0;    ///< what is hoped for behind an opening that is sure to lead on
+  double shadow_m2 = 1.0;       ///< and behind any
+  double gap_share = 0.5;       ///< what a gap is worth, against an essential goal that promises as much
   double pocket_m2 = 0.1;       ///< a gap onto less unknown space, enclosed, is nobody's goal
   double overlooked_m2 = 10.0;  ///< Finish::kEssential: onto more, a gap is looked at before going home
   double switch_share = 0.1;    ///< of the way to the present goal: what another tour has to save

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
 #include "core/goals/tour.hpp"
 #include "core/grid/nearest_reachable.hpp"
@@ -22,7 +23,6 @@ constexpr double kSameStand_m = 1.0;
 constexpr double kExact_m = 6.0;  // of the way; the costs of farther goals need not be exact
 // Nobody waits for an answer while others explore.
 constexpr types::Duration kAskAgain = std::chrono::seconds(1), kAskAgainMeanwhile = std::chrono::seconds(30);
-constexpr double kOpeningMax_m = 6.0;  // a wider one shows no more of what is behind it
 
 /// Is there among the candidates one by whose `at` that point is?
 bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidates,
@@ -31,10 +31,11 @@ bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidate
                      [&](const Candidate& c) { return (c.goal.*at - p_map).norm() < within_m; });
 }
 
-/// By what may be behind it: the width of an opening that leads on, the area of a pocket.
-double worth_of(const goals::Goal& goal, double gap_share) {
-  const double seen = std::isinf(goal.behind_m2) ? std::min(goal.opening_m, kOpeningMax_m) : goal.behind_m2;
-  return goal.side == goals::Side::kNone ? gap_share * seen : seen;
+/// The area that may be behind it, m2: of a pocket that, of an opening that leads on what can be hoped for.
+double worth_of(const goals::Goal& goal, const TourParams& params) {
+  const double hoped_m2 = params.shadow_m2 + goal.chance * params.leads_on_m2;
+  const double behind_m2 = std::isinf(goal.behind_m2) ? hoped_m2 : goal.behind_m2;
+  return goal.side == goals::Side::kNone ? params.gap_share * behind_m2 : behind_m2;
 }
 
 }  // namespace
@@ -93,6 +94,11 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::vector<goals::F
   std::erase_if(gaps, [&](const Candidate& gap) {
     return is_beside(gap.goal.p_map, candidates, &goals::Goal::p_map, kSameStand_m);
   });
+  const std::vector<std::vector<types::Vector2>> paths = driven_paths(*in.map);
+  for (Candidate& gap : gaps) {
+    const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, paths);
+    gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m);
+  }
   candidates.insert(candidates.end(), gaps.begin(), gaps.end());
 }
 
@@ -160,7 +166,7 @@ goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* cons
   goals::TourGoals tour(candidates.size());
   for (std::size_t i = 0; i < tour.count; ++i) {
     tour.from_start_m[i] = candidates[i]->cost_m;
-    tour.worth[i] = worth_of(candidates[i]->goal, params.tour.gap_share);
+    tour.worth[i] = worth_of(candidates[i]->goal, params.tour);
     for (std::size_t j = 0; j < tour.count; ++j) {
       // There is always the way by where the robot is.
       tour.between(i, j) =

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/goals/filters.hpp"
+#include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
 #include "core/goals/steering.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
@@ -65,6 +66,7 @@ TEST(EssentialGoals, OfACorridorSeenToItsMiddleIsOneAtItsEnd) {
   EXPECT_NEAR(set.goals[0].opening.x(), 15.0, 0.1);
   EXPECT_NEAR(set.goals[0].opening.y(), 2.0, 0.1);
   EXPECT_NEAR(set.goals[0].p_map.x(), 14.5, 0.6);
+  EXPECT_EQ(set.goals[0].chance, chance_to_lead_on(set.goals[0].opening_m, HUGE_VAL)) << "nobody was there";
   EXPECT_EQ(set.rejected.size(), 3U) << "the other sides";
   EXPECT_EQ(count(set, Verdict::kNoOpening), 3);
 }
