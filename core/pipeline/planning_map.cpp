@@ -18,7 +18,8 @@ constexpr double kChanged_m2 = 0.25;
 constexpr double kAroundGoal_m = 1.5;
 constexpr double kChangedAtGoal_m2 = 0.025;
 constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
-constexpr double kLiveRange_m = 3.0;  // what is farther will be seen again before it matters
+constexpr double kLiveNoise_m = 0.02;  // of where a point is now: the scanner's and the pose's
+constexpr double kLiveRange_m = 3.0;   // what is farther will be seen again before it matters
 constexpr double kBlockedRadius_m = 0.25;
 
 double free_area_m2(const grid::DenseMap& map) {
@@ -175,12 +176,20 @@ void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   travel_clearance_m = clearance.clearance_m();
   lower_clearance(map, echoed(), params.travel.preferred_m, travel_clearance_m);
   const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
-  keep_trail_open(map, in.map->keyframes, start, params.travel.radius_m, travel_clearance_m);
-  for (const std::vector<KeyframePose>& way : in.map->mates)
-    keep_trail_open(map, way, start, params.travel.radius_m, travel_clearance_m);
+  std::vector<KeyframePose> last_bit;  // no keyframe tells of it yet
+  if (!in.map->keyframes.empty()) last_bit = {in.map->keyframes.back(), {in.now, T_map_base}};
+  const auto keep_trails_open = [&](const TrailRules& rules) {
+    keep_trail_open(map, in.map->keyframes, start, rules, travel_clearance_m);
+    keep_trail_open(map, last_bit, start, rules, travel_clearance_m);
+    for (const std::vector<KeyframePose>& way : in.map->mates)
+      keep_trail_open(map, way, start, rules, travel_clearance_m);
+  };
+  keep_trails_open({params.travel.radius_m});
+  lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
+  // A centimetre of noise must not shut the robot in where it came through.
+  keep_trails_open({params.travel.tight_m, params.travel.tight_m - kLiveNoise_m, kLiveRange_m});
   // What it got stuck on stands there on its own trail, too: without that it would go the same way for ever.
   lower_clearance(map, stuck_on(), params.travel.preferred_m, travel_clearance_m);
-  lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
   crowd_mates();
   search.begin(map, travel_clearance_m, start, params.travel, field);
   has_coarse = false;

@@ -266,24 +266,25 @@ void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, do
   }
 }
 
-void keep_trail_open(const DenseMap& map, std::span<const KeyframePose> way, CellIndex here, double radius_m,
-                     std::vector<float>& clearance_m) {
+void keep_trail_open(const DenseMap& map, std::span<const KeyframePose> way, CellIndex here,
+                     const TrailRules& rules, std::vector<float>& clearance_m) {
   constexpr double kGap_m = 0.8;  // two keyframes: farther apart the robot was carried, or lost
-  const auto open_m = static_cast<float>(radius_m);
+  const auto open_m = static_cast<float>(rules.open_m), above_m = static_cast<float>(rules.above_m);
+  const Vector2 robot = map.centre_of(here);
   // A line of cells without a gap, and no wider: beside it the robot may touch.
   const double reach_m = 0.75 * map.resolution_m;
   const std::size_t stands = map.contains(here) ? map.index(here) : map.cells.size();
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
     const double length_m = (b - a).norm();
-    if (length_m > kGap_m) continue;
+    if (length_m > kGap_m || (b - robot).norm() > rules.within_m) continue;
     const int steps = static_cast<int>(std::ceil(length_m / map.resolution_m)) + 1;
     for (int k = 0; k <= steps; ++k) {
-      for_each_around(map, a + (b - a) * (static_cast<double>(k) / steps), reach_m,
-                      [&](std::size_t index, double) {
-                        if (map.cells[index] == CellState::kFree && index != stands)
-                          clearance_m[index] = std::max(clearance_m[index], open_m);
-                      });
+      for_each_around(
+          map, a + (b - a) * (static_cast<double>(k) / steps), reach_m, [&](std::size_t index, double) {
+            if (map.cells[index] == CellState::kFree && index != stands && clearance_m[index] >= above_m)
+              clearance_m[index] = std::max(clearance_m[index], open_m);
+          });
     }
   }
 }

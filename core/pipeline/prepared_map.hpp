@@ -48,11 +48,18 @@ std::vector<types::Vector2> confirmed_points(const types::Scan& scan, const type
 void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> obstacles, double reach_m,
                      std::vector<float>& clearance_m);
 
-/// Where the robot went it can go back, whatever else is thought to stand there: clearance of at least
-/// `radius_m` on the lines between consecutive stations of its way that are near to one another. Where it
-/// stands, at `here`, nothing changes: were that cell open, it would leave over open cells only, and not over
-/// whatever is around it (grid::TravelRules::start_m).
+/// How far a trail stays open.
+struct TrailRules {
+  double open_m;               ///< clearance that it has at least
+  double above_m = 0.0;        ///< where it has as much without that
+  double within_m = HUGE_VAL;  ///< of where the robot stands
+};
+
+/// Where the robot went it can go back, whatever else is thought to stand there: clearance as `rules` have it
+/// on the lines between consecutive stations of its way that are near to one another. Where it stands, at
+/// `here`, nothing changes: were that cell open, it would leave over open cells only, and not over whatever
+/// is around it (grid::TravelRules::start_m).
 void keep_trail_open(const grid::DenseMap& map, std::span<const KeyframePose> way, grid::CellIndex here,
-                     double radius_m, std::vector<float>& clearance_m);
+                     const TrailRules& rules, std::vector<float>& clearance_m);
 
 }  // namespace topo::pipeline

@@ -163,7 +163,7 @@ TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
   std::vector<float> clearance(map.cells.size(), 0.0F);
   clearance[map.index({7, 10})] = 0.9F;
   const std::vector<KeyframePose> way{station(0.35, 1.05), station(1.05, 1.05), station(3.05, 1.05)};
-  keep_trail_open(map, way, {39, 19}, 0.33, clearance);
+  keep_trail_open(map, way, {39, 19}, {0.33}, clearance);
   for (const int x : {3, 4, 5, 8, 9, 10}) {
     EXPECT_FLOAT_EQ(clearance[map.index({x, 10})], 0.33F) << x;
     EXPECT_FLOAT_EQ(clearance[map.index({x, 11})], 0.0F) << x << ": no wider than its line";
@@ -171,6 +171,19 @@ TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
   EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.0F) << "occupied";
   EXPECT_FLOAT_EQ(clearance[map.index({7, 10})], 0.9F) << "never lowered";
   EXPECT_FLOAT_EQ(clearance[map.index({20, 10})], 0.0F) << "carried from one to the next";
+}
+
+TEST(KeepTrailOpen, noFartherThanToldAndOnlyWhereItIsHardlyShut) {
+  const grid::DenseMap map = drawn_map(Rows(20, std::string(60, '.')), 0.1);
+  std::vector<float> clearance(map.cells.size(), 0.26F);
+  clearance[map.index({6, 10})] = 0.2F;
+  std::vector<KeyframePose> way;
+  for (int i = 0; i < 10; ++i) way.push_back(station(0.35 + 0.5 * i, 1.05));
+  keep_trail_open(map, way, {3, 10}, {0.27, 0.25, 3.0}, clearance);
+  EXPECT_FLOAT_EQ(clearance[map.index({4, 10})], 0.27F);
+  EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.2F) << "something is there";
+  EXPECT_FLOAT_EQ(clearance[map.index({30, 10})], 0.27F);
+  EXPECT_FLOAT_EQ(clearance[map.index({37, 10})], 0.26F) << "far off";
 }
 
 /// In a team the second robot stands 1.3 m ahead, and walls are near: who stood still at its start for two
@@ -186,7 +199,7 @@ TEST(KeepTrailOpen, whereTheRobotStandsItLeavesOverWhatIsAroundIt) {
     return std::count_if(field.cost_m.begin(), field.cost_m.end(), [](float c) { return std::isfinite(c); });
   };
   std::vector<float> clearance_m = narrow_m;
-  keep_trail_open(map, way, here, rules.radius_m, clearance_m);
+  keep_trail_open(map, way, here, {rules.radius_m}, clearance_m);
   EXPECT_GE(reached(clearance_m), reached(narrow_m));
   EXPECT_GT(reached(clearance_m), 50);
 }
