@@ -50,7 +50,7 @@ void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> 
 
 /// How far a trail stays open.
 struct TrailRules {
-  double open_m;               ///< clearance that it has at least
+  double open_m = 0.0;         ///< clearance that it has at least
   double above_m = 0.0;        ///< where it has as much without that
   double within_m = HUGE_VAL;  ///< of where the robot stands
 };

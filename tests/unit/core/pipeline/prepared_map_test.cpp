@@ -177,8 +177,8 @@ TEST(KeepTrailOpen, noFartherThanToldAndOnlyWhereItIsHardlyShut) {
   const grid::DenseMap map = drawn_map(Rows(20, std::string(60, '.')), 0.1);
   std::vector<float> clearance(map.cells.size(), 0.26F);
   clearance[map.index({6, 10})] = 0.2F;
-  std::vector<KeyframePose> way;
-  for (int i = 0; i < 10; ++i) way.push_back(station(0.35 + 0.5 * i, 1.05));
+  std::vector<KeyframePose> way(10);
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = station(0.35 + 0.5 * static_cast<double>(i), 1.05);
   keep_trail_open(map, way, {3, 10}, {0.27, 0.25, 3.0}, clearance);
   EXPECT_FLOAT_EQ(clearance[map.index({4, 10})], 0.27F);
   EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.2F) << "something is there";
