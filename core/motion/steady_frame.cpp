@@ -3,27 +3,29 @@
 #include "core/motion/steady_frame.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace topo::motion {
 namespace {
 
 constexpr double kMatchNoise_m = 0.02, kMatchNoise_rad = 0.02;
 constexpr double kHalfTrack_m = 0.18;
-/// One wheel that turns in vain for 0.4 of its way (as RobotLimits::slip_curvature_per_m) leaves the robot's
-/// middle half of that behind, and turns the robot by so much of it over half the track.
-constexpr double kShare = 0.2;
+constexpr double kLoss = 0.6;  // of its way a wheel turns in vain (as RobotLimits::slip_curvature_per_m)
 
-/// Can slip have done it, and a wrong size of the wheels? One that turns on the spot rolls as well.
+/// Can slip have done it, and a wrong size of the wheels? Both wheels together leave the robot's middle
+/// behind by what they lose, one of them turns it by that over the track. Who turns on the spot rolls as
+/// well.
 bool is_drift(const types::Se2& by, const types::Se2& way) {
-  const double lost_m = kShare * (way.translation().norm() + kHalfTrack_m * std::abs(way.theta_rad));
+  const double lost_m = kLoss * (way.translation().norm() + kHalfTrack_m * std::abs(way.theta_rad));
   return by.translation().norm() <= kMatchNoise_m + lost_m &&
-         std::abs(by.theta_rad) <= kMatchNoise_rad + lost_m / kHalfTrack_m;
+         std::abs(by.theta_rad) <= kMatchNoise_rad + 0.5 * lost_m / kHalfTrack_m;
 }
 
 }  // namespace
 
-void SteadyFrame::update(const types::Transform2<types::Map, types::Odom>& T_map_odom,
+void SteadyFrame::update(const types::Transform2<types::Map, types::Odom>& T_map_odom, std::uint32_t bends,
                          const types::Odometry& odometry) {
+  if (std::exchange(bends_, bends) != bends) lose();
   const types::Se2& now = T_map_odom.se2();
   const types::Se2& T_odom_base = odometry.T_odom_base.se2();
   if (T_map_odom_) {

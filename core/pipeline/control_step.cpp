@@ -207,7 +207,7 @@ void ControlState::Impl::follow_drift(const ControlSetup& setup, const ControlIn
   if (in.state == nullptr || !motion::is_finite(*in.state)) return;
   if (!place(setup, in)) return steady_frame.lose();
   if (in.plan->sequence == std::exchange(steady_plan, in.plan->sequence)) return;
-  steady_frame.update(in.plan->T_map_odom, in.state->odometry);
+  steady_frame.update(in.plan->T_map_odom, in.plan->bends, in.state->odometry);
 }
 
 /// The trail takes every reckoning once.

@@ -227,10 +227,11 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   if (returning) {
     const bool worth_it = std::any_of(candidates.begin(), candidates.end(),
                                       [](const Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
-    if (!worth_it || pick(in, candidates, nullptr) == nullptr ||
-        !resumes.take(T_map_base.se2().translation()))
+    const types::Vector2 here = T_map_base.se2().translation();
+    if (!worth_it || !resumes.may_go_on(here) || pick(in, candidates, nullptr) == nullptr)
       return go_home(in, return_reason);
-    returning = false;  // a way has opened
+    resumes.count(here);  // a way has opened
+    returning = false;
     goal.reset();
   }
   const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;

@@ -18,7 +18,7 @@ constexpr double kChanged_m2 = 0.25;
 constexpr double kAroundGoal_m = 1.5;
 constexpr double kChangedAtGoal_m2 = 0.025;
 constexpr types::Duration kLiveAgeMax = std::chrono::milliseconds(300);
-constexpr double kLiveNoise_m = 0.02;  // of where a point is now: the scanner's and the pose's
+constexpr double kLiveNoise_m = 0.05;  // of where a point is now: the scanner's and the pose's
 constexpr double kLiveRange_m = 3.0;   // what is farther will be seen again before it matters
 constexpr double kBlockedRadius_m = 0.25;
 
@@ -186,7 +186,7 @@ void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   };
   keep_trails_open({params.travel.radius_m});
   lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
-  // A centimetre of noise must not shut the robot in where it came through.
+  // Noise must not shut the robot in where it came through; what really stands there stops it.
   keep_trails_open({params.travel.tight_m, params.travel.tight_m - kLiveNoise_m, kLiveRange_m});
   // What it got stuck on stands there on its own trail, too: without that it would go the same way for ever.
   lower_clearance(map, stuck_on(), params.travel.preferred_m, travel_clearance_m);

@@ -21,29 +21,31 @@ namespace topo::pipeline {
 /// Where robots were, each by itself: corrected poses of its keyframes, in map.
 std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot);
 
-/// How often an exploration found a goal on its way home. It ends: eight times at one spot, and at three
-/// spots. A robot that is caught finds goals and loses them again where it stands; once it is free it goes
-/// on.
+/// How often an exploration found a goal on its way home. It ends: eight times at one spot, and 24 times in
+/// all. A robot that is caught finds goals and loses them again where it stands; once it is free it goes on.
 class Resumes {
  public:
-  /// Counts, if it may go on from here.
-  bool take(const types::Vector2& p_map) {
-    if (spots_ == 0 || (p_map - spot_).norm() > kSpot_m) {
-      if (spots_ == kSpotsMax) return false;
-      ++spots_;
+  [[nodiscard]] bool may_go_on(const types::Vector2& p_map) const {
+    return all_ < kMax && (here_ < kHereMax || is_elsewhere(p_map));
+  }
+  void count(const types::Vector2& p_map) {
+    if (all_ == 0 || is_elsewhere(p_map)) {
       spot_ = p_map;
       here_ = 0;
     }
-    if (here_ == kTimesMax) return false;
     ++here_;
-    return true;
+    ++all_;
   }
 
  private:
-  static constexpr int kSpotsMax = 3, kTimesMax = 8;
+  static constexpr int kHereMax = 8, kMax = 24;
   static constexpr double kSpot_m = 3.0;
+  [[nodiscard]] bool is_elsewhere(const types::Vector2& p_map) const {
+    return (p_map - spot_).norm() > kSpot_m;
+  }
+
   types::Vector2 spot_{0.0, 0.0};
-  int spots_ = 0, here_ = 0;
+  int all_ = 0, here_ = 0;
 };
 
 /// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
@@ -57,6 +59,7 @@ struct PlanningState::Impl {
   void locate(const PlanningInput& in);
   void stand(const PlanningInput& in, const char* why);
   void watch_battery(const PlanningInput& in);
+  void watch_bends(const PlanningInput& in);
   [[nodiscard]] bool route_holds(const PlanningInput& in) const;
   void trim_route();
   void think(const PlanningInput& in);
@@ -196,6 +199,9 @@ struct PlanningState::Impl {
   types::Stamp matched{};  ///< the last scan that matched the map; zero: none
   types::Transform2<types::Map, types::Odom> T_map_odom;
   types::Transform2<types::Map, types::Base> T_map_base, T_map_start;
+  KeyframePose latest;            ///< of the map of the period before
+  std::size_t latest_number = 0;  ///< among its keyframes
+  std::uint32_t bends = 0;        ///< Plan::bends
 
   // The map.
   std::uint64_t map_revision = 0;

@@ -24,16 +24,22 @@ constexpr double kBesideMate_mps = 0.25;  // two of them, closing for a scan's a
 // A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
 constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
-constexpr double kCorrection_m = 0.10;  // the map was corrected: the route is another one
-constexpr double kCorrection_rad = 0.03;
-constexpr double kNear_m = 6.0;  // farther ways are found by the coarse map
+constexpr double kCorrection_m = 0.10, kCorrection_rad = 0.03;
+constexpr double kBent_m = 0.005, kBent_rad = 0.005;  // a slip moves no keyframe at all
+constexpr double kNear_m = 6.0;                       // farther ways are found by the coarse map
 
-/// Was the map bent where the robot is since a decision whose newest keyframe this was? Odometry that drifts
-/// moves the robot on the map, and the route not at all.
-bool corrected(const KeyframePose& newest, std::size_t number, const MapSnapshot& map) {
+/// Was the map bent where the robot is, by more than that, since its newest keyframe was this one? Odometry
+/// that drifts moves the robot on the map, and no keyframe.
+bool is_bent(const KeyframePose& newest, std::size_t number, const MapSnapshot& map, double by_m,
+             double by_rad) {
   if (number >= map.keyframes.size() || map.keyframes[number].stamp != newest.stamp) return true;
   const types::Se2 change = newest.T_map_base.se2().inverse() * map.keyframes[number].T_map_base.se2();
-  return change.translation().norm() > kCorrection_m || std::abs(change.theta_rad) > kCorrection_rad;
+  return change.translation().norm() > by_m || std::abs(change.theta_rad) > by_rad;
+}
+
+/// So much that a route is another one.
+bool corrected(const KeyframePose& newest, std::size_t number, const MapSnapshot& map) {
+  return is_bent(newest, number, map, kCorrection_m, kCorrection_rad);
 }
 
 /// Why nobody knows where the robot is; null when its place is known in this very period.
@@ -94,6 +100,12 @@ void PlanningState::Impl::locate(const PlanningInput& in) {
   T_map_base = T_map_odom * in.control->odometry.T_odom_base;
   // The start moves with the map: it is where the first keyframe was made.
   T_map_start = in.map->keyframes.front().T_map_base;
+}
+
+void PlanningState::Impl::watch_bends(const PlanningInput& in) {
+  if (is_bent(latest, latest_number, *in.map, kBent_m, kBent_rad)) ++bends;
+  latest_number = in.map->keyframes.size() - 1;
+  latest = in.map->keyframes.back();
 }
 
 void PlanningState::Impl::watch_battery(const PlanningInput& in) {
@@ -215,6 +227,7 @@ void PlanningState::Impl::make_plan(const PlanningInput& in, Plan& plan) const {
   plan.goal_id = goal_id;
   plan.activity = activity;
   plan.T_map_odom = T_map_odom;
+  plan.bends = bends;
   plan.located = located;
   if (ended || mission.paused || !has_target || route.size() < 2) return;
   plan.moving = true;
@@ -266,6 +279,7 @@ PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   const char* unknown = place_missing(in, matched);
   located = unknown == nullptr;
   if (located) locate(in);
+  if (located) watch_bends(in);
   if (!located) {
     stand(in, unknown);
   } else if (in.control->estop_latched) {

@@ -94,10 +94,14 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::vector<goals::F
   std::erase_if(gaps, [&](const Candidate& gap) {
     return is_beside(gap.goal.p_map, candidates, &goals::Goal::p_map, kSameStand_m);
   });
-  const std::vector<std::vector<types::Vector2>> paths = driven_paths(*in.map);
-  for (Candidate& gap : gaps) {
-    const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, paths);
-    gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m);
+  const auto leads_on = [](const Candidate& gap) { return std::isinf(gap.goal.behind_m2); };
+  if (std::ranges::any_of(gaps, leads_on)) {
+    const std::vector<std::vector<types::Vector2>> paths = driven_paths(*in.map);
+    for (Candidate& gap : gaps) {
+      if (!leads_on(gap)) continue;
+      const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, paths);
+      gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m);
+    }
   }
   candidates.insert(candidates.end(), gaps.begin(), gaps.end());
 }

@@ -90,7 +90,7 @@ TEST(SwitchShare, theFartherTheGoalTheMoreMetresAnotherTourHasToSave) {
   EXPECT_FALSE(leaves_for_the_passage(32, 12.0, 0.26));
 }
 
-TEST(GapWorth, growsWithTheWidthAndWithTheDistanceFromWhereRobotsWere) {
+TEST(GapChance, isByTheWidthAndTheDistanceFromWhereRobotsWere) {
   HallAndPassage scene(4, 6.0, {});
   scene.open_the_door();
   for (int i = 0; i < 4; ++i) scene.period();

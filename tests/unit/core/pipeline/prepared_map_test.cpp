@@ -179,7 +179,7 @@ TEST(KeepTrailOpen, noFartherThanToldAndOnlyWhereItIsHardlyShut) {
   clearance[map.index({6, 10})] = 0.2F;
   std::vector<KeyframePose> way(10);
   for (std::size_t i = 0; i < way.size(); ++i) way[i] = station(0.35 + 0.5 * static_cast<double>(i), 1.05);
-  keep_trail_open(map, way, {3, 10}, {0.27, 0.25, 3.0}, clearance);
+  keep_trail_open(map, way, {3, 10}, {0.27, 0.25, 3.2}, clearance);
   EXPECT_FLOAT_EQ(clearance[map.index({4, 10})], 0.27F);
   EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.2F) << "something is there";
   EXPECT_FLOAT_EQ(clearance[map.index({30, 10})], 0.27F);

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
 #include "core/pipeline/planning_step.hpp"
 #include "tests/unit/core/pipeline/toy_building.hpp"
 
@@ -68,6 +74,47 @@ TEST(TightPassage, InWhichTheRobotDidNotGetOnIsClosedForTheMission) {
   EXPECT_EQ(end.activity, Activity::kDone);
   EXPECT_LT(end.known, 0.97) << "what is seen from before the door";
   EXPECT_EQ(end.times_stuck, 1);
+}
+
+/// All around, a hundredth of a radian apart: three beams end beside one another at each point.
+types::Scan scan_of(std::span<const types::Vector2> points_base, types::Stamp now) {
+  constexpr double kStep_rad = 0.01;
+  types::Scan scan;
+  scan.first_beam = scan.arrival = now;
+  scan.geometry.angle_min_rad = static_cast<float>(-std::numbers::pi);
+  scan.geometry.angle_increment_rad = static_cast<float>(kStep_rad);
+  scan.beams = 628;
+  std::fill_n(scan.range_m.begin(), scan.beams, types::kNoReturn);
+  for (const types::Vector2& p : points_base) {
+    const auto beam =
+        static_cast<std::size_t>(std::lround((std::atan2(p.y(), p.x()) + std::numbers::pi) / kStep_rad));
+    for (std::size_t i = beam - 1; i <= beam + 1; ++i) scan.range_m[i] = static_cast<float>(p.norm());
+  }
+  return scan;
+}
+
+/// Does a robot that came through the door set out for home when its scanner has the jambs so far from the
+/// middle of the door?
+bool goes_back_past(double beside_m) {
+  ToyBuilding building(two_rooms());
+  PlanningState state(params_with(0.22));
+  const types::Vector2 door = building.robot() + types::Vector2(kWall_m, -0.125);
+  const Mission beyond{1, Order::kGoTo, false, door + types::Vector2(1.2, 0.0)};
+  for (int i = 0; i < 60 && building.robot().x() < door.x() + 0.9; ++i) building.run_period(state, beyond);
+  EXPECT_GT(building.robot().x(), door.x() + 0.8);
+  building.run_period(state, beyond, 0.0);
+  const types::Se2 T_map_base = building.control().odometry.T_odom_base.se2();
+  const std::array jambs{T_map_base.inverse() * (door + types::Vector2(0.0, beside_m)),
+                         T_map_base.inverse() * (door - types::Vector2(0.0, beside_m))};
+  const types::Scan scan = scan_of(jambs, building.now());
+  building.show(&scan);
+  return building.run_period(state, {2, Order::kHome, false, {0.0, 0.0}}, 0.0).plan.moving;
+}
+
+TEST(TightPassage, IsNotShutByNoiseToWhoCameThrough) {
+  EXPECT_TRUE(goes_back_past(0.30));
+  EXPECT_TRUE(goes_back_past(0.21));
+  EXPECT_FALSE(goes_back_past(0.08));
 }
 
 }  // namespace

@@ -110,6 +110,7 @@ PlanningOutput ToyBuilding::run_period(PlanningState& state, const Mission& miss
   input.tracked = &tracked_;
   input.control = &control_;
   input.team = team_;
+  input.front = front_;
   input.mission = mission;
   PlanningOutput out = planning_step(state, input);
   follow(out.plan, step_m);

@@ -28,6 +28,8 @@ class ToyBuilding {
   TrackedPose& tracked() { return tracked_; }
   /// What the robot hears of a team from now on; borrowed. Null: it is alone.
   void hear(const TeamInput* team) { team_ = team; }
+  /// What its front scanner has from now on; borrowed. Null: nothing.
+  void show(const types::Scan* front) { front_ = front; }
   [[nodiscard]] types::Stamp now() const { return now_; }
   [[nodiscard]] const MapSnapshot& snapshot() const { return snapshot_; }
   /// A wall from now on, or floor.
@@ -53,6 +55,7 @@ class ToyBuilding {
   ControlReport control_;
   TrackedPose tracked_;
   const TeamInput* team_ = nullptr;
+  const types::Scan* front_ = nullptr;
   types::Stamp now_ = types::stamp_from_seconds(100.0);
 };
 
