@@ -39,8 +39,8 @@ struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is fi
   bool moving = false;                                    ///< follow the path; false: stand
   bool path_ends_at_goal = false;                         ///< the whole way is here; else it goes on
   types::Transform2<types::Map, types::Odom> T_map_odom;  ///< the plan was made with
-  std::uint32_t bends =
-      0;  ///< how often the map was bent where the robot is: T_map_odom jumped, no drift did
+  /// How often the map was bent where the robot is: then T_map_odom jumped though no odometry drifted.
+  std::uint32_t bends = 0;
   /// Planning knew the robot's place when it made the plan. False: T_map_odom is an old one or none at all,
   /// and nobody may take the place of the robot in map from it.
   bool located = false;

@@ -19,6 +19,8 @@ constexpr types::Duration kStandstill = std::chrono::seconds(25);
 constexpr double kProgress_m = 0.5;
 constexpr types::Duration kGoalTimeMax = std::chrono::seconds(240);
 constexpr types::Duration kPatience = std::chrono::seconds(6);
+constexpr int kResumesMax = 8;             // an exploration ends
+constexpr int kCaughtMax = 16;             // and so it does for a robot that is never free again
 constexpr double kResumeFor_m = 1.2;       // a narrower gap does not turn a robot round on its way home
 constexpr double kBlockedAhead_m = 0.45;   // from the centre of the robot to what it got stuck on
 constexpr double kTightAhead_m = 1.2;      // a passage that it stands before, and does not get into
@@ -101,6 +103,17 @@ void PlanningState::Impl::block_ahead(const PlanningInput& in) {
   thought = {};  // this period's costs do not know of it yet
 }
 
+/// It does not get on. A robot that is caught finds goals and loses them again where it stands; those were no
+/// ways that opened, and once it is free the exploration goes on.
+void PlanningState::Impl::give_up_caught(const PlanningInput& in, std::string why) {
+  block_ahead(in);
+  if (resumed > 0 && caught < kCaughtMax) {
+    --resumed;
+    ++caught;
+  }
+  give_up(in, std::move(why));
+}
+
 void PlanningState::Impl::set_out(const PlanningInput& in, const goals::Goal& to) {
   goal = to;
   ++goal_id;
@@ -124,10 +137,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (!goal) return;
   const types::Vector2 here = T_map_base.se2().translation();
   const bool about_this = in.control->goal_id == goal_id;
-  if (about_this && in.control->mode == ControlMode::kStuck) {
-    block_ahead(in);
-    return give_up(in, "stuck on the way");
-  }
+  if (about_this && in.control->mode == ControlMode::kStuck) return give_up_caught(in, "stuck on the way");
   const double reached_m = looks.reached_m(goal->p_map).value_or(params.goal_reached_m);
   if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
@@ -136,10 +146,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
     goal.reset();
     return;
   }
-  if (!is_getting_on(in)) {
-    block_ahead(in);
-    return give_up(in, "no progress");
-  }
+  if (!is_getting_on(in)) return give_up_caught(in, "no progress");
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
@@ -227,10 +234,9 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   if (returning) {
     const bool worth_it = std::any_of(candidates.begin(), candidates.end(),
                                       [](const Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
-    const types::Vector2 here = T_map_base.se2().translation();
-    if (!worth_it || !resumes.may_go_on(here) || pick(in, candidates, nullptr) == nullptr)
+    if (!worth_it || resumed == kResumesMax || pick(in, candidates, nullptr) == nullptr)
       return go_home(in, return_reason);
-    resumes.count(here);  // a way has opened
+    ++resumed;  // a way has opened
     returning = false;
     goal.reset();
   }

@@ -21,31 +21,17 @@ namespace topo::pipeline {
 /// Where robots were, each by itself: corrected poses of its keyframes, in map.
 std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot);
 
-/// How often an exploration found a goal on its way home. It ends: eight times at one spot, and 24 times in
-/// all. A robot that is caught finds goals and loses them again where it stands; once it is free it goes on.
-class Resumes {
- public:
-  [[nodiscard]] bool may_go_on(const types::Vector2& p_map) const {
-    return all_ < kMax && (here_ < kHereMax || is_elsewhere(p_map));
-  }
-  void count(const types::Vector2& p_map) {
-    if (all_ == 0 || is_elsewhere(p_map)) {
-      spot_ = p_map;
-      here_ = 0;
-    }
-    ++here_;
-    ++all_;
-  }
+/// The newest keyframe of a map, to be found again in a later one: odometry that drifts moves the robot on
+/// the map, and no keyframe.
+struct NewestKeyframe {
+  NewestKeyframe() = default;
+  explicit NewestKeyframe(const MapSnapshot& map)
+      : keyframe(map.keyframes.back()), number(map.keyframes.size() - 1) {}
+  /// Was the map bent there, by more than that? So it is where the keyframe is missing.
+  [[nodiscard]] bool is_bent(const MapSnapshot& now, double by_m, double by_rad) const;
 
- private:
-  static constexpr int kHereMax = 8, kMax = 24;
-  static constexpr double kSpot_m = 3.0;
-  [[nodiscard]] bool is_elsewhere(const types::Vector2& p_map) const {
-    return (p_map - spot_).norm() > kSpot_m;
-  }
-
-  types::Vector2 spot_{0.0, 0.0};
-  int all_ = 0, here_ = 0;
+  KeyframePose keyframe;
+  std::size_t number = 0;  ///< among the map's
 };
 
 /// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
@@ -112,6 +98,7 @@ struct PlanningState::Impl {
   [[nodiscard]] std::optional<grid::CellIndex> reachable_cell(const types::Vector2& p_map);
   void aim(const PlanningInput& in, const types::Vector2& target, double reached_m, Activity underway);
   void give_up(const PlanningInput& in, std::string why);
+  void give_up_caught(const PlanningInput& in, std::string why);
   [[nodiscard]] std::optional<types::Vector2> tight_ahead() const;
   void block_ahead(const PlanningInput& in);
   void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
@@ -186,8 +173,9 @@ struct PlanningState::Impl {
   std::string hindrance;  ///< why nothing can be planned in this period; empty: it can
   bool ended = true;
   bool second_phase = false;
-  bool returning = false;  ///< an exploration on its way home
-  Resumes resumes;
+  bool returning = false;        ///< an exploration on its way home
+  int resumed = 0;               ///< how often it found a goal on its way home
+  int caught = 0;                ///< and did not get on where it stood
   types::Stamp nothing_since{};  ///< when the last goal in reach was gone; zero: there is one
   bool cut_short = false;        ///< by the battery: what was ordered is not fulfilled by being home
   std::string return_reason;
@@ -199,9 +187,8 @@ struct PlanningState::Impl {
   types::Stamp matched{};  ///< the last scan that matched the map; zero: none
   types::Transform2<types::Map, types::Odom> T_map_odom;
   types::Transform2<types::Map, types::Base> T_map_base, T_map_start;
-  KeyframePose latest;            ///< of the map of the period before
-  std::size_t latest_number = 0;  ///< among its keyframes
-  std::uint32_t bends = 0;        ///< Plan::bends
+  NewestKeyframe latest;    ///< of the period before
+  std::uint32_t bends = 0;  ///< Plan::bends
 
   // The map.
   std::uint64_t map_revision = 0;
@@ -247,8 +234,7 @@ struct PlanningState::Impl {
   std::vector<types::Vector2> route;  ///< to the target, in map
   types::Stamp thought{};           ///< when it was found; zero: something happened that it does not know of
   std::uint64_t thought_cells = 0;  ///< MapSnapshot::changed_cells of the map then
-  KeyframePose newest;              ///< of the map it was made on
-  std::size_t newest_number = 0;    ///< among its keyframes
+  NewestKeyframe newest;            ///< of the map it was made on
   int clusters = 0;
 
   // The team.

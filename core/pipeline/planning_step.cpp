@@ -24,23 +24,9 @@ constexpr double kBesideMate_mps = 0.25;  // two of them, closing for a scan's a
 // A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
 constexpr types::Duration kDecisionHolds = std::chrono::milliseconds(1500);
 constexpr double kOffRoute_m = 0.4;
-constexpr double kCorrection_m = 0.10, kCorrection_rad = 0.03;
-constexpr double kBent_m = 0.005, kBent_rad = 0.005;  // a slip moves no keyframe at all
-constexpr double kNear_m = 6.0;                       // farther ways are found by the coarse map
-
-/// Was the map bent where the robot is, by more than that, since its newest keyframe was this one? Odometry
-/// that drifts moves the robot on the map, and no keyframe.
-bool is_bent(const KeyframePose& newest, std::size_t number, const MapSnapshot& map, double by_m,
-             double by_rad) {
-  if (number >= map.keyframes.size() || map.keyframes[number].stamp != newest.stamp) return true;
-  const types::Se2 change = newest.T_map_base.se2().inverse() * map.keyframes[number].T_map_base.se2();
-  return change.translation().norm() > by_m || std::abs(change.theta_rad) > by_rad;
-}
-
-/// So much that a route is another one.
-bool corrected(const KeyframePose& newest, std::size_t number, const MapSnapshot& map) {
-  return is_bent(newest, number, map, kCorrection_m, kCorrection_rad);
-}
+constexpr double kCorrection_m = 0.10, kCorrection_rad = 0.03;  // so bent, a route is another one
+constexpr double kBent_m = 0.005, kBent_rad = 0.005;            // a slip moves no keyframe at all
+constexpr double kNear_m = 6.0;                                 // farther ways are found by the coarse map
 
 /// Why nobody knows where the robot is; null when its place is known in this very period.
 const char* place_missing(const PlanningInput& in, types::Stamp matched) {
@@ -55,6 +41,12 @@ const char* place_missing(const PlanningInput& in, types::Stamp matched) {
 }
 
 }  // namespace
+
+bool NewestKeyframe::is_bent(const MapSnapshot& now, double by_m, double by_rad) const {
+  if (number >= now.keyframes.size() || now.keyframes[number].stamp != keyframe.stamp) return true;
+  const types::Se2 change = keyframe.T_map_base.se2().inverse() * now.keyframes[number].T_map_base.se2();
+  return change.translation().norm() > by_m || std::abs(change.theta_rad) > by_rad;
+}
 
 PlanningState::PlanningState(const PlannerParams& params) : impl_(std::make_unique<Impl>(params)) {}
 PlanningState::~PlanningState() = default;
@@ -75,7 +67,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   ignore_room_until = {};
   home.reset();
   bids.clear();
-  resumes = {};
+  resumed = caught = 0;
   nothing_since = {};
   battery_low = false;
   goal.reset();
@@ -103,9 +95,8 @@ void PlanningState::Impl::locate(const PlanningInput& in) {
 }
 
 void PlanningState::Impl::watch_bends(const PlanningInput& in) {
-  if (is_bent(latest, latest_number, *in.map, kBent_m, kBent_rad)) ++bends;
-  latest_number = in.map->keyframes.size() - 1;
-  latest = in.map->keyframes.back();
+  if (latest.is_bent(*in.map, kBent_m, kBent_rad)) ++bends;
+  latest = NewestKeyframe(*in.map);
 }
 
 void PlanningState::Impl::watch_battery(const PlanningInput& in) {
@@ -152,7 +143,7 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
   if (in.team != nullptr && precedence_changed(in)) return false;
   if (seeks_contact && !contact.lost_at(in.now)) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
-  if (corrected(newest, newest_number, *in.map)) return false;
+  if (newest.is_bent(*in.map, kCorrection_m, kCorrection_rad)) return false;
   const types::Vector2 here = T_map_base.se2().translation();
   if ((route.back() - here).norm() <= params.goal_reached_m) return false;
   const std::size_t from = nearest_point(route, here);
@@ -201,9 +192,8 @@ void PlanningState::Impl::think(const PlanningInput& in) {
   thought = in.now;
   thought_cells = in.map->changed_cells;
   claims_then = claims_of_mates(in);
-  if (corrected(newest, newest_number, *in.map)) goal_ways.doubt();
-  newest_number = in.map->keyframes.size() - 1;
-  newest = in.map->keyframes.back();
+  if (newest.is_bent(*in.map, kCorrection_m, kCorrection_rad)) goal_ways.doubt();
+  newest = NewestKeyframe(*in.map);
   const auto told = [&](PlanningStage stage) {
     if (in.done) in.done(stage);
   };
