@@ -31,24 +31,25 @@ class Stages {
 
   [[nodiscard]] const grid::DenseMap& map() const { return a_.map; }
 
-  void find_walls(const walls::PointsChange& occupied, walls::CompassMemory& compass_memory,
-                  walls::WallMemory& wall_memory) {
+  void find_walls(const walls::PointsChange& occupied, AnalysisMemory& memory) {
     walls::CompassParams compass = params_.compass;
     compass.cell_m = a_.map.resolution_m;
-    a_.compass = walls::entropy_compass(occupied, compass, compass_memory);
+    a_.compass = walls::entropy_compass(occupied, compass, memory.compass);
     tell(Stage::kCompass);
     // The store's walls are the confident ones; without a coronal scanner there are none, and what is
     // occupied must do.
-    const bool has_store = !wall_points_.empty() && params_.wall_store;
-    a_.walls = walls::extract_walls(has_store ? wall_points_ : occupied.now, compass_rad(), params_.walls,
-                                    wall_memory);
+    if (!params_.wall_store) wall_points_.clear();
+    if (wall_points_.empty() != memory.wall_points.empty()) memory.walls = {};  // they were of other points
+    const walls::PointsChange store = walls::points_change(memory.wall_points, wall_points_);
+    a_.walls = walls::extract_walls(store.now.empty() ? occupied : store, compass_rad(), params_.walls,
+                                    memory.walls);
+    memory.wall_points = std::move(wall_points_);
     tell(Stage::kWalls);
   }
   void find_walls() {
     const std::vector<types::Vector2> occupied = walls::occupied_points(a_.map);
-    walls::CompassMemory no_compass;
-    walls::WallMemory no_walls;
-    find_walls({occupied, {}, {}}, no_compass, no_walls);
+    AnalysisMemory none;
+    find_walls({occupied, {}, {}}, none);
   }
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
@@ -130,7 +131,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
                  const StageWatch& done) {
   const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory.compass, memory.walls);
+  stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory);
   const grid::DenseMap& map = stages.without_furniture(memory.furniture);
   memory.open.take(map);
   // A coarse map's distances are not its own: they count where there is no furniture.

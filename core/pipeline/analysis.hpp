@@ -65,6 +65,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
 struct AnalysisMemory {
   walls::OccupiedPoints occupied;
   walls::CompassMemory compass;
+  std::vector<types::Vector2> wall_points;  ///< of the wall store; none: walls are of what is occupied
   walls::WallMemory walls;
   places::FurnitureUpdate furniture;
   grid::ClearanceUpdate open;  ///< of the map without furniture

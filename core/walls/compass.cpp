@@ -228,8 +228,9 @@ Compass entropy_compass(const PointsChange& change, const CompassParams& params,
     memory = {};
     return {};
   }
-  types::Rectangle box;
-  for (const types::Vector2& p : points) box.extend(p);
+  const Extent x_m = renewed(memory.x_m, change, [](const types::Vector2&p) { return p.x(); }),
+               y_m = renewed(memory.y_m, change, [](const types::Vector2&p) { return p.y(); });
+  const types::Rectangle box{{x_m.low, y_m.low}, {x_m.high, y_m.high}};
   const double radius_m = (box.max - box.min).norm() / 2.0 + params.cell_m;
   const double half_bin_m = std::max(params.bin_m / 2.0, radius_m / kHalfBinsMax);
   const Placing placing{(box.min + box.max) / 2.0, half_bin_m, params.cell_m};
@@ -238,9 +239,11 @@ Compass entropy_compass(const PointsChange& change, const CompassParams& params,
   const std::uint64_t few_limit = hash_limit(points.size(), std::min(most, kCoarsePoints));
   const std::uint64_t all_limit = hash_limit(points.size(), most);
   if (memory.placing != placing || memory.radius != radius)
-    memory = {placing, radius, {points.begin(), points.end()}, {}, {}};
+    memory = {{}, {}, placing, radius, {points.begin(), points.end()}, {}, {}};
   else
     renew(memory, change, few_limit, all_limit);
+  memory.x_m = x_m;
+  memory.y_m = y_m;
   memory.few.limit = few_limit;
   memory.all.limit = all_limit;
   const auto curve = [&](KeptCurve& kept) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/types/se2.hpp"
+#include "core/walls/extent.hpp"
 #include "core/walls/points_change.hpp"
 #include "core/walls/projection.hpp"
 #include "core/walls/sampling.hpp"
@@ -50,6 +51,7 @@ struct KeptCurve {
 
 /// What one compass leaves to the next.
 struct CompassMemory {
+  Extent x_m, y_m;  ///< of the points
   Placing placing;
   float radius = 0.0F;
   std::vector<Sample> samples;  ///< the points

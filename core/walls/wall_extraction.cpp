@@ -126,25 +126,23 @@ std::vector<types::Vector2> wall_points(const WallStore& store) {
   return points;
 }
 
-std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params,
-                                          WallMemory& memory) {
+std::vector<types::Segment> extract_walls(const PointsChange& points, double compass_rad,
+                                          const WallParams& params, WallMemory& memory) {
   std::vector<types::Segment> walls;
-  if (memory.params != params || points.empty()) memory = {{}, params, {}};
-  if (points.empty()) return walls;
+  if (memory.params != params || points.now.empty()) memory = {params, {}};
+  if (points.now.empty()) return walls;
   const double c = std::cos(compass_rad), s = std::sin(compass_rad);
   const std::array<Direction, 2> directions{{{c, s}, {-s, c}}};
-  const PointsChange change = points_change(memory.points, points);
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    memory.lines[i].take(change, directions[i], params);
+    memory.lines[i].take(points, directions[i], params);
     WallFinder(memory.lines[i], directions[i], params).append_to(walls);
   }
-  memory.points.assign(points.begin(), points.end());
   return walls;
 }
 
 std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params) {
   WallMemory none;
-  return extract_walls(points, compass_rad, params, none);
+  return extract_walls({points, {}, {}}, compass_rad, params, none);
 }
 
 }  // namespace topo::walls

@@ -26,15 +26,14 @@ std::vector<types::Segment> extract_walls(std::span<const types::Vector2> points
 
 /// What one extraction leaves to the next.
 struct WallMemory {
-  std::vector<types::Vector2> points;
   WallParams params;
   std::array<WallLines, 2> lines;  ///< of what runs along the compass, and across it
 };
 
-/// The same, equal to the bit, from what the extraction of other points left, and leaves it of these. Costs
-/// what has changed, and a few passes over the points, while the compass stays the same and the box of the
-/// points in its frame.
-std::vector<types::Segment> extract_walls(std::span<const types::Vector2> points, double compass_rad,
+/// The same, equal to the bit, from what the extraction of other points left, and leaves it of these.
+/// `points`: how they differ from those; of no meaning when there were none. Costs what has changed, and a
+/// copy of the rest, while the compass stays the same and the box of the points in its frame.
+std::vector<types::Segment> extract_walls(const PointsChange& points, double compass_rad,
                                           const WallParams& params, WallMemory& memory);
 
 }  // namespace topo::walls

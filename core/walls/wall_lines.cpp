@@ -13,8 +13,8 @@ using Points = std::span<const types::Vector2>;
 
 bool is_before(const Place& a, const Place& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); }
 
-/// As std::merge, without a branch that nobody can predict.
-void merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> out) {
+/// As std::merge, without a branch that nobody can predict. Returns `out`.
+std::span<const Place> merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> out) {
   const Place *at_a = a.data(), *at_b = b.data();
   const Place *const end_a = at_a + a.size(), *const end_b = at_b + b.size();
   Place* to = out.data();
@@ -25,6 +25,7 @@ void merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> 
     at_b += second ? 1 : 0;
   }
   std::copy(at_b, end_b, std::copy(at_a, end_a, to));
+  return out;
 }
 
 /// Share of a run's length, in bins, that points were seen on.
@@ -55,13 +56,6 @@ void for_contiguous(std::span<const Place> places, double gap_max_m, F&& f) {
   }
 }
 
-std::vector<double> across_of(Points points, const Direction& along) {
-  std::vector<double> across_m(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    across_m[k] = along.cos * points[k].y() - along.sin * points[k].x();
-  return across_m;
-}
-
 }  // namespace
 
 bool is_wall_run(std::span<const Place> places, const WallParams& params) {
@@ -72,40 +66,38 @@ bool is_wall_run(std::span<const Place> places, const WallParams& params) {
 }
 
 void WallLines::take(const PointsChange& points, const Direction& direction, const WallParams& params) {
-  const std::vector<double> across_m = across_of(points.now, direction);
-  const Layout layout = layout_of(across_m, direction, params.bin_m / 2.0);
+  const auto across_m = [&](const types::Vector2& p) { return direction.across_m(p); };
+  const bool is_along = direction == layout_.along;
+  const Extent across = is_along ? renewed(across_, points, across_m) : extent_of(points.now, across_m);
+  across_ = across;
+  const Layout layout = layout_of(across, points.now.size(), direction, params.bin_m / 2.0);
   const std::vector<std::size_t> first_before = std::exchange(first_, {});
   if (std::exchange(layout_, layout) == layout)
     change_bins(points, first_before);
   else
-    fill_bins(points.now, across_m);
+    fill_bins(points.now);
   renew_lines(first_before, params);
 }
 
-WallLines::Layout WallLines::layout_of(std::span<const double> across_m, const Direction& direction,
+WallLines::Layout WallLines::layout_of(const Extent& across, std::size_t points, const Direction& direction,
                                        double half_bin_m) {
-  double low_m = across_m.front(), high_m = across_m.front();
-  for (const double v : across_m) {
-    low_m = v < low_m ? v : low_m;
-    high_m = high_m < v ? v : high_m;
-  }
   // A few points far out must not ask for more bins than there are points to put into them.
-  const double bins_max = 1000.0 + 8.0 * static_cast<double>(across_m.size());
-  const double wide_m = high_m - low_m, width_m = std::max(half_bin_m, wide_m / bins_max);
-  return {direction, low_m, width_m, static_cast<std::size_t>(wide_m / width_m) + 1};
+  const double bins_max = 1000.0 + 8.0 * static_cast<double>(points);
+  const double wide_m = across.high - across.low, width_m = std::max(half_bin_m, wide_m / bins_max);
+  return {direction, across.low, width_m, static_cast<std::size_t>(wide_m / width_m) + 1};
 }
 
-void WallLines::fill_bins(Points points, std::span<const double> across_m) {
+void WallLines::fill_bins(Points points) {
   const Layout layout = layout_;
   std::vector<std::int32_t> bins(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) bins[k] = layout.bin(across_m[k]);
+  for (std::size_t k = 0; k < points.size(); ++k) bins[k] = layout.bin(layout.along.across_m(points[k]));
   first_.assign(layout.bins + 2, 0);
   for (const std::int32_t bin : bins) ++first_[static_cast<std::size_t>(bin) + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
   places_.resize(points.size());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 2);
   for (std::size_t k = 0; k < points.size(); ++k)
-    places_[next[static_cast<std::size_t>(bins[k])]++] = layout.place(points[k], across_m[k]);
+    places_[next[static_cast<std::size_t>(bins[k])]++] = layout.place(points[k]);
   sort_bins();
   is_new_.assign(layout.bins + 1, 1);
 }
@@ -121,10 +113,8 @@ void WallLines::sort_bins() {
 
 WallLines::BinnedPlaces WallLines::binned(Points points) const {
   BinnedPlaces binned;
-  for (const types::Vector2& p : points) {
-    const double across_m = layout_.across(p);
-    binned.emplace_back(layout_.bin(across_m), layout_.place(p, across_m));
-  }
+  for (const types::Vector2& p : points)
+    binned.emplace_back(layout_.bin(layout_.along.across_m(p)), layout_.place(p));
   std::sort(binned.begin(), binned.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first < b.first : is_before(a.second, b.second);
   });
@@ -150,6 +140,10 @@ void WallLines::change_bins(const PointsChange& points, std::span<const std::siz
     take_of(bin, next_come, come.end(), here_come);
     take_of(bin, next_gone, gone.end(), here_gone);
     is_new_[bin] = here_come.empty() && here_gone.empty() ? 0 : 1;
+    if (is_new_[bin] == 0) {
+      places_.insert(places_.end(), old.begin(), old.end());
+      continue;
+    }
     stay.clear();
     std::set_difference(old.begin(), old.end(), here_gone.begin(), here_gone.end(), std::back_inserter(stay),
                         is_before);
@@ -160,21 +154,23 @@ void WallLines::change_bins(const PointsChange& points, std::span<const std::siz
 }
 
 void WallLines::renew_lines(std::span<const std::size_t> first_before, const WallParams& params) {
-  const std::vector<Place> before = std::exchange(merged_, std::vector<Place>(start_of(layout_.bins)));
+  const std::vector<Place> before = std::exchange(merged_, {});
+  merged_.reserve(start_of(layout_.bins));
   const std::vector<Stretch> stretches_before = std::exchange(stretches_, {});
   auto old = stretches_before.begin();
   for (std::size_t line = 0; line < layout_.bins; ++line) {
     const auto low = bin(line), high = bin(line + 1);
-    const auto places = std::span(merged_).subspan(start_of(line), low.size() + high.size());
+    const std::size_t size = low.size() + high.size();
     const auto old_end = std::find_if(old, stretches_before.end(),
                                       [line](const Stretch& stretch) { return stretch.line > line; });
     if (is_new_[line] == 0 && is_new_[line + 1] == 0) {
       const Place* const same = before.data() + start_of(line, first_before);
-      std::copy(same, same + places.size(), places.begin());
+      merged_.insert(merged_.end(), same, same + size);
       stretches_.insert(stretches_.end(), old, old_end);
-    } else if (places.size() >= points_min(params)) {
-      merge(low, high, places);
-      find_stretches(line, places, params);
+    } else {
+      merged_.resize(merged_.size() + size);
+      if (size >= points_min(params))
+        find_stretches(line, merge(low, high, std::span(merged_).last(size)), params);
     }
     old = old_end;
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/walls/extent.hpp"
 #include "core/walls/points_change.hpp"
 #include "core/walls/wall_params.hpp"
 
@@ -22,6 +23,8 @@ struct Place {
 /// Of walls.
 struct Direction {
   double cos, sin;
+  [[nodiscard]] double across_m(const types::Vector2& p) const { return cos * p.y() - sin * p.x(); }
+  [[nodiscard]] double along_m(const types::Vector2& p) const { return cos * p.x() + sin * p.y(); }
   friend bool operator==(const Direction&, const Direction&) = default;
 };
 
@@ -39,7 +42,7 @@ class WallLines {
   };
 
   /// Makes of the lines of other points those of these, `points` telling how they differ. Costs what has
-  /// changed, and a pass over the points, while the direction and the extent across it stay the same; the
+  /// changed, and a copy of the rest, while the direction and the extent across it stay the same; the
   /// parameters must. At least one point.
   void take(const PointsChange& points, const Direction& direction, const WallParams& params);
 
@@ -62,22 +65,20 @@ class WallLines {
     std::size_t bins = 0;
     friend bool operator==(const Layout&, const Layout&) = default;
 
-    [[nodiscard]] double across(const types::Vector2& p) const {
-      return along.cos * p.y() - along.sin * p.x();
-    }
     /// Signed, as vector instructions want it.
     [[nodiscard]] std::int32_t bin(double across_m) const {
       return static_cast<std::int32_t>((across_m - low_m) / width_m);
     }
-    [[nodiscard]] Place place(const types::Vector2& p, double across_m) const {
-      return {static_cast<float>(along.cos * p.x() + along.sin * p.y()), static_cast<float>(across_m)};
+    [[nodiscard]] Place place(const types::Vector2& p) const {
+      return {static_cast<float>(along.along_m(p)), static_cast<float>(along.across_m(p))};
     }
   };
   /// In the order of half bins, and of places within each.
   using BinnedPlaces = std::vector<std::pair<std::int32_t, Place>>;
 
-  static Layout layout_of(std::span<const double> across_m, const Direction& direction, double half_bin_m);
-  void fill_bins(std::span<const types::Vector2> points, std::span<const double> across_m);
+  static Layout layout_of(const Extent& across, std::size_t points, const Direction& direction,
+                          double half_bin_m);
+  void fill_bins(std::span<const types::Vector2> points);
   void sort_bins();
   void change_bins(const PointsChange& points, std::span<const std::size_t> first_before);
   [[nodiscard]] BinnedPlaces binned(std::span<const types::Vector2> points) const;
@@ -92,6 +93,7 @@ class WallLines {
   [[nodiscard]] std::size_t start_of(std::size_t line) const { return start_of(line, first_); }
 
   Layout layout_;
+  Extent across_;                     ///< of the points, across the direction
   std::vector<std::size_t> first_;    ///< of every half bin, one past the last, and that again
   std::vector<Place> places_;         ///< bin by bin
   std::vector<std::uint8_t> is_new_;  ///< of every half bin and one more: not as it was before

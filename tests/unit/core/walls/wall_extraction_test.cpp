@@ -49,6 +49,7 @@ TEST(WallExtraction, OfPointsThatCameAndWentAreThoseOfTheOnesPresent) {
     const double turn_rad = *rc::gen::inRange(0, 90) * types::kDegree_rad;
     const Points plan = cell_centres(turned(building(), turn_rad));
     WallMemory memory;
+    Points before;
     for (int step = 0; step < 8; ++step) {
       Points points = plan;
       if (*rc::gen::inRange(0, 2) == 0) furnish(points, static_cast<unsigned>(*rc::gen::inRange(0, 4)));
@@ -60,8 +61,9 @@ TEST(WallExtraction, OfPointsThatCameAndWentAreThoseOfTheOnesPresent) {
       const double compass_rad = turn_rad + (*rc::gen::inRange(0, 4) == 0 ? 0.01 : 0.0);
       WallParams params;
       if (*rc::gen::inRange(0, 9) == 0) params.gap_max_m = 0.2;
-      const auto again = extract_walls(points, compass_rad, params, memory),
+      const auto again = extract_walls(points_change(before, points), compass_rad, params, memory),
                  fresh = extract_walls(points, compass_rad, params);
+      before = points;
       RC_ASSERT(again.size() == fresh.size());
       for (std::size_t w = 0; w < again.size(); ++w)
         RC_ASSERT(again[w].a == fresh[w].a && again[w].b == fresh[w].b);
