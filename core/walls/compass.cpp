@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <numbers>
 
 #include "core/types/geometry.hpp"
-#include "core/walls/replace_part.hpp"
 
 namespace topo::walls {
 namespace {
@@ -160,12 +158,12 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
 struct Change {
   Cloud come, gone;
 
-  void note(const Sample& sample, const Placing& placing, bool was, bool is) {
-    if (was == is) [[likely]]
-      return;
-    Cloud& cloud = is ? come : gone;
-    cloud.x.push_back(sample.x(placing));
-    cloud.y.push_back(sample.y(placing));
+  /// Those between two limits of their hashes.
+  Change(const Samples& samples, std::uint64_t was, std::uint64_t is, const Placing& placing) {
+    if (was == is) return;
+    Cloud& cloud = was < is ? come : gone;
+    samples.for_each_within(std::min(was, is) + 1, std::max(was, is),
+                            [&](const Sample& sample) { sample.append_to(cloud, placing); });
   }
   void apply_to(KeptCurve& curve) const {
     for (auto& [angle_rad, kept] : curve.at) {
@@ -175,47 +173,25 @@ struct Change {
   }
 };
 
-/// Puts the points that come in their places, and leaves out those that go.
-void exchange(std::vector<Sample>& samples, const PointsChange& points) {
-  if (points.come.empty() && points.gone.empty()) return;
-  const std::vector<Sample> come(points.come.begin(), points.come.end()),
-      gone(points.gone.begin(), points.gone.end());
-  const auto before = [](const Sample& a, const Sample& b) { return comes_before(a.p, b.p); };
-  const auto is_first = [&](const std::vector<Sample>& a, const std::vector<Sample>& b) {
-    return b.empty() || (!a.empty() && before(a.front(), b.front()));
-  };
-  const auto is_last = [&](const std::vector<Sample>& a, const std::vector<Sample>& b) {
-    return b.empty() || (!a.empty() && before(b.back(), a.back()));
-  };
-  const Sample& least = is_first(come, gone) ? come.front() : gone.front();
-  const Sample& most = is_last(come, gone) ? come.back() : gone.back();
-  const auto first = std::lower_bound(samples.begin(), samples.end(), least, before),
-             end = std::upper_bound(first, samples.end(), most, before);
-  std::vector<Sample> stay, now;
-  std::set_difference(first, end, gone.begin(), gone.end(), std::back_inserter(stay), before);
-  std::merge(stay.begin(), stay.end(), come.begin(), come.end(), std::back_inserter(now), before);
-  replace_part(samples, first, end, now);
-}
-
 /// Makes of the curves those by these points.
 void renew(CompassMemory& memory, const PointsChange& points, std::uint64_t few_limit,
            std::uint64_t all_limit) {
-  Change few, all;
   const Placing& placing = memory.placing;
-  if (memory.few.limit != few_limit || memory.all.limit != all_limit) {
-    for (const Sample& sample : memory.samples) {
-      few.note(sample, placing, sample.hash <= memory.few.limit, sample.hash <= few_limit);
-      all.note(sample, placing, sample.hash <= memory.all.limit, sample.hash <= all_limit);
-    }
-  }
-  const auto change = [&](const types::Vector2& p, bool was, bool is) {
+  Change few(memory.samples, memory.few.limit, few_limit, placing),
+      all(memory.samples, memory.all.limit, all_limit, placing);
+  const auto note = [&](const types::Vector2& p, Cloud Change::*where) {
     const Sample sample(p);
-    if (sample.hash <= few_limit) few.note(sample, placing, was, is);
-    if (sample.hash <= all_limit) all.note(sample, placing, was, is);
+    if (sample.hash <= few_limit) sample.append_to(few.*where, placing);
+    if (sample.hash <= all_limit) sample.append_to(all.*where, placing);
   };
-  for (const types::Vector2& p : points.gone) change(p, true, false);
-  for (const types::Vector2& p : points.come) change(p, false, true);
-  exchange(memory.samples, points);
+  for (const types::Vector2& p : points.gone) {
+    memory.samples.remove(p);
+    note(p, &Change::gone);
+  }
+  for (const types::Vector2& p : points.come) {
+    memory.samples.add(p);
+    note(p, &Change::come);
+  }
   few.apply_to(memory.few);
   all.apply_to(memory.all);
 }
@@ -239,7 +215,7 @@ Compass entropy_compass(const PointsChange& change, const CompassParams& params,
   const std::uint64_t few_limit = hash_limit(points.size(), std::min(most, kCoarsePoints));
   const std::uint64_t all_limit = hash_limit(points.size(), most);
   if (memory.placing != placing || memory.radius != radius)
-    memory = {{}, {}, placing, radius, {points.begin(), points.end()}, {}, {}};
+    memory = {{}, {}, placing, radius, Samples(points), {}, {}};
   else
     renew(memory, change, few_limit, all_limit);
   memory.x_m = x_m;
@@ -250,7 +226,7 @@ Compass entropy_compass(const PointsChange& change, const CompassParams& params,
     return [&, cloud = Cloud{}](double angle_rad) mutable {
       const auto [at, is_new] = kept.at.try_emplace(angle_rad, radius, angle_rad);
       if (is_new) {
-        if (cloud.x.empty()) cloud = sampled(memory.samples, kept.limit, placing);
+        if (cloud.x.empty()) cloud = memory.samples.up_to(kept.limit, placing);
         at->second.projection.add(cloud);
       }
       at->second.unused = 0;

@@ -54,13 +54,13 @@ struct CompassMemory {
   Extent x_m, y_m;  ///< of the points
   Placing placing;
   float radius = 0.0F;
-  std::vector<Sample> samples;  ///< the points
+  Samples samples;  ///< the points
   KeptCurve few, all;
 };
 
 /// The same, equal to the bit, from what the compass of other points left, and leaves it of these: points
-/// come and go in the histograms. `points`: how they differ from those, row by row; of no meaning when there
-/// were none. Costs what has changed, and a pass or two over the points, when both are within the same box.
+/// come and go in the histograms. `points`: how they differ from those; of no meaning when there were none.
+/// Costs what has changed when both are within the same box.
 Compass entropy_compass(const PointsChange& points, const CompassParams& params, CompassMemory& memory);
 
 }  // namespace topo::walls

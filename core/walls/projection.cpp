@@ -31,48 +31,50 @@ const WeightedLog& weighted_log() {
   return log;
 }
 
-/// Of n log n over `count` pairs of neighbours, a multiple of four, n the points in both. Several sums at
-/// once: each waits for its own last term only. Exact whatever the order, as are sums of these: 24 bits a
-/// term, and less than 2 to the power of 30 in all.
-double sum_over_pairs(const std::uint16_t* half_bins, std::size_t count, const WeightedLog& log) {
-  std::array<double, 4> sums{};
-  for (std::size_t i = 0; i < count; i += sums.size())
-    for (std::size_t k = 0; k < sums.size(); ++k)
+/// Several sums at once: each waits for its own last term only.
+constexpr std::size_t kAtOnce = 4;
+
+/// Of n log n over pairs of neighbours, a multiple of those, n the points in both. Exact whatever the order,
+/// as are sums of these: 24 bits a term, and less than 2 to the power of 30 in all.
+double sum_over_pairs(std::span<const std::uint16_t> half_bins, const WeightedLog& log) {
+  std::array<double, kAtOnce> sums{};
+  for (std::size_t i = 0; i + 1 < half_bins.size(); i += kAtOnce)
+    for (std::size_t k = 0; k < kAtOnce; ++k)
       sums[k] += static_cast<double>(log(std::uint32_t{half_bins[i + k]} + half_bins[i + k + 1]));
-  return sums[0] + sums[1] + sums[2] + sums[3];
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 }  // namespace
 
-Histogram::Histogram(std::size_t half_bins)
-    : sums_(half_bins / kBlock + 1, 0.0), has_changed_(sums_.size(), 0) {
-  points_.resize(sums_.size() * kBlock + 1, 0);
-}
+Histogram::Histogram(std::size_t half_bins) : points_((half_bins / kAtOnce + 1) * kAtOnce + 1, 0) {}
 
 void Histogram::add(std::span<const std::int32_t> half_bins, std::uint16_t step) {
-  if (half_bins.empty()) return;
-  std::int32_t least = half_bins.front(), most = least;
-  for (const std::int32_t half_bin : half_bins) {
-    least = std::min(least, half_bin);
-    most = std::max(most, half_bin);
-  }
+  sum_.reset();
   for (const std::int32_t half_bin : half_bins) {
     std::uint16_t& points = points_[static_cast<std::size_t>(half_bin) + 1];
     points = static_cast<std::uint16_t>(points + step);
   }
-  // The last one is in a bin with the next.
-  const std::size_t first = static_cast<std::size_t>(least) / kBlock,
-                    last = (static_cast<std::size_t>(most) + 1) / kBlock;
-  std::fill_n(has_changed_.begin() + static_cast<std::ptrdiff_t>(first), last + 1 - first, std::uint8_t{1});
+}
+
+void Histogram::add_few(std::span<const std::int32_t> half_bins, std::uint16_t step) {
+  const WeightedLog& log = weighted_log();
+  double sum = this->sum();
+  for (const std::int32_t half_bin : half_bins) {
+    std::uint16_t* const beside = &points_[static_cast<std::size_t>(half_bin)];
+    const std::uint32_t before = beside[0], was = beside[1], after = beside[2];
+    const auto is = static_cast<std::uint16_t>(was + step);
+    const auto more = [&](std::uint32_t next) {
+      return static_cast<double>(log(next + is)) - static_cast<double>(log(next + was));
+    };
+    sum += more(before) + more(after);
+    beside[1] = is;
+  }
+  sum_ = sum;
 }
 
 double Histogram::sum() {
-  for (std::size_t block = 0; block < sums_.size(); ++block) {
-    if (has_changed_[block] == 0) continue;
-    sums_[block] = sum_over_pairs(&points_[block * kBlock], kBlock, weighted_log());
-    has_changed_[block] = 0;
-  }
-  return std::accumulate(sums_.begin(), sums_.end(), 0.0);
+  if (!sum_) sum_ = sum_over_pairs(points_, weighted_log());
+  return *sum_;
 }
 
 Projection::Projection(float radius, double angle_rad)
@@ -86,6 +88,10 @@ Projection::Projection(float radius, double angle_rad)
 void Projection::change(const Cloud& cloud, int by) {
   constexpr std::size_t kBlock = 256;
   const auto step = static_cast<std::uint16_t>(by);
+  const bool are_few = cloud.x.size() < along_.few();
+  const auto add = [=](Histogram& to, std::span<const std::int32_t> half_bins) {
+    are_few ? to.add_few(half_bins, step) : to.add(half_bins, step);
+  };
   std::array<std::int32_t, kBlock> u{}, v{};
   for (std::size_t first = 0; first < cloud.x.size(); first += kBlock) {
     const std::size_t size = std::min(kBlock, cloud.x.size() - first);
@@ -95,8 +101,8 @@ void Projection::change(const Cloud& cloud, int by) {
       u[i] = static_cast<std::int32_t>(middle + c * x[i] + s * y[i]);
       v[i] = static_cast<std::int32_t>(middle + c * y[i] - s * x[i]);
     }
-    along_.add(std::span(u).first(size), step);
-    across_.add(std::span(v).first(size), step);
+    add(along_, std::span(u).first(size));
+    add(across_, std::span(v).first(size));
   }
   points_ += by * static_cast<std::int64_t>(cloud.x.size());
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,15 +24,15 @@ class Histogram {
 
   /// `step`: points for each of the half bins, modulo 2 to the power of 16.
   void add(std::span<const std::int32_t> half_bins, std::uint16_t step);
+  /// The same, with the sum kept up to date: for fewer than few() it costs less than a sum made anew.
+  void add_few(std::span<const std::int32_t> half_bins, std::uint16_t step);
+  [[nodiscard]] std::size_t few() const { return points_.size() / 8; }
 
-  /// Costs the blocks of half bins between those that have changed since the last time.
   double sum();
 
  private:
-  static constexpr std::size_t kBlock = 64;
-  std::vector<std::uint16_t> points_;  ///< of the half bins, after an empty one
-  std::vector<double> sums_;           ///< of each block's half bins with the ones before them
-  std::vector<std::uint8_t> has_changed_;
+  std::vector<std::uint16_t> points_;  ///< of the half bins, after an empty one and before another
+  std::optional<double> sum_;          ///< nothing: they have changed since it was made
 };
 
 /// Histograms of points' two projections at an angle, and their entropy.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/walls/sampling.hpp"
 
-#include <vector>
+#include <algorithm>
+#include <bit>
+#include <cassert>
 
 namespace topo::walls {
 namespace {
@@ -19,31 +21,19 @@ std::uint64_t hash_of(const types::Vector2& p) {
   return h ^ (h >> 32U);
 }
 
-/// As cards are dealt.
-std::vector<float> dealt(const std::vector<float>& values) {
-  constexpr std::size_t kHands = 16;
-  std::vector<float> out;
-  out.reserve(values.size());
-  const std::size_t each = (values.size() + kHands - 1) / kHands;
-  for (std::size_t i = 0; i < each; ++i)
-    for (std::size_t k = i; k < values.size(); k += each) out.push_back(values[k]);
-  return out;
-}
+/// Points of a bucket, more or less: few enough to look for one among them.
+constexpr std::size_t kInBucket = 64;
 
 }  // namespace
 
 Sample::Sample(const types::Vector2& point) : p(point), hash(hash_of(point)) {}
 
-float Sample::x(const Placing& placing) const {
+void Sample::append_to(Cloud& cloud, const Placing& placing) const {
   const double dither = placing.cell_m / 65536.0, corner = placing.cell_m / 2.0;
   const double x = p.x() - placing.middle.x() - corner + static_cast<double>(hash & 0xFFFFU) * dither;
-  return static_cast<float>(x / placing.half_bin_m);
-}
-
-float Sample::y(const Placing& placing) const {
-  const double dither = placing.cell_m / 65536.0, corner = placing.cell_m / 2.0;
   const double y = p.y() - placing.middle.y() - corner + static_cast<double>(hash >> 16U & 0xFFFFU) * dither;
-  return static_cast<float>(y / placing.half_bin_m);
+  cloud.x.push_back(static_cast<float>(x / placing.half_bin_m));
+  cloud.y.push_back(static_cast<float>(y / placing.half_bin_m));
 }
 
 std::uint64_t hash_limit(std::size_t points, std::size_t size) {
@@ -52,14 +42,32 @@ std::uint64_t hash_limit(std::size_t points, std::size_t size) {
   return share >= 1.0 ? UINT64_MAX : static_cast<std::uint64_t>(share * kHashes);
 }
 
-Cloud sampled(std::span<const Sample> samples, std::uint64_t limit, const Placing& placing) {
+Samples::Samples(std::span<const types::Vector2> points)
+    : shift_(32U - static_cast<unsigned>(std::bit_width(points.size() / kInBucket))),
+      buckets_(std::size_t{1} << (32U - shift_)) {
+  const std::size_t even = points.size() / buckets_.size();
+  for (auto& bucket : buckets_) bucket.reserve(even + even / 4);  // mostly enough
+  for (const types::Vector2& p : points) add(p);
+}
+
+void Samples::add(const types::Vector2& p) {
+  const Sample sample(p);
+  buckets_[bucket_of(sample.hash)].push_back(sample);
+}
+
+void Samples::remove(const types::Vector2& p) {
+  auto& bucket = buckets_[bucket_of(Sample(p).hash)];
+  const auto at =
+      std::find_if(bucket.begin(), bucket.end(), [&](const Sample& sample) { return sample.p == p; });
+  assert(at != bucket.end());
+  *at = bucket.back();
+  bucket.pop_back();
+}
+
+Cloud Samples::up_to(std::uint64_t limit, const Placing& placing) const {
   Cloud cloud;
-  for (const Sample& sample : samples) {
-    if (sample.hash > limit) continue;
-    cloud.x.push_back(sample.x(placing));
-    cloud.y.push_back(sample.y(placing));
-  }
-  return {dealt(cloud.x), dealt(cloud.y)};
+  for_each_within(0, limit, [&](const Sample& sample) { sample.append_to(cloud, placing); });
+  return cloud;
 }
 
 }  // namespace topo::walls

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/types/geometry.hpp"
 #include "core/walls/projection.hpp"
@@ -22,8 +24,7 @@ struct Placing {
 /// would be a direction of their own, that of the raster. Neither depends on other points.
 struct Sample {
   explicit Sample(const types::Vector2& p);
-  [[nodiscard]] float x(const Placing& placing) const;
-  [[nodiscard]] float y(const Placing& placing) const;
+  void append_to(Cloud& cloud, const Placing& placing) const;
 
   types::Vector2 p;
   std::uint64_t hash;
@@ -32,8 +33,36 @@ struct Sample {
 /// About `size` of so many points have a hash of no more than this.
 std::uint64_t hash_limit(std::size_t points, std::size_t size);
 
-/// Those up to a limit, neighbours far from each other: what falls into one bin is then not counted one
-/// after the other, and no count waits for the one before it.
-Cloud sampled(std::span<const Sample> samples, std::uint64_t limit, const Placing& placing);
+/// Points by their hashes: those up to a limit, or between two, are found without a look at the others. A
+/// value.
+class Samples {
+ public:
+  Samples() = default;
+  explicit Samples(std::span<const types::Vector2> points);
+
+  void add(const types::Vector2& p);
+  /// One that is there.
+  void remove(const types::Vector2& p);
+
+  /// Calls f(sample) for those with a hash in [least, most].
+  template <class F>
+  void for_each_within(std::uint64_t least, std::uint64_t most, F&& f) const {
+    for (std::size_t b = bucket_of(least); b <= bucket_of(most); ++b)
+      for (const Sample& sample : buckets_[b])
+        if (sample.hash >= least && sample.hash <= most) f(sample);
+  }
+  /// Those with a hash up to a limit. Neighbours are far from each other, as they are by their hashes: what
+  /// falls into one bin is then not counted one after the other, and no count waits for the one before it.
+  [[nodiscard]] Cloud up_to(std::uint64_t limit, const Placing& placing) const;
+
+ private:
+  [[nodiscard]] std::size_t bucket_of(std::uint64_t hash) const {
+    return static_cast<std::size_t>(hash >> 32U) >> shift_;
+  }
+
+  unsigned shift_ = 32;
+  std::vector<std::vector<Sample>> buckets_ =
+      std::vector<std::vector<Sample>>(1);  ///< in the order of hashes
+};
 
 }  // namespace topo::walls
