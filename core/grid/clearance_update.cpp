@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -84,8 +85,8 @@ struct ClearanceUpdate::Impl {
   std::optional<std::vector<std::uint32_t>> changed;
   OccupiedChange occupied;
 
-  void lay_out(const DenseMap& map);
-  [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
+  [[nodiscard]] bool lay_out(const DenseMap& map);
+  [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map, const CellBlocks* others);
   void take_cells(const DenseMap& map, std::size_t first, std::size_t count);
   void widen(Strip& strip) const;
   void measure(Strip& strip) const;
@@ -93,31 +94,37 @@ struct ClearanceUpdate::Impl {
   [[nodiscard]] Cells reached_from(Cells there, const float* row_m) const;
 };
 
-void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
+/// For the map; true when it has the box of the one before.
+bool ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   const bool is_same =
       resolution_m == map.resolution_m && !box.empty() && map.contains(box.min) && map.contains(box.max);
   occupied = {};
   changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
-  if (is_same && box == map.box) return;
+  if (is_same && box == map.box) return true;
   const CellBox before = is_same ? box : CellBox{};
   cells = over_box(cells, before, map.box);
   steps = over_box(steps, before, map.box);
   clearance_m = over_box(clearance_m, before, map.box);
   box = map.box;
   resolution_m = map.resolution_m;
+  return false;
 }
 
 /// Takes the map's cells; returns the strips of columns in which one is another, from the first row with one
-/// to the last, not measured yet.
-std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map) {
+/// to the last, not measured yet. `others`: null when any cell may be another.
+std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map, const CellBlocks* others) {
   const auto width = static_cast<std::size_t>(map.width());
   std::vector<Strip> strips((width - 1) / kStripWidth + 1);
-  for_each_other_block(map.cells, cells, width, kStripWidth,
-                       [&](std::size_t y, std::size_t x, std::size_t count) {
-                         Strip& strip = strips[x / kStripWidth];
-                         strip = {x, count, std::min(strip.low, y), y + 1, {}};
-                         take_cells(map, y * width + x, count);
-                       });
+  const auto take = [&](std::size_t y, std::size_t x, std::size_t count) {
+    Strip& strip = strips[x / kStripWidth];
+    strip = {x, count, std::min(strip.low, y), y + 1, {}};
+    take_cells(map, y * width + x, count);
+  };
+  if (others != nullptr)
+    for_each_other_block(map.cells, cells, width, kStripWidth, *others, take);
+  else
+    for_each_other_block(map.cells, cells, width, kStripWidth, take);
+  assert(cells == map.cells);
   std::erase_if(strips, [](const Strip& strip) { return strip.width == 0; });
   return strips;
 }
@@ -212,11 +219,15 @@ const std::optional<std::vector<std::uint32_t>>& ClearanceUpdate::changed() cons
 
 const OccupiedChange& ClearanceUpdate::occupied() const { return impl_->occupied; }
 
-void ClearanceUpdate::take(const DenseMap& map) {
+void ClearanceUpdate::take(const DenseMap& map) { take(map, nullptr); }
+
+void ClearanceUpdate::take(const DenseMap& map, const CellBlocks& others) { take(map, &others); }
+
+void ClearanceUpdate::take(const DenseMap& map, const CellBlocks* others) {
   Impl& impl = *impl_;
-  impl.lay_out(map);
+  const bool has_same_box = impl.lay_out(map);
   if (map.cells.empty()) return;
-  std::vector<Strip> strips = impl.renew_cells(map);
+  std::vector<Strip> strips = impl.renew_cells(map, has_same_box ? others : nullptr);
   std::size_t low = SIZE_MAX, high = 0;
   for (Strip& strip : strips) {
     impl.widen(strip);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/grid/cell_blocks.hpp"
 #include "core/grid/dense_map.hpp"
 
 namespace topo::grid {
@@ -27,6 +28,9 @@ class ClearanceUpdate {
   ClearanceUpdate& operator=(const ClearanceUpdate&) = delete;
 
   void take(const DenseMap& map);
+  /// The same without the comparison: `others` has all cells that are not as on the map taken before. Of no
+  /// meaning when that had another box.
+  void take(const DenseMap& map, const CellBlocks& others);
 
   /// Of the map taken last; as long as its cells. Good until the next take().
   [[nodiscard]] const std::vector<float>& clearance_m() const;
@@ -42,6 +46,7 @@ class ClearanceUpdate {
 
  private:
   struct Impl;
+  void take(const DenseMap& map, const CellBlocks* others);
   std::unique_ptr<Impl> impl_;
 };
 

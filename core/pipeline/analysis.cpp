@@ -133,7 +133,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemo
   Stages stages(std::move(input), params, done);
   stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory);
   const grid::DenseMap& map = stages.without_furniture(memory.furniture);
-  memory.open.take(map);
+  memory.open.take(map, memory.furniture.others());
   // A coarse map's distances are not its own: they count where there is no furniture.
   const std::span<const float> own_m = memory.open.clearance_m();
   const bool is_own = map.cells != stages.map().cells || std::ranges::equal(own_m, given_m);

@@ -60,7 +60,7 @@ class Search {
       visit_those(i, linked & open(all));
     }
   }
-  [[nodiscard]] CellBlocks found() && { return std::move(found_); }
+  [[nodiscard]] grid::CellBlocks found() && { return std::move(found_); }
 
  private:
   static constexpr Slope kNever = kOnAxis | kVisited | kClosed;
@@ -94,14 +94,14 @@ class Search {
   Slope* slopes_;
   std::ptrdiff_t width_;
   std::array<std::ptrdiff_t, 8> offsets_{};
-  CellBlocks found_;
+  grid::CellBlocks found_;
   std::vector<std::uint32_t> queue_;
 };
 
 }  // namespace
 
-CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
-                           std::vector<Slope>& slopes) {
+grid::CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
+                                 std::vector<Slope>& slopes) {
   Search search(map, slopes);
   search.begin_at(changed);
   search.run();

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/grid/cell_blocks.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/places/cell_blocks.hpp"
 #include "core/places/slopes.hpp"
 
 namespace topo::places {
@@ -19,7 +19,7 @@ namespace topo::places {
 /// labelled before, and so on the ways that lead to those. Both go from cell to cell along slopes and across
 /// what is flat, and none goes through the axis. So whatever is connected in this manner, up and down, with a
 /// cell that has changed or was beside it is labelled anew, and nothing else.
-CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
-                           std::vector<Slope>& slopes);
+grid::CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
+                                 std::vector<Slope>& slopes);
 
 }  // namespace topo::places

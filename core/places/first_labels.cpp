@@ -176,7 +176,7 @@ void number_runs(FirstLabels& first, std::size_t cells) {
 }
 
 /// Adds the labels of the runs that reach into blocks of cells.
-void add_labels_in(const CellBlocks& blocks, std::span<const PieceRun> runs,
+void add_labels_in(const grid::CellBlocks& blocks, std::span<const PieceRun> runs,
                    std::vector<std::uint32_t>& labels) {
   auto run = runs.begin();
   blocks.for_each([&](std::size_t from, std::size_t end) {
@@ -189,7 +189,8 @@ void add_labels_in(const CellBlocks& blocks, std::span<const PieceRun> runs,
 }
 
 /// Takes the runs anew where something has changed, and tells what that is.
-LabelChange renew_runs(const CellBlocks& changed, std::span<const float> clearance_m, FirstLabels& first) {
+LabelChange renew_runs(const grid::CellBlocks& changed, std::span<const float> clearance_m,
+                       FirstLabels& first) {
   LabelChange change;
   changed.for_each([&](std::size_t from, std::size_t end) {
     change.cells.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end)});
@@ -234,7 +235,7 @@ void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skel
     if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
              [&](std::uint32_t i) { others.push_back(i); });
-  CellBlocks again = find_catchments(map, others, first.slopes);
+  grid::CellBlocks again = find_catchments(map, others, first.slopes);
   std::erase_if(first.lost,
                 [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
   for (const std::uint32_t i : first.lost) first.labels[i] = kLost;

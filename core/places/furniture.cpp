@@ -106,6 +106,7 @@ FurnitureUpdate::Extent FurnitureUpdate::renew_cells(const DenseMap& map) {
   if (open_.box != map.box || open_.resolution_m != map.resolution_m) {
     open_ = map;
     pieces_.clear();
+    others_.add({0, static_cast<std::uint32_t>(map.cells.size())});
     return {0, width, 0, height - 1};
   }
   Extent others = kNothing;
@@ -113,10 +114,17 @@ FurnitureUpdate::Extent FurnitureUpdate::renew_cells(const DenseMap& map) {
     const auto row = static_cast<std::uint32_t>(y), from = static_cast<std::uint32_t>(x);
     others = {std::min(others.left, from), std::max(others.right, from + static_cast<std::uint32_t>(count)),
               std::min(others.low, row), row};
-    std::copy_n(&map.cells[y * width + x], count, &open_.cells[y * width + x]);
+    const std::size_t at = y * width + x;
+    others_.add({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + count)});
+    std::copy_n(&map.cells[at], count, &open_.cells[at]);
   };
   grid::for_each_other_block(map.cells, open_.cells, width, grid::kCellBlock, take);
   return others;
+}
+
+/// Walls pass by them, too, and let them stand or not.
+void FurnitureUpdate::note_pieces() {
+  for (const Piece& piece : pieces_) others_.add(piece.run);
 }
 
 /// What stood or stands about and spans nothing beside a change is the same. All the rest lies no farther
@@ -144,14 +152,17 @@ grid::Rows FurnitureUpdate::take(const DenseMap& map, double furniture_m) {
   const auto side = static_cast<std::size_t>(std::lround(furniture_m / map.resolution_m));
   if (std::exchange(side_, side) != side) open_ = {};
   if (!open_.cells.empty()) put_back();
+  others_ = grid::CellBlocks(map.cells.size());
   if (map.cells.empty()) {
     open_ = map;
     pieces_.clear();
     hidden_.clear();
     return {};
   }
+  if (open_.box == map.box) note_pieces();
   const Extent others = renew_cells(map);
   find_pieces(others);
+  note_pieces();
   clear_away();
   if (others.left >= others.right) return {};
   return {others.low, std::size_t{others.high} + 1};

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/grid/cell_blocks.hpp"
 #include "core/grid/cell_run.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/grid/joined_runs.hpp"
@@ -34,6 +35,10 @@ class FurnitureUpdate {
   /// The map taken last, once; `map` is that. Good until the next one is taken.
   const grid::DenseMap& clear(const grid::DenseMap& map, std::span<const types::Segment> walls);
 
+  /// Where cells of the map without furniture may not be as they were on the one before; of no meaning when
+  /// that had another box.
+  [[nodiscard]] const grid::CellBlocks& others() const { return others_; }
+
   /// What was cleared last, for the asking.
   [[nodiscard]] grid::DenseMap release() && { return std::move(open_); }
 
@@ -47,6 +52,7 @@ class FurnitureUpdate {
 
   void put_back();
   [[nodiscard]] Extent renew_cells(const grid::DenseMap& map);
+  void note_pieces();
   void find_pieces(const Extent& changed);
   void clear_away();
 
@@ -54,6 +60,7 @@ class FurnitureUpdate {
   std::size_t side_ = 0;  ///< what stands about is no longer, in cells
   std::vector<Piece> pieces_;
   std::vector<grid::CellState> hidden_;  ///< the pieces' cells in the map, one piece after the other
+  grid::CellBlocks others_{0};
 };
 
 }  // namespace topo::places

@@ -41,7 +41,7 @@ std::vector<PieceRun> piece_runs(const grid::DenseMap& map, std::span<const floa
   return runs;
 }
 
-std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const CellBlocks& changed,
+std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid::CellBlocks& changed,
                                    std::span<const float> clearance_m,
                                    std::span<const std::uint32_t> labels) {
   std::vector<PieceRun> runs;

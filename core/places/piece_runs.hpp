@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/grid/cell_blocks.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/places/cell_blocks.hpp"
 
 namespace topo::places {
 
@@ -25,7 +25,7 @@ std::vector<PieceRun> piece_runs(const grid::DenseMap& map, std::span<const floa
                                  std::span<const std::uint32_t> labels);
 
 /// The same from those before labels or clearances changed in some blocks of cells.
-std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const CellBlocks& changed,
+std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid::CellBlocks& changed,
                                    std::span<const float> clearance_m, std::span<const std::uint32_t> labels);
 
 }  // namespace topo::places

@@ -107,6 +107,29 @@ TEST(ClearanceUpdate, SaysWhatIsOccupiedNowAndWasNot) {
   }));
 }
 
+TEST(ClearanceUpdate, ToldWhereOthersMayBeIsThatOfTheWholeMap) {
+  EXPECT_TRUE(rc::check([] {
+    DenseMap map = random_map(80);
+    ClearanceUpdate told, untold;
+    told.take(map, CellBlocks(0));  // of the first map that says nothing
+    untold.take(map);
+    for (int step = 0; step < 6; ++step) {
+      CellBlocks others(map.cells.size());
+      for (int change = *rc::gen::inRange(0, 20); change > 0; --change) {
+        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
+        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
+        others.add(static_cast<std::uint32_t>(i));
+      }
+      told.take(map, others);
+      untold.take(map);
+      RC_ASSERT(told.clearance_m() == clearance_m(map, Boundary::kOccupiedOrUnknown));
+      RC_ASSERT(told.changed() == untold.changed());
+      RC_ASSERT(told.occupied().come == untold.occupied().come);
+      RC_ASSERT(told.occupied().gone == untold.occupied().gone);
+    }
+  }));
+}
+
 TEST(ClearanceUpdate, OfAHallIsThatOfTheWholeMap) {
   ClearanceUpdate update;
   DenseMap map = filled_map(400, 330, CellState::kFree);

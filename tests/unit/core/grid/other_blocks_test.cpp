@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace topo::grid {
@@ -32,6 +33,37 @@ TEST(OtherBlocks, AreThoseWithAnotherCell) {
     });
     RC_ASSERT(taken == b);
   }));
+}
+
+TEST(OtherBlocks, WithinSomeBlocksAreThoseOfAllWhenNoOthersAre) {
+  EXPECT_TRUE(rc::check([] {
+    const std::size_t width = *rc::gen::inRange<std::size_t>(1, 90),
+                      height = *rc::gen::inRange<std::size_t>(1, 6),
+                      block = *rc::gen::inRange<std::size_t>(1, 40);
+    const std::vector<CellState> a(width * height, CellState::kFree);
+    std::vector<CellState> b = a;
+    CellBlocks within(a.size());
+    for (int k = *rc::gen::inRange(0, 5); k > 0; --k) {
+      const auto cell = *rc::gen::inRange<std::size_t>(0, b.size());
+      if (*rc::gen::inRange(0, 3) != 0) b[cell] = CellState::kOccupied;
+      within.add(static_cast<std::uint32_t>(cell));
+    }
+    using Block = std::array<std::size_t, 3>;
+    std::vector<Block> all, those;
+    for_each_other_block(a, b, width, block, [&](auto... is) { all.push_back(Block{is...}); });
+    for_each_other_block(a, b, width, block, within, [&](auto... is) { those.push_back(Block{is...}); });
+    RC_ASSERT(those == all);
+  }));
+}
+
+TEST(OtherBlocks, AreNotLookedForOutsideOfTheBlocksGiven) {
+  std::vector<CellState> a(640, CellState::kFree), b(640, CellState::kOccupied);
+  CellBlocks within(a.size());
+  within.add(100);
+  std::size_t cells = 0;
+  for_each_other_block(a, b, 640, 32, within,
+                       [&](std::size_t, std::size_t, std::size_t count) { cells += count; });
+  EXPECT_EQ(cells, 32U);
 }
 
 }  // namespace

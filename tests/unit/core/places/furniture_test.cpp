@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "tests/unit/core/places/drawn_map.hpp"
@@ -57,24 +58,48 @@ grid::Rows other_rows(const DenseMap& a, const DenseMap& b) {
   return rows;
 }
 
+/// A map with some blocks of cells of another one.
+DenseMap with_blocks_of(const DenseMap& other, const grid::CellBlocks& blocks, DenseMap map) {
+  blocks.for_each([&](std::size_t first, std::size_t end) {
+    std::copy(&other.cells[first], other.cells.data() + end, &map.cells[first]);
+  });
+  return map;
+}
+
 TEST(Furniture, OfOneMapAfterTheOtherIsThatOfTheWholeMap) {
   EXPECT_TRUE(rc::check([] {
     DenseMap map = DrawnMap(170, 90).room(4, 4, 166, 86).map();
     draw_patches(map, 30, 12);
     FurnitureUpdate update;
-    DenseMap before;
+    DenseMap before, open_before;
     double furniture_before_m = 0.0;
     for (int step = 0; step < 6; ++step) {
       const std::vector<types::Segment> walls = some_walls();
       const double furniture_m = *rc::gen::inRange(0, 8) == 0 ? 0.4 : 0.6;
       const grid::Rows others = update.take(map, furniture_m);
       if (step > 0 && furniture_m == furniture_before_m) RC_ASSERT(others == other_rows(before, map));
-      RC_ASSERT(update.clear(map, walls).cells == without_furniture(map, walls, furniture_m).cells);
+      const DenseMap& open = update.clear(map, walls);
+      RC_ASSERT(open.cells == without_furniture(map, walls, furniture_m).cells);
+      if (step > 0) RC_ASSERT(with_blocks_of(open, update.others(), open_before).cells == open.cells);
+      open_before = open;
       before = map;
       furniture_before_m = furniture_m;
       draw_patches(map, *rc::gen::inRange(0, 3), *rc::gen::inRange(2, 20));
     }
   }));
+}
+
+TEST(Furniture, SaysThatLittleIsAnotherCellWhereLittleHasChanged) {
+  DenseMap map = DrawnMap(170, 90).room(4, 4, 166, 86).occupied(40, 40, 48, 44).map();
+  FurnitureUpdate update;
+  update.take(map, 1.0);
+  update.clear(map, {});
+  map.cells[map.index({100, 60})] = CellState::kOccupied;
+  update.take(map, 1.0);
+  std::size_t cells = 0;
+  update.others().for_each([&](std::size_t first, std::size_t end) { cells += end - first; });
+  EXPECT_GT(cells, 0U);
+  EXPECT_LT(cells, map.cells.size() / 20);
 }
 
 TEST(Furniture, OfAnotherMapIsThatOfTheOtherMap) {

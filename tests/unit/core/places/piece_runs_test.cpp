@@ -28,11 +28,11 @@ TEST(PieceRuns, AreOfOneLabelEachAndKnowTheirClearest) {
 
   // The first piece takes over from the second: one run grows, the other gives way.
   labels[row + 4] = 7;
-  CellBlocks changed(labels.size());
+  grid::CellBlocks changed(labels.size());
   changed.add(row + 4);
   const std::vector<PieceRun> then = {{row + 1, row + 5, 7, 0.1F * 4.0F}, {row + 5, row + 8, 9, 0.1F * 7.0F}};
   EXPECT_EQ(renewed_runs(expected, changed, clearance_m, labels), then);
-  EXPECT_EQ(renewed_runs(then, CellBlocks(labels.size()), clearance_m, labels), then);
+  EXPECT_EQ(renewed_runs(then, grid::CellBlocks(labels.size()), clearance_m, labels), then);
 }
 
 /// A row of pieces, each some cells long, with walls between some.
@@ -60,7 +60,7 @@ TEST(PieceRuns, RenewedAreThoseOfTheWholeMap) {
     const std::vector<float> clearance_m(drawn.map().cells.size(), 0.5F);
     const auto before = at(row_of_pieces(kWidth)), other = at(row_of_pieces(kWidth));
     auto labels = before;
-    CellBlocks changed(labels.size());
+    grid::CellBlocks changed(labels.size());
     for (int n = *rc::gen::inRange(1, 5); n > 0; --n) {
       const auto first = static_cast<std::size_t>(*rc::gen::inRange(0, kWidth - 1));
       const std::size_t end =

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <vector>
 
-namespace topo::places {
+#include "core/grid/cell_run.hpp"
+
+namespace topo::grid {
 
 /// Cells in blocks, so that those with something in them are found again in rising order.
 class CellBlocks {
@@ -16,6 +18,11 @@ class CellBlocks {
   explicit CellBlocks(std::size_t cells) : cells_(cells), holds_((cells >> kShift) + 1, 0) {}
 
   void add(std::uint32_t cell) { holds_[cell >> kShift] = 1; }
+  /// All of them; at least one.
+  void add(CellRun run) {
+    std::fill(holds_.begin() + (run.first >> kShift), holds_.begin() + ((run.end - 1) >> kShift) + 1,
+              std::uint8_t{1});
+  }
 
   /// Calls f(first, end) for the cells of blocks to which one was added, those of neighbouring blocks at
   /// once.
@@ -42,4 +49,4 @@ class CellBlocks {
   std::vector<std::uint8_t> holds_;
 };
 
-}  // namespace topo::places
+}  // namespace topo::grid
