@@ -39,6 +39,19 @@ void unite(Cells more, std::vector<Cells>& cells) {
   cells.push_back(more);
 }
 
+/// Appends `first` + x for those of a row's cells that were not as they are: without a branch, because they
+/// come and go.
+void append_others(const float* was, const float* is, Cells cells, std::uint32_t first,
+                   std::vector<std::uint32_t>& others) {
+  std::size_t size = others.size();
+  others.resize(size + static_cast<std::size_t>(cells.end - cells.from));
+  for (int x = cells.from; x < cells.end; ++x) {
+    others[size] = first + static_cast<std::uint32_t>(x);
+    size += was[x] != is[x] ? 1 : 0;
+  }
+  others.resize(size);
+}
+
 /// What it takes to renew rows, one after the other.
 struct RowRenewal {
   RowRenewal(std::size_t width, double resolution_m) : pass(width, resolution_m, false), now_m(width) {}
@@ -189,11 +202,8 @@ void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> stri
   for (const Cells& those : renewal.reached) {
     std::fill(now_m + those.from, now_m + those.end, 0.0F);
     renewal.pass.cells(&steps[at], those.from, those.end, now_m);
-    for (int x = those.from; x < those.end; ++x) {
-      if (changed && now_m[x] != row_m[x])
-        changed->push_back(static_cast<std::uint32_t>(at + static_cast<std::size_t>(x)));
-      row_m[x] = now_m[x];
-    }
+    if (changed) append_others(row_m, now_m, those, static_cast<std::uint32_t>(at), *changed);
+    std::copy(now_m + those.from, now_m + those.end, row_m + those.from);
   }
 }
 
