@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -15,15 +16,22 @@ class WeightedLog {
  public:
   WeightedLog() {
     for (std::size_t n = 1; n < table_.size(); ++n) table_[n] = of(n);
+    for (std::uint32_t n = 0; n < rises_.size(); ++n) rises_[n] = rise_of(n);
   }
   [[nodiscard]] float operator()(std::uint32_t n) const { return n < table_.size() ? table_[n] : of(n); }
+  /// From n to n + 1; exact.
+  [[nodiscard]] double rise(std::uint32_t n) const { return n < rises_.size() ? rises_[n] : rise_of(n); }
 
  private:
+  [[nodiscard]] double rise_of(std::uint32_t n) const {
+    return static_cast<double>((*this)(n + 1)) - static_cast<double>((*this)(n));
+  }
   static float of(std::size_t n) {
     const auto x = static_cast<float>(n);
     return x * std::log(x);
   }
   std::array<float, 1024> table_{};
+  std::array<double, 512> rises_{};
 };
 
 const WeightedLog& weighted_log() {
@@ -48,28 +56,26 @@ double sum_over_pairs(std::span<const std::uint16_t> half_bins, const WeightedLo
 
 Histogram::Histogram(std::size_t half_bins) : points_((half_bins / kAtOnce + 1) * kAtOnce + 1, 0) {}
 
-void Histogram::add(std::span<const std::int32_t> half_bins, std::uint16_t step) {
+void Histogram::add(std::span<const std::int32_t> half_bins, int by) {
   sum_.reset();
   for (const std::int32_t half_bin : half_bins) {
     std::uint16_t& points = points_[static_cast<std::size_t>(half_bin) + 1];
-    points = static_cast<std::uint16_t>(points + step);
+    points = static_cast<std::uint16_t>(points + by);
   }
 }
 
-void Histogram::add_few(std::span<const std::int32_t> half_bins, std::uint16_t step) {
+void Histogram::add_few(std::span<const std::int32_t> half_bins, int by) {
   const WeightedLog& log = weighted_log();
-  double sum = this->sum();
+  double more = 0.0;
+  const double sum = this->sum();
   for (const std::int32_t half_bin : half_bins) {
     std::uint16_t* const beside = &points_[static_cast<std::size_t>(half_bin)];
-    const std::uint32_t before = beside[0], was = beside[1], after = beside[2];
-    const auto is = static_cast<std::uint16_t>(was + step);
-    const auto more = [&](std::uint32_t next) {
-      return static_cast<double>(log(next + is)) - static_cast<double>(log(next + was));
-    };
-    sum += more(before) + more(after);
-    beside[1] = is;
+    assert(by > 0 || beside[1] > 0);
+    const std::uint32_t without = beside[1] - (by > 0 ? 0U : 1U);
+    more += log.rise(beside[0] + without) + log.rise(beside[2] + without);
+    beside[1] = static_cast<std::uint16_t>(beside[1] + by);
   }
-  sum_ = sum;
+  sum_ = sum + by * more;
 }
 
 double Histogram::sum() {
@@ -87,10 +93,9 @@ Projection::Projection(float radius, double angle_rad)
 /// A block of points after the other, in vector instructions.
 void Projection::change(const Cloud& cloud, int by) {
   constexpr std::size_t kBlock = 256;
-  const auto step = static_cast<std::uint16_t>(by);
   const bool are_few = cloud.x.size() < along_.few();
   const auto add = [=](Histogram& to, std::span<const std::int32_t> half_bins) {
-    are_few ? to.add_few(half_bins, step) : to.add(half_bins, step);
+    are_few ? to.add_few(half_bins, by) : to.add(half_bins, by);
   };
   std::array<std::int32_t, kBlock> u{}, v{};
   for (std::size_t first = 0; first < cloud.x.size(); first += kBlock) {

@@ -22,10 +22,10 @@ class Histogram {
  public:
   explicit Histogram(std::size_t half_bins);
 
-  /// `step`: points for each of the half bins, modulo 2 to the power of 16.
-  void add(std::span<const std::int32_t> half_bins, std::uint16_t step);
+  /// `by`: 1 for points that come, -1 for some that are there and go; one for each of the half bins.
+  void add(std::span<const std::int32_t> half_bins, int by);
   /// The same, with the sum kept up to date: for fewer than few() it costs less than a sum made anew.
-  void add_few(std::span<const std::int32_t> half_bins, std::uint16_t step);
+  void add_few(std::span<const std::int32_t> half_bins, int by);
   [[nodiscard]] std::size_t few() const { return points_.size() / 8; }
 
   double sum();
