@@ -12,12 +12,22 @@
 namespace topo::grid {
 namespace {
 
+/// How cells lie in rows and blocks.
+struct Layout {
+  std::size_t width = *rc::gen::inRange<std::size_t>(1, 90);
+  std::size_t height = *rc::gen::inRange<std::size_t>(1, 6);
+  std::size_t block = *rc::gen::inRange<std::size_t>(1, 40);
+
+  [[nodiscard]] std::vector<CellState> free_cells() const {
+    return std::vector<CellState>(width * height, CellState::kFree);
+  }
+};
+
 TEST(OtherBlocks, AreThoseWithAnotherCell) {
   EXPECT_TRUE(rc::check([] {
-    const std::size_t width = *rc::gen::inRange<std::size_t>(1, 40),
-                      height = *rc::gen::inRange<std::size_t>(1, 6),
-                      block = *rc::gen::inRange<std::size_t>(1, 20);
-    const std::vector<CellState> a(width * height, CellState::kFree);
+    const Layout layout;
+    const std::size_t width = layout.width, block = layout.block;
+    const std::vector<CellState> a = layout.free_cells();
     std::vector<CellState> b = a;
     for (int k = *rc::gen::inRange(0, 5); k > 0; --k)
       b[*rc::gen::inRange<std::size_t>(0, b.size())] = CellState::kOccupied;
@@ -37,10 +47,8 @@ TEST(OtherBlocks, AreThoseWithAnotherCell) {
 
 TEST(OtherBlocks, WithinSomeBlocksAreThoseOfAllWhenNoOthersAre) {
   EXPECT_TRUE(rc::check([] {
-    const std::size_t width = *rc::gen::inRange<std::size_t>(1, 90),
-                      height = *rc::gen::inRange<std::size_t>(1, 6),
-                      block = *rc::gen::inRange<std::size_t>(1, 40);
-    const std::vector<CellState> a(width * height, CellState::kFree);
+    const Layout layout;
+    const std::vector<CellState> a = layout.free_cells();
     std::vector<CellState> b = a;
     CellBlocks within(a.size());
     for (int k = *rc::gen::inRange(0, 5); k > 0; --k) {
@@ -50,8 +58,9 @@ TEST(OtherBlocks, WithinSomeBlocksAreThoseOfAllWhenNoOthersAre) {
     }
     using Block = std::array<std::size_t, 3>;
     std::vector<Block> all, those;
-    for_each_other_block(a, b, width, block, [&](auto... is) { all.push_back(Block{is...}); });
-    for_each_other_block(a, b, width, block, within, [&](auto... is) { those.push_back(Block{is...}); });
+    for_each_other_block(a, b, layout.width, layout.block, [&](auto... is) { all.push_back(Block{is...}); });
+    for_each_other_block(a, b, layout.width, layout.block, within,
+                         [&](auto... is) { those.push_back(Block{is...}); });
     RC_ASSERT(those == all);
   }));
 }
