@@ -16,13 +16,12 @@ namespace topo::pipeline {
 struct LastLookParams {
   double opening_min_m = 0.3;  ///< what one can look through
   double gain_min_m2 = 0.3;    ///< goals::Look::gain_m2
-  /// All looks together, of what is known: a sweep promises three to six times what is missing. Of less than
-  /// that, one percent of the building is not missing any more.
-  double promise_min = 0.02;
-  double time_share = 0.75;   ///< of the time without them: all sweeps together take no longer
-  double time_min_s = 60.0;   ///< or this, when that is less
-  double length_share = 0.8;  ///< of a tour of looks (goals::tour_cost_m): nothing leads on any more
-  double reached_m = 0.2;     ///< half a metre beside it another part of what is behind the gap is seen
+  /// All looks together, of what is known. What a sweep promises and what it shows have little to do with one
+  /// another: from a twelfth of the promise, through slits in furniture, to all of it, in corners of rooms.
+  double promise_min = 0.002;
+  double time_share = 0.4;   ///< of the time without them: all sweeps together take no longer
+  double time_min_s = 60.0;  ///< or this, when that is less
+  double reached_m = 0.2;    ///< half a metre beside it another part of what is behind the gap is seen
   goals::LookParams look;
 };
 
@@ -65,7 +64,6 @@ class LastLooks {
   [[nodiscard]] double reached_m() const { return params_.reached_m; }
   [[nodiscard]] bool empty() const { return open_.empty(); }
   [[nodiscard]] std::vector<goals::Goal> goals() const;
-  [[nodiscard]] double length_share() const { return params_.length_share; }
 
  private:
   struct Open {

@@ -112,7 +112,9 @@ struct PlanningState::Impl {
   [[nodiscard]] bool looks_around() const;
   /// When a goal that was just visited may be one again; nothing: never.
   [[nodiscard]] std::optional<types::Stamp> next_visit(types::Stamp now) const;
-  void add_looks(const PlanningInput& in, std::vector<Candidate>& candidates, bool& cut_off);
+  void settle_looks(const PlanningInput& in);
+  void find_looks(const PlanningInput& in);
+  void add_looks(std::vector<Candidate>& candidates, bool& cut_off) const;
   void estimate_far_ones(std::vector<Candidate>& candidates);
   [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);
   /// Where the cheapest tour of these begins, unless one that begins with `present` costs hardly more.

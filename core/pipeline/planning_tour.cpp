@@ -55,12 +55,17 @@ std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput&
     if (!complete) leave_overlooked(frontiers);
     add_gaps(in, std::move(frontiers), candidates, cut_off);
   }
+  const bool sweeps = looks_around() && !returning;
+  if (sweeps) settle_looks(in);
   if (!candidates.empty()) {
     looks.interrupt(in.now);
     looks_meanwhile = false;
-  } else if (looks_around() && !returning && (!cut_off || looks_meanwhile)) {
-    add_looks(in, candidates, cut_off);
+  } else if (sweeps && (!cut_off || looks_meanwhile)) {
+    find_looks(in);
   }
+  // A sweep that has begun goes on in one tour with what has come up: else the robot would leave a corner
+  // that is at hand, and come back for it.
+  if (sweeps) add_looks(candidates, cut_off);
   estimate_far_ones(candidates);
   return candidates;
 }
@@ -117,23 +122,31 @@ std::optional<types::Stamp> PlanningState::Impl::next_visit(types::Stamp now) co
   return now + types::from_seconds(params.visited_s);
 }
 
-/// When there is nothing else to do.
-void PlanningState::Impl::add_looks(const PlanningInput& in, std::vector<Candidate>& candidates,
-                                    bool& cut_off) {
+void PlanningState::Impl::settle_looks(const PlanningInput& in) {
   looks.settle(map, in.now);
   for (const team::Word* mate : roster.heard(in.now)) looks.share(mate->looked);
+}
+
+/// When there is nothing else to do.
+void PlanningState::Impl::find_looks(const PlanningInput& in) {
   const bool is_awaited = in.team == nullptr || !others_have_goals(in);
   looks.find({map, map_revision, known_m2, field, analysis->walls}, in.now,
              is_awaited ? kAskAgain : kAskAgainMeanwhile);
+}
+
+/// Those that were found and are not taken yet.
+void PlanningState::Impl::add_looks(std::vector<Candidate>& candidates, bool& cut_off) const {
   // A look from beside a goal that a robot was at shows something else.
   const PutOffGoals none;
-  candidates = candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},
-                             none, T_map_base.se2(), in.now, cut_off);
-  const std::size_t all = candidates.size();
-  std::erase_if(candidates, [&](const Candidate& c) {
+  std::vector<Candidate> found =
+      candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m}, none,
+                    T_map_base.se2(), {}, cut_off);
+  const std::size_t all = found.size();
+  std::erase_if(found, [&](const Candidate& c) {
     return (map.centre_of(c.cell) - c.goal.p_map).norm() > looks.reached_m();
   });
-  cut_off = cut_off || candidates.size() < all;
+  cut_off = cut_off || found.size() < all;
+  candidates.insert(candidates.end(), found.begin(), found.end());
 }
 
 /// Candidates that the fine search has not come to get the costs of the coarse map.
@@ -192,8 +205,7 @@ const Candidate* PlanningState::Impl::first_of_tour(std::vector<const Candidate*
     candidates.erase(last, candidates.end());
   }
   const goals::TourGoals tour = tour_goals(candidates);
-  const bool are_looks = looks.reached_m(candidates.front()->goal.p_map).has_value();
-  const double share = are_looks ? looks.length_share() : params.tour.length_share;
+  const double share = params.tour.length_share;
   const goals::Tour best = goals::cheap_tour(tour, share);
   const auto at = std::find(candidates.begin(), candidates.end(), present);
   if (at == candidates.end() || candidates[best.front()] == present) return candidates[best.front()];
