@@ -19,7 +19,7 @@ struct LastLookParams {
   /// All looks together, of what is known. What a sweep promises and what it shows have little to do with one
   /// another: from a twelfth of the promise, through slits in furniture, to all of it, in corners of rooms.
   double promise_min = 0.002;
-  double time_share = 0.25;  ///< of the time without them: all sweeps, while nothing else is left, are shorter
+  double time_share = 0.25;  ///< of the time without them: what sweeps take while nothing else is left
   double time_min_s = 60.0;  ///< or this, when that is less
   double reached_m = 0.2;    ///< half a metre beside it another part of what is behind the gap is seen
   goals::LookParams look;
