@@ -106,7 +106,7 @@ void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::sp
 
 void BlindSpot::put_points(const Se2& T_odom_base, std::span<ScanPoint> out) const {
   const Se2 T_base_odom = T_odom_base.inverse();
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = {T_base_odom * seen_[i].p_odom, false};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = {T_base_odom * seen_[i].p_odom, false, true};
 }
 
 }  // namespace topo::motion

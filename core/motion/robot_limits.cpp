@@ -17,9 +17,10 @@ bool is_valid(const RobotLimits& l) {
          is_positive(l.deceleration_mps2) && is_positive(l.angular_acceleration_radps2) &&
          is_positive(f.front_m) && is_positive(f.rear_m) && is_positive(f.half_width_m) &&
          f.swing_radius_m >= f.half_width_m && std::isfinite(l.slip_curvature_per_m) &&
-         l.slip_curvature_per_m >= 0.0 && is_positive(l.v_beside_mps) && std::isfinite(l.turn_margin_m) &&
-         l.turn_margin_m >= 0.0 && std::isfinite(l.margin_m) && l.margin_m >= 0.0 &&
-         is_positive(l.v_reverse_max_mps) && l.reaction >= types::Duration::zero();
+         l.slip_curvature_per_m >= 0.0 && is_positive(l.v_beside_mps) &&
+         is_positive(l.slip_aside_m_per_rad) && is_positive(l.omega_beside_radps) &&
+         std::isfinite(l.turn_margin_m) && l.turn_margin_m >= 0.0 && std::isfinite(l.margin_m) &&
+         l.margin_m >= 0.0 && is_positive(l.v_reverse_max_mps) && l.reaction >= types::Duration::zero();
 }
 
 }  // namespace topo::motion

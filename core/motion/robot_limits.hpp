@@ -43,7 +43,10 @@ struct RobotLimits {
   /// its encoders knowing. It has to be able to brake on such an arc as well.
   double slip_curvature_per_m = 1.7;
   double v_beside_mps = 0.12;  ///< slow enough to drive beside something whatever the wheels do
-  bool allow_reverse = false;  ///< the rear is blind; whoever sets this vouches for the way
+  /// The same wheel while the robot turns on the spot: how far its centre moves aside for each radian.
+  double slip_aside_m_per_rad = 0.05;
+  double omega_beside_radps = 0.2;  ///< slow enough to turn beside something whatever the wheels do
+  bool allow_reverse = false;       ///< the rear is blind; whoever sets this vouches for the way
   double v_reverse_max_mps = 0.1;
   types::Duration request_age_max = std::chrono::milliseconds(300);
   types::Duration status_age_max = std::chrono::milliseconds(300);

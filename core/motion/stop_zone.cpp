@@ -144,9 +144,7 @@ void for_each_echo(const RobotLimits& limits, const Surroundings& around, Visit 
 
 /// What is kept free at a twist: less while turning on the spot.
 double margin_m(const types::Twist2& twist, const RobotLimits& limits) {
-  constexpr double kOnTheSpot_mps = 0.01;
-  return std::abs(twist.v_mps) < kOnTheSpot_mps ? std::min(limits.turn_margin_m, limits.margin_m)
-                                                : limits.margin_m;
+  return is_on_the_spot(twist) ? std::min(limits.turn_margin_m, limits.margin_m) : limits.margin_m;
 }
 
 }  // namespace
@@ -203,6 +201,21 @@ double slip_free_time_s(const types::Twist2& twist, const RobotLimits& limits, c
   for_each_echo(limits, around, shorten);
   for_each_scan_point(limits, around, shorten);
   return first.seconds();
+}
+
+bool is_on_the_spot(const types::Twist2& twist) {
+  constexpr double kOnTheSpot_mps = 0.01;
+  return std::abs(twist.v_mps) < kOnTheSpot_mps;
+}
+
+double remembered_gap_m(const RobotLimits& limits, const Surroundings& around, double far_m) {
+  const double reach = reach_m(limits.footprint) + far_m;
+  double least_m = far_m;
+  for (const ScanPoint& point : around.points) {
+    if (point.remembered && point.p_base.squaredNorm() < reach * reach)
+      least_m = std::min(least_m, distance_m(point.p_base, limits.footprint));
+  }
+  return least_m;
 }
 
 std::size_t collect_obstacles(const RobotLimits& limits, const Surroundings& around, double reach_m,

@@ -17,7 +17,8 @@ inline constexpr double kForwardSector_rad = 1.0471975511965976;  // 60 degrees
 /// What a beam, or a gap between beams, is taken for.
 struct ScanPoint {
   types::Vector2 p_base{0.0, 0.0};
-  bool forward = false;  ///< of the forward sector
+  bool forward = false;     ///< of the forward sector
+  bool remembered = false;  ///< out of the scanner's view now (BlindSpot)
 };
 
 /// What stands around, from the newest raw data. Pointers and spans are borrowed for the call.
@@ -58,6 +59,13 @@ double free_time_s(const types::Twist2& twist, const RobotLimits& limits, const 
 /// The same without margin for the two arcs on which a slipping wheel may take a robot that drives forwards
 /// (limits.slip_curvature_per_m); kNever_s otherwise.
 double slip_free_time_s(const types::Twist2& twist, const RobotLimits& limits, const Surroundings& around);
+
+/// Whether a twist counts as a turn on the spot, which keeps turn_margin_m only.
+bool is_on_the_spot(const types::Twist2& twist);
+
+/// Distance from the outline as it stands to the nearest of the points that are only remembered, metres;
+/// `far_m` when there is none as near.
+double remembered_gap_m(const RobotLimits& limits, const Surroundings& around, double far_m);
 
 /// The obstacles as free_time_s() takes them, in base, within `reach_m` of the robot's centre and thinned to
 /// about `spacing_m`, for those who look for a way. Returns how many were written to `out`.

@@ -110,6 +110,17 @@ double slip_scale(const Twist2& next, const GateInput& in) {
   return std::max(scale, in.limits.v_beside_mps / next.v_mps);
 }
 
+/// A wheel that slips while the robot turns on the spot moves it aside. What is ahead the scanner sees coming
+/// nearer; of what is behind, only the next match against the map tells. So much has to fit into the gap.
+double turn_slip_scale(const Twist2& next, const GateInput& in) {
+  constexpr double kUnnoticed_s = 1.0;
+  const double turn_radps = std::abs(next.omega_radps);
+  if (!is_on_the_spot(next) || turn_radps <= in.limits.omega_beside_radps) return 1.0;
+  const double aside_m = turn_radps * in.limits.slip_aside_m_per_rad * kUnnoticed_s;
+  const double scale = remembered_gap_m(in.limits, surroundings(in), aside_m) / aside_m;
+  return std::max(scale, in.limits.omega_beside_radps / turn_radps);
+}
+
 /// Something came into the way nearer than the usual braking: the firmware's emergency stop brakes several
 /// times as hard.
 bool must_brake_hard(const GateInput& in) {
@@ -139,7 +150,7 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   const double free_s = free_time_s(next, in.limits, surroundings(in));
   out.free_distance_m = free_distance_m(next, free_s);
   double scale = stopping_scale(next, free_s, blind_s, in.limits);
-  scale = std::min(scale, slip_scale(next, in));
+  scale = std::min({scale, slip_scale(next, in), turn_slip_scale(next, in)});
   // By a daemon that is alive, as beside what may be touched when a wheel slips.
   const double yielding = giving_way_scale(next, in.moving, alive_time_s(in), in.limits);
   const bool gives_way = yielding < scale;

@@ -83,6 +83,7 @@ struct Passage {
     std::vector<Vector2> points;
     for (const ScanPoint& point : out) {
       EXPECT_FALSE(point.forward);
+      EXPECT_TRUE(point.remembered);
       points.push_back(point.p_base);
     }
     return points;

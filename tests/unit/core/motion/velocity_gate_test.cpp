@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <vector>
 
 #include "tests/unit/core/motion/generators.hpp"
 #include "tests/unit/core/motion/surroundings.hpp"
@@ -28,6 +29,7 @@ struct Scene {
   std::unique_ptr<types::Scan> scan = empty_scan(now);
   GateState state;
   GateInput input;
+  std::vector<ScanPoint> posts;
 
   Scene() {
     input.firmware_watchdog = milliseconds(500);
@@ -85,6 +87,36 @@ TEST(VelocityGate, LeavesADoorPostBesideItOnAGentleArc) {
   scene.input.limits.footprint = {0.210, 0.301, 0.2125, 0.267};
   for (int i = 0; i < 20; ++i) EXPECT_NE(scene.ask(0.7, -0.15).reason, GateReason::kBlocked) << i;
   EXPECT_GT(scene.state.last.v_mps, 0.05);
+}
+
+/// A post beside the circle that the robot turns in, behind it on the left.
+void put_post_behind(Scene& scene, double gap_m) {
+  scene.input.limits.footprint = {0.210, 0.301, 0.2125, 0.267};
+  const double away_m = scene.input.limits.footprint.swing_radius_m + gap_m;
+  scene.posts = {{{-away_m * std::cos(0.4), away_m * std::sin(0.4)}, false, true}};
+  scene.input.front_points = scene.posts;
+}
+
+TEST(VelocityGate, TurnsOnTheSpotSoSlowlyThatASlippingWheelDoesNotTakeItIntoWhatIsBeside) {
+  // Turning at 1.4 rad/s with a post 3 cm behind it, one wheel lost 0.6 of its way: the tail hit the post.
+  const auto turns_radps = [](double gap_m) {
+    Scene scene;
+    put_post_behind(scene, gap_m);
+    return scene.settle(0.0, 1.4).command.twist.omega_radps;
+  };
+  EXPECT_DOUBLE_EQ(turns_radps(0.2), 1.4);
+  Scene in_view;
+  put_post_behind(in_view, 0.031);
+  in_view.posts.front().remembered = false;
+  EXPECT_DOUBLE_EQ(in_view.settle(0.0, 1.4).command.twist.omega_radps, 1.4) << "the scanner would tell";
+  const RobotLimits limits;
+  for (const double gap_m : {0.01, 0.02, 0.031, 0.05}) {
+    const double aside_m =
+        turns_radps(gap_m) * limits.slip_aside_m_per_rad;  // in the second until it is seen
+    EXPECT_LT(aside_m, gap_m + 1e-6) << gap_m;
+    EXPECT_GT(aside_m, 0.9 * gap_m) << gap_m << ": slower than it has to be";
+  }
+  EXPECT_NEAR(turns_radps(0.001), limits.omega_beside_radps, 1e-9) << "it has to get away from there";
 }
 
 TEST(VelocityGate, PassesAFreeRequest) {
