@@ -20,6 +20,7 @@ constexpr double kAligned_rad = 0.25;
 // The tail of a P3-DX swings 2 cm aside: less than the margin that it came with.
 constexpr double kStraightBehind_rad = 0.1;
 constexpr double kBackedSlack_m = 0.05;
+constexpr double kCreep_mps = 0.03;
 constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
 
 Stamp since(bool is, Stamp before, Stamp now) {
@@ -91,11 +92,13 @@ void Recovery::watch(const RecoveryInput& in) {
 }
 
 types::Twist2 Recovery::back_twist(const RecoveryInput& in) const {
-  const double speed_mps = in.limits->v_reverse_max_mps;
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
-  // If the host dies the robot rolls on until the watchdog bites: that has to be on the trail as well.
-  if (backed_m >= rules_.back_m || in.trail->length_m() <= speed_mps * in.blind_s) return {};
-  return in.trail->back_twist(speed_mps);
+  if (backed_m >= rules_.back_m) return {};
+  // If the host dies the robot rolls on until the watchdog bites: that has to be on the trail as well. Near
+  // its end it creeps: two centimetres more may be what it needs to turn.
+  const double most_mps = in.blind_s > 0.0 ? in.trail->behind_m() / in.blind_s : HUGE_VAL;
+  if (most_mps <= kCreep_mps) return {};
+  return in.trail->back_twist(std::min(most_mps, in.limits->v_reverse_max_mps));
 }
 
 /// A robot may have no room to turn on the shorter way, and come round by the one on which it came here.

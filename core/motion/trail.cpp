@@ -14,6 +14,11 @@ using types::Vector2;
 
 constexpr double kJump_m = 0.25;
 
+/// From straight behind to a point.
+double aside_rad(const Vector2& p_base) {
+  return types::wrap_angle(std::atan2(p_base.y(), p_base.x()) - std::numbers::pi);
+}
+
 }  // namespace
 
 void Trail::push(const Vector2& p) {
@@ -53,18 +58,38 @@ double Trail::length_m() const {
   return length;
 }
 
-Vector2 Trail::target_base() const {
-  constexpr double kAim_m = 0.2;
+double Trail::behind_m() const {
+  constexpr double kBeside_m = 0.03;
+  double behind_m = 0.0;
+  for (std::size_t i = size_; i > 0; --i) {
+    const Vector2 p_base = pose_.inverse() * points_[i - 1];
+    if (std::abs(p_base.y()) > kBeside_m && std::abs(aside_rad(p_base)) > kBehind_rad) break;
+    behind_m = std::max(behind_m, -p_base.x());
+  }
+  return behind_m;
+}
+
+Vector2 Trail::point_base(double away_m) const {
   std::size_t i = size_ - 1;
-  while (i > 0 && (points_[i] - pose_.translation()).norm() < kAim_m) --i;
+  while (i > 0 && (points_[i] - pose_.translation()).norm() < away_m) --i;
   return pose_.inverse() * points_[i];
+}
+
+/// Where the robot turned on the spot the trail has a corner: a nearer point may lie behind when a farther
+/// one does not.
+Vector2 Trail::target_base() const {
+  constexpr std::array kAims_m{0.2, 0.15, 0.1};
+  for (const double aim_m : kAims_m) {
+    const Vector2 target = point_base(aim_m);
+    if (std::abs(aside_rad(target)) <= kBehind_rad) return target;
+  }
+  return point_base(kAims_m.front());
 }
 
 double Trail::turn_to_back_rad() const {
   if (size_ == 0) return 0.0;
   const Vector2 target = target_base();
-  if (target.norm() < kSpacing_m) return 0.0;
-  return types::wrap_angle(std::atan2(target.y(), target.x()) - std::numbers::pi);
+  return target.norm() < kSpacing_m ? 0.0 : aside_rad(target);
 }
 
 types::Twist2 Trail::back_twist(double speed_mps) const {

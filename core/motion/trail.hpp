@@ -28,6 +28,10 @@ class Trail {
   /// Way back from the newest pose to the trail's end, metres.
   [[nodiscard]] double length_m() const;
 
+  /// How far back it lies behind the robot as it stands, metres: to its end, or to where the robot turned on
+  /// the spot.
+  [[nodiscard]] double behind_m() const;
+
   /// Backwards along the trail with |v| = `speed_mps`; zero when there is no trail left, or when it does not
   /// lie straight behind (within kBehind_rad and 0.1 m).
   [[nodiscard]] types::Twist2 back_twist(double speed_mps) const;
@@ -36,6 +40,8 @@ class Trail {
 
  private:
   static constexpr std::size_t kCapacity = static_cast<std::size_t>(kLength_m / kSpacing_m) + 2;
+  /// The newest point of the trail that is so far away; its end when none is.
+  [[nodiscard]] types::Vector2 point_base(double away_m) const;
   [[nodiscard]] types::Vector2 target_base() const;
   void push(const types::Vector2& p);
   void drop_oldest();

@@ -238,7 +238,7 @@ Wish ControlState::Impl::teleop(const Teleop& teleop, const motion::GateInput& g
   // The rear is blind: backwards means back along the way it came.
   const double speed_mps = std::min(-teleop.twist.v_mps, gate_in.limits.v_reverse_max_mps);
   const bool watched = gate_in.front_scan != nullptr && gate_in.base != nullptr;
-  if (!watched || trail.length_m() <= speed_mps * motion::blind_time_s(gate_in)) return wish;
+  if (!watched || trail.behind_m() <= speed_mps * motion::blind_time_s(gate_in)) return wish;
   const Twist2 back = trail.back_twist(speed_mps);
   if (back == Twist2{}) return wish;
   wish.twist = back;

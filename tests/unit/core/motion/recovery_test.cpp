@@ -64,6 +64,23 @@ TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
   EXPECT_GT(s.in.T_odom_base.x_m, -0.52);
 }
 
+/// A jamb one centimetre inside the circle that it turns in held a robot until its exploration was over: to
+/// back off farther at full speed the trail was too short.
+TEST(Recovery, CreepsBackNearTheEndOfItsTrail) {
+  StuckRobot s;
+  s.trail.clear();
+  for (double x = -0.3; x <= 0.0; x += 0.01) s.trail.update({x, 0.0, 0.0});
+  s.in.blocked = true;
+  s.in.turn_rad = 1.0;
+  for (int i = 0; i < 200 && s.recovery.begun() < 2; ++i) {
+    const double behind_m = s.trail.behind_m();
+    const RecoveryOutput out = s.step();
+    EXPECT_LE(-out.twist.v_mps * s.in.blind_s, behind_m + 1e-9) << "if the host dies it rolls off the trail";
+    if (out.phase == RecoveryPhase::kTurning) break;
+  }
+  EXPECT_LT(s.in.T_odom_base.x_m, -0.2) << "two thirds of the trail";
+}
+
 TEST(Recovery, BacksOffFartherAtTheNextTry) {
   StuckRobot s;
   std::vector<double> backed_m;
