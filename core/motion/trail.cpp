@@ -80,7 +80,7 @@ Vector2 Trail::point_base(double away_m) const {
 Vector2 Trail::target_base() const {
   constexpr std::array kAims_m{0.2, 0.15, 0.1};
   for (const double aim_m : kAims_m) {
-    const Vector2 target = point_base(aim_m);
+    Vector2 target = point_base(aim_m);
     if (std::abs(aside_rad(target)) <= kBehind_rad) return target;
   }
   return point_base(kAims_m.front());
