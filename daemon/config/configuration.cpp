@@ -33,8 +33,7 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   params.finish = e.finish;
   params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : disc_m;
   // Straight on through a door that is too narrow to turn in. In the map a door is up to a cell narrower than
-  // it is: what looks half a centimetre too tight is tried, and the scanner has the last word. With another
-  // centimetre less, most tries are in vain.
+  // it is: what looks half a centimetre too tight is tried, and the scanner has the last word.
   constexpr double kTried_m = 0.005;
   const double straight_m = hull.half_width_m + m.margin_m - kTried_m;
   params.travel.tight_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : std::min(straight_m, disc_m);
