@@ -20,7 +20,7 @@ constexpr double kSpacing_m = 0.02;      // of neighbours that are kept
 constexpr double kMoverRim_m = 0.15;     // around what moves: a leg beside the other
 constexpr double kJump_m = 0.25;         // between two scans: the reckoning began anew
 constexpr double kJump_rad = 1.0;        // the same, on the spot
-constexpr types::Duration kKept = std::chrono::seconds(60);
+constexpr types::Duration kKept = std::chrono::minutes(3);
 
 /// Half of what the scanner sees. One that is mounted upside down has beams that come clockwise.
 double half_view_rad(const types::Scan& scan) {
@@ -91,8 +91,12 @@ void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::sp
   if (scan.first_beam == scan_ || scan.beams == 0) return;
   scan_ = scan.first_beam;
   const Se2 T_odom_base = pose_at(odometry, scan.first_beam);
-  if (!goes_on(T_odom_base_, T_odom_base)) size_ = 0;
+  if (!goes_on(T_odom_base_, T_odom_base)) {
+    size_ = 0;
+    ground_.clear();
+  }
   T_odom_base_ = T_odom_base;
+  ground_.update(scan, T_base_laser, T_odom_base, outline);
   forget(scan, T_odom_base * T_base_laser);
   const Se2 T_laser_base = T_base_laser.inverse();
   const double leaves_rad = half_view_rad(scan) - kLeavesView_rad;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/motion/moving_obstacle.hpp"
+#include "core/motion/seen_ground.hpp"
 #include "core/motion/stop_zone.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/scan.hpp"
@@ -17,7 +18,8 @@ namespace topo::motion {
 /// What the front scanner saw beside the robot and sees no longer. It looks over 270 degrees; the tail of a
 /// robot that turns on the spot or backs off sweeps through the rest. A point is kept in odom from when it
 /// leaves the scanner's view until something is measured in its direction again, the robot is gone from it,
-/// or a minute is over. What moves is not kept: where it is now, nobody knows. Fixed size, allocates nothing.
+/// or three minutes are over. What moves is not kept: where it is now, nobody knows. Fixed size, allocates
+/// nothing.
 class BlindSpot {
  public:
   static constexpr std::size_t kMax = 192;
@@ -31,6 +33,12 @@ class BlindSpot {
   [[nodiscard]] std::size_t size() const { return size_; }
   /// All that is kept, in base at `T_odom_base`; none of it is of the forward sector. `out` is size() long.
   void put_points(const types::Se2& T_odom_base, std::span<ScanPoint> out) const;
+  /// How far the outline may go straight back from T_odom_base before it gets where the scanner has not
+  /// looked lately, at most `far_m`. What it saw there is among the points.
+  [[nodiscard]] double seen_behind_m(const types::Se2& T_odom_base, const Footprint& outline,
+                                     types::Stamp now, double far_m) const {
+    return ground_.behind_m(T_odom_base, outline, now, far_m);
+  }
 
  private:
   struct Seen {
@@ -43,6 +51,7 @@ class BlindSpot {
 
   std::array<Seen, kMax> seen_{};  ///< what came last is last
   std::size_t size_ = 0;
+  SeenGround ground_;
   types::Stamp scan_{};
   types::Se2 T_odom_base_;
 };

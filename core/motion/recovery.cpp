@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace topo::motion {
 namespace {
@@ -21,6 +22,9 @@ constexpr double kAligned_rad = 0.25;
 constexpr double kStraightBehind_rad = 0.1;
 constexpr double kBackedSlack_m = 0.05;
 constexpr double kCreep_mps = 0.03;
+constexpr double kEase_m = 0.08;  // at the first try
+constexpr double kEase_mps = 0.05;
+constexpr double kEaseLeast_mps = 0.02;
 constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
 
 Stamp since(bool is, Stamp before, Stamp now) {
@@ -64,6 +68,8 @@ void Recovery::begin(const RecoveryInput& in) {
   ++tries_;
   ++begun_;
   tried_ = in.now;
+  eased_ = false;
+  may_leave_ = false;
   enter(RecoveryPhase::kBacking, in);
 }
 
@@ -131,9 +137,9 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
   }
   if (aside) turn_other_way_when_refused(aside_rad, in);
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
-  if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits), false};
+  if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits)};
   const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
-  if (twist != types::Twist2{}) return {phase_, twist, true};
+  if (twist != types::Twist2{}) return {phase_, twist, Backing::kAlongTrail};
   backed_m_ = backed_m;
   enter(RecoveryPhase::kTurning, in);
   return turn(in);
@@ -145,14 +151,37 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   const bool aligned = std::abs(in.turn_rad) < kAligned_rad;
   if (over && !aligned && !in.touching && backed_m_ < kBackedEnough_m) {
-    enter(RecoveryPhase::kLeaving, in);
-    return leave(in);
+    if (!std::exchange(eased_, true)) {
+      enter(RecoveryPhase::kEasing, in);
+      return ease(in);
+    }
+    if (may_leave_) {
+      enter(RecoveryPhase::kLeaving, in);
+      return leave(in);
+    }
   }
   if (over || aligned) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }
-  return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits), false};
+  return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits)};
+}
+
+/// A jamb between its front corners, nearer than the circle that it turns in, holds a robot that has all the
+/// room behind it, and may come so near when a wheel slips in a turn. The farther the more it has tried.
+RecoveryOutput Recovery::ease(const RecoveryInput& in) {
+  refused_ = since(in.refused, refused_, in.now);
+  const double eased_m = (in.T_odom_base.translation() - phase_at_).norm();
+  // If the host dies the robot rolls on until the watchdog bites: that has to be over seen ground as well.
+  const double most_mps = in.blind_s > 0.0 ? in.seen_behind_m / in.blind_s : HUGE_VAL;
+  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
+  const bool enough = eased_m >= kEase_m * tries_;
+  if (over || enough || in.touching || most_mps < kEaseLeast_mps) {
+    enter(RecoveryPhase::kTurning, in);
+    may_leave_ = !enough;
+    return turn(in);
+  }
+  return {phase_, {-std::min(most_mps, kEase_mps), 0.0}, Backing::kOverSeenGround};
 }
 
 RecoveryOutput Recovery::leave(const RecoveryInput& in) {
@@ -163,7 +192,7 @@ RecoveryOutput Recovery::leave(const RecoveryInput& in) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }
-  return {phase_, {in.limits->v_reverse_max_mps, 0.0}, false};
+  return {phase_, {in.limits->v_reverse_max_mps, 0.0}};
 }
 
 RecoveryOutput Recovery::step(const RecoveryInput& in) {
@@ -174,9 +203,11 @@ RecoveryOutput Recovery::step(const RecoveryInput& in) {
   }
   switch (phase_) {
     case RecoveryPhase::kStuck:
-      return {phase_, {}, false};
+      return {phase_, {}};
     case RecoveryPhase::kBacking:
       return back(in);
+    case RecoveryPhase::kEasing:
+      return ease(in);
     case RecoveryPhase::kTurning:
       return turn(in);
     case RecoveryPhase::kLeaving:
@@ -184,7 +215,7 @@ RecoveryOutput Recovery::step(const RecoveryInput& in) {
     case RecoveryPhase::kNone:
     case RecoveryPhase::kWaiting:
       watch(in);
-      return {phase_, {}, false};
+      return {phase_, {}};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/motion/backing.hpp"
 #include "core/motion/robot_limits.hpp"
 #include "core/motion/trail.hpp"
 #include "core/types/stamp.hpp"
@@ -14,7 +15,8 @@ enum class RecoveryPhase : std::uint8_t {
   kWaiting,  ///< something appeared in the way and may go by itself, as people do
   kBacking,  ///< along the way it came
   kTurning,  ///< to where the path goes on
-  kLeaving,  ///< straight on, where it can neither back off nor turn, to where it can
+  kEasing,   ///< a little straight back, where it can neither back off nor turn, to where it can
+  kLeaving,  ///< straight on, where that did not help
   kStuck,    ///< nothing of it helped; until the goal is another one
 };
 
@@ -32,26 +34,29 @@ struct RecoveryInput {
   types::Stamp now{};
   std::uint64_t goal_id = 0;
   types::Se2 T_odom_base;
-  bool blocked = false;   ///< no way leads on, or the gate let nothing through
-  bool touching = false;  ///< a bumper is pressed or a wheel stalls
-  bool refused = false;   ///< the gate let none of the recovery's own last motion through
-  double turn_rad = 0.0;  ///< from the nose to where the path goes on
-  double blind_s = 0.0;   ///< what the robot rolls on for when the host dies
+  bool blocked = false;        ///< no way leads on, or the gate let nothing through
+  bool touching = false;       ///< a bumper is pressed or a wheel stalls
+  bool refused = false;        ///< the gate let next to nothing of the recovery's own last motion through
+  double turn_rad = 0.0;       ///< from the nose to where the path goes on
+  double blind_s = 0.0;        ///< what the robot rolls on for when the host dies
+  double seen_behind_m = 0.0;  ///< straight back, where the scanner looked lately, at most kSeenBehind_m
   const Trail* trail = nullptr;
   const RobotLimits* limits = nullptr;
 };
 
 struct RecoveryOutput {
   RecoveryPhase phase = RecoveryPhase::kNone;
-  types::Twist2 twist;       ///< for kBacking, kTurning and kLeaving
-  bool backing_off = false;  ///< the twist goes back along the trail
+  types::Twist2 twist;  ///< for kBacking, kEasing, kTurning and kLeaving
+  Backing backing = Backing::kNone;
 };
 
-/// What to do when the way is blocked: wait, back off, turn free, where neither can be done go a little
-/// straight on, which the scanner watches over, and after some tries say that it is stuck. Every phase ends
-/// after a bounded time.
+/// What to do when the way is blocked: wait, back off, turn free, where neither can be done ease a little
+/// straight back over ground that the scanner saw, or go straight on, which it watches over, and after some
+/// tries say that it is stuck. Every phase ends after a bounded time.
 class Recovery {
  public:
+  static constexpr double kSeenBehind_m = 0.3;  ///< more than it goes straight back, and than it rolls on
+
   explicit Recovery(const RecoveryRules& rules = {}) : rules_(rules) {}
   RecoveryOutput step(const RecoveryInput& input);
   /// Time in which nothing was to be done, or could be for another reason, is not held against the goal.
@@ -65,6 +70,7 @@ class Recovery {
   void note_progress(const RecoveryInput& in);
   RecoveryOutput back(const RecoveryInput& in);
   RecoveryOutput turn(const RecoveryInput& in);
+  RecoveryOutput ease(const RecoveryInput& in);
   RecoveryOutput leave(const RecoveryInput& in);
   void turn_other_way_when_refused(double angle_rad, const RecoveryInput& in);
   [[nodiscard]] types::Twist2 back_twist(const RecoveryInput& in) const;
@@ -76,6 +82,8 @@ class Recovery {
   types::Stamp refused_{};    ///< since when; zero: not
   int sense_ = 0;             ///< of a turn that was refused the shorter way: 1 left, -1 right
   bool backs_askew_ = false;  ///< it had no room to bring the trail straight behind it
+  bool eased_ = false;        ///< in this try
+  bool may_leave_ = false;    ///< it did not get as far straight back as it wanted
   types::Stamp progress_{};   ///< when it last got on
   types::Vector2 progress_at_{0.0, 0.0};
   types::Vector2 phase_at_{0.0, 0.0};

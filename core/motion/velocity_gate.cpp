@@ -32,7 +32,7 @@ bool is_finite_twist(const Twist2& t) { return std::isfinite(t.v_mps) && std::is
 std::optional<GateReason> request_fault(const GateInput& in) {
   if (is_stale(in.request.stamp, in.now, in.limits.request_age_max)) return GateReason::kStaleRequest;
   if (!is_finite_twist(in.request.twist)) return GateReason::kInvalidRequest;
-  if (in.request.twist.v_mps < 0.0 && !in.limits.allow_reverse && !in.backing_off)
+  if (in.request.twist.v_mps < 0.0 && !in.limits.allow_reverse && in.backing == Backing::kNone)
     return GateReason::kReverse;
   return std::nullopt;
 }
@@ -47,7 +47,7 @@ std::optional<GateReason> base_fault(const GateInput& in) {
   if (in.base == nullptr || is_stale(in.base->arrival, in.now, in.limits.status_age_max))
     return GateReason::kStaleStatus;
   if (!is_finite(*in.base)) return GateReason::kInvalidStatus;
-  const bool leaves = in.backing_off && in.request.twist.v_mps <= 0.0;
+  const bool leaves = in.backing == Backing::kAlongTrail && in.request.twist.v_mps <= 0.0;
   if ((in.base->stall_left || in.base->stall_right) && !leaves) return GateReason::kStall;
   if (in.base->bumpers_rear != 0 && !creeps_off(in)) return GateReason::kBumper;
   if (in.base->bumpers_front != 0 && !leaves) return GateReason::kBumper;
@@ -210,7 +210,7 @@ Surroundings surroundings(const GateInput& in) {
           .sonar = in.base->sonar,
           .T_base_sonar = in.T_base_sonar,
           .now = in.now,
-          .backing_off = in.backing_off && in.request.twist.v_mps <= 0.0};
+          .backing_off = in.backing == Backing::kAlongTrail && in.request.twist.v_mps <= 0.0};
 }
 
 bool is_finite(const types::BaseState& base) {

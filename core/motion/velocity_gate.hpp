@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/motion/area_limits.hpp"
+#include "core/motion/backing.hpp"
 #include "core/motion/moving_obstacle.hpp"
 #include "core/motion/robot_limits.hpp"
 #include "core/motion/stop_zone.hpp"
@@ -62,9 +63,8 @@ struct GateInput {
   bool estop_cleared = false;  ///< by the operator, in this period; does nothing while something is pressed
   types::Duration firmware_watchdog{};
   RobotLimits limits;
-  /// The request backs off along the way the robot came, which whoever sets this vouches for: it may leave a
-  /// pressed front bumper or a stall. A rear bumper stops it all the same.
-  bool backing_off = false;
+  /// Of the request. A rear bumper stops it all the same.
+  Backing backing = Backing::kNone;
   /// The request is that of a person who sees the robot: it may creep straight forwards off a pressed rear
   /// bumper. By itself a robot stands then: who or what is behind it, it cannot see.
   bool by_hand = false;

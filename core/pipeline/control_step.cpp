@@ -37,7 +37,7 @@ struct Wish {
   ControlMode mode = ControlMode::kStanding;
   Twist2 twist;
   bool moving = false;  ///< somebody wants the robot to move: motors on
-  bool backing_off = false;
+  motion::Backing backing = motion::Backing::kNone;
 };
 
 bool is_fresh(types::Stamp stamp, types::Stamp now, types::Duration age_max) {
@@ -62,6 +62,13 @@ bool lets_move(GateReason reason) {
   return reason == GateReason::kFree || reason == GateReason::kLimited || reason == GateReason::kSlowed;
 }
 
+/// A turn that gets ever slower towards a corner takes its time and leads nowhere.
+bool lets_nothing_through(GateReason reason, const Twist2& wished, const Twist2& given) {
+  constexpr double kTurns_radps = 0.3, kHardly_radps = 0.08;
+  const bool turns = wished.v_mps == 0.0 && std::abs(wished.omega_radps) > kTurns_radps;
+  return !lets_move(reason) || (turns && std::abs(given.omega_radps) < kHardly_radps);
+}
+
 bool is_touching(const types::BaseState& b) {
   return b.bumpers_front != 0 || b.bumpers_rear != 0 || b.stall_left || b.stall_right;
 }
@@ -79,6 +86,7 @@ ControlMode mode_of(RecoveryPhase phase) {
     case RecoveryPhase::kWaiting:
       return ControlMode::kWaiting;
     case RecoveryPhase::kBacking:
+    case RecoveryPhase::kEasing:
     case RecoveryPhase::kTurning:
     case RecoveryPhase::kLeaving:
       return ControlMode::kRecovering;
@@ -93,6 +101,7 @@ ControlMode mode_of(RecoveryPhase phase) {
 struct ControlState::Impl {
   motion::GateState gate;
   GateReason last_reason = GateReason::kFree;
+  Twist2 wished;  ///< in the last period
   motion::PathFollower follower;
   motion::Recovery recovery;
   motion::SteadyFrame steady_frame;  ///< of the trail and of the blind spot
@@ -133,6 +142,7 @@ struct ControlState::Impl {
   [[nodiscard]] Wish teleop(const Teleop& teleop, const motion::GateInput& gate_in) const;
   [[nodiscard]] motion::FollowOutput way(const Plan& plan, const Se2& T_odom_base,
                                          const motion::GateInput& gate_in);
+  [[nodiscard]] double seen_behind_m(const Plan& plan, const motion::GateInput& gate_in) const;
   [[nodiscard]] bool is_arrived(const Plan& plan);
   void latch(const ControlInput& in);
 };
@@ -233,7 +243,7 @@ bool ControlState::Impl::may_follow(const ControlSetup& setup, const ControlInpu
 }
 
 Wish ControlState::Impl::teleop(const Teleop& teleop, const motion::GateInput& gate_in) const {
-  Wish wish{ControlMode::kTeleop, teleop.twist, true, false};
+  Wish wish{ControlMode::kTeleop, teleop.twist, true};
   if (!(teleop.twist.v_mps < 0.0)) return wish;
   // The rear is blind: backwards means back along the way it came.
   const double speed_mps = std::min(-teleop.twist.v_mps, gate_in.limits.v_reverse_max_mps);
@@ -242,7 +252,7 @@ Wish ControlState::Impl::teleop(const Teleop& teleop, const motion::GateInput& g
   const Twist2 back = trail.back_twist(speed_mps);
   if (back == Twist2{}) return wish;
   wish.twist = back;
-  wish.backing_off = true;
+  wish.backing = motion::Backing::kAlongTrail;
   return wish;
 }
 
@@ -265,6 +275,14 @@ motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom
   return follower.step(f);
 }
 
+/// Only a robot that recovers asks.
+double ControlState::Impl::seen_behind_m(const Plan& plan, const motion::GateInput& gate_in) const {
+  if (!recovering || plan.mate_behind) return 0.0;
+  const Se2 T_odom_base = motion::pose_at(steady_frame.steady(gate_in.base->odometry), gate_in.now);
+  return blind_spot.seen_behind_m(T_odom_base, gate_in.limits.footprint, gate_in.now,
+                                  motion::Recovery::kSeenBehind_m);
+}
+
 bool ControlState::Impl::is_arrived(const Plan& plan) {
   const std::size_t last = std::min<std::size_t>(plan.points, Plan::kMaxPoints) - 1;
   arrived = arrived && arrived_goal == plan.goal_id && plan.path_ends_at_goal &&
@@ -274,7 +292,7 @@ bool ControlState::Impl::is_arrived(const Plan& plan) {
 
 Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput& gate_in) {
   const Plan& plan = *in.plan;
-  Wish wish{ControlMode::kFollowing, {}, true, false};
+  Wish wish{ControlMode::kFollowing, {}, true};
   if (is_arrived(plan)) {
     recovery.pause(in.now);
     wish.mode = ControlMode::kArrived;
@@ -304,9 +322,10 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
   r.T_odom_base = T_odom_base;
   r.blocked = out.blocked || (!recovering && is_in_the_way(last_reason));
   r.touching = is_touching(*gate_in.base);
-  r.refused = recovering && !lets_move(last_reason);
+  r.refused = recovering && lets_nothing_through(last_reason, wished, gate.last);
   r.turn_rad = out.turn_rad;
   r.blind_s = motion::blind_time_s(gate_in);
+  r.seen_behind_m = seen_behind_m(plan, gate_in);
   r.trail = plan.mate_behind ? &kNoTrail : &trail;
   r.limits = &gate_in.limits;
   const motion::RecoveryOutput rescue = recovery.step(r);
@@ -314,7 +333,7 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
   recovering = wish.mode == ControlMode::kRecovering;
   const bool may_go = rescue.phase == RecoveryPhase::kNone || rescue.phase == RecoveryPhase::kWaiting;
   wish.twist = may_go ? out.twist : rescue.twist;
-  wish.backing_off = rescue.backing_off;
+  wish.backing = rescue.backing;
   if (may_go && out.arrived) {
     arrived = true;
     arrived_goal = plan.goal_id;
@@ -356,12 +375,13 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   const Wish wish = memory.wish(setup, input, gate_in);
   if (wish.moving) memory.wanted_at = input.now;
   gate_in.request.twist = wish.twist;
-  gate_in.backing_off = wish.backing_off;
+  gate_in.backing = wish.backing;
   gate_in.by_hand = wish.mode == ControlMode::kTeleop;
   gate_in.request.enable_motors =
       memory.wanted_at != types::Stamp{} && input.now - memory.wanted_at <= kMotorsLinger;
   const motion::GateOutput out = motion::gate(memory.gate, gate_in);
   memory.last_reason = out.reason;
+  memory.wished = wish.twist;
   memory.latch(input);
 
   ControlOutput result;

@@ -56,7 +56,7 @@ TEST(Recovery, BacksOffAtMostHalfAMetreAndNotFasterThanATenth) {
   for (int i = 0; i < 300 && !turned; ++i) {
     const RecoveryOutput out = s.step();
     EXPECT_GE(out.twist.v_mps, -0.1);
-    EXPECT_TRUE(out.backing_off || out.twist.v_mps >= 0.0);
+    EXPECT_TRUE(out.backing == Backing::kAlongTrail || out.twist.v_mps >= 0.0);
     turned = out.phase == RecoveryPhase::kTurning;
   }
   EXPECT_TRUE(turned);
@@ -87,9 +87,9 @@ TEST(Recovery, BacksOffFartherAtTheNextTry) {
   while (backed_m.size() < 2 && s.in.now < types::stamp_from_seconds(120.0)) {
     const double from_m = s.in.T_odom_base.x_m;
     s.in.blocked = true;
-    while (!s.step().backing_off) ASSERT_LT(s.in.now, types::stamp_from_seconds(120.0));
+    while (s.step().backing != Backing::kAlongTrail) ASSERT_LT(s.in.now, types::stamp_from_seconds(120.0));
     s.in.blocked = false;  // the way is free at once, and closed again when the robot is back where it was
-    while (s.step().backing_off) {
+    while (s.step().backing == Backing::kAlongTrail) {
     }
     backed_m.push_back(from_m - s.in.T_odom_base.x_m);
     for (double x = s.in.T_odom_base.x_m; x <= from_m; x += 0.01) s.trail.update({x, 0.0, 0.0});
@@ -110,7 +110,7 @@ TEST(Recovery, BacksOffOnlyWhenTheTrailIsBehindIt) {
     bool backs_off = false;
     for (int i = 0; i < 200 && !backs_off; ++i) {
       const double aside_rad = s.trail.turn_to_back_rad();
-      backs_off = s.step().backing_off;
+      backs_off = s.step().backing == Backing::kAlongTrail;
       EXPECT_TRUE(!backs_off || std::abs(aside_rad) <= 0.1) << turned_rad;
     }
     EXPECT_TRUE(backs_off) << turned_rad;
@@ -128,7 +128,7 @@ TEST(Recovery, WhoHasNoRoomForASmallTurnBacksOffAsItStands) {
   for (int i = 0; i < 200 && !backs_off; ++i) {
     const types::Se2 before = s.in.T_odom_base;
     const RecoveryOutput out = s.step();
-    backs_off = out.backing_off;
+    backs_off = out.backing == Backing::kAlongTrail;
     s.in.refused = !backs_off && out.twist.omega_radps != 0.0;
     if (s.in.refused) s.in.T_odom_base = before;
     s.trail.update(s.in.T_odom_base);
@@ -152,7 +152,7 @@ TEST(Recovery, ATurnBackThatIsRefusedOneWayRoundIsMadeTheOther) {
   for (int i = 0; i < 400 && !backs_off; ++i) {
     const types::Se2 before = s.in.T_odom_base;
     const RecoveryOutput out = s.step();
-    backs_off = out.backing_off;
+    backs_off = out.backing == Backing::kAlongTrail;
     s.in.refused = out.twist.omega_radps < 0.0 && !backs_off;
     if (s.in.refused) s.in.T_odom_base = before;
     s.trail.update(s.in.T_odom_base);
@@ -160,6 +160,59 @@ TEST(Recovery, ATurnBackThatIsRefusedOneWayRoundIsMadeTheOther) {
   }
   EXPECT_TRUE(backs_off) << "the trail lies behind it again";
   EXPECT_GT(turned_left_rad, 3.0) << "the long way round";
+}
+
+/// Neither turns: all that a robot may do is to go back where its scanner looked, or straight on.
+struct CaughtRobot : StuckRobot {
+  Trail no_trail;
+  double seen_to_m;         ///< from where it stood at first
+  double rolls_to_m = 0.0;  ///< if the host dies
+  bool leaves = false;
+
+  explicit CaughtRobot(double seen_m) : seen_to_m(seen_m) {
+    in.trail = &no_trail;
+    in.blocked = true;
+    in.turn_rad = 3.0;
+    in.blind_s = 0.8;
+  }
+  /// Returns how far back it is at the end of a try.
+  double one_try() {
+    const std::uint32_t begun = recovery.begun();
+    for (int i = 0; i < 1000 && recovery.begun() < begun + 2 && !leaves; ++i) {
+      const types::Se2 before = in.T_odom_base;
+      in.seen_behind_m = std::clamp(seen_to_m + before.x_m, 0.0, Recovery::kSeenBehind_m);
+      const RecoveryOutput out = step();
+      const bool eases = out.backing == Backing::kOverSeenGround;
+      EXPECT_EQ(eases, out.phase == RecoveryPhase::kEasing);
+      EXPECT_TRUE(eases || out.twist.v_mps >= 0.0);
+      if (eases) rolls_to_m = std::max(rolls_to_m, -before.x_m - out.twist.v_mps * in.blind_s);
+      in.refused = out.twist.omega_radps != 0.0;
+      if (!eases) in.T_odom_base = before;
+      leaves = out.phase == RecoveryPhase::kLeaving;
+      if (recovery.begun() == begun + 1 && out.phase == RecoveryPhase::kNone) break;
+    }
+    return -in.T_odom_base.x_m;
+  }
+};
+
+/// One jamb 0.28 m ahead, within the circle that it turns in, and nothing else near it: robots stood there
+/// until the exploration was over.
+TEST(Recovery, WhoCanNeitherBackOffNorTurnEasesBackWhereTheScannerLooked) {
+  CaughtRobot s(1.0);
+  EXPECT_NEAR(s.one_try(), 0.08, 0.005);
+  EXPECT_NEAR(s.one_try(), 0.24, 0.005) << "farther at the next try";
+  EXPECT_FALSE(s.leaves) << "back to where it was caught";
+}
+
+TEST(Recovery, EasesBackNoFartherThanTheScannerLookedAndThenGoesALittleStraightOn) {
+  CaughtRobot unseen(0.0);
+  EXPECT_EQ(unseen.one_try(), 0.0);
+  EXPECT_TRUE(unseen.leaves);
+  CaughtRobot s(0.06);
+  const double back_m = s.one_try();
+  EXPECT_GT(back_m, 0.03);
+  EXPECT_LE(s.rolls_to_m, 0.06 + 1e-9) << "if the host dies it rolls on";
+  EXPECT_TRUE(s.leaves);
 }
 
 /// In a doorway, 0.29 m from the jamb, with a mate behind: robots were left there for good.

@@ -97,6 +97,32 @@ void put_post_behind(Scene& scene, double gap_m) {
   scene.input.front_points = scene.posts;
 }
 
+TEST(VelocityGate, OverSeenGroundItKeepsItsWholeMarginAndLeavesNoTouch) {
+  const auto backs = [](Backing backing, const std::function<void(Scene&)>& change) {
+    Scene scene;
+    put_post_behind(scene, 1.0);
+    change(scene);
+    scene.input.backing = backing;
+    return !stands(scene.settle(-0.03, 0.0));
+  };
+  const auto nothing = [](Scene&) {};
+  const auto touch_ahead = [](Scene& s) { s.base.bumpers_front = 1; };
+  const auto post_behind = [](double gap_m) {
+    return [gap_m](Scene& s) {
+      s.posts.front().p_base = {-s.input.limits.footprint.swing_radius_m - gap_m, 0.0};
+    };
+  };
+  EXPECT_FALSE(backs(Backing::kNone, nothing));
+  EXPECT_TRUE(backs(Backing::kAlongTrail, nothing));
+  EXPECT_TRUE(backs(Backing::kOverSeenGround, nothing));
+  EXPECT_TRUE(backs(Backing::kAlongTrail, touch_ahead));
+  EXPECT_FALSE(backs(Backing::kOverSeenGround, touch_ahead));
+  const double margin_m = RobotLimits{}.margin_m;
+  EXPECT_TRUE(backs(Backing::kAlongTrail, post_behind(0.8 * margin_m))) << "where the hull has just been";
+  EXPECT_FALSE(backs(Backing::kOverSeenGround, post_behind(0.8 * margin_m)));
+  EXPECT_TRUE(backs(Backing::kOverSeenGround, post_behind(margin_m + 0.05)));
+}
+
 TEST(VelocityGate, TurnsOnTheSpotSoSlowlyThatASlippingWheelDoesNotTakeItIntoWhatIsBeside) {
   // Turning at 1.4 rad/s with a post 3 cm behind it, one wheel lost 0.6 of its way: the tail hit the post.
   const auto turns_radps = [](double gap_m) {

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/seen_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/footprint_sweep.hpp"
+#include "core/types/beam_directions.hpp"
+
+namespace topo::motion {
+namespace {
+
+using types::Se2;
+using types::Vector2;
+
+constexpr types::Duration kKnown = std::chrono::seconds(170);  // less than BlindSpot keeps what stands there
+constexpr double kReach_m = 0.7;   // of a beam: half the square is left for where the robot was before
+constexpr double kStep_m = 0.03;   // less than a cell: none is left out
+constexpr std::size_t kBeams = 4;  // one of so many: 1.2 cm apart at the reach
+
+std::int32_t cell(double at_m, double cell_m) { return static_cast<std::int32_t>(std::floor(at_m / cell_m)); }
+
+/// Calls visit(point) for points of a raster over the outline, in base.
+template <class Visit>
+void for_each_point(const Footprint& outline, Visit visit) {
+  for (double x = -outline.rear_m; x <= outline.front_m; x += kStep_m) {
+    for (double y = -outline.half_width_m; y <= outline.half_width_m; y += kStep_m)
+      if (contains(outline, {x, y})) visit(Vector2{x, y});
+  }
+}
+
+}  // namespace
+
+std::size_t SeenGround::slot(std::int32_t x, std::int32_t y) {
+  const auto wrapped = [](std::int32_t i) { return static_cast<std::size_t>(((i % kSide) + kSide) % kSide); };
+  return wrapped(y) * kSide + wrapped(x);
+}
+
+void SeenGround::see(const Vector2& p_odom, types::Stamp now) {
+  const std::int32_t x = cell(p_odom.x(), kCell_m), y = cell(p_odom.y(), kCell_m);
+  cells_[slot(x, y)] = {x, y, now};
+}
+
+bool SeenGround::is_seen(const Vector2& p_odom, types::Stamp now) const {
+  const std::int32_t x = cell(p_odom.x(), kCell_m), y = cell(p_odom.y(), kCell_m);
+  const Cell& c = cells_[slot(x, y)];
+  return c.seen != types::Stamp{} && c.x == x && c.y == y && now - c.seen <= kKnown;
+}
+
+void SeenGround::update(const types::Scan& scan, const Se2& T_base_laser, const Se2& T_odom_base,
+                        const Footprint& outline) {
+  for_each_point(outline, [&](const Vector2& p) { see(T_odom_base * p, scan.arrival); });
+  const Se2 T_odom_laser = T_odom_base * T_base_laser;
+  types::BeamDirections direction(scan.geometry, T_odom_laser.theta_rad);
+  for (std::size_t i = 0; i < scan.beams; ++i, direction.advance()) {
+    const float range_m = scan.range_m[i];
+    if (i % kBeams != 0 || !(types::is_hit(range_m) || range_m == types::kNoReturn)) continue;
+    const double until_m = std::min(kReach_m, static_cast<double>(range_m) - kCell_m);
+    for (double at_m = 0.0; at_m <= until_m; at_m += kStep_m)
+      see(T_odom_laser.translation() + at_m * direction.now(), scan.arrival);
+  }
+}
+
+double SeenGround::behind_m(const Se2& T_odom_base, const Footprint& outline, types::Stamp now,
+                            double far_m) const {
+  bool seen = true;
+  double behind_m = 0.0;
+  while (seen && behind_m < far_m) {
+    const double next_m = std::min(behind_m + kStep_m, far_m);
+    for_each_point(outline, [&](const Vector2& p) {
+      const Vector2 there{p.x() - next_m, p.y()};
+      seen = seen && (contains(outline, there) || is_seen(T_odom_base * there, now));
+    });
+    if (seen) behind_m = next_m;
+  }
+  return behind_m;
+}
+
+}  // namespace topo::motion
