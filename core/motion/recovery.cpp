@@ -16,12 +16,13 @@ using types::Stamp;
 constexpr types::Duration kBlink = milliseconds(300);    // shorter is noise
 constexpr types::Duration kRefused = milliseconds(700);  // then this motion will not do
 constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
-constexpr types::Duration kTryMax = 2 * kPhaseMax;  // what is left of it is for leaving
+constexpr types::Duration kTryMax = 3 * kPhaseMax;  // what is left of it is for leaving
 constexpr double kAligned_rad = 0.25;
 // The tail of a P3-DX swings 2 cm aside: less than the margin that it came with.
 constexpr double kStraightBehind_rad = 0.1;
 constexpr double kBackedSlack_m = 0.05;
 constexpr double kCreep_mps = 0.03;
+constexpr double kRoomAhead_m = 0.25;
 constexpr double kEase_m = 0.08;  // at the first try
 constexpr double kEase_mps = 0.05;
 constexpr double kEaseLeast_mps = 0.02;
@@ -69,7 +70,7 @@ void Recovery::begin(const RecoveryInput& in) {
   ++begun_;
   tried_ = in.now;
   eased_ = false;
-  may_leave_ = false;
+  may_leave_ = true;
   enter(RecoveryPhase::kBacking, in);
 }
 
@@ -151,7 +152,9 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   const bool aligned = std::abs(in.turn_rad) < kAligned_rad;
   if (over && !aligned && !in.touching && backed_m_ < kBackedEnough_m) {
-    if (!std::exchange(eased_, true)) {
+    // Straight on first where there is room, since there the scanner looks now; then the other way.
+    const bool first_on = tries_ % 2 == 1 && in.ahead_m >= kRoomAhead_m;
+    if (!first_on && !std::exchange(eased_, true)) {
       enter(RecoveryPhase::kEasing, in);
       return ease(in);
     }

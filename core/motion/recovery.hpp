@@ -39,6 +39,7 @@ struct RecoveryInput {
   bool refused = false;        ///< the gate let next to nothing of the recovery's own last motion through
   double turn_rad = 0.0;       ///< from the nose to where the path goes on
   double blind_s = 0.0;        ///< what the robot rolls on for when the host dies
+  double ahead_m = 0.0;        ///< free straight on
   double seen_behind_m = 0.0;  ///< straight back, where the scanner looked lately, at most kSeenBehind_m
   const Trail* trail = nullptr;
   const RobotLimits* limits = nullptr;

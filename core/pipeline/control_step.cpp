@@ -142,6 +142,7 @@ struct ControlState::Impl {
   [[nodiscard]] Wish teleop(const Teleop& teleop, const motion::GateInput& gate_in) const;
   [[nodiscard]] motion::FollowOutput way(const Plan& plan, const Se2& T_odom_base,
                                          const motion::GateInput& gate_in);
+  [[nodiscard]] double ahead_m(const motion::GateInput& gate_in) const;
   [[nodiscard]] double seen_behind_m(const Plan& plan, const motion::GateInput& gate_in) const;
   [[nodiscard]] bool is_arrived(const Plan& plan);
   void latch(const ControlInput& in);
@@ -275,7 +276,14 @@ motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom
   return follower.step(f);
 }
 
-/// Only a robot that recovers asks.
+/// What of the surroundings only a robot that recovers asks for: the way free straight on, ...
+double ControlState::Impl::ahead_m(const motion::GateInput& gate_in) const {
+  if (!recovering) return 0.0;
+  const Twist2 on{gate_in.limits.v_reverse_max_mps, 0.0};
+  return motion::free_distance_m(on, motion::free_time_s(on, gate_in.limits, motion::surroundings(gate_in)));
+}
+
+/// ... and straight back.
 double ControlState::Impl::seen_behind_m(const Plan& plan, const motion::GateInput& gate_in) const {
   if (!recovering || plan.mate_behind) return 0.0;
   const Se2 T_odom_base = motion::pose_at(steady_frame.steady(gate_in.base->odometry), gate_in.now);
@@ -325,6 +333,7 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
   r.refused = recovering && lets_nothing_through(last_reason, wished, gate.last);
   r.turn_rad = out.turn_rad;
   r.blind_s = motion::blind_time_s(gate_in);
+  r.ahead_m = ahead_m(gate_in);
   r.seen_behind_m = seen_behind_m(plan, gate_in);
   r.trail = plan.mate_behind ? &kNoTrail : &trail;
   r.limits = &gate_in.limits;

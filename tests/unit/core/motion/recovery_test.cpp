@@ -162,57 +162,64 @@ TEST(Recovery, ATurnBackThatIsRefusedOneWayRoundIsMadeTheOther) {
   EXPECT_GT(turned_left_rad, 3.0) << "the long way round";
 }
 
-/// Neither turns: all that a robot may do is to go back where its scanner looked, or straight on.
+/// May not turn: all that it may do is to go back where its scanner looked, or straight on.
 struct CaughtRobot : StuckRobot {
   Trail no_trail;
-  double seen_to_m;         ///< from where it stood at first
-  double rolls_to_m = 0.0;  ///< if the host dies
-  bool leaves = false;
+  double seen_to_m;         ///< behind where it stood at first
+  double ahead_to_m;        ///< ahead of it
+  double rolls_to_m = 0.0;  ///< back, if the host dies
 
-  explicit CaughtRobot(double seen_m) : seen_to_m(seen_m) {
+  CaughtRobot(double seen_behind_m, double free_ahead_m)
+      : seen_to_m(seen_behind_m), ahead_to_m(free_ahead_m) {
     in.trail = &no_trail;
     in.blocked = true;
     in.turn_rad = 3.0;
     in.blind_s = 0.8;
   }
-  /// Returns how far back it is at the end of a try.
+  /// Where it is after one more try, metres ahead of where it stood at first.
   double one_try() {
     const std::uint32_t begun = recovery.begun();
-    for (int i = 0; i < 1000 && recovery.begun() < begun + 2 && !leaves; ++i) {
+    for (int i = 0; i < 2000; ++i) {
       const types::Se2 before = in.T_odom_base;
       in.seen_behind_m = std::clamp(seen_to_m + before.x_m, 0.0, Recovery::kSeenBehind_m);
+      in.ahead_m = std::max(0.0, ahead_to_m - before.x_m);
       const RecoveryOutput out = step();
-      const bool eases = out.backing == Backing::kOverSeenGround;
-      EXPECT_EQ(eases, out.phase == RecoveryPhase::kEasing);
-      EXPECT_TRUE(eases || out.twist.v_mps >= 0.0);
-      if (eases) rolls_to_m = std::max(rolls_to_m, -before.x_m - out.twist.v_mps * in.blind_s);
-      in.refused = out.twist.omega_radps != 0.0;
-      if (!eases) in.T_odom_base = before;
-      leaves = out.phase == RecoveryPhase::kLeaving;
+      EXPECT_EQ(out.backing == Backing::kOverSeenGround, out.phase == RecoveryPhase::kEasing);
+      EXPECT_TRUE(out.twist.v_mps >= 0.0 || out.phase == RecoveryPhase::kEasing);
+      if (out.twist.v_mps < 0.0)
+        rolls_to_m = std::max(rolls_to_m, -before.x_m - out.twist.v_mps * in.blind_s);
+      in.refused = out.twist.omega_radps != 0.0 || in.T_odom_base.x_m > ahead_to_m;
+      if (in.refused) in.T_odom_base = before;
       if (recovery.begun() == begun + 1 && out.phase == RecoveryPhase::kNone) break;
     }
-    return -in.T_odom_base.x_m;
+    EXPECT_EQ(recovery.begun(), begun + 1);
+    return in.T_odom_base.x_m;
   }
 };
 
 /// One jamb 0.28 m ahead, within the circle that it turns in, and nothing else near it: robots stood there
 /// until the exploration was over.
-TEST(Recovery, WhoCanNeitherBackOffNorTurnEasesBackWhereTheScannerLooked) {
-  CaughtRobot s(1.0);
-  EXPECT_NEAR(s.one_try(), 0.08, 0.005);
-  EXPECT_NEAR(s.one_try(), 0.24, 0.005) << "farther at the next try";
-  EXPECT_FALSE(s.leaves) << "back to where it was caught";
+TEST(Recovery, WhoCanNeitherBackOffNorTurnNorGoOnEasesBackWhereTheScannerLooked) {
+  CaughtRobot s(2.0, 0.05);
+  EXPECT_NEAR(s.one_try(), -0.08, 0.005);
+  EXPECT_NEAR(s.one_try(), -0.24, 0.005) << "farther at the next try";
+}
+
+/// Beside an open door, the scanner's room ahead: a robot that only eased back was left there.
+TEST(Recovery, WhereThereIsRoomAheadItTriesThatFirstAndThenTheOtherWay) {
+  CaughtRobot s(2.0, 0.3);
+  EXPECT_NEAR(s.one_try(), 0.3, 0.01);
+  EXPECT_NEAR(s.one_try(), 0.3 - 0.16, 0.01);
 }
 
 TEST(Recovery, EasesBackNoFartherThanTheScannerLookedAndThenGoesALittleStraightOn) {
-  CaughtRobot unseen(0.0);
-  EXPECT_EQ(unseen.one_try(), 0.0);
-  EXPECT_TRUE(unseen.leaves);
-  CaughtRobot s(0.06);
-  const double back_m = s.one_try();
-  EXPECT_GT(back_m, 0.03);
+  CaughtRobot unseen(0.0, 0.1);
+  EXPECT_NEAR(unseen.one_try(), 0.1, 0.01);
+  EXPECT_EQ(unseen.rolls_to_m, 0.0);
+  CaughtRobot s(0.06, 0.1);
+  EXPECT_NEAR(s.one_try(), 0.1, 0.01);
+  EXPECT_GT(s.rolls_to_m, 0.03);
   EXPECT_LE(s.rolls_to_m, 0.06 + 1e-9) << "if the host dies it rolls on";
-  EXPECT_TRUE(s.leaves);
 }
 
 /// In a doorway, 0.29 m from the jamb, with a mate behind: robots were left there for good.
