@@ -20,7 +20,6 @@ constexpr double kSpacing_m = 0.02;      // of neighbours that are kept
 constexpr double kMoverRim_m = 0.15;     // around what moves: a leg beside the other
 constexpr double kJump_m = 0.25;         // between two scans: the reckoning began anew
 constexpr double kJump_rad = 1.0;        // the same, on the spot
-constexpr types::Duration kKept = std::chrono::minutes(3);
 
 /// Half of what the scanner sees. One that is mounted upside down has beams that come clockwise.
 double half_view_rad(const types::Scan& scan) {

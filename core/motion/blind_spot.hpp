@@ -18,11 +18,11 @@ namespace topo::motion {
 /// What the front scanner saw beside the robot and sees no longer. It looks over 270 degrees; the tail of a
 /// robot that turns on the spot or backs off sweeps through the rest. A point is kept in odom from when it
 /// leaves the scanner's view until something is measured in its direction again, the robot is gone from it,
-/// or three minutes are over. What moves is not kept: where it is now, nobody knows. Fixed size, allocates
-/// nothing.
+/// or a minute is over. What moves is not kept: where it is now, nobody knows. Fixed size, allocates nothing.
 class BlindSpot {
  public:
   static constexpr std::size_t kMax = 192;
+  static constexpr types::Duration kKept = std::chrono::seconds(60);
 
   /// Takes every scan once. `points` are scan_points() of it, `moving` what moves, both in base at its first
   /// beam; what is within `outline` is the robot itself. A reckoning that began anew forgets everything.
@@ -37,7 +37,7 @@ class BlindSpot {
   /// looked lately, at most `far_m`. What it saw there is among the points.
   [[nodiscard]] double seen_behind_m(const types::Se2& T_odom_base, const Footprint& outline,
                                      types::Stamp now, double far_m) const {
-    return ground_.behind_m(T_odom_base, outline, now, far_m);
+    return ground_.behind_m(T_odom_base, outline, now - kKept, far_m);
   }
 
  private:

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace topo::motion {
 namespace {
@@ -22,10 +21,9 @@ constexpr double kAligned_rad = 0.25;
 constexpr double kStraightBehind_rad = 0.1;
 constexpr double kBackedSlack_m = 0.05;
 constexpr double kCreep_mps = 0.03;
-constexpr double kRoomAhead_m = 0.25;
-constexpr double kEase_m = 0.08;  // at the first try
 constexpr double kEase_mps = 0.05;
 constexpr double kEaseLeast_mps = 0.02;
+constexpr double kRoomAhead_m = 0.25;    // less is soon used up, and the robot nearer to what holds it
 constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
 
 Stamp since(bool is, Stamp before, Stamp now) {
@@ -69,8 +67,7 @@ void Recovery::begin(const RecoveryInput& in) {
   ++tries_;
   ++begun_;
   tried_ = in.now;
-  eased_ = false;
-  may_leave_ = true;
+  eased_m_.reset();
   enter(RecoveryPhase::kBacking, in);
 }
 
@@ -152,13 +149,14 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   const bool aligned = std::abs(in.turn_rad) < kAligned_rad;
   if (over && !aligned && !in.touching && backed_m_ < kBackedEnough_m) {
-    // Straight on first where there is room, since there the scanner looks now; then the other way.
-    const bool first_on = tries_ % 2 == 1 && in.ahead_m >= kRoomAhead_m;
-    if (!first_on && !std::exchange(eased_, true)) {
+    // Straight on first where there is room, since there the scanner looks now; with the next tries the other
+    // way, and straight on where that is closed.
+    const bool on_first = tries_ == 1 && !eased_m_ && in.ahead_m >= kRoomAhead_m;
+    if (!on_first && !eased_m_) {
       enter(RecoveryPhase::kEasing, in);
       return ease(in);
     }
-    if (may_leave_) {
+    if (on_first || *eased_m_ < rules_.ease_m * tries_) {
       enter(RecoveryPhase::kLeaving, in);
       return leave(in);
     }
@@ -178,10 +176,9 @@ RecoveryOutput Recovery::ease(const RecoveryInput& in) {
   // If the host dies the robot rolls on until the watchdog bites: that has to be over seen ground as well.
   const double most_mps = in.blind_s > 0.0 ? in.seen_behind_m / in.blind_s : HUGE_VAL;
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
-  const bool enough = eased_m >= kEase_m * tries_;
-  if (over || enough || in.touching || most_mps < kEaseLeast_mps) {
+  if (over || eased_m >= rules_.ease_m * tries_ || in.touching || most_mps < kEaseLeast_mps) {
+    eased_m_ = eased_m;
     enter(RecoveryPhase::kTurning, in);
-    may_leave_ = !enough;
     return turn(in);
   }
   return {phase_, {-std::min(most_mps, kEase_mps), 0.0}, Backing::kOverSeenGround};

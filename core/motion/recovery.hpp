@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "core/motion/backing.hpp"
 #include "core/motion/robot_limits.hpp"
 #include "core/motion/trail.hpp"
@@ -16,7 +18,7 @@ enum class RecoveryPhase : std::uint8_t {
   kBacking,  ///< along the way it came
   kTurning,  ///< to where the path goes on
   kEasing,   ///< a little straight back, where it can neither back off nor turn, to where it can
-  kLeaving,  ///< straight on, where that did not help
+  kLeaving,  ///< the same straight on
   kStuck,    ///< nothing of it helped; until the goal is another one
 };
 
@@ -26,6 +28,7 @@ struct RecoveryRules {
   double progress_m = 0.15;
   double back_m = 0.5;       ///< at most, with what the watchdog lets it roll
   double leave_m = 0.4;      ///< at most
+  double ease_m = 0.08;      ///< more with each try
   int tries = 3;             ///< then stuck
   double forgotten_m = 1.0;  ///< so far from where it was, the tries begin anew
 };
@@ -56,7 +59,8 @@ struct RecoveryOutput {
 /// tries say that it is stuck. Every phase ends after a bounded time.
 class Recovery {
  public:
-  static constexpr double kSeenBehind_m = 0.3;  ///< more than it goes straight back, and than it rolls on
+  /// As far as it wants to know: more than it rolls on for when the host dies while it eases.
+  static constexpr double kSeenBehind_m = 0.15;
 
   explicit Recovery(const RecoveryRules& rules = {}) : rules_(rules) {}
   RecoveryOutput step(const RecoveryInput& input);
@@ -78,14 +82,13 @@ class Recovery {
 
   RecoveryRules rules_;
   RecoveryPhase phase_ = RecoveryPhase::kNone;
-  types::Stamp since_{};      ///< of the phase
-  types::Stamp blocked_{};    ///< since when; zero: not
-  types::Stamp refused_{};    ///< since when; zero: not
-  int sense_ = 0;             ///< of a turn that was refused the shorter way: 1 left, -1 right
-  bool backs_askew_ = false;  ///< it had no room to bring the trail straight behind it
-  bool eased_ = false;        ///< in this try
-  bool may_leave_ = false;    ///< it did not get as far straight back as it wanted
-  types::Stamp progress_{};   ///< when it last got on
+  types::Stamp since_{};           ///< of the phase
+  types::Stamp blocked_{};         ///< since when; zero: not
+  types::Stamp refused_{};         ///< since when; zero: not
+  int sense_ = 0;                  ///< of a turn that was refused the shorter way: 1 left, -1 right
+  bool backs_askew_ = false;       ///< it had no room to bring the trail straight behind it
+  std::optional<double> eased_m_;  ///< how far in this try; nothing: not yet
+  types::Stamp progress_{};        ///< when it last got on
   types::Vector2 progress_at_{0.0, 0.0};
   types::Vector2 phase_at_{0.0, 0.0};
   types::Vector2 first_at_{0.0, 0.0};  ///< of the first try

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/motion/footprint_sweep.hpp"
 #include "core/types/beam_directions.hpp"
@@ -14,27 +15,27 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-constexpr types::Duration kKnown = std::chrono::seconds(170);  // less than BlindSpot keeps what stands there
 constexpr double kReach_m = 0.7;   // of a beam: half the square is left for where the robot was before
 constexpr double kStep_m = 0.03;   // less than a cell: none is left out
 constexpr std::size_t kBeams = 4;  // one of so many: 1.2 cm apart at the reach
 
 std::int32_t cell(double at_m, double cell_m) { return static_cast<std::int32_t>(std::floor(at_m / cell_m)); }
 
-/// Calls visit(point) for points of a raster over the outline, in base.
-template <class Visit>
-void for_each_point(const Footprint& outline, Visit visit) {
+/// Whether holds(point) for all points of a raster over the outline, in base; asks no further than the first
+/// for which it does not.
+template <class Holds>
+bool holds_all_over(const Footprint& outline, Holds holds) {
   for (double x = -outline.rear_m; x <= outline.front_m; x += kStep_m) {
     for (double y = -outline.half_width_m; y <= outline.half_width_m; y += kStep_m)
-      if (contains(outline, {x, y})) visit(Vector2{x, y});
+      if (contains(outline, {x, y}) && !holds(Vector2{x, y})) return false;
   }
+  return true;
 }
 
 }  // namespace
 
 std::size_t SeenGround::slot(std::int32_t x, std::int32_t y) {
-  const auto wrapped = [](std::int32_t i) { return static_cast<std::size_t>(((i % kSide) + kSide) % kSide); };
-  return wrapped(y) * kSide + wrapped(x);
+  return static_cast<std::uint32_t>(y) % kSide * kSide + static_cast<std::uint32_t>(x) % kSide;
 }
 
 void SeenGround::see(const Vector2& p_odom, types::Stamp now) {
@@ -42,15 +43,20 @@ void SeenGround::see(const Vector2& p_odom, types::Stamp now) {
   cells_[slot(x, y)] = {x, y, now};
 }
 
-bool SeenGround::is_seen(const Vector2& p_odom, types::Stamp now) const {
+bool SeenGround::is_seen(const Vector2& p_odom, types::Stamp since) const {
   const std::int32_t x = cell(p_odom.x(), kCell_m), y = cell(p_odom.y(), kCell_m);
   const Cell& c = cells_[slot(x, y)];
-  return c.seen != types::Stamp{} && c.x == x && c.y == y && now - c.seen <= kKnown;
+  return c.seen != types::Stamp{} && c.x == x && c.y == y && c.seen >= since;
 }
 
 void SeenGround::update(const types::Scan& scan, const Se2& T_base_laser, const Se2& T_odom_base,
                         const Footprint& outline) {
-  for_each_point(outline, [&](const Vector2& p) { see(T_odom_base * p, scan.arrival); });
+  // Only cells that lie within the outline as a whole: the rest of one at its edge nobody has seen.
+  const Footprint within = grown(outline, -std::numbers::sqrt2 * kCell_m);
+  holds_all_over(within, [&](const Vector2& p) {
+    see(T_odom_base * p, scan.arrival);
+    return true;
+  });
   const Se2 T_odom_laser = T_odom_base * T_base_laser;
   types::BeamDirections direction(scan.geometry, T_odom_laser.theta_rad);
   for (std::size_t i = 0; i < scan.beams; ++i, direction.advance()) {
@@ -62,17 +68,17 @@ void SeenGround::update(const types::Scan& scan, const Se2& T_base_laser, const 
   }
 }
 
-double SeenGround::behind_m(const Se2& T_odom_base, const Footprint& outline, types::Stamp now,
+double SeenGround::behind_m(const Se2& T_odom_base, const Footprint& outline, types::Stamp since,
                             double far_m) const {
-  bool seen = true;
   double behind_m = 0.0;
-  while (seen && behind_m < far_m) {
+  while (behind_m < far_m) {
     const double next_m = std::min(behind_m + kStep_m, far_m);
-    for_each_point(outline, [&](const Vector2& p) {
+    const bool seen = holds_all_over(outline, [&](const Vector2& p) {
       const Vector2 there{p.x() - next_m, p.y()};
-      seen = seen && (contains(outline, there) || is_seen(T_odom_base * there, now));
+      return contains(outline, there) || is_seen(T_odom_base * there, since);
     });
-    if (seen) behind_m = next_m;
+    if (!seen) break;
+    behind_m = next_m;
   }
   return behind_m;
 }

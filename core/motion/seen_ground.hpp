@@ -12,30 +12,30 @@
 
 namespace topo::motion {
 
-/// Where beams went through or the robot stood in the last minutes, so near that its blind rear may get
-/// there. Cells of a square that goes along with the robot, in odom. Fixed size, allocates nothing.
+/// When beams last went through or the robot last stood where its blind rear may get. Cells of a square that
+/// goes along with the robot, in odom. Fixed size, allocates nothing.
 class SeenGround {
  public:
   void clear() { cells_.fill({}); }
   /// Takes a scan that was measured at T_odom_base.
   void update(const types::Scan& scan, const types::Se2& T_base_laser, const types::Se2& T_odom_base,
               const Footprint& outline);
-  /// How far the outline may go straight back over seen ground only, at most `far_m`.
-  [[nodiscard]] double behind_m(const types::Se2& T_odom_base, const Footprint& outline, types::Stamp now,
+  /// How far the outline may go straight back over ground only that was seen `since` then, at most `far_m`.
+  [[nodiscard]] double behind_m(const types::Se2& T_odom_base, const Footprint& outline, types::Stamp since,
                                 double far_m) const;
 
  private:
   static constexpr double kCell_m = 0.04;
-  static constexpr std::int32_t kSide = 64;
+  static constexpr std::uint32_t kSide = 64;  ///< a power of two, or the square has a seam
   struct Cell {
     std::int32_t x = 0, y = 0;  ///< of all the plane's cells the one that it stands for
     types::Stamp seen{};        ///< by arrival; zero: never
   };
   static std::size_t slot(std::int32_t x, std::int32_t y);
   void see(const types::Vector2& p_odom, types::Stamp now);
-  [[nodiscard]] bool is_seen(const types::Vector2& p_odom, types::Stamp now) const;
+  [[nodiscard]] bool is_seen(const types::Vector2& p_odom, types::Stamp since) const;
 
-  std::array<Cell, static_cast<std::size_t>(kSide) * kSide> cells_{};
+  std::array<Cell, std::size_t{kSide} * kSide> cells_{};
 };
 
 }  // namespace topo::motion

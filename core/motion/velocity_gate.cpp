@@ -37,6 +37,11 @@ std::optional<GateReason> request_fault(const GateInput& in) {
   return std::nullopt;
 }
 
+/// The hull has just been there: a touch is left this way.
+bool backs_along_trail(const GateInput& in) {
+  return in.backing == Backing::kAlongTrail && in.request.twist.v_mps <= 0.0;
+}
+
 /// Off what touches the rear bumper: forwards, with nothing touching in front, and an operator who sees it.
 bool creeps_off(const GateInput& in) {
   return in.base->bumpers_rear != 0 && in.by_hand && in.request.twist.v_mps > 0.0 &&
@@ -47,7 +52,7 @@ std::optional<GateReason> base_fault(const GateInput& in) {
   if (in.base == nullptr || is_stale(in.base->arrival, in.now, in.limits.status_age_max))
     return GateReason::kStaleStatus;
   if (!is_finite(*in.base)) return GateReason::kInvalidStatus;
-  const bool leaves = in.backing == Backing::kAlongTrail && in.request.twist.v_mps <= 0.0;
+  const bool leaves = backs_along_trail(in);
   if ((in.base->stall_left || in.base->stall_right) && !leaves) return GateReason::kStall;
   if (in.base->bumpers_rear != 0 && !creeps_off(in)) return GateReason::kBumper;
   if (in.base->bumpers_front != 0 && !leaves) return GateReason::kBumper;
@@ -210,7 +215,7 @@ Surroundings surroundings(const GateInput& in) {
           .sonar = in.base->sonar,
           .T_base_sonar = in.T_base_sonar,
           .now = in.now,
-          .backing_off = in.backing == Backing::kAlongTrail && in.request.twist.v_mps <= 0.0};
+          .backing_off = backs_along_trail(in)};
 }
 
 bool is_finite(const types::BaseState& base) {

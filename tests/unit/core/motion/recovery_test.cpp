@@ -203,6 +203,7 @@ TEST(Recovery, WhoCanNeitherBackOffNorTurnNorGoOnEasesBackWhereTheScannerLooked)
   CaughtRobot s(2.0, 0.05);
   EXPECT_NEAR(s.one_try(), -0.08, 0.005);
   EXPECT_NEAR(s.one_try(), -0.24, 0.005) << "farther at the next try";
+  EXPECT_NEAR(s.one_try(), -0.48, 0.005) << "though by now there is room ahead";
 }
 
 /// Beside an open door, the scanner's room ahead: a robot that only eased back was left there.

@@ -326,18 +326,76 @@ TEST_F(ControlStepTest, DoesNotSwingItsTailAgainstWhatItHasDrivenPast) {
   EXPECT_EQ(beside.report.reason, GateReason::kBlocked);
 }
 
-/// Somebody walks to and fro across the way, 0.6 m ahead, two metres to either side.
-void put_walker(types::Scan& scan, double t_s) {
-  constexpr double kAhead_m = 0.6, kAside_m = 2.0, kSpeed_mps = 1.0, kRadius_m = 0.2;
-  const double way_m = std::fmod(kSpeed_mps * t_s, 4.0 * kAside_m);
-  const types::Vector2 at(kAhead_m, way_m < 2.0 * kAside_m ? way_m - kAside_m : 3.0 * kAside_m - way_m);
-  scan.range_m.fill(10.0F);
+/// A round post, in the laser's frame.
+void put_post(types::Scan& scan, const types::Vector2& at, double radius_m) {
   for (std::size_t i = 0; i < scan.beams; ++i) {
     const double angle = static_cast<double>(scan.angle_rad(i));
     const double along = at.dot(types::Vector2(std::cos(angle), std::sin(angle)));
-    const double through = kRadius_m * kRadius_m - at.squaredNorm() + along * along;
+    const double through = radius_m * radius_m - at.squaredNorm() + along * along;
     if (along > 0.0 && through > 0.0) scan.range_m[i] = static_cast<float>(along - std::sqrt(through));
   }
+}
+
+/// As robots stood until the exploration was over: it came along x and turned by 1.2 rad, and now there is a
+/// jamb 0.27 m ahead, within the circle that it turns in; the path leads away from it, the trail lies aside.
+TEST_F(ControlStepTest, ACaughtRobotEasesBackWhereItsScannerLookedButNotIntoAMate) {
+  struct End {
+    double fastest_back_mps = 0.0;
+    double way_m = 0.0;
+    int periods_to_ease = 0;
+  };
+  const double heading_rad = 1.2;
+  const types::Vector2 away(-std::cos(heading_rad), -std::sin(heading_rad));
+  const auto after_a_minute = [&](bool has_looked, bool mate_behind) {
+    ControlState fresh;
+    types::Se2 pose;
+    const auto period = [&](const Plan* plan, bool jamb) {
+      now += milliseconds(50);
+      input.plan = plan;
+      input.now = state.arrival = scan->arrival = scan->first_beam = state.odometry.stamp = now;
+      state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(pose);
+      scan->range_m.fill(10.0F);
+      const types::Vector2 at = pose.inverse() * types::Vector2(-0.27 * away);
+      if (jamb) put_post(*scan, at + 0.02 * at.normalized(), 0.02);
+      return control_step(fresh, setup, input);
+    };
+    if (has_looked)
+      for (int i = -50; i <= 0; ++i) pose = {0.02 * i, 0.0, 0.0}, period(nullptr, false);
+    const int turns = has_looked ? 24 : 0;
+    for (int i = 0; i <= turns; ++i)
+      pose = {0.0, 0.0, heading_rad + 0.05 * (i - turns)}, period(nullptr, false);
+    Plan plan = plan_ahead(now);
+    for (std::size_t i = 0; i < plan.points; ++i) plan.path_odom[i] = 0.1 * static_cast<double>(i) * away;
+    plan.mate_behind = mate_behind;
+    End end;
+    for (int i = 0; i < 1200 && end.way_m < 1.0; ++i) {
+      plan.stamp = now;
+      const types::Twist2 twist = period(&plan, true).command.twist;
+      if (twist.v_mps < 0.0 && end.fastest_back_mps == 0.0) end.periods_to_ease = i;
+      end.fastest_back_mps = std::min(end.fastest_back_mps, twist.v_mps);
+      pose = pose * types::Se2{0.05 * twist.v_mps, 0.0, 0.05 * twist.omega_radps};
+      end.way_m = pose.translation().dot(away);
+    }
+    return end;
+  };
+  input.teleop = nullptr;
+  setup.limits.footprint = {0.210, 0.301, 0.2125, 0.267};
+  const End free = after_a_minute(true, false);
+  EXPECT_LT(free.fastest_back_mps, 0.0);
+  EXPECT_GE(free.fastest_back_mps, -0.051) << "straight back, not along the trail";
+  EXPECT_GT(free.way_m, 0.9);
+  EXPECT_LT(free.periods_to_ease, 260) << "turns that creep towards a corner are as good as refused";
+  EXPECT_EQ(after_a_minute(true, true).fastest_back_mps, 0.0) << "a mate is behind";
+  EXPECT_EQ(after_a_minute(false, false).fastest_back_mps, 0.0) << "just begun: behind it nobody has looked";
+}
+
+/// Somebody walks to and fro across the way, 0.6 m ahead, two metres to either side.
+void put_walker(types::Scan& scan, double t_s) {
+  constexpr double kAhead_m = 0.6, kAside_m = 2.0, kSpeed_mps = 1.0;
+  const double way_m = std::fmod(kSpeed_mps * t_s, 4.0 * kAside_m);
+  const types::Vector2 at(kAhead_m, way_m < 2.0 * kAside_m ? way_m - kAside_m : 3.0 * kAside_m - way_m);
+  scan.range_m.fill(10.0F);
+  put_post(scan, at, 0.2);
 }
 
 TEST_F(ControlStepTest, WhoWalksAcrossIsWaitedForAndNoReasonToBackOffUntilPatienceEnds) {
