@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/sync/ring.hpp"
+#include "core/sync/steps.hpp"
 
 namespace topo::sync {
 
@@ -39,7 +40,7 @@ struct Event {  // NOLINT(cppcoreguidelines-pro-type-member-init): text is fille
 
 /// From one real-time thread to the thread that formats and logs. Every call is wait-free; what finds no room
 /// is lost, and counted.
-template <std::size_t N>
+template <std::size_t N, class Steps = Undisturbed>
 class EventRing {
  public:
   /// Producer. False, and counted, when there is no room.
@@ -76,7 +77,7 @@ class EventRing {
   [[nodiscard]] std::uint64_t lost() const noexcept { return ring_.rejected(); }
 
  private:
-  Ring<Event, N> ring_;
+  Ring<Event, N, Steps> ring_;
 };
 
 }  // namespace topo::sync

@@ -7,12 +7,13 @@
 #include <cstdint>
 
 #include "core/sync/cache_line.hpp"
+#include "core/sync/steps.hpp"
 
 namespace topo::sync {
 
 /// Triple buffer: the newest value wins. One writer and exactly one reader thread; who has several readers
 /// has one Latest each. Every call is wait-free, and nothing is allocated after construction.
-template <class T>
+template <class T, class Steps = Undisturbed>
 class Latest {
  public:
   Latest() = default;
@@ -26,6 +27,7 @@ class Latest {
   /// Writer. Makes what is in writable() the newest value. One that the reader never took is lost, and
   /// counted.
   void publish() noexcept {
+    Steps::before_step();
     const std::uint8_t previous =
         middle_.exchange(static_cast<std::uint8_t>(writer_.slot | kFresh), std::memory_order_acq_rel);
     if ((previous & kFresh) != 0) {
@@ -43,7 +45,9 @@ class Latest {
 
   /// Reader. The newest value if it was not taken before, else null. Good until the reader's next call.
   [[nodiscard]] const T* take_new() noexcept {
+    Steps::before_step();
     if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
+    Steps::before_step();
     const std::uint8_t newest = middle_.exchange(reader_.slot, std::memory_order_acq_rel);
     reader_.slot = newest & kSlotMask;
     reader_.has_value = true;

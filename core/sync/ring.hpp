@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/sync/cache_line.hpp"
+#include "core/sync/steps.hpp"
 
 namespace topo::sync {
 
@@ -16,7 +17,7 @@ namespace topo::sync {
 /// object is as large as its N slots, so it belongs in the heap or in static storage, not on a small stack.
 ///
 /// Every call is wait-free. Which thread may call it is said at each.
-template <class T, std::size_t N>
+template <class T, std::size_t N, class Steps = Undisturbed>
 class Ring {
   static_assert(N >= 2 && (N & (N - 1)) == 0, "the number of slots is a power of two");
 
@@ -41,6 +42,7 @@ class Ring {
   [[nodiscard]] T* next_free() noexcept {
     const std::uint64_t head = producer_.head.load(std::memory_order_relaxed);
     if (head - producer_.tail_seen == N) {
+      Steps::before_step();
       producer_.tail_seen = consumer_.tail.load(std::memory_order_acquire);
       if (head - producer_.tail_seen == N) return nullptr;
     }
@@ -56,6 +58,7 @@ class Ring {
 
   /// Producer. Hands the slot of the last successful try_acquire over to the consumer.
   void commit() noexcept {
+    Steps::before_step();
     producer_.head.store(producer_.head.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
 
@@ -72,6 +75,7 @@ class Ring {
   [[nodiscard]] const T* front() noexcept {
     const std::uint64_t tail = consumer_.tail.load(std::memory_order_relaxed);
     if (tail == consumer_.head_seen) {
+      Steps::before_step();
       consumer_.head_seen = producer_.head.load(std::memory_order_acquire);
       if (tail == consumer_.head_seen) return nullptr;
     }
@@ -80,6 +84,7 @@ class Ring {
 
   /// Consumer. Gives the slot of the last front() that was not null back to the producer.
   void pop() noexcept {
+    Steps::before_step();
     consumer_.tail.store(consumer_.tail.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
 
@@ -87,9 +92,11 @@ class Ring {
   /// dropped.
   std::size_t skip_to_newest() noexcept {
     const std::uint64_t tail = consumer_.tail.load(std::memory_order_relaxed);
+    Steps::before_step();
     consumer_.head_seen = producer_.head.load(std::memory_order_acquire);
     if (consumer_.head_seen - tail < 2) return 0;
     const std::uint64_t dropped = consumer_.head_seen - tail - 1;
+    Steps::before_step();
     consumer_.tail.store(tail + dropped, std::memory_order_release);
     consumer_.skipped.store(consumer_.skipped.load(std::memory_order_relaxed) + dropped,
                             std::memory_order_relaxed);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "core/sync/cache_line.hpp"
+#include "core/sync/steps.hpp"
 
 namespace topo::sync {
 
@@ -20,19 +22,27 @@ namespace topo::sync {
 /// values, in publish and reclaim, so a value may hold what is bound to the writer's thread (Patricia trees).
 ///
 /// Each reader has two hazard slots (Michael, "Hazard pointers", 2004): it can hold the old value while it
-/// takes the new. At most 2 * kReaders old values are alive besides the current one; nothing is allocated
-/// here. Sequentially consistent loads and stores throughout, no fences.
+/// takes the new. Nothing is allocated here; sequentially consistent loads and stores throughout, no fences.
+///
+/// After a reclaim at most 2 * kReaders old values are alive besides the current one: the scan reads every
+/// slot once, into a copy, and keeps a retired value only when the copy holds it. Retired values are alive,
+/// so their addresses differ, and no slot of the copy keeps two. Reading the slots anew for each value would
+/// break the bound: a slot that changes between two comparisons keeps both. A value that a reader has pinned
+/// is in the copy, because its slot showed it before the exchange that retired it.
+/// tests/models/snapshot_cell.pml checks both.
 ///
 ///   publish, reclaim   writer; wait-free but for the destruction of old values
 ///   reader.pin         its reader's thread; lock-free: tries again only when a publish falls between
 ///   dropping a pin     its reader's thread; wait-free
 ///   construction, destruction, reader()   before the threads start and after they ended, or where said
-template <class T, std::size_t kReaders>
+template <class T, std::size_t kReaders, class Steps = Undisturbed>
 class SnapshotCell {
   static_assert(kReaders >= 1);
   using Hazard = std::atomic<const T*>;
 
  public:
+  static constexpr std::size_t kSlots = 2 * kReaders;  ///< and so many old values are alive at most
+
   /// Keeps one value alive. Owned by its reader's thread; may be empty. Must not outlive the cell.
   class Pin {
    public:
@@ -59,7 +69,9 @@ class SnapshotCell {
 
     void reset() {
       value_ = nullptr;
-      if (hazard_ != nullptr) std::exchange(hazard_, nullptr)->store(nullptr, std::memory_order_seq_cst);
+      if (hazard_ == nullptr) return;
+      Steps::before_step();
+      std::exchange(hazard_, nullptr)->store(nullptr, std::memory_order_seq_cst);
     }
 
    private:
@@ -118,17 +130,19 @@ class SnapshotCell {
   /// Writer. Makes `value` (not null) the current one and destroys old ones that nobody pins.
   void publish(std::unique_ptr<const T> value) {
     require(value != nullptr, "null published to a snapshot cell");
+    Steps::before_step();
     const T* old = current_.exchange(value.release(), std::memory_order_seq_cst);
-    if (old != nullptr) retired_[retired_count_++] = old;
+    if (old != nullptr) retire(old);
     reclaim();
   }
 
   /// Writer. Destroys old values that nobody pins any more: for a writer that publishes seldom. Returns how
   /// many stay.
   std::size_t reclaim() {
+    const Shown shown = slots_now();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < retired_count_; ++i) {
-      if (pinned(retired_[i])) {
+      if (std::find(shown.begin(), shown.end(), retired_[i]) != shown.end()) {
         retired_[kept++] = retired_[i];
       } else {
         delete retired_[i];
@@ -138,13 +152,15 @@ class SnapshotCell {
     return kept;
   }
 
-  /// Writer. Old values that are still alive: 2 * kReaders at most.
+  /// Writer. Old values that are still alive: kSlots at most.
   [[nodiscard]] std::size_t retired() const { return retired_count_; }
 
   /// Writer. Its own newest value; null before the first publish.
   [[nodiscard]] const T* current() const { return current_.load(std::memory_order_seq_cst); }
 
  private:
+  using Shown = std::array<const T*, kSlots>;
+
   // A line a reader: pinning does not disturb the others.
   struct alignas(kCacheLine) ReaderSlots {
     std::array<Hazard, 2> hazards{};
@@ -168,9 +184,11 @@ class SnapshotCell {
             "a reader of a snapshot cell holds three pins");
     const T* seen = current_.load(std::memory_order_seq_cst);
     while (true) {
+      Steps::before_step();
       hazard.store(seen, std::memory_order_seq_cst);
       // When the value is still current after the slot shows it, the writer's scan, which comes after the
       // exchange that retires the value, sees the slot.
+      Steps::before_step();
       const T* again = current_.load(std::memory_order_seq_cst);
       if (again == seen) return seen != nullptr ? Pin(&hazard, seen) : Pin();
       seen = again;
@@ -184,19 +202,28 @@ class SnapshotCell {
     readers_[index].taken.store(false, std::memory_order_release);
   }
 
-  bool pinned(const T* value) const {
+  void retire(const T* value) {
+    require(retired_count_ < retired_.size(), "a snapshot cell's list of retired values is full");
+    retired_[retired_count_++] = value;
+  }
+
+  /// What the hazard slots show, each read once.
+  Shown slots_now() const {
+    Shown shown{};
+    std::size_t i = 0;
     for (const ReaderSlots& r : readers_) {
       for (const Hazard& h : r.hazards) {
-        if (h.load(std::memory_order_seq_cst) == value) return true;
+        Steps::before_step();
+        shown[i++] = h.load(std::memory_order_seq_cst);
       }
     }
-    return false;
+    return shown;
   }
 
   alignas(kCacheLine) std::atomic<const T*> current_{nullptr};
   std::array<ReaderSlots, kReaders> readers_;
-  /// After a reclaim each is in a hazard slot; one more comes with a publish.
-  alignas(kCacheLine) std::array<const T*, 2 * kReaders + 1> retired_{};
+  /// At most kSlots after a reclaim; one more comes with a publish.
+  alignas(kCacheLine) std::array<const T*, kSlots + 1> retired_{};
   std::size_t retired_count_ = 0;
 
   static_assert(std::atomic<const T*>::is_always_lock_free);

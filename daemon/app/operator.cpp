@@ -87,8 +87,7 @@ void Operator::watch_readiness() {
 bool Operator::estop_latched() const {
   const pipeline::ControlReport& base = monitor_.base().control;
   // What the base reported before it saw the clear is not so any more.
-  return hand_overs_.estop.load(std::memory_order_acquire) ||
-         (base.estop_latched && base.stamp > estop_cleared_);
+  return hand_overs_.estop.pressed() || (base.estop_latched && base.stamp > estop_cleared_);
 }
 
 std::string Operator::obstacle() const {
@@ -149,15 +148,14 @@ void Operator::announce_mission(std::string_view event) {
 
 void Operator::estop() {
   ++commands_;
-  hand_overs_.estop.store(true, std::memory_order_release);
+  hand_overs_.estop.press();
   spdlog::warn("e-stop");
   interrupt("the emergency stop");
 }
 
 Status Operator::clear_estop() {
   end_driving();  // what was wanted before the e-stop is not wanted any more
-  hand_overs_.estop.store(false, std::memory_order_release);
-  hand_overs_.estop_clears.fetch_add(1, std::memory_order_acq_rel);
+  hand_overs_.estop.clear();
   estop_cleared_ = io::monotonic_now();  // after the clear: a base that decides later has seen it
   spdlog::info("e-stop cleared");
   return {};
@@ -174,7 +172,7 @@ Status Operator::drive(const types::Twist2& twist) {
                                                  twist.omega_radps, base.omega_max_radps));
   }
   // The base's report comes a moment later than a clear; the gate has the last word either way.
-  if (hand_overs_.estop.load(std::memory_order_acquire)) {
+  if (hand_overs_.estop.pressed()) {
     return fail(Errc::kBusy, "the e-stop is latched; clear it first (topoctl clear-estop)");
   }
   ++commands_;

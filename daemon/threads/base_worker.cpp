@@ -54,11 +54,9 @@ void BaseWorker::take_state() {
 pipeline::ControlInput BaseWorker::gather() {
   pipeline::ControlInput input;
   input.now = io::monotonic_now();
-  // In this order: a clear that is seen comes behind its release, so none is spent on a stop that is gone.
-  const std::uint64_t clears = hand_overs_.estop_clears.load(std::memory_order_acquire);
-  input.estop_cleared = clears != clears_seen_;
-  clears_seen_ = clears;
-  input.estop = hand_overs_.estop.load(std::memory_order_acquire);
+  const sync::EStopLine<>::Reading estop = hand_overs_.estop.read();
+  input.estop = estop.pressed;
+  input.estop_cleared = estop.cleared;
   input.teleop = hand_overs_.drive.read();
   input.plan = hand_overs_.plan.read();
   input.front = hand_overs_.front.to_base.read();

@@ -39,7 +39,6 @@ class BaseWorker {
   pipeline::ControlSetup setup_;
   pipeline::ControlState control_;
   pipeline::ControlReport control_report_;
-  std::uint64_t clears_seen_ = 0;
 };
 
 }  // namespace topo::daemon

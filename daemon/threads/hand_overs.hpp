@@ -15,6 +15,7 @@
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/loop_closure.hpp"
+#include "core/sync/estop_line.hpp"
 #include "core/sync/latest.hpp"
 #include "core/sync/ring.hpp"
 #include "core/sync/snapshot_cell.hpp"
@@ -95,9 +96,8 @@ struct HandOvers {
 
   ScanHandOver front, coronal;
 
-  // Main to base. The e-stop is one word, so that nothing can be in its way.
-  std::atomic<bool> estop{false};
-  std::atomic<std::uint64_t> estop_clears{0};  ///< how often the operator cleared it
+  // Main to base.
+  sync::EStopLine<> estop;
   sync::Latest<pipeline::Teleop> drive;
 
   // Main to planning.

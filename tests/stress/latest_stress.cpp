@@ -9,6 +9,7 @@
 
 #include "core/sync/histogram.hpp"
 #include "core/sync/latest.hpp"
+#include "tests/stress/yielding.hpp"
 
 namespace topo::sync {
 namespace {
@@ -18,14 +19,14 @@ struct Plan {
   std::array<std::uint64_t, 64> route{};
 };
 
-TEST(LatestStress, IsMonotonicWholeAndCountsWhatWasReplaced) {
-  constexpr std::uint64_t kPlans = 200000;
-  Latest<Plan> latest;
+template <class Steps>
+void check_latest(std::uint64_t plans) {
+  Latest<Plan, Steps> latest;
   std::uint64_t taken = 0;
   std::uint64_t wrong = 0;
   std::thread reader([&] {
     std::uint64_t last = 0;
-    while (last != kPlans) {
+    while (last != plans) {
       const Plan* plan = latest.take_new();
       if (plan == nullptr) {
         std::this_thread::yield();
@@ -37,7 +38,7 @@ TEST(LatestStress, IsMonotonicWholeAndCountsWhatWasReplaced) {
       for (const std::uint64_t r : plan->route) wrong += r != last ? 1U : 0U;
     }
   });
-  for (std::uint64_t revision = 1; revision <= kPlans; ++revision) {
+  for (std::uint64_t revision = 1; revision <= plans; ++revision) {
     Plan& plan = latest.writable();
     plan.revision = revision;
     plan.route.fill(revision);
@@ -45,7 +46,12 @@ TEST(LatestStress, IsMonotonicWholeAndCountsWhatWasReplaced) {
   }
   reader.join();
   EXPECT_EQ(wrong, 0U);
-  EXPECT_EQ(taken + latest.overwritten(), kPlans);
+  EXPECT_EQ(taken + latest.overwritten(), plans);
+}
+
+TEST(LatestStress, IsMonotonicWholeAndCountsWhatWasReplaced) { check_latest<Undisturbed>(200000); }
+TEST(LatestStressYielding, IsMonotonicWholeAndCountsWhatWasReplaced) {
+  check_latest<stress::Yielding>(20000);
 }
 
 TEST(HistogramStress, CanBeReadWhileItIsWritten) {

@@ -10,13 +10,12 @@
 #include "core/sync/event_ring.hpp"
 #include "core/sync/ring.hpp"
 #include "core/types/scan.hpp"
+#include "tests/stress/yielding.hpp"
 
 namespace topo::sync {
 namespace {
 
 using types::Scan;
-
-constexpr std::uint64_t kScans = 20000;
 
 void fill(Scan& scan, std::uint64_t sequence) {
   scan.sequence = sequence;
@@ -45,11 +44,12 @@ struct Taken {
   }
 };
 
-TEST(RingStress, ScansArriveWholeAndInOrderAndLossIsCounted) {
-  auto ring = std::make_unique<Ring<Scan, 8>>();
+template <class Steps>
+void check_scans(std::uint64_t scans) {
+  auto ring = std::make_unique<Ring<Scan, 8, Steps>>();
   Taken taken;
   std::thread consumer([&] {
-    while (taken.last != kScans) {
+    while (taken.last != scans) {
       if (taken.scans % 64 == 63) ring->skip_to_newest();
       const Scan* scan = ring->front();
       if (scan == nullptr) {
@@ -60,9 +60,9 @@ TEST(RingStress, ScansArriveWholeAndInOrderAndLossIsCounted) {
       ring->pop();
     }
   });
-  for (std::uint64_t sequence = 1; sequence <= kScans; ++sequence) {
+  for (std::uint64_t sequence = 1; sequence <= scans; ++sequence) {
     Scan* slot = ring->try_acquire();
-    while (slot == nullptr && sequence == kScans) slot = ring->try_acquire();  // the last one must arrive
+    while (slot == nullptr && sequence == scans) slot = ring->try_acquire();  // the last one must arrive
     if (slot == nullptr) continue;
     fill(*slot, sequence);
     ring->commit();
@@ -71,17 +71,20 @@ TEST(RingStress, ScansArriveWholeAndInOrderAndLossIsCounted) {
   EXPECT_EQ(taken.torn, 0U);
   EXPECT_EQ(taken.out_of_order, 0U);
   EXPECT_EQ(taken.scans + ring->skipped(), ring->committed());
-  EXPECT_GE(ring->committed() + ring->rejected(), kScans);
+  EXPECT_GE(ring->committed() + ring->rejected(), scans);
   EXPECT_EQ(ring->size(), 0U);
 }
 
-TEST(RingStress, NothingAcceptedIsLostWithoutSkipping) {
-  constexpr std::int64_t kEvents = 200000;
-  auto events = std::make_unique<EventRing<64>>();
+TEST(RingStress, ScansArriveWholeAndInOrderAndLossIsCounted) { check_scans<Undisturbed>(20000); }
+TEST(RingStressYielding, ScansArriveWholeAndInOrderAndLossIsCounted) { check_scans<stress::Yielding>(5000); }
+
+template <std::size_t N, class Steps>
+void check_events(std::int64_t wanted) {
+  auto events = std::make_unique<EventRing<N, Steps>>();
   std::int64_t next = 0;
   std::int64_t wrong = 0;
   std::thread consumer([&] {
-    while (next < kEvents) {
+    while (next < wanted) {
       const std::size_t got = events->drain([&](const Event& e) {
         if (e.stamp_ns != next || e.args[2] != -next || e.text_view() != "lost packet") ++wrong;
         ++next;
@@ -90,7 +93,7 @@ TEST(RingStress, NothingAcceptedIsLostWithoutSkipping) {
     }
   });
   std::uint64_t refused = 0;
-  for (std::int64_t i = 0; i < kEvents;) {
+  for (std::int64_t i = 0; i < wanted;) {
     if (events->post(i, 3, Severity::kInfo, {0, i, -i}, "lost packet")) {
       ++i;
     } else {
@@ -100,9 +103,12 @@ TEST(RingStress, NothingAcceptedIsLostWithoutSkipping) {
   }
   consumer.join();
   EXPECT_EQ(wrong, 0);
-  EXPECT_EQ(next, kEvents);
+  EXPECT_EQ(next, wanted);
   EXPECT_EQ(events->lost(), refused);
 }
+
+TEST(RingStress, NothingAcceptedIsLostWithoutSkipping) { check_events<64, Undisturbed>(200000); }
+TEST(RingStressYielding, NothingAcceptedIsLostWithoutSkipping) { check_events<4, stress::Yielding>(20000); }
 
 }  // namespace
 }  // namespace topo::sync
