@@ -3,10 +3,12 @@
 #include "tests/bench/topobench/explore/explore_report.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "daemon/mapfile/atomic_file.hpp"
 #include "tests/bench/topobench/explore/coverage_plot.hpp"
@@ -72,6 +74,13 @@ std::string poses_text(const RunSetup& setup, const RunResult& result, const Run
   return text;
 }
 
+/// Equal digests: every robot decided the same and drove the same way.
+std::string digest_of(const RunSetup& setup, std::span<const RunResult> robots, const RunResult& team) {
+  std::string text;
+  for (const RunResult& robot : robots) text += decisions_text(robot) + poses_text(setup, robot, team);
+  return fmt::format("{:016x}", XXH64(text.data(), text.size(), 0));
+}
+
 std::vector<types::Vector2> goals_in_building(const RunSetup& setup, const RunResult& result) {
   std::vector<types::Vector2> goals;
   for (const IssuedGoal& goal : result.goals) goals.push_back(setup.plant.start * goal.p_map);
@@ -111,6 +120,7 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"collisions", result.collisions},
           {"home", {result.home}},
           {"home_distance_m", result.home_distance_m},
+          {"digest", digest_of(setup, {&result, 1}, result)},
           {"end_s", result.end_s},
           {"ended_as", std::string(to_text(result.activity))},
           {"reason", result.reason},
@@ -137,6 +147,7 @@ json team_report_of(const RunTitle& title, const TeamSetup& setup, const TeamRes
                     double reachable_m2) {
   json report = report_of(title, setup.run, result.team, reachable_m2);
   report["robots"] = setup.robots;
+  report["digest"] = digest_of(setup.run, result.robots, result.team);
   report["overlap"] = rounded(result.overlap, 1e-4);
   report["maps"] = json::array();
   for (const JoinedMap& map : result.maps) report["maps"].push_back(report_of(map));
