@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/goals/filters.hpp"
-#include "core/goals/goal_cover.hpp"
+#include "core/goals/greedy_cover.hpp"
 #include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
 #include "core/goals/openings.hpp"

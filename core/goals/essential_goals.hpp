@@ -7,8 +7,8 @@
 
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/places/place_map.hpp"
-#include "core/places/skeleton.hpp"
+#include "core/places/segmentation/place_map.hpp"
+#include "core/places/skeleton/skeleton.hpp"
 
 namespace topo::goals {
 

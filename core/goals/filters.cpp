@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/places/box_counts.hpp"
+#include "core/places/segmentation/box_counts.hpp"
 
 namespace topo::goals {
 namespace {

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/goals/frontiers.hpp"
-#include "core/places/box_counts.hpp"
+#include "core/places/segmentation/box_counts.hpp"
 
 namespace topo::goals {
 namespace {

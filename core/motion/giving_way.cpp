@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/motion/footprint_sweep.hpp"
+#include "core/perception/footprint_sweep.hpp"
 
 namespace topo::motion {
 namespace {
@@ -62,40 +62,42 @@ class Course {
   std::size_t size_ = 0;
 };
 
-double braking_s(const Twist2& twist, const RobotLimits& l) {
+double braking_s(const Twist2& twist, const types::RobotLimits& l) {
   return std::max(std::abs(twist.v_mps) / (kReserve * l.deceleration_mps2),
                   std::abs(twist.omega_radps) / (kReserve * l.angular_acceleration_radps2));
 }
 
 /// Can they meet at all until the course ends?
-bool is_in_reach(const MovingObstacle& one, const Course& course, double margin_m,
-                 const Footprint& footprint) {
+bool is_in_reach(const perception::MovingObstacle& one, const Course& course, double margin_m,
+                 const types::Footprint& footprint) {
   const double closing_mps = one.velocity_mps.norm() + std::abs(course.twist().v_mps) + kUnsure_mps;
-  const double far_m = closing_mps * course.until_s() + margin_m + one.radius_m + reach_m(footprint);
+  const double far_m = closing_mps * course.until_s() + margin_m + one.radius_m + types::reach_m(footprint);
   return one.centre.squaredNorm() < far_m * far_m;
 }
 
-bool is_clear(const Course& course, const MovingObstacle& one, double margin_m, const Footprint& footprint) {
+bool is_clear(const Course& course, const perception::MovingObstacle& one, double margin_m,
+              const types::Footprint& footprint) {
   constexpr double kNearer_m = 0.01;
   if (!is_in_reach(one, course, margin_m, footprint)) return true;
-  const double now_m = distance_m(one.centre, footprint) - one.radius_m - kNearer_m;
+  const double now_m = perception::distance_m(one.centre, footprint) - one.radius_m - kNearer_m;
   for (std::size_t i = 0; i < course.size(); ++i) {
     const double t_s = Course::at_s(i);
     const double keep_m = std::min(margin_m + kUnsure_mps * t_s, now_m);
     const Vector2 then = course.seen(i, one.centre + t_s * one.velocity_mps);
-    if (distance_m(then, footprint) - one.radius_m < keep_m) return false;
+    if (perception::distance_m(then, footprint) - one.radius_m < keep_m) return false;
   }
   return true;
 }
 
-bool is_clear(const Course& course, std::span<const MovingObstacle> moving, double margin_m,
-              const Footprint& footprint) {
-  return std::all_of(moving.begin(), moving.end(),
-                     [&](const MovingObstacle& one) { return is_clear(course, one, margin_m, footprint); });
+bool is_clear(const Course& course, std::span<const perception::MovingObstacle> moving, double margin_m,
+              const types::Footprint& footprint) {
+  return std::all_of(moving.begin(), moving.end(), [&](const perception::MovingObstacle& one) {
+    return is_clear(course, one, margin_m, footprint);
+  });
 }
 
-bool gives_way(const Twist2& twist, std::span<const MovingObstacle> moving, double alive_s,
-               const RobotLimits& l) {
+bool gives_way(const Twist2& twist, std::span<const perception::MovingObstacle> moving, double alive_s,
+               const types::RobotLimits& l) {
   const double brakes_s = braking_s(twist, l), until_s = alive_s + brakes_s + kClearFor_s;
   if (is_clear(Course(twist, alive_s, brakes_s, until_s), moving, l.margin_m, l.footprint)) return true;
   return stands_in_time(twist, moving, alive_s, l.margin_m, l) &&
@@ -104,15 +106,15 @@ bool gives_way(const Twist2& twist, std::span<const MovingObstacle> moving, doub
 
 }  // namespace
 
-bool stands_in_time(const Twist2& twist, std::span<const MovingObstacle> moving, double alive_s,
-                    double margin_m, const RobotLimits& limits) {
+bool stands_in_time(const Twist2& twist, std::span<const perception::MovingObstacle> moving, double alive_s,
+                    double margin_m, const types::RobotLimits& limits) {
   if (moving.empty()) return true;
   const double brakes_s = braking_s(twist, limits);
   return is_clear(Course(twist, alive_s, brakes_s, alive_s + brakes_s), moving, margin_m, limits.footprint);
 }
 
-double giving_way_scale(const Twist2& twist, std::span<const MovingObstacle> moving, double alive_s,
-                        const RobotLimits& limits) {
+double giving_way_scale(const Twist2& twist, std::span<const perception::MovingObstacle> moving,
+                        double alive_s, const types::RobotLimits& limits) {
   constexpr int kParts = 20;
   if (moving.empty()) return 1.0;
   for (int part = kParts; part > 0; --part) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/footprint_sweep.hpp"
+#include "core/perception/footprint_sweep.hpp"
 
 namespace topo::motion {
 namespace {
@@ -42,11 +42,12 @@ double way_m(double v0, double v1, double acceleration, double time_s) {
 }
 
 double free_turn_rad(double sign, const FollowInput& in) {
-  const RobotLimits& l = *in.limits;
+  const types::RobotLimits& l = *in.limits;
   const Twist2 spin{0.0, sign};
-  FirstContact first(spin, reach_m(grown(l.footprint, l.turn_margin_m)));
+  perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, l.turn_margin_m)));
   for (const Vector2& p : in.obstacles_base)
-    first.offer(p, [&] { return contact_time_with_margin_s(p, spin, l.footprint, l.turn_margin_m); });
+    first.offer(
+        p, [&] { return perception::contact_time_with_margin_s(p, spin, l.footprint, l.turn_margin_m); });
   return first.seconds();
 }
 
@@ -97,28 +98,28 @@ Vector2 PathFollower::point_at(double s_m) const {
 }
 
 double PathFollower::speed_on(double curvature, double margin_m, const FollowInput& in) const {
-  const RobotLimits& l = *in.limits;
+  const types::RobotLimits& l = *in.limits;
   double v_mps = l.v_max_mps;
   if (curvature != 0.0)
     v_mps = std::min(v_mps, std::min(rules_.omega_max_radps, l.omega_max_radps) / std::abs(curvature));
   const double blind_s = kBlindSlack * in.blind_s;
   const double enough_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);
   const Twist2 arc{1.0, curvature};  // seconds are metres
-  FirstContact first(arc, reach_m(grown(l.footprint, margin_m)), enough_m);
+  perception::FirstContact first(arc, types::reach_m(types::grown(l.footprint, margin_m)), enough_m);
   for (const Vector2& p : in.obstacles_base)
-    first.offer(p, [&] { return contact_time_with_margin_s(p, arc, l.footprint, margin_m); });
+    first.offer(p, [&] { return perception::contact_time_with_margin_s(p, arc, l.footprint, margin_m); });
   return std::min(v_mps, stoppable_mps(first.seconds(), blind_s, l.deceleration_mps2));
 }
 
 /// What the gate leaves because a wheel may slip, on arcs as the last one.
 double PathFollower::slip_speed_mps(const FollowInput& in) const {
-  const RobotLimits& l = *in.limits;
-  double free_m = kNever_s;
+  const types::RobotLimits& l = *in.limits;
+  double free_m = perception::kNever_s;
   for (const double slip : {l.slip_curvature_per_m, -l.slip_curvature_per_m}) {
     const Twist2 arc{1.0, last_curvature_ + slip};
-    FirstContact first(arc, reach_m(l.footprint), free_m);
+    perception::FirstContact first(arc, types::reach_m(l.footprint), free_m);
     for (const Vector2& p : in.obstacles_base)
-      first.offer(p, [&] { return contact_time_s(p, arc, l.footprint); });
+      first.offer(p, [&] { return perception::contact_time_s(p, arc, l.footprint); });
     free_m = first.seconds();
   }
   if (!std::isfinite(free_m)) return l.v_max_mps;
@@ -195,7 +196,7 @@ double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_c
 }
 
 FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
-  const RobotLimits& l = *in.limits;
+  const types::RobotLimits& l = *in.limits;
   double sign = turn_rad < 0.0 ? -1.0 : 1.0;
   double way_rad = std::abs(turn_rad);
   FollowOutput out;
@@ -215,7 +216,7 @@ FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
 }
 
 FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInput& in) {
-  const RobotLimits& l = *in.limits;
+  const types::RobotLimits& l = *in.limits;
   const double v_end_mps =
       in.ends_at_goal ? std::max(0.06, std::sqrt(1.2 * l.deceleration_mps2 * rest_m)) : l.v_max_mps;
   const double v_cap_mps = std::min(v_end_mps, slip_speed_mps(in));

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "core/motion/blind_spot.hpp"
-#include "core/motion/robot_limits.hpp"
+#include "core/perception/blind_spot.hpp"
+#include "core/types/robot_limits.hpp"
 #include "core/types/transform.hpp"
 
 namespace topo::motion {
@@ -32,7 +32,7 @@ struct FollowInput {
   std::span<const types::Vector2> obstacles_base;  ///< at most PathFollower::kMaxObstacles
   double blind_s = 0.0;                            ///< as the gate's blind_time_s()
   double alive_s = 0.0;                            ///< as the gate's alive_time_s()
-  const RobotLimits* limits = nullptr;
+  const types::RobotLimits* limits = nullptr;
 };
 
 struct FollowOutput {
@@ -50,7 +50,8 @@ struct FollowOutput {
 class PathFollower {
  public:
   static constexpr std::size_t kMaxPoints = 256;
-  static constexpr std::size_t kMaxObstacles = 512 + BlindSpot::kMax;  ///< of a scan, and what is remembered
+  static constexpr std::size_t kMaxObstacles =
+      512 + perception::BlindSpot::kMax;  ///< of a scan, and what is remembered
 
   explicit PathFollower(const FollowerRules& rules = {}) : rules_(rules) {}
   FollowOutput step(const FollowInput& input);

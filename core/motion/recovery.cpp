@@ -40,7 +40,7 @@ double turned(double angle_rad, int sense) {
   return angle_rad + sense * kRound_rad;
 }
 
-types::Twist2 turn_twist(double angle_rad, const RobotLimits& limits) {
+types::Twist2 turn_twist(double angle_rad, const types::RobotLimits& limits) {
   const double fastest = std::min(0.8, limits.omega_max_radps);
   const double rate = std::sqrt(limits.angular_acceleration_radps2 * std::abs(angle_rad));
   return {0.0, std::copysign(std::min(fastest, rate), angle_rad)};

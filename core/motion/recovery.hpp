@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/motion/backing.hpp"
-#include "core/motion/robot_limits.hpp"
-#include "core/motion/trail.hpp"
+#include "core/motion/breadcrumb_path.hpp"
+#include "core/types/robot_limits.hpp"
 #include "core/types/stamp.hpp"
 #include "core/types/transform.hpp"
 
@@ -45,7 +45,7 @@ struct RecoveryInput {
   double ahead_m = 0.0;        ///< free straight on
   double seen_behind_m = 0.0;  ///< straight back, where the scanner looked lately, at most kSeenBehind_m
   const Trail* trail = nullptr;
-  const RobotLimits* limits = nullptr;
+  const types::RobotLimits* limits = nullptr;
 };
 
 struct RecoveryOutput {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/motion/footprint_sweep.hpp"
 #include "core/motion/giving_way.hpp"
+#include "core/perception/footprint_sweep.hpp"
 #include "core/types/watchdog.hpp"
 
 namespace topo::motion {
@@ -23,9 +23,9 @@ constexpr Duration kScanAgeMax = milliseconds(150);
 constexpr Duration kPeriod = milliseconds(50);  // of the base thread
 constexpr double kScanPeriods = 2.5;
 constexpr double kValidFractionMin = 0.5;
-constexpr double kElapsedMax_s = 0.1;  // a late period may not become a jump in speed
-constexpr double kCreep_mps = 0.01;    // slower than this is standing
-constexpr double kCreep_radps = 0.02;
+constexpr double kElapsedMax_s = 0.1;     // a late period may not become a jump in speed
+constexpr double kStandstill_mps = 0.01;  // slower than this is standing
+constexpr double kStandstill_radps = 0.02;
 
 bool is_finite_twist(const Twist2& t) { return std::isfinite(t.v_mps) && std::isfinite(t.omega_radps); }
 
@@ -63,7 +63,7 @@ std::optional<GateReason> scan_fault(const GateInput& in) {
   if (in.front_scan == nullptr || is_stale(in.front_scan->arrival, in.now, scan_age_max(*in.front_scan)))
     return GateReason::kStaleScan;
   // Negated, so that a mount that is not finite is blind as well.
-  if (!(forward_valid_fraction(*in.front_scan, in.T_base_laser) >= kValidFractionMin))
+  if (!(perception::forward_valid_fraction(*in.front_scan, in.T_base_laser) >= kValidFractionMin))
     return GateReason::kBlindScan;
   const types::Se2& mount = in.T_base_laser;
   if (!std::isfinite(mount.x_m) || !std::isfinite(mount.y_m)) return GateReason::kBlindScan;
@@ -82,7 +82,7 @@ std::optional<GateReason> area_fault(const GateInput& in) {
 /// Why nothing may move, the gravest first.
 std::optional<GateReason> first_fault(const GateState& state, const GateInput& in) {
   if (state.estop_latched) return GateReason::kEmergencyStop;
-  if (!is_valid(in.limits)) return GateReason::kInvalidLimits;
+  if (!types::is_valid(in.limits)) return GateReason::kInvalidLimits;
   if (!types::is_watchdog_safe(in.firmware_watchdog)) return GateReason::kNoWatchdog;
   if (const auto fault = base_fault(in)) return fault;
   if (const auto fault = scan_fault(in)) return fault;
@@ -99,7 +99,7 @@ double elapsed_s(const GateState& state, Stamp now) {
 /// begins an arc by turning on the spot turns into what the arc passes.
 Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInput& in) {
   const double dt_s = elapsed_s(state, in.now);
-  const RobotLimits& l = in.limits;
+  const types::RobotLimits& l = in.limits;
   const double v_mps = ramped(state.last.v_mps, wanted.v_mps, l.acceleration_mps2, l.deceleration_mps2, dt_s);
   const double part = wanted.v_mps != 0.0 ? std::clamp(v_mps / wanted.v_mps, 0.0, 1.0) : 1.0;
   return {v_mps, ramped(state.last.omega_radps, part * wanted.omega_radps, l.angular_acceleration_radps2,
@@ -110,7 +110,7 @@ Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInpu
 /// well nothing would move between walls.
 double slip_scale(const Twist2& next, const GateInput& in) {
   if (!(next.v_mps > in.limits.v_beside_mps)) return 1.0;
-  const double free_s = slip_free_time_s(next, in.limits, surroundings(in));
+  const double free_s = perception::slip_free_time_s(next, in.limits, surroundings(in));
   const double scale = stopping_scale(next, free_s, alive_time_s(in), in.limits);
   return std::max(scale, in.limits.v_beside_mps / next.v_mps);
 }
@@ -120,9 +120,9 @@ double slip_scale(const Twist2& next, const GateInput& in) {
 double turn_slip_scale(const Twist2& next, const GateInput& in) {
   constexpr double kUnnoticed_s = 1.0;
   const double turn_radps = std::abs(next.omega_radps);
-  if (!is_on_the_spot(next) || turn_radps <= in.limits.omega_beside_radps) return 1.0;
+  if (!perception::is_on_the_spot(next) || turn_radps <= in.limits.omega_beside_radps) return 1.0;
   const double aside_m = turn_radps * in.limits.slip_aside_m_per_rad * kUnnoticed_s;
-  const double scale = remembered_gap_m(in.limits, surroundings(in), aside_m) / aside_m;
+  const double scale = perception::remembered_gap_m(in.limits, surroundings(in), aside_m) / aside_m;
   return std::max(scale, in.limits.omega_beside_radps / turn_radps);
 }
 
@@ -130,14 +130,14 @@ double turn_slip_scale(const Twist2& next, const GateInput& in) {
 /// times as hard.
 bool must_brake_hard(const GateInput& in) {
   constexpr double kLate = 0.8;  // of the speed from which the usual braking would do
-  constexpr double kSlow_mps = 0.1;
+  constexpr double kDriven_mps = 0.1;
   const Twist2& measured = in.base->odometry.twist;
-  if (!(measured.v_mps > kSlow_mps)) return false;
+  if (!(measured.v_mps > kDriven_mps)) return false;
   const Twist2 slower{kLate * measured.v_mps, kLate * measured.omega_radps};
   if (!stands_in_time(slower, in.moving, alive_time_s(in), 0.0, in.limits)) return true;
-  RobotLimits bare = in.limits;
+  types::RobotLimits bare = in.limits;
   bare.margin_m = 0.0;
-  const double free_s = free_time_s(measured, bare, surroundings(in));
+  const double free_s = perception::free_time_s(measured, bare, surroundings(in));
   return stopping_scale(measured, free_s, alive_time_s(in), in.limits) < kLate;
 }
 
@@ -152,8 +152,8 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   // Straight, since a turn swings the rear into what touches it; and at once, without the ramp.
   if (creeps_off(in)) next = {std::min(next.v_mps, in.limits.v_reverse_max_mps), 0.0};
   const double blind_s = blind_time_s(in);
-  const double free_s = free_time_s(next, in.limits, surroundings(in));
-  out.free_distance_m = free_distance_m(next, free_s);
+  const double free_s = perception::free_time_s(next, in.limits, surroundings(in));
+  out.free_distance_m = perception::free_distance_m(next, free_s);
   double scale = stopping_scale(next, free_s, blind_s, in.limits);
   scale = std::min({scale, slip_scale(next, in), turn_slip_scale(next, in)});
   // By a daemon that is alive, as beside what may be touched when a wheel slips.
@@ -165,14 +165,15 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
     const Twist2 clear{next.v_mps * scale, next.omega_radps * scale};
     const double until_s = blind_s + 0.5 * std::abs(clear.v_mps) / in.limits.deceleration_mps2 +
                            0.5 * std::abs(clear.omega_radps) / in.limits.angular_acceleration_radps2;
-    const double allowed_s = area_free_time_s(*in.area, *in.T_map_base, clear,
-                                              grown(in.limits.footprint, in.limits.margin_m), until_s);
+    const double allowed_s = types::area_free_time_s(
+        *in.area, *in.T_map_base, clear, types::grown(in.limits.footprint, in.limits.margin_m), until_s);
     const double part = stopping_scale(clear, allowed_s, blind_s, in.limits);
     at_edge = part < 1.0;
     scale *= part;
   }
   const Twist2 safe{next.v_mps * scale, next.omega_radps * scale};
-  const bool creeps = std::abs(safe.v_mps) < kCreep_mps && std::abs(safe.omega_radps) < kCreep_radps;
+  const bool creeps =
+      std::abs(safe.v_mps) < kStandstill_mps && std::abs(safe.omega_radps) < kStandstill_radps;
   if (scale < 1.0 && creeps) {
     out.reason = at_edge ? GateReason::kAreaLimit : gives_way ? GateReason::kGivesWay : GateReason::kBlocked;
     return;
@@ -208,7 +209,7 @@ double blind_time_s(const GateInput& in) {
   return alive_time_s(in) + types::to_seconds(in.firmware_watchdog - kPeriod);
 }
 
-Surroundings surroundings(const GateInput& in) {
+perception::Surroundings surroundings(const GateInput& in) {
   return {.front_scan = in.front_scan,
           .T_base_laser = in.T_base_laser,
           .points = in.front_points,
@@ -230,7 +231,7 @@ void update_latch(GateState& state, const GateInput& in) {
   if (pressed) state.estop_latched = true;
 }
 
-Twist2 within_limits(const Twist2& twist, const RobotLimits& limits) {
+Twist2 within_limits(const Twist2& twist, const types::RobotLimits& limits) {
   const double v_max_mps =
       twist.v_mps < 0.0 ? std::min(limits.v_reverse_max_mps, limits.v_max_mps) : limits.v_max_mps;
   double scale = 1.0;
@@ -248,7 +249,7 @@ double ramped(double last, double wanted, double acceleration, double decelerati
   return std::clamp(wanted, last - faster, last + faster);
 }
 
-double stopping_scale(const Twist2& twist, double free_s, double blind_s, const RobotLimits& limits) {
+double stopping_scale(const Twist2& twist, double free_s, double blind_s, const types::RobotLimits& limits) {
   if (!(free_s > 0.0)) return 0.0;
   // Seconds of full speed that braking takes: v / 2a, in whichever part brakes longer.
   const double braking_s = std::max(std::abs(twist.v_mps) / (2.0 * limits.deceleration_mps2),

@@ -6,12 +6,12 @@
 #include <span>
 #include <string_view>
 
-#include "core/motion/area_limits.hpp"
 #include "core/motion/backing.hpp"
-#include "core/motion/moving_obstacle.hpp"
-#include "core/motion/robot_limits.hpp"
-#include "core/motion/stop_zone.hpp"
+#include "core/perception/moving_obstacle.hpp"
+#include "core/perception/stop_zone.hpp"
+#include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
+#include "core/types/robot_limits.hpp"
 #include "core/types/scan.hpp"
 #include "core/types/se2.hpp"
 
@@ -56,20 +56,20 @@ struct GateInput {
   const types::BaseState* base = nullptr;
   const types::Scan* front_scan = nullptr;
   types::Se2 T_base_laser;
-  std::span<const ScanPoint> front_points;  ///< as Surroundings::points
-  std::span<const MovingObstacle> moving;   ///< in base, at the scan's first beam
+  std::span<const perception::ScanPoint> front_points;  ///< as Surroundings::points
+  std::span<const perception::MovingObstacle> moving;   ///< in base, at the scan's first beam
   std::span<const types::Se2> T_base_sonar;
   bool estop_pressed = false;
   bool estop_cleared = false;  ///< by the operator, in this period; does nothing while something is pressed
   types::Duration firmware_watchdog{};
-  RobotLimits limits;
+  types::RobotLimits limits;
   /// Of the request. A rear bumper stops it all the same.
   Backing backing = Backing::kNone;
   /// The request is that of a person who sees the robot: it may creep straight forwards off a pressed rear
   /// bumper. By itself a robot stands then: who or what is behind it, it cannot see.
   bool by_hand = false;
-  const AreaLimits* area = nullptr;      ///< null or empty: none
-  std::optional<types::Se2> T_map_base;  ///< now; needed when there are area limits
+  const types::AreaLimits* area = nullptr;  ///< null or empty: none
+  std::optional<types::Se2> T_map_base;     ///< now; needed when there are area limits
 };
 
 struct GateState {
@@ -101,15 +101,15 @@ double alive_time_s(const GateInput& input);
 bool is_finite(const types::BaseState& base);
 void update_latch(GateState& state, const GateInput& input);
 /// Both parts scaled alike, so that the arc stays the same.
-types::Twist2 within_limits(const types::Twist2& twist, const RobotLimits& limits);
+types::Twist2 within_limits(const types::Twist2& twist, const types::RobotLimits& limits);
 /// Towards `wanted`: faster with the acceleration, slower with the deceleration, through zero in two steps.
 double ramped(double last, double wanted, double acceleration, double deceleration, double elapsed_s);
 /// Surroundings of a gate's input; base and scan must be there.
-Surroundings surroundings(const GateInput& input);
+perception::Surroundings surroundings(const GateInput& input);
 /// The part of a twist after which the robot still stands before contact: with scale s it goes on for the
 /// blind time (firmware watchdog, age of the scan, reaction) and then brakes. Between 0 and 1, growing with
 /// free_time_s.
 double stopping_scale(const types::Twist2& twist, double free_time_s, double blind_s,
-                      const RobotLimits& limits);
+                      const types::RobotLimits& limits);
 
 }  // namespace topo::motion

@@ -11,7 +11,7 @@ constexpr types::Duration kGoFirst = std::chrono::milliseconds(1500);
 
 }  // namespace
 
-void Yielding::update(types::Stamp now, bool held_up, std::span<const MovingObstacle> moving) {
+void Yielding::update(types::Stamp now, bool held_up, std::span<const perception::MovingObstacle> moving) {
   if (held_up) {
     if (last_ == types::Stamp{} || now - last_ > kForgotten) since_ = now;
     last_ = now;

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/motion/moving_obstacle.hpp"
+#include "core/perception/moving_obstacle.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::motion {
@@ -15,7 +15,7 @@ namespace topo::motion {
 class Yielding {
  public:
   /// Once a period. `held_up`: something that moves is in the way; `moving` in base.
-  void update(types::Stamp now, bool held_up, std::span<const MovingObstacle> moving);
+  void update(types::Stamp now, bool held_up, std::span<const perception::MovingObstacle> moving);
   /// Something that moves is what it waits for, and patience has not ended.
   [[nodiscard]] bool waits() const { return waits_; }
   /// It lets the other one go first.

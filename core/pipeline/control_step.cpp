@@ -8,15 +8,15 @@
 #include <optional>
 #include <utility>
 
-#include "core/motion/blind_spot.hpp"
-#include "core/motion/moving_obstacles.hpp"
+#include "core/motion/breadcrumb_path.hpp"
 #include "core/motion/path_follower.hpp"
 #include "core/motion/recovery.hpp"
-#include "core/motion/steady_frame.hpp"
-#include "core/motion/stop_zone.hpp"
-#include "core/motion/trail.hpp"
-#include "core/motion/unseen_echoes.hpp"
 #include "core/motion/yielding.hpp"
+#include "core/perception/blind_spot.hpp"
+#include "core/perception/moving_obstacles.hpp"
+#include "core/perception/steady_frame.hpp"
+#include "core/perception/stop_zone.hpp"
+#include "core/perception/unseen_echoes.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -50,7 +50,7 @@ bool is_in_the_way(GateReason reason) {
 }
 
 /// Does something that moves hold up a robot that finds no way, or only it?
-bool is_held_up(bool blocked, GateReason last, std::span<const motion::MovingObstacle> moving) {
+bool is_held_up(bool blocked, GateReason last, std::span<const perception::MovingObstacle> moving) {
   constexpr double kBeside_m = 1.5;
   if (last == GateReason::kGivesWay) return true;
   return (blocked || is_in_the_way(last)) && !moving.empty() && moving.front().centre.norm() < kBeside_m;
@@ -74,7 +74,7 @@ bool is_touching(const types::BaseState& b) {
 }
 
 /// The middle of the outline's end that touches.
-types::Vector2 touched_end(const types::BaseState& b, const motion::Footprint& outline) {
+types::Vector2 touched_end(const types::BaseState& b, const types::Footprint& outline) {
   const bool behind = b.bumpers_rear != 0 && b.bumpers_front == 0;
   return {behind ? -outline.rear_m : outline.front_m, 0.0};
 }
@@ -104,8 +104,8 @@ struct ControlState::Impl {
   Twist2 wished;  ///< in the last period
   motion::PathFollower follower;
   motion::Recovery recovery;
-  motion::SteadyFrame steady_frame;  ///< of the trail and of the blind spot
-  std::uint64_t steady_plan = 0;     ///< the last one that it was told of
+  perception::SteadyFrame steady_frame;  ///< of the trail and of the blind spot
+  std::uint64_t steady_plan = 0;         ///< the last one that it was told of
   motion::Trail trail;
   types::Stamp trail_stamp{};
   types::Stamp wanted_at{};  ///< when somebody last wanted to move; zero: never, or an e-stop since
@@ -120,18 +120,19 @@ struct ControlState::Impl {
   types::Vector2 touched_odom{0.0, 0.0};
   std::array<types::Vector2, motion::PathFollower::kMaxObstacles> obstacles{};
   /// What the scanner saw before, and from kMax on what it sees.
-  std::array<motion::ScanPoint, motion::BlindSpot::kMax + types::Scan::kMaxBeams> points{};
-  motion::BlindSpot blind_spot;
-  motion::MovingObstacles tracker;
-  std::array<motion::MovingObstacle, motion::MovingObstacles::kMax> moving{};
+  std::array<perception::ScanPoint, perception::BlindSpot::kMax + types::Scan::kMaxBeams> points{};
+  perception::BlindSpot blind_spot;
+  perception::MovingObstacles tracker;
+  std::array<perception::MovingObstacle, perception::MovingObstacles::kMax> moving{};
   motion::Yielding yielding;
 
   [[nodiscard]] motion::GateInput gate_input(const ControlSetup& setup, const ControlInput& in);
   [[nodiscard]] std::optional<Se2> place(const ControlSetup& setup, const ControlInput& in) const;
-  [[nodiscard]] std::span<const motion::MovingObstacle> look_for_movers(const ControlSetup& setup,
-                                                                        const ControlInput& in);
-  [[nodiscard]] std::span<const motion::ScanPoint> look_around(
-      const ControlSetup& setup, const ControlInput& in, std::span<const motion::MovingObstacle> moving_now);
+  [[nodiscard]] std::span<const perception::MovingObstacle> look_for_movers(const ControlSetup& setup,
+                                                                            const ControlInput& in);
+  [[nodiscard]] std::span<const perception::ScanPoint> look_around(
+      const ControlSetup& setup, const ControlInput& in,
+      std::span<const perception::MovingObstacle> moving_now);
   void follow_drift(const ControlSetup& setup, const ControlInput& in);
   void drive_on(const ControlInput& in);
   void count_touches(const ControlSetup& setup, const ControlInput& in);
@@ -155,7 +156,7 @@ void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
       0.3;  // an echo is up to 150 ms old: turning faster, it is of another direction
   if (std::abs(gate_in.base->odometry.twist.omega_radps) > kSteady_radps) return;
   const std::size_t count =
-      motion::unseen_echoes(motion::surroundings(gate_in), kRange_m, report.unseen_odom);
+      perception::unseen_echoes(motion::surroundings(gate_in), kRange_m, report.unseen_odom);
   for (std::size_t i = 0; i < count; ++i)
     report.unseen_odom[i] = report.odometry.T_odom_base.se2() * report.unseen_odom[i];
   report.unseen = static_cast<std::uint8_t>(count);
@@ -188,28 +189,29 @@ motion::GateInput ControlState::Impl::gate_input(const ControlSetup& setup, cons
 std::optional<Se2> ControlState::Impl::place(const ControlSetup& setup, const ControlInput& in) const {
   if (in.plan == nullptr || !in.plan->located || in.state == nullptr) return std::nullopt;
   if (!is_fresh(in.plan->stamp, in.now, setup.plan_age_max)) return std::nullopt;
-  return in.plan->T_map_odom.se2() * motion::pose_at(in.state->odometry, in.now);
+  return in.plan->T_map_odom.se2() * perception::pose_at(in.state->odometry, in.now);
 }
 
-std::span<const motion::MovingObstacle> ControlState::Impl::look_for_movers(const ControlSetup& setup,
-                                                                            const ControlInput& in) {
+std::span<const perception::MovingObstacle> ControlState::Impl::look_for_movers(const ControlSetup& setup,
+                                                                                const ControlInput& in) {
   if (in.front == nullptr || in.state == nullptr || !motion::is_finite(*in.state)) return {};
   tracker.update(*in.front, setup.T_base_laser, in.state->odometry);
   return {moving.data(), tracker.around(in.state->odometry, in.front->first_beam, moving)};
 }
 
-std::span<const motion::ScanPoint> ControlState::Impl::look_around(
-    const ControlSetup& setup, const ControlInput& in, std::span<const motion::MovingObstacle> moving_now) {
+std::span<const perception::ScanPoint> ControlState::Impl::look_around(
+    const ControlSetup& setup, const ControlInput& in,
+    std::span<const perception::MovingObstacle> moving_now) {
   if (in.front == nullptr) return {};
-  constexpr std::size_t kSeen = motion::BlindSpot::kMax;
-  const std::span<motion::ScanPoint> all(points);
-  const std::size_t seen = motion::scan_points(*in.front, setup.T_base_laser, all.subspan(kSeen));
+  constexpr std::size_t kSeen = perception::BlindSpot::kMax;
+  const std::span<perception::ScanPoint> all(points);
+  const std::size_t seen = perception::scan_points(*in.front, setup.T_base_laser, all.subspan(kSeen));
   if (in.state == nullptr || !motion::is_finite(*in.state)) return all.subspan(kSeen, seen);
   const types::Odometry odometry = steady_frame.steady(in.state->odometry);
   blind_spot.update(*in.front, setup.T_base_laser, all.subspan(kSeen, seen), moving_now,
                     setup.limits.footprint, odometry);
   const std::size_t kept = blind_spot.size();
-  blind_spot.put_points(motion::pose_at(odometry, in.front->first_beam), all.subspan(kSeen - kept, kept));
+  blind_spot.put_points(perception::pose_at(odometry, in.front->first_beam), all.subspan(kSeen - kept, kept));
   return all.subspan(kSeen - kept, kept + seen);
 }
 
@@ -259,8 +261,8 @@ Wish ControlState::Impl::teleop(const Teleop& teleop, const motion::GateInput& g
 
 motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom_base,
                                              const motion::GateInput& gate_in) {
-  const std::size_t count = motion::collect_obstacles(gate_in.limits, motion::surroundings(gate_in),
-                                                      kObstacleReach_m, kObstacleSpacing_m, obstacles);
+  const std::size_t count = perception::collect_obstacles(gate_in.limits, motion::surroundings(gate_in),
+                                                          kObstacleReach_m, kObstacleSpacing_m, obstacles);
   motion::FollowInput f;
   f.T_odom_base = T_odom_base;
   f.twist = gate.last;
@@ -270,7 +272,7 @@ motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom
   f.obstacles_base = {obstacles.data(), count};
   f.blind_s = motion::blind_time_s(gate_in);
   f.alive_s = motion::alive_time_s(gate_in);
-  motion::RobotLimits limits = gate_in.limits;
+  types::RobotLimits limits = gate_in.limits;
   limits.v_max_mps = std::min(limits.v_max_mps, plan.v_max_mps);
   f.limits = &limits;
   return follower.step(f);
@@ -280,13 +282,14 @@ motion::FollowOutput ControlState::Impl::way(const Plan& plan, const Se2& T_odom
 double ControlState::Impl::ahead_m(const motion::GateInput& gate_in) const {
   if (!recovering) return 0.0;
   const Twist2 on{gate_in.limits.v_reverse_max_mps, 0.0};
-  return motion::free_distance_m(on, motion::free_time_s(on, gate_in.limits, motion::surroundings(gate_in)));
+  return perception::free_distance_m(
+      on, perception::free_time_s(on, gate_in.limits, motion::surroundings(gate_in)));
 }
 
 /// ... and straight back.
 double ControlState::Impl::seen_behind_m(const Plan& plan, const motion::GateInput& gate_in) const {
   if (!recovering || plan.mate_behind) return 0.0;
-  const Se2 T_odom_base = motion::pose_at(steady_frame.steady(gate_in.base->odometry), gate_in.now);
+  const Se2 T_odom_base = perception::pose_at(steady_frame.steady(gate_in.base->odometry), gate_in.now);
   return blind_spot.seen_behind_m(T_odom_base, gate_in.limits.footprint, gate_in.now,
                                   motion::Recovery::kSeenBehind_m);
 }
@@ -315,7 +318,7 @@ Wish ControlState::Impl::follow(const ControlInput& in, const motion::GateInput&
     recovery.pause(in.now);
     return wish;
   }
-  const Se2 T_odom_base = motion::pose_at(gate_in.base->odometry, in.now);
+  const Se2 T_odom_base = perception::pose_at(gate_in.base->odometry, in.now);
   const motion::FollowOutput out = way(plan, T_odom_base, gate_in);
   yielding.update(in.now, is_held_up(out.blocked, last_reason, gate_in.moving), gate_in.moving);
   if (!recovering && !out.arrived && (yielding.waits() || yielding.lets_go_first())) {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <span>
 
-#include "core/motion/area_limits.hpp"
 #include "core/motion/velocity_gate.hpp"
 #include "core/pipeline/plan.hpp"
+#include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/scan.hpp"
 
@@ -17,9 +17,9 @@ namespace topo::pipeline {
 
 /// What stays the same while the daemon runs.
 struct ControlSetup {
-  motion::RobotLimits limits;
+  types::RobotLimits limits;
   types::Se2 T_base_laser;  ///< front scanner
-  motion::AreaLimits area;
+  types::AreaLimits area;
   types::Duration plan_age_max = std::chrono::seconds(1);
 };
 
@@ -72,7 +72,7 @@ struct ControlReport {
   types::Twist2 commanded;
   double free_distance_m = 0.0;
   std::uint32_t recoveries = 0;  ///< begun since the start
-  /// Where sonar hears something that the laser does not see (motion::unseen_echoes), in odom.
+  /// Where sonar hears something that the laser does not see (perception::unseen_echoes), in odom.
   std::array<types::Vector2, 8> unseen_odom{};
   std::uint8_t unseen = 0;
 };

@@ -6,17 +6,12 @@
 #include <vector>
 
 #include "core/grid/occupancy_grid.hpp"
+#include "core/types/keyframe_pose.hpp"
 #include "core/types/stamp.hpp"
 #include "core/types/transform.hpp"
 #include "core/walls/wall_store.hpp"
 
 namespace topo::pipeline {
-
-/// Corrected pose of one keyframe, for paths and pictures.
-struct KeyframePose {
-  types::Stamp stamp{};
-  types::Transform2<types::Map, types::Base> T_map_base;
-};
 
 /// One generation of the map: occupancy, walls, poses and the correction of the odometry travel together, so
 /// that nobody mixes two. Immutable once published. Made and destroyed by the mapping thread alone; readers
@@ -30,8 +25,9 @@ struct MapSnapshot {
   types::Transform2<types::Map, types::Base> T_map_base;  ///< at `stamp`
   grid::OccupancyGrid grid;
   walls::WallStore walls;
-  std::vector<KeyframePose> keyframes;                ///< the robot's own
-  std::vector<std::vector<KeyframePose>> mates = {};  ///< those of its team-mates in this map, a list each
+  std::vector<types::KeyframePose> keyframes;  ///< the robot's own
+  std::vector<std::vector<types::KeyframePose>> mates =
+      {};  ///< those of its team-mates in this map, a list each
 };
 
 }  // namespace topo::pipeline

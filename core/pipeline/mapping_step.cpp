@@ -279,7 +279,7 @@ std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {
                   impl_->builder.walls(),
                   {}});
   const auto stations = [&](std::span<const std::size_t> way) {
-    std::vector<KeyframePose> out;
+    std::vector<types::KeyframePose> out;
     out.reserve(way.size());
     for (const std::size_t i : way)
       out.push_back(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "core/types/stamp.hpp"
@@ -49,5 +50,9 @@ struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is fi
   std::uint16_t points = 0;
   std::array<types::Vector2, kMaxPoints> path_odom;  ///< as path.hpp makes it, from the robot on
 };
+
+/// The path's beginning into the plan, in odom.
+void put_path(std::span<const types::Vector2> path_map,
+              const types::Transform2<types::Map, types::Odom>& T_map_odom, Plan& plan);
 
 }  // namespace topo::pipeline

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "core/grid/nearest_reachable.hpp"
-#include "core/pipeline/path.hpp"
 #include "core/pipeline/planning_state.hpp"
+#include "core/travel/path.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -35,7 +35,7 @@ std::string metres(double value) {
 }
 
 /// Label of the place that a point is in; 0: none.
-std::uint16_t place_at(const Analysis& analysis, const types::Vector2& p_map) {
+std::uint16_t place_at(const analysis::Analysis& analysis, const types::Vector2& p_map) {
   const grid::CellIndex cell = analysis.map.cell_at(p_map);
   if (!analysis.map.contains(cell) || analysis.places.labels.empty()) return 0;
   return analysis.places.labels[analysis.map.index(cell)];
@@ -79,7 +79,7 @@ std::optional<types::Vector2> PlanningState::Impl::tight_ahead() const {
   auto least_m = static_cast<float>(params.travel.radius_m);
   const types::Vector2 here = T_map_base.se2().translation();
   double along_m = 0.0;
-  for (std::size_t i = nearest_point(route, here) + 1; i < route.size(); ++i) {
+  for (std::size_t i = travel::nearest_point(route, here) + 1; i < route.size(); ++i) {
     along_m += (route[i] - route[i - 1]).norm();
     if (along_m >= kTightAhead_m) break;
     const grid::CellIndex cell = map.cell_at(route[i]);
@@ -150,21 +150,23 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   if (in.now - goal_taken > kGoalTimeMax) give_up(in, "not reached in four minutes");
 }
 
-std::vector<Candidate> PlanningState::Impl::candidates_among(const PlanningInput& in,
-                                                             std::span<const goals::Goal> goals,
-                                                             bool& cut_off) const {
-  std::vector<Candidate> found =
-      candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m}, put_off,
-                    T_map_base.se2(), in.now, cut_off);
+std::vector<exploration::Candidate> PlanningState::Impl::candidates_among(const PlanningInput& in,
+                                                                          std::span<const goals::Goal> goals,
+                                                                          bool& cut_off) const {
+  std::vector<exploration::Candidate> found =
+      exploration::candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m},
+                                 put_off, T_map_base.se2(), in.now, cut_off);
   if (is_coordinated(in))
-    std::erase_if(found, [&](const Candidate& c) { return mate_was_at(in, c, PutOffGoals::kSame_m); });
+    std::erase_if(found, [&](const exploration::Candidate& c) {
+      return mate_was_at(in, c, exploration::PutOffGoals::kSame_m);
+    });
   return found;
 }
 
-std::vector<Candidate> PlanningState::Impl::gap_candidates(const PlanningInput& in,
-                                                           std::span<const goals::Frontier> frontiers,
-                                                           double behind_min_m2, bool& cut_off) const {
-  std::vector<goals::Goal> openings = frontier_goals(map, field, frontiers, behind_min_m2);
+std::vector<exploration::Candidate> PlanningState::Impl::gap_candidates(
+    const PlanningInput& in, std::span<const goals::Frontier> frontiers, double behind_min_m2,
+    bool& cut_off) const {
+  std::vector<goals::Goal> openings = exploration::frontier_goals(map, field, frontiers, behind_min_m2);
   // The places may be those of an older map.
   for (goals::Goal& opening : openings) opening.place = place_at(*analysis, opening.p_map);
   return candidates_among(in, openings, cut_off);
@@ -173,7 +175,8 @@ std::vector<Candidate> PlanningState::Impl::gap_candidates(const PlanningInput& 
 /// Frontiers with all costs that the choice can depend on: what is farther than the search has come is not
 /// chosen. The nearest one is mostly near, and the building large. In a team it may be another's: all costs
 /// are wanted.
-std::vector<Candidate> PlanningState::Impl::frontier_candidates(const PlanningInput& in, bool& cut_off) {
+std::vector<exploration::Candidate> PlanningState::Impl::frontier_candidates(const PlanningInput& in,
+                                                                             bool& cut_off) {
   constexpr double kFirst_m = 6.0;
   const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());
@@ -181,19 +184,19 @@ std::vector<Candidate> PlanningState::Impl::frontier_candidates(const PlanningIn
   for (double bound_m = in.team == nullptr ? kFirst_m : HUGE_VAL;; bound_m *= 2.0) {
     search.settle(bound_m);
     cut_off = false;
-    std::vector<Candidate> candidates = gap_candidates(in, frontiers, 0.0, cut_off);
+    std::vector<exploration::Candidate> candidates = gap_candidates(in, frontiers, 0.0, cut_off);
     const double settled_m = search.settled_m();
-    const bool is_enough = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-      return c.cost_m < params.switch_gain * settled_m;
-    });
+    const bool is_enough = std::any_of(
+        candidates.begin(), candidates.end(),
+        [&](const exploration::Candidate& c) { return c.cost_m < params.switch_gain * settled_m; });
     if (std::isinf(settled_m) || is_enough) return candidates;
   }
 }
 
-void PlanningState::Impl::take_goal(const PlanningInput& in, const Candidate& candidate) {
+void PlanningState::Impl::take_goal(const PlanningInput& in, const exploration::Candidate& candidate) {
   set_out(in, candidate.goal);
   target = candidate.cell;
-  claimed_m = weighed_cost_m(candidate, &candidate, params.switch_gain);
+  claimed_m = exploration::weighed_cost_m(candidate, &candidate, params.switch_gain);
   ++goals_issued;
   note(in, goal->p_map, "taken: " + description(*goal) + ", " + metres(candidate.cost_m) + " to go");
 }
@@ -226,22 +229,23 @@ void PlanningState::Impl::explore(const PlanningInput& in) {
   if (!returning && in.team != nullptr && seek_contact(in)) return;
   if (!returning) settle_goal(in);
   bool cut_off = false;
-  const std::vector<Candidate> candidates = params.strategy == Strategy::kTopometric
-                                                ? tour_candidates(in, cut_off)
-                                                : frontier_candidates(in, cut_off);
+  const std::vector<exploration::Candidate> candidates = params.strategy == exploration::Strategy::kTopometric
+                                                             ? tour_candidates(in, cut_off)
+                                                             : frontier_candidates(in, cut_off);
   open_goals.clear();
-  for (const Candidate& c : candidates) open_goals.push_back(c.goal);
+  for (const exploration::Candidate& c : candidates) open_goals.push_back(c.goal);
   if (returning) {
-    const bool worth_it = std::any_of(candidates.begin(), candidates.end(),
-                                      [](const Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
+    const bool worth_it =
+        std::any_of(candidates.begin(), candidates.end(),
+                    [](const exploration::Candidate& c) { return c.goal.opening_m >= kResumeFor_m; });
     if (!worth_it || resumed == kResumesMax || pick(in, candidates, nullptr) == nullptr)
       return go_home(in, return_reason);
     ++resumed;  // a way has opened
     returning = false;
     goal.reset();
   }
-  const Candidate* present = goal ? successor_of(*goal, candidates) : nullptr;
-  const Candidate* best = pick(in, candidates, present);
+  const exploration::Candidate* present = goal ? exploration::successor_of(*goal, candidates) : nullptr;
+  const exploration::Candidate* best = pick(in, candidates, present);
   if (goal && present == nullptr) {
     note(in, goal->p_map, "dropped: seen, or no longer a goal");
     goal.reset();

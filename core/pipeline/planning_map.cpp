@@ -5,7 +5,7 @@
 #include "core/grid/distance.hpp"
 #include "core/grid/free_runs.hpp"
 #include "core/pipeline/planning_state.hpp"
-#include "core/pipeline/prepared_map.hpp"
+#include "core/travel/travel_map.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -63,13 +63,13 @@ constexpr types::Duration kEchoFor = std::chrono::minutes(10);
 
 std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot) {
   std::vector<std::vector<types::Vector2>> paths;
-  const auto add = [&](const std::vector<KeyframePose>& poses) {
+  const auto add = [&](const std::vector<types::KeyframePose>& poses) {
     std::vector<types::Vector2>& path = paths.emplace_back();
     path.reserve(poses.size());
-    for (const KeyframePose& keyframe : poses) path.push_back(keyframe.T_map_base.se2().translation());
+    for (const types::KeyframePose& keyframe : poses) path.push_back(keyframe.T_map_base.se2().translation());
   };
   add(snapshot.keyframes);
-  for (const std::vector<KeyframePose>& poses : snapshot.mates) add(poses);
+  for (const std::vector<types::KeyframePose>& poses : snapshot.mates) add(poses);
   return paths;
 }
 
@@ -117,7 +117,8 @@ bool PlanningState::Impl::forget_unseen(const PlanningInput& in) {
 void PlanningState::Impl::refresh_map(const PlanningInput& in) {
   if (in.map->revision == map_revision && !map.cells.empty()) return;
   map_revision = in.map->revision;
-  map = prepare_map(*in.map, params.area, params.travel.radius_m);
+  map = travel::prepare_map(in.map->grid, {in.map->keyframes, in.map->mates}, params.area,
+                            params.travel.radius_m);
   clearance.take(map);
   known_m2 = free_area_m2(map);
 }
@@ -132,27 +133,28 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   if (analysis != nullptr && analysis->revision == map_revision) return;
   // On the way to a goal the map changes with every keyframe; the goal does not need to be looked at as
   // often. The baseline decides nothing by places: they are for whoever looks on.
-  const auto period = params.strategy == Strategy::kTopometric ? kAnalysisPeriod : kBaselineAnalysisPeriod;
+  const auto period =
+      params.strategy == exploration::Strategy::kTopometric ? kAnalysisPeriod : kBaselineAnalysisPeriod;
   if (goal) idle_since = {};
   if (!goal && idle_since == types::Stamp{}) idle_since = in.now;
   // In a team who has no goal waits, for one or at home: once it has looked, it looks no oftener either.
   const bool waits = in.team != nullptr && !goal && analysed >= idle_since;
   if (analysis != nullptr && (goal || waits) && in.now - analysed < period) return;
   analysed = in.now;
-  ClearMap wide;
-  if (params.coarse_analysis) wide = coarser(map, clearance.clearance_m());
-  AnalysisInput input{map_revision, params.coarse_analysis ? std::move(wide.map) : map,
-                      params.coarse_analysis ? wide.clearance_m : clearance.clearance_m(),
-                      walls::wall_points(in.map->walls), driven_paths(*in.map)};
-  Analysis made = analyse(std::move(input), params.analysis, analysis_memory);
+  travel::ClearMap wide;
+  if (params.coarse_analysis) wide = travel::coarser(map, clearance.clearance_m());
+  analysis::AnalysisInput input{map_revision, params.coarse_analysis ? std::move(wide.map) : map,
+                                params.coarse_analysis ? wide.clearance_m : clearance.clearance_m(),
+                                walls::wall_points(in.map->walls), driven_paths(*in.map)};
+  analysis::Analysis made = analysis::analyse(std::move(input), params.analysis, analysis_memory);
   made.coarse_m = std::move(wide.clearance_m);
-  analysis = std::make_shared<const Analysis>(std::move(made));
+  analysis = std::make_shared<const analysis::Analysis>(std::move(made));
 }
 
 std::vector<types::Vector2> PlanningState::Impl::seen_now(const PlanningInput& in) const {
   if (in.front == nullptr || in.now - in.front->arrival > kLiveAgeMax) return {};
   std::vector<types::Vector2> points =
-      confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
+      travel::confirmed_points(*in.front, T_map_base.se2() * params.T_base_laser, kLiveRange_m);
   if (!going_at.empty()) std::erase_if(points, [&](const auto& p) { return is_going_mate(p); });
   return points;
 }
@@ -174,22 +176,22 @@ std::vector<types::Vector2> PlanningState::Impl::echoed() const {
 void PlanningState::Impl::refresh_travel(const PlanningInput& in) {
   std::erase_if(blocked, [&](const Blocked& b) { return b.until <= in.now; });
   travel_clearance_m = clearance.clearance_m();
-  lower_clearance(map, echoed(), params.travel.preferred_m, travel_clearance_m);
+  travel::lower_clearance(map, echoed(), params.travel.preferred_m, travel_clearance_m);
   const grid::CellIndex start = map.cell_at(T_map_base.se2().translation());
-  std::vector<KeyframePose> last_bit;  // no keyframe tells of it yet
+  std::vector<types::KeyframePose> last_bit;  // no keyframe tells of it yet
   if (!in.map->keyframes.empty()) last_bit = {in.map->keyframes.back(), {in.now, T_map_base}};
-  const auto keep_trails_open = [&](const TrailRules& rules) {
-    keep_trail_open(map, in.map->keyframes, start, rules, travel_clearance_m);
-    keep_trail_open(map, last_bit, start, rules, travel_clearance_m);
-    for (const std::vector<KeyframePose>& way : in.map->mates)
-      keep_trail_open(map, way, start, rules, travel_clearance_m);
+  const auto keep_trails_open = [&](const travel::TrailRules& rules) {
+    travel::keep_trail_open(map, in.map->keyframes, start, rules, travel_clearance_m);
+    travel::keep_trail_open(map, last_bit, start, rules, travel_clearance_m);
+    for (const std::vector<types::KeyframePose>& way : in.map->mates)
+      travel::keep_trail_open(map, way, start, rules, travel_clearance_m);
   };
   keep_trails_open({params.travel.radius_m});
-  lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
+  travel::lower_clearance(map, seen_now(in), params.travel.preferred_m, travel_clearance_m);
   // Noise must not shut the robot in where it came through; what really stands there stops it.
   keep_trails_open({params.travel.tight_m, params.travel.tight_m - kLiveNoise_m, kLiveRange_m});
   // What it got stuck on stands there on its own trail, too: without that it would go the same way for ever.
-  lower_clearance(map, stuck_on(), params.travel.preferred_m, travel_clearance_m);
+  travel::lower_clearance(map, stuck_on(), params.travel.preferred_m, travel_clearance_m);
   crowd_mates();
   search.begin(map, travel_clearance_m, start, params.travel, field);
   has_coarse = false;
@@ -199,7 +201,7 @@ void PlanningState::Impl::need_coarse() {
   if (has_coarse) return;
   has_coarse = true;
   constexpr int kDoublings = 2;
-  coarse = coarser(map, travel_clearance_m, kDoublings);
+  coarse = travel::coarser(map, travel_clearance_m, kDoublings);
   coarse_search.begin(coarse.map, coarse.clearance_m, coarse.map.cell_at(T_map_base.se2().translation()),
                       params.travel, coarse_field);
   coarse_search.settle(HUGE_VAL);

@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/goals/goal_ways.hpp"
-#include "core/goals/tour.hpp"
+#include "core/exploration/goal_choice.hpp"
+#include "core/exploration/goal_ways.hpp"
+#include "core/exploration/tour.hpp"
 #include "core/grid/clearance_update.hpp"
-#include "core/pipeline/far_route.hpp"
-#include "core/pipeline/goal_choice.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/team/homes.hpp"
 #include "core/team/last_contact.hpp"
+#include "core/travel/far_route.hpp"
 
 namespace topo::pipeline {
 
@@ -30,7 +30,7 @@ struct NewestKeyframe {
   /// Was the map bent there, by more than that? So it is where the keyframe is missing.
   [[nodiscard]] bool is_bent(const MapSnapshot& now, double by_m, double by_rad) const;
 
-  KeyframePose keyframe;
+  types::KeyframePose keyframe;
   std::size_t number = 0;  ///< among the map's
 };
 
@@ -81,14 +81,15 @@ struct PlanningState::Impl {
   void explore(const PlanningInput& in);
   void run_dry(const PlanningInput& in, bool cut_off);
   void settle_goal(const PlanningInput& in);
-  [[nodiscard]] std::vector<Candidate> candidates_among(const PlanningInput& in,
-                                                        std::span<const goals::Goal> goals,
-                                                        bool& cut_off) const;
-  [[nodiscard]] std::vector<Candidate> gap_candidates(const PlanningInput& in,
-                                                      std::span<const goals::Frontier> frontiers,
-                                                      double behind_min_m2, bool& cut_off) const;
-  [[nodiscard]] std::vector<Candidate> frontier_candidates(const PlanningInput& in, bool& cut_off);
-  void take_goal(const PlanningInput& in, const Candidate& candidate);
+  [[nodiscard]] std::vector<exploration::Candidate> candidates_among(const PlanningInput& in,
+                                                                     std::span<const goals::Goal> goals,
+                                                                     bool& cut_off) const;
+  [[nodiscard]] std::vector<exploration::Candidate> gap_candidates(const PlanningInput& in,
+                                                                   std::span<const goals::Frontier> frontiers,
+                                                                   double behind_min_m2, bool& cut_off) const;
+  [[nodiscard]] std::vector<exploration::Candidate> frontier_candidates(const PlanningInput& in,
+                                                                        bool& cut_off);
+  void take_goal(const PlanningInput& in, const exploration::Candidate& candidate);
   void set_out(const PlanningInput& in, const goals::Goal& to);
   /// For how long it has not got on.
   [[nodiscard]] types::Duration standing_for(const PlanningInput& in);
@@ -104,34 +105,36 @@ struct PlanningState::Impl {
   void note(const PlanningInput& in, const types::Vector2& p_map, std::string text);
 
   // In which order (planning_tour.cpp).
-  [[nodiscard]] std::vector<Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
+  [[nodiscard]] std::vector<exploration::Candidate> tour_candidates(const PlanningInput& in, bool& cut_off);
   [[nodiscard]] bool is_unlikely_goal_cut_off(const PlanningInput& in) const;
   void leave_overlooked(std::vector<goals::Frontier>& frontiers) const;
   void add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
-                std::vector<Candidate>& candidates, bool& cut_off) const;
+                std::vector<exploration::Candidate>& candidates, bool& cut_off) const;
   [[nodiscard]] bool looks_around() const;
   /// When a goal that was just visited may be one again; nothing: never.
   [[nodiscard]] std::optional<types::Stamp> next_visit(types::Stamp now) const;
   void settle_looks(const PlanningInput& in);
   void find_looks(const PlanningInput& in);
-  void add_looks(std::vector<Candidate>& candidates, bool& cut_off) const;
-  void estimate_far_ones(std::vector<Candidate>& candidates);
-  [[nodiscard]] goals::TourGoals tour_goals(std::span<const Candidate* const> candidates);
+  void add_looks(std::vector<exploration::Candidate>& candidates, bool& cut_off) const;
+  void estimate_far_ones(std::vector<exploration::Candidate>& candidates);
+  [[nodiscard]] exploration::TourGoals tour_goals(std::span<const exploration::Candidate* const> candidates);
   /// Where the cheapest tour of these begins, unless one that begins with `present` costs hardly more.
-  [[nodiscard]] const Candidate* first_of_tour(std::vector<const Candidate*> candidates,
-                                               const Candidate* present);
+  [[nodiscard]] const exploration::Candidate* first_of_tour(
+      std::vector<const exploration::Candidate*> candidates, const exploration::Candidate* present);
 
   // With others (planning_team.cpp).
   /// Who counts, and what it claims.
   using Claims = std::vector<std::pair<std::uint16_t, std::optional<types::Vector2>>>;
   void hear(const PlanningInput& in);
   /// The candidate to go for, by what the team knows; null: none, or others have them.
-  const Candidate* pick(const PlanningInput& in, std::span<const Candidate> candidates,
-                        const Candidate* present);
+  const exploration::Candidate* pick(const PlanningInput& in,
+                                     std::span<const exploration::Candidate> candidates,
+                                     const exploration::Candidate* present);
   /// Does it heed what mates want and where they were? Without coordination robots share their maps alone
   /// (Yamauchi 1998).
   [[nodiscard]] bool is_coordinated(const PlanningInput& in) const;
-  [[nodiscard]] bool mate_was_at(const PlanningInput& in, const Candidate& candidate, double within_m) const;
+  [[nodiscard]] bool mate_was_at(const PlanningInput& in, const exploration::Candidate& candidate,
+                                 double within_m) const;
   [[nodiscard]] bool others_have_goals(const PlanningInput& in) const;
   [[nodiscard]] Claims claims_of_mates(const PlanningInput& in) const;
   [[nodiscard]] bool mates_claim_the_same(const PlanningInput& in) const;
@@ -198,18 +201,18 @@ struct PlanningState::Impl {
   grid::ClearanceUpdate clearance;        ///< of the map alone
   std::vector<float> travel_clearance_m;  ///< and of what stands there now
   double known_m2 = 0.0;
-  std::shared_ptr<const Analysis> analysis;
-  AnalysisMemory analysis_memory;
+  std::shared_ptr<const analysis::Analysis> analysis;
+  analysis::AnalysisMemory analysis_memory;
   types::Stamp analysed{};
   types::Stamp idle_since{};  ///< without a goal; zero: with one
   grid::TravelSearch search;
   grid::TravelField field;  ///< as far as the search has come
   bool has_coarse = false;  ///< of this period
-  ClearMap coarse;          ///< the map for travelling in cells four times as wide, for what is far
+  travel::ClearMap coarse;  ///< the map for travelling in cells four times as wide, for what is far
   grid::TravelSearch coarse_search;
   grid::TravelField coarse_field;
-  goals::GoalWays goal_ways;  ///< of the last tour
-  FarRoute far_route;
+  exploration::GoalWays goal_ways;  ///< of the last tour
+  travel::FarRoute far_route;
 
   // The goal.
   std::uint64_t goal_id = 0;
@@ -218,8 +221,8 @@ struct PlanningState::Impl {
   bool has_target = false;
   types::Stamp goal_taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
-  PutOffGoals put_off;
-  LastLooks looks;
+  exploration::PutOffGoals put_off;
+  exploration::LastLooks looks;
   bool looks_meanwhile = false;  ///< though there are goals, to which no way leads
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/grid/nearest_reachable.hpp"
-#include "core/pipeline/path.hpp"
 #include "core/pipeline/planning_state.hpp"
+#include "core/travel/path.hpp"
 #include "core/types/battery.hpp"
 
 namespace topo::pipeline {
@@ -146,9 +146,9 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
   if (newest.is_bent(*in.map, kCorrection_m, kCorrection_rad)) return false;
   const types::Vector2 here = T_map_base.se2().translation();
   if ((route.back() - here).norm() <= params.goal_reached_m) return false;
-  const std::size_t from = nearest_point(route, here);
+  const std::size_t from = travel::nearest_point(route, here);
   if ((route[from] - here).norm() > kOffRoute_m) return false;
-  const auto ahead = static_cast<std::ptrdiff_t>(std::min(route.size(), from + kNearPoints));
+  const auto ahead = static_cast<std::ptrdiff_t>(std::min(route.size(), from + travel::kNearPoints));
   const double closed_m = params.travel.radius_m - map.resolution_m;
   for (const types::Vector2& obstacle : seen_now(in)) {
     if ((obstacle - here).norm() <= closed_m) continue;  // there already
@@ -161,7 +161,8 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
 }
 
 void PlanningState::Impl::trim_route() {
-  const auto passed = static_cast<std::ptrdiff_t>(nearest_point(route, T_map_base.se2().translation()));
+  const auto passed =
+      static_cast<std::ptrdiff_t>(travel::nearest_point(route, T_map_base.se2().translation()));
   route.erase(route.begin(), route.begin() + passed);
 }
 
@@ -184,7 +185,7 @@ std::vector<grid::CellIndex> PlanningState::Impl::cells_to_target() {
 void PlanningState::Impl::find_route() {
   route.clear();
   if (ended || !has_target) return;
-  route = smooth_path(map, travel_clearance_m, cells_to_target(), params.travel.preferred_m);
+  route = travel::smooth_path(map, travel_clearance_m, cells_to_target(), params.travel.preferred_m);
 }
 
 /// Everything anew: map, analysis, goal, route.
@@ -302,10 +303,10 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& input) {
   return state.impl_->step(input);
 }
 
-types::Status check_target(const Analysis& analysis, const PlannerParams& params, const types::Vector2& from,
-                           const types::Vector2& target) {
+types::Status check_target(const analysis::Analysis& analysis, const PlannerParams& params,
+                           const types::Vector2& from, const types::Vector2& target) {
   using types::Errc;
-  if (!motion::allows(params.area, target))
+  if (!types::allows(params.area, target))
     return types::fail(Errc::kInvalidInput, "the target is outside of the configured area");
   const grid::DenseMap& map = analysis.map;
   const grid::CellIndex cell = map.cell_at(target);
@@ -317,7 +318,7 @@ types::Status check_target(const Analysis& analysis, const PlannerParams& params
     case grid::CellState::kFree:
       break;
   }
-  const std::vector<float> clearance_m = clearance_of(analysis);
+  const std::vector<float> clearance_m = analysis::clearance_of(analysis);
   const grid::TravelField field = grid::travel_field(map, clearance_m, map.cell_at(from), params.travel);
   if (!grid::nearest_to_stay_at(map, field, cell, 0.25))
     return types::fail(Errc::kInvalidInput, "no way that is wide enough for the robot leads to the target");

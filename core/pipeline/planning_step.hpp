@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/analysis.hpp"
+#include "core/exploration/deferred_goals.hpp"
+#include "core/exploration/final_sweep.hpp"
+#include "core/exploration/strategy.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/wavefront.hpp"
-#include "core/motion/area_limits.hpp"
-#include "core/pipeline/analysis.hpp"
 #include "core/pipeline/control_step.hpp"
-#include "core/pipeline/last_looks.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/plan.hpp"
-#include "core/pipeline/put_off_goals.hpp"
-#include "core/pipeline/strategy.hpp"
 #include "core/team/roster.hpp"
+#include "core/types/area_limits.hpp"
 #include "core/types/result.hpp"
 
 namespace topo::pipeline {
@@ -33,7 +33,7 @@ std::string_view to_text(Finish finish);
 
 /// The order in which a robot means to visit its goals (core/goals/tour.hpp).
 struct TourParams {
-  double length_share = 0.2;    ///< see goals::tour_cost_m
+  double length_share = 0.2;    ///< see exploration::tour_cost_m
   double leads_on_m2 = 10.0;    ///< what is hoped for behind an opening that is sure to lead on
   double shadow_m2 = 1.0;       ///< and behind any
   double gap_share = 0.5;       ///< what a gap is worth, against an essential goal that promises as much
@@ -44,14 +44,14 @@ struct TourParams {
 };
 
 struct PlannerParams {
-  Strategy strategy = Strategy::kTopometric;
+  exploration::Strategy strategy = exploration::Strategy::kTopometric;
   Finish finish = Finish::kComplete;
   bool k_means = true;  ///< false, an ablation: a team shares out single goals, not clusters of them
-  AnalysisParams analysis;
+  analysis::AnalysisParams analysis;
   TourParams tour;
-  LastLookParams looks;  ///< Finish::kComplete
+  exploration::LastLookParams looks;  ///< Finish::kComplete
   grid::TravelRules travel;
-  motion::AreaLimits area;
+  types::AreaLimits area;
   types::Se2 T_base_laser;       ///< front scanner, for what stands in the way now
   double frontier_min_m = 0.75;  ///< narrower frontiers are nobody's goal
   double goal_reached_m = 0.5;   ///< an exploration goal counts as visited from here
@@ -136,12 +136,12 @@ struct PlanningReport {
   bool second_phase = false;   ///< only gaps are left
   types::Transform2<types::Map, types::Base> T_map_base;
   types::Transform2<types::Map, types::Base> T_map_start;
-  double known_m2 = 0.0;                     ///< free cells seen so far
-  std::shared_ptr<const Analysis> analysis;  ///< newest; null before the first
-  std::vector<goals::Goal> open_goals;       ///< what may be chosen now, either phase
-  std::vector<PutOffGoal> put_off;           ///< at this time
-  std::vector<Decision> decisions;           ///< the last 64, oldest first
-  std::optional<goals::Goal> goal;           ///< on the way to it
+  double known_m2 = 0.0;                               ///< free cells seen so far
+  std::shared_ptr<const analysis::Analysis> analysis;  ///< newest; null before the first
+  std::vector<goals::Goal> open_goals;                 ///< what may be chosen now, either phase
+  std::vector<exploration::PutOffGoal> put_off;        ///< at this time
+  std::vector<Decision> decisions;                     ///< the last 64, oldest first
+  std::optional<goals::Goal> goal;                     ///< on the way to it
   std::vector<types::Vector2> route_map;
   int frontier_clusters = 0;  ///< at least 0.75 m wide, as explore_lite counts
   std::uint64_t goals_issued = 0;
@@ -176,7 +176,7 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& input);
 
 /// Can an operator's goal be gone to, as the map is? The reason when it cannot (unknown space, occupied, not
 /// reachable, forbidden area). For the control socket, before a mission is made of it.
-types::Status check_target(const Analysis& analysis, const PlannerParams& params, const types::Vector2& from,
-                           const types::Vector2& target);
+types::Status check_target(const analysis::Analysis& analysis, const PlannerParams& params,
+                           const types::Vector2& from, const types::Vector2& target);
 
 }  // namespace topo::pipeline

@@ -8,7 +8,7 @@
 #include "core/pipeline/planning_state.hpp"
 #include "core/team/coordination.hpp"
 #include "core/team/homes.hpp"
-#include "core/team/precedence.hpp"
+#include "core/team/right_of_way.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -25,15 +25,15 @@ constexpr types::Duration kRoomFor = std::chrono::seconds(30);  // then it is of
 
 team::Rule rule_of(const PlannerParams& params) {
   switch (params.strategy) {
-    case Strategy::kTopometric:
+    case exploration::Strategy::kTopometric:
       return params.k_means ? team::Rule::kClusters : team::Rule::kNoClusters;
-    case Strategy::kNearestFrontier:
+    case exploration::Strategy::kNearestFrontier:
       return team::Rule::kAlone;
-    case Strategy::kGreedyFrontier:
+    case exploration::Strategy::kGreedyFrontier:
       return team::Rule::kInTurn;
-    case Strategy::kUtilityFrontier:
+    case exploration::Strategy::kUtilityFrontier:
       return team::Rule::kUtility;
-    case Strategy::kMinPos:
+    case exploration::Strategy::kMinPos:
       return team::Rule::kMinPos;
   }
   return team::Rule::kAlone;
@@ -109,19 +109,20 @@ void PlanningState::Impl::crowd_mates() {
   }
 }
 
-const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<const Candidate> candidates,
-                                           const Candidate* present) {
-  const bool tours = params.strategy == Strategy::kTopometric;
+const exploration::Candidate* PlanningState::Impl::pick(const PlanningInput& in,
+                                                        std::span<const exploration::Candidate> candidates,
+                                                        const exploration::Candidate* present) {
+  const bool tours = params.strategy == exploration::Strategy::kTopometric;
   if (in.team == nullptr) {
-    if (!tours) return choose(candidates, present, params.switch_gain);
-    std::vector<const Candidate*> all;
-    for (const Candidate& c : candidates) all.push_back(&c);
+    if (!tours) return exploration::choose(candidates, present, params.switch_gain);
+    std::vector<const exploration::Candidate*> all;
+    for (const exploration::Candidate& c : candidates) all.push_back(&c);
     return first_of_tour(std::move(all), present);
   }
   bids.clear();
-  for (const Candidate& c : candidates)
-    bids.push_back(
-        {told(c.goal), weighed_cost_m(c, present, params.switch_gain), c.goal.side != goals::Side::kNone});
+  for (const exploration::Candidate& c : candidates)
+    bids.push_back({told(c.goal), exploration::weighed_cost_m(c, present, params.switch_gain),
+                    c.goal.side != goals::Side::kNone});
   team::Word self;
   self.robot = in.team->robot;
   self.bids = bids;
@@ -130,7 +131,7 @@ const Candidate* PlanningState::Impl::pick(const PlanningInput& in, std::span<co
     return goals::sees(map, map.cell_at(a), map.cell_at(b));
   };
   const team::Chooser by_tour = [&](std::span<const std::size_t> share) {
-    std::vector<const Candidate*> among;
+    std::vector<const exploration::Candidate*> among;
     for (const std::size_t i : share) among.push_back(&candidates[i]);
     return static_cast<std::size_t>(first_of_tour(std::move(among), present) - candidates.data());
   };
@@ -143,7 +144,7 @@ bool PlanningState::Impl::is_coordinated(const PlanningInput& in) const {
   return in.team != nullptr && rule_of(params) != team::Rule::kAlone;
 }
 
-bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const Candidate& candidate,
+bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const exploration::Candidate& candidate,
                                       double within_m) const {
   const auto heard = roster.heard(in.now);
   return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {

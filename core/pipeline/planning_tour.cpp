@@ -9,9 +9,9 @@
 #include <iterator>
 #include <utility>
 
+#include "core/exploration/tour.hpp"
 #include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
-#include "core/goals/tour.hpp"
 #include "core/grid/nearest_reachable.hpp"
 #include "core/pipeline/planning_state.hpp"
 
@@ -25,10 +25,10 @@ constexpr double kExact_m = 6.0;  // of the way; the costs of farther goals need
 constexpr types::Duration kAskAgain = std::chrono::seconds(1), kAskAgainMeanwhile = std::chrono::seconds(30);
 
 /// Is there among the candidates one by whose `at` that point is?
-bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidates,
+bool is_beside(const types::Vector2& p_map, std::span<const exploration::Candidate> candidates,
                types::Vector2 goals::Goal::*at, double within_m) {
   return std::any_of(candidates.begin(), candidates.end(),
-                     [&](const Candidate& c) { return (c.goal.*at - p_map).norm() < within_m; });
+                     [&](const exploration::Candidate& c) { return (c.goal.*at - p_map).norm() < within_m; });
 }
 
 /// The area that may be behind it, m2: of a pocket that, of an opening that leads on what can be hoped for.
@@ -42,12 +42,13 @@ double worth_of(const goals::Goal& goal, const TourParams& params) {
 
 /// Essential goals, and gaps that are worth a look: all when the exploration is to be complete; else, when no
 /// essential goal is left, those through which the building goes on all the same.
-std::vector<Candidate> PlanningState::Impl::tour_candidates(const PlanningInput& in, bool& cut_off) {
+std::vector<exploration::Candidate> PlanningState::Impl::tour_candidates(const PlanningInput& in,
+                                                                         bool& cut_off) {
   search.settle(kExact_m);
   cut_off = false;
   std::vector<goals::Frontier> frontiers = goals::find_frontiers(map, params.frontier_min_m);
   clusters = static_cast<int>(frontiers.size());
-  std::vector<Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
+  std::vector<exploration::Candidate> candidates = candidates_among(in, analysis->goals.goals, cut_off);
   second_phase = candidates.empty();
   if (candidates.empty() && !returning && !cut_off) cut_off = is_unlikely_goal_cut_off(in);
   const bool complete = params.finish == Finish::kComplete;
@@ -91,18 +92,18 @@ void PlanningState::Impl::leave_overlooked(std::vector<goals::Frontier>& frontie
 }
 
 void PlanningState::Impl::add_gaps(const PlanningInput& in, std::vector<goals::Frontier> frontiers,
-                                   std::vector<Candidate>& candidates, bool& cut_off) const {
+                                   std::vector<exploration::Candidate>& candidates, bool& cut_off) const {
   std::erase_if(frontiers, [&](const goals::Frontier& frontier) {
     return is_beside(frontier.centroid, candidates, &goals::Goal::opening, kSameOpening_m);
   });
-  std::vector<Candidate> gaps = gap_candidates(in, frontiers, params.tour.pocket_m2, cut_off);
-  std::erase_if(gaps, [&](const Candidate& gap) {
+  std::vector<exploration::Candidate> gaps = gap_candidates(in, frontiers, params.tour.pocket_m2, cut_off);
+  std::erase_if(gaps, [&](const exploration::Candidate& gap) {
     return is_beside(gap.goal.p_map, candidates, &goals::Goal::p_map, kSameStand_m);
   });
-  const auto leads_on = [](const Candidate& gap) { return std::isinf(gap.goal.behind_m2); };
+  const auto leads_on = [](const exploration::Candidate& gap) { return std::isinf(gap.goal.behind_m2); };
   if (std::ranges::any_of(gaps, leads_on)) {
     const std::vector<std::vector<types::Vector2>> paths = driven_paths(*in.map);
-    for (Candidate& gap : gaps) {
+    for (exploration::Candidate& gap : gaps) {
       if (!leads_on(gap)) continue;
       const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, paths);
       gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m);
@@ -112,7 +113,7 @@ void PlanningState::Impl::add_gaps(const PlanningInput& in, std::vector<goals::F
 }
 
 bool PlanningState::Impl::looks_around() const {
-  return params.finish == Finish::kComplete && params.strategy == Strategy::kTopometric;
+  return params.finish == Finish::kComplete && params.strategy == exploration::Strategy::kTopometric;
 }
 
 /// What is still open after a visit cannot be seen from there. Last looks find from where it can; without
@@ -135,14 +136,14 @@ void PlanningState::Impl::find_looks(const PlanningInput& in) {
 }
 
 /// Those that were found and are not taken yet.
-void PlanningState::Impl::add_looks(std::vector<Candidate>& candidates, bool& cut_off) const {
+void PlanningState::Impl::add_looks(std::vector<exploration::Candidate>& candidates, bool& cut_off) const {
   // A look from beside a goal that a robot was at shows something else.
-  const PutOffGoals none;
-  std::vector<Candidate> found =
-      candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m}, none,
-                    T_map_base.se2(), {}, cut_off);
+  const exploration::PutOffGoals none;
+  std::vector<exploration::Candidate> found =
+      exploration::candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},
+                                 none, T_map_base.se2(), {}, cut_off);
   const std::size_t all = found.size();
-  std::erase_if(found, [&](const Candidate& c) {
+  std::erase_if(found, [&](const exploration::Candidate& c) {
     return (map.centre_of(c.cell) - c.goal.p_map).norm() > looks.reached_m();
   });
   cut_off = cut_off || found.size() < all;
@@ -150,14 +151,14 @@ void PlanningState::Impl::add_looks(std::vector<Candidate>& candidates, bool& cu
 }
 
 /// Candidates that the fine search has not come to get the costs of the coarse map.
-void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) {
+void PlanningState::Impl::estimate_far_ones(std::vector<exploration::Candidate>& candidates) {
   constexpr double kReach_m = 0.6;
   struct FarOne {
-    Candidate* candidate;
+    exploration::Candidate* candidate;
     std::optional<grid::CellIndex> coarse_cell;
   };
   std::vector<FarOne> far;
-  for (Candidate& c : candidates) {
+  for (exploration::Candidate& c : candidates) {
     if (static_cast<double>(field.cost_m[map.index(c.cell)]) >= search.settled_m()) far.push_back({&c, {}});
   }
   if (far.empty()) return;
@@ -171,16 +172,19 @@ void PlanningState::Impl::estimate_far_ones(std::vector<Candidate>& candidates) 
       std::all_of(far.begin(), far.end(), [](const FarOne& one) { return one.coarse_cell.has_value(); });
   if (!tells) search.settle(HUGE_VAL);
   for (const auto& [candidate, coarse_cell] : far)
-    candidate->cost_m = tells ? way_cost_m(coarse.map, coarse_field, *coarse_cell, T_map_base.se2())
-                              : way_cost_m(map, field, candidate->cell, T_map_base.se2());
+    candidate->cost_m =
+        tells ? exploration::way_cost_m(coarse.map, coarse_field, *coarse_cell, T_map_base.se2())
+              : exploration::way_cost_m(map, field, candidate->cell, T_map_base.se2());
 }
 
-goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* const> candidates) {
+exploration::TourGoals PlanningState::Impl::tour_goals(
+    std::span<const exploration::Candidate* const> candidates) {
   need_coarse();
   std::vector<grid::CellIndex> cells;
-  for (const Candidate* c : candidates) cells.push_back(coarse.map.cell_at(map.centre_of(c->cell)));
+  for (const exploration::Candidate* c : candidates)
+    cells.push_back(coarse.map.cell_at(map.centre_of(c->cell)));
   goal_ways.update(coarse.map, coarse.clearance_m, params.travel, cells);
-  goals::TourGoals tour(candidates.size());
+  exploration::TourGoals tour(candidates.size());
   for (std::size_t i = 0; i < tour.count; ++i) {
     tour.from_start_m[i] = candidates[i]->cost_m;
     tour.worth[i] = worth_of(candidates[i]->goal, params.tour);
@@ -193,24 +197,27 @@ goals::TourGoals PlanningState::Impl::tour_goals(std::span<const Candidate* cons
   return tour;
 }
 
-const Candidate* PlanningState::Impl::first_of_tour(std::vector<const Candidate*> candidates,
-                                                    const Candidate* present) {
+const exploration::Candidate* PlanningState::Impl::first_of_tour(
+    std::vector<const exploration::Candidate*> candidates, const exploration::Candidate* present) {
   if (candidates.empty()) return nullptr;
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate* a, const Candidate* b) { return a->cost_m < b->cost_m; });
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const exploration::Candidate* a, const exploration::Candidate* b) { return a->cost_m < b->cost_m; });
   const std::size_t most = std::max<std::size_t>(params.tour.goals_max, 1);
   if (candidates.size() > most) {
     const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(most);
     if (std::find(last, candidates.end(), present) != candidates.end()) *(last - 1) = present;
     candidates.erase(last, candidates.end());
   }
-  const goals::TourGoals tour = tour_goals(candidates);
+  const exploration::TourGoals tour = tour_goals(candidates);
   const double share = params.tour.length_share;
-  const goals::Tour best = goals::cheap_tour(tour, share);
+  const exploration::Tour best = exploration::cheap_tour(tour, share);
   const auto at = std::find(candidates.begin(), candidates.end(), present);
   if (at == candidates.end() || candidates[best.front()] == present) return candidates[best.front()];
-  const goals::Tour kept = goals::cheap_tour(tour, share, static_cast<std::size_t>(at - candidates.begin()));
-  const double gain_m = goals::tour_cost_m(tour, kept, share) - goals::tour_cost_m(tour, best, share);
+  const exploration::Tour kept =
+      exploration::cheap_tour(tour, share, static_cast<std::size_t>(at - candidates.begin()));
+  const double gain_m =
+      exploration::tour_cost_m(tour, kept, share) - exploration::tour_cost_m(tour, best, share);
   return gain_m > params.tour.switch_share * present->cost_m ? candidates[best.front()] : present;
 }
 

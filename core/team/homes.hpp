@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "core/team/word.hpp"
+#include "core/team/status_message.hpp"
 
 namespace topo::team {
 

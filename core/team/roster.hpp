@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "core/team/word.hpp"
+#include "core/team/status_message.hpp"
 
 namespace topo::team {
 

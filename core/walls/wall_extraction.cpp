@@ -126,7 +126,7 @@ std::vector<types::Vector2> wall_points(const WallStore& store) {
   return points;
 }
 
-std::vector<types::Segment> extract_walls(const PointsChange& points, double compass_rad,
+std::vector<types::Segment> extract_walls(const compass::PointsChange& points, double compass_rad,
                                           const WallParams& params, WallMemory& memory) {
   std::vector<types::Segment> walls;
   if (memory.params != params || points.now.empty()) memory = {params, {}};

@@ -33,7 +33,7 @@ struct WallMemory {
 /// The same, equal to the bit, from what the extraction of other points left, and leaves it of these.
 /// `points`: how they differ from those; of no meaning when there were none. Costs what has changed, and a
 /// copy of the rest, while the compass stays the same and the box of the points in its frame.
-std::vector<types::Segment> extract_walls(const PointsChange& points, double compass_rad,
+std::vector<types::Segment> extract_walls(const compass::PointsChange& points, double compass_rad,
                                           const WallParams& params, WallMemory& memory);
 
 }  // namespace topo::walls

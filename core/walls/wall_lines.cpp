@@ -65,10 +65,12 @@ bool is_wall_run(std::span<const Place> places, const WallParams& params) {
   return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
 }
 
-void WallLines::take(const PointsChange& points, const Direction& direction, const WallParams& params) {
+void WallLines::take(const compass::PointsChange& points, const Direction& direction,
+                     const WallParams& params) {
   const auto across_m = [&](const types::Vector2& p) { return direction.across_m(p); };
   const bool is_along = direction == layout_.along;
-  const Extent across = is_along ? renewed(across_, points, across_m) : extent_of(points.now, across_m);
+  const compass::Extent across =
+      is_along ? compass::renewed(across_, points, across_m) : compass::extent_of(points.now, across_m);
   across_ = across;
   const Layout layout = layout_of(across, points.now.size(), direction, params.bin_m / 2.0);
   const std::vector<std::size_t> first_before = std::exchange(first_, {});
@@ -79,8 +81,8 @@ void WallLines::take(const PointsChange& points, const Direction& direction, con
   renew_lines(first_before, params);
 }
 
-WallLines::Layout WallLines::layout_of(const Extent& across, std::size_t points, const Direction& direction,
-                                       double half_bin_m) {
+WallLines::Layout WallLines::layout_of(const compass::Extent& across, std::size_t points,
+                                       const Direction& direction, double half_bin_m) {
   // A few points far out must not ask for more bins than there are points to put into them.
   const double bins_max = 1000.0 + 8.0 * static_cast<double>(points);
   const double wide_m = across.high - across.low, width_m = std::max(half_bin_m, wide_m / bins_max);
@@ -121,7 +123,7 @@ WallLines::BinnedPlaces WallLines::binned(Points points) const {
   return binned;
 }
 
-void WallLines::change_bins(const PointsChange& points, std::span<const std::size_t> first_before) {
+void WallLines::change_bins(const compass::PointsChange& points, std::span<const std::size_t> first_before) {
   const BinnedPlaces come = binned(points.come), gone = binned(points.gone);
   const std::vector<Place> before = std::exchange(places_, {});
   places_.reserve(points.now.size());

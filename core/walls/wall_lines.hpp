@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/walls/extent.hpp"
-#include "core/walls/points_change.hpp"
+#include "core/compass/extent.hpp"
+#include "core/compass/points_change.hpp"
 #include "core/walls/wall_params.hpp"
 
 namespace topo::walls {
@@ -44,7 +44,7 @@ class WallLines {
   /// Makes of the lines of other points those of these, `points` telling how they differ. Costs what has
   /// changed, and a copy of the rest, while the direction and the extent across it stay the same; the
   /// parameters must. At least one point.
-  void take(const PointsChange& points, const Direction& direction, const WallParams& params);
+  void take(const compass::PointsChange& points, const Direction& direction, const WallParams& params);
 
   [[nodiscard]] std::size_t size() const { return layout_.bins; }
   /// Of a half bin, by u.
@@ -76,11 +76,11 @@ class WallLines {
   /// In the order of half bins, and of places within each.
   using BinnedPlaces = std::vector<std::pair<std::int32_t, Place>>;
 
-  static Layout layout_of(const Extent& across, std::size_t points, const Direction& direction,
+  static Layout layout_of(const compass::Extent& across, std::size_t points, const Direction& direction,
                           double half_bin_m);
   void fill_bins(std::span<const types::Vector2> points);
   void sort_bins();
-  void change_bins(const PointsChange& points, std::span<const std::size_t> first_before);
+  void change_bins(const compass::PointsChange& points, std::span<const std::size_t> first_before);
   [[nodiscard]] BinnedPlaces binned(std::span<const types::Vector2> points) const;
   void renew_lines(std::span<const std::size_t> first_before, const WallParams& params);
   void find_stretches(std::size_t line, std::span<const Place> places, const WallParams& params);
@@ -93,7 +93,7 @@ class WallLines {
   [[nodiscard]] std::size_t start_of(std::size_t line) const { return start_of(line, first_); }
 
   Layout layout_;
-  Extent across_;                     ///< of the points, across the direction
+  compass::Extent across_;            ///< of the points, across the direction
   std::vector<std::size_t> first_;    ///< of every half bin, one past the last, and that again
   std::vector<Place> places_;         ///< bin by bin
   std::vector<std::uint8_t> is_new_;  ///< of every half bin and one more: not as it was before

@@ -32,7 +32,7 @@ types::Status make_folder(const std::string& folder) {
 /// in map.
 std::string trajectory_text(const pipeline::MapSnapshot& map) {
   std::string text;
-  for (const pipeline::KeyframePose& keyframe : map.keyframes) {
+  for (const types::KeyframePose& keyframe : map.keyframes) {
     fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} {:.6f} {:.7f}\n",
                    types::to_seconds(keyframe.stamp), keyframe.T_map_base.x_m(), keyframe.T_map_base.y_m(),
                    keyframe.T_map_base.theta_rad());
@@ -71,7 +71,7 @@ types::Status MapSaver::save_analysis(const std::string& folder, const pipeline:
   saved.goals = report->open_goals.size();
   std::vector<types::Se2> way;
   way.reserve(map.keyframes.size());
-  for (const pipeline::KeyframePose& keyframe : map.keyframes) way.push_back(keyframe.T_map_base.se2());
+  for (const types::KeyframePose& keyframe : map.keyframes) way.push_back(keyframe.T_map_base.se2());
   if (auto s = write_file(folder + "/goals.json", goals_json(*report).dump(1) + "\n"); !s) return s;
   if (auto s = write_file(folder + "/places.geojson", places_geojson(*report->analysis, report->open_goals));
       !s) {

@@ -24,7 +24,7 @@ Json goal_json(const std::optional<goals::Goal>& goal) { return goal ? to_json(*
 Json goals_json(const pipeline::PlanningReport& report) {
   Json open = Json::array(), given_up = Json::array(), dropped = Json::array(), decisions = Json::array();
   for (const goals::Goal& goal : report.open_goals) open.push_back(to_json(goal));
-  for (const pipeline::PutOffGoal& goal : report.put_off) {
+  for (const exploration::PutOffGoal& goal : report.put_off) {
     Json json = point(goal.p_map);
     json["back_in_s"] = goal.is_for_good() ? Json() : Json(types::to_seconds(goal.until - report.stamp));
     json["why"] = goal.why;
@@ -54,7 +54,7 @@ Json goals_json(const pipeline::PlanningReport& report) {
 Json places_json(const pipeline::PlanningReport& report) {
   Json places = Json::array(), borders = Json::array();
   if (report.analysis == nullptr) return {{"places", places}, {"borders", borders}};
-  const pipeline::Analysis& analysis = *report.analysis;
+  const analysis::Analysis& analysis = *report.analysis;
   for (std::size_t i = 0; i < analysis.places.places.size(); ++i) {
     const places::Place& place = analysis.places.places[i];
     const auto goals = std::count_if(report.open_goals.begin(), report.open_goals.end(),

@@ -22,10 +22,10 @@ slam::MapperParams mapper_params(const Configuration& configuration) {
 pipeline::PlannerParams planner_params(const Configuration& configuration) {
   const ExplorationConfig& e = configuration.exploration;
   const MotionConfig& m = configuration.motion;
-  const motion::Footprint hull = footprint(configuration);
+  const types::Footprint hull = footprint(configuration);
   // On a route the robot must be able to turn on the spot, and to drive with the margin that the gate keeps.
   const double disc_m =
-      std::max(motion::reach_m(hull) + std::min(m.margin_m, motion::RobotLimits{}.turn_margin_m),
+      std::max(types::reach_m(hull) + std::min(m.margin_m, types::RobotLimits{}.turn_margin_m),
                hull.half_width_m + m.margin_m);
   const grid::TravelRules usual;
   pipeline::PlannerParams params;
@@ -65,13 +65,13 @@ pipeline::ControlSetup control_setup(const Configuration& configuration) {
   return setup;
 }
 
-motion::Footprint footprint(const Configuration& configuration) {
+types::Footprint footprint(const Configuration& configuration) {
   const ModelLimits model = model_limits(configuration.robot.model);
   const RobotConfig& robot = configuration.robot;
   const auto or_model = [](double own, double models) { return own > 0.0 ? own : models; };
-  motion::Footprint footprint{or_model(robot.length_front_m, model.length_front_m),
-                              or_model(robot.length_rear_m, model.length_rear_m),
-                              or_model(robot.width_m, model.width_m) / 2.0};
+  types::Footprint footprint{or_model(robot.length_front_m, model.length_front_m),
+                             or_model(robot.length_rear_m, model.length_rear_m),
+                             or_model(robot.width_m, model.width_m) / 2.0};
   // A hull of one's own may stand out of the model's circle.
   const bool is_models = robot.length_front_m <= 0.0 && robot.length_rear_m <= 0.0 && robot.width_m <= 0.0;
   if (is_models) footprint.swing_radius_m = model.swing_radius_m;

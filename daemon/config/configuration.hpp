@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/area_limits.hpp"
-#include "core/motion/robot_limits.hpp"
 #include "core/pipeline/control_step.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/params.hpp"
+#include "core/types/area_limits.hpp"
 #include "core/types/battery.hpp"
+#include "core/types/robot_limits.hpp"
 
 namespace topo::daemon {
 
@@ -57,7 +57,7 @@ struct ScannerConfig {
 
 /// What the planner is told. Defaults that the planner has too are taken from there.
 struct ExplorationConfig {
-  pipeline::Strategy strategy = pipeline::PlannerParams{}.strategy;
+  exploration::Strategy strategy = pipeline::PlannerParams{}.strategy;
   pipeline::Finish finish = pipeline::PlannerParams{}.finish;
   double planning_period_s = 0.4;
   double frontier_min_m = pipeline::PlannerParams{}.frontier_min_m;
@@ -71,7 +71,7 @@ struct ExplorationConfig {
 };
 
 struct MotionConfig {
-  double margin_m = motion::RobotLimits{}.margin_m;
+  double margin_m = types::RobotLimits{}.margin_m;
   double passage_radius_m = 0.0;  ///< 0: as the hull
 };
 
@@ -117,7 +117,7 @@ struct Configuration {
   ScannerConfig coronal;
   slam::MapperParams mapping;  ///< but for the scanners' places, which mapper_params() adds
   ExplorationConfig exploration;
-  topo::motion::AreaLimits area;
+  topo::types::AreaLimits area;
   MotionConfig motion;
   ControlConfig control;
   LogConfig log;
@@ -136,7 +136,7 @@ struct Configuration {
 [[nodiscard]] pipeline::ControlSetup control_setup(const Configuration& configuration);
 
 /// The robot's hull: the configured one, or the model's.
-[[nodiscard]] motion::Footprint footprint(const Configuration& configuration);
+[[nodiscard]] types::Footprint footprint(const Configuration& configuration);
 
 /// Hull and speed of a model as sold (PROTOCOLS section 6.2), what a configuration is checked against.
 struct ModelLimits {

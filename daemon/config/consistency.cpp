@@ -112,15 +112,15 @@ void check_model(LoadedConfiguration& loaded) {
 
 /// The robot starts at the origin.
 void check_area(LoadedConfiguration& loaded) {
-  const motion::AreaLimits& area = loaded.values.area;
+  const types::AreaLimits& area = loaded.values.area;
   const types::Vector2 start{0.0, 0.0};
-  if (area.keep_in && !motion::allows({area.keep_in, {}}, start)) {
+  if (area.keep_in && !types::allows({area.keep_in, {}}, start)) {
     loaded.faults.push_back({place_of(loaded, "area.keep_in_m"),
                              "area.keep_in_m: the start (0, 0) is outside or on the edge, expected an area "
                              "that the robot stands in when it starts"});
   }
   for (std::size_t i = 0; i < area.keep_out.size(); ++i) {
-    if (motion::allows({std::nullopt, {area.keep_out[i]}}, start)) continue;
+    if (types::allows({std::nullopt, {area.keep_out[i]}}, start)) continue;
     loaded.faults.push_back({place_of(loaded, "area.keep_out_m"),
                              fmt::format("area.keep_out_m: the start (0, 0) is in area {}, expected areas "
                                          "that the robot does not stand in when it starts",

@@ -199,7 +199,7 @@ void add_exploration(std::vector<KeySpec>& t) {
 
 void add_area(std::vector<KeySpec>& t) {
   constexpr auto kS = &Configuration::area;
-  using A = motion::AreaLimits;
+  using A = types::AreaLimits;
   t.push_back({"area.keep_in_m", "m", false, PolygonKey{&at<kS, &A::keep_in>},
                "corners around where the robot may be, from its start; []: anywhere"});
   t.push_back({"area.keep_out_m", "m", false, PolygonListKey{&at<kS, &A::keep_out>},
@@ -338,7 +338,7 @@ struct ValueText {
   std::string operator()(const PolygonKey& k) const { return k.field(c) ? polygon_text(*k.field(c)) : "[]"; }
   std::string operator()(const PolygonListKey& k) const {
     std::string text;
-    for (const motion::Polygon& polygon : k.field(c))
+    for (const types::Polygon& polygon : k.field(c))
       text += (text.empty() ? "" : ", ") + polygon_text(polygon);
     return "[" + text + "]";
   }

@@ -50,10 +50,10 @@ struct IntegerListKey {
   int max;
 };
 struct PolygonKey {  ///< no corner at all: none
-  std::optional<motion::Polygon>& (*field)(Configuration&);
+  std::optional<types::Polygon>& (*field)(Configuration&);
 };
 struct PolygonListKey {
-  std::vector<motion::Polygon>& (*field)(Configuration&);
+  std::vector<types::Polygon>& (*field)(Configuration&);
 };
 using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey, AddressKey, IntegerListKey,
                              PolygonKey, PolygonListKey>;

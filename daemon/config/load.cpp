@@ -105,7 +105,7 @@ struct Store {
   Outcome operator()(const PolygonKey& k) const {
     if (const auto* list = node.as_array(); list != nullptr && list->empty())
       return k.field(c).reset(), Outcome{};
-    motion::Polygon polygon;
+    types::Polygon polygon;
     if (const auto fault = read_polygon(node, polygon)) return blame(*fault);
     k.field(c) = std::move(polygon);
     return {};
@@ -113,7 +113,7 @@ struct Store {
   Outcome operator()(const PolygonListKey& k) const {
     const auto* list = node.as_array();
     if (list == nullptr) return "";
-    std::vector<motion::Polygon> polygons(list->size());
+    std::vector<types::Polygon> polygons(list->size());
     for (std::size_t i = 0; i < polygons.size(); ++i) {
       if (const auto fault = read_polygon(*list->get(i), polygons[i])) return blame(*fault);
     }

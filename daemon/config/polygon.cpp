@@ -36,14 +36,14 @@ bool meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d
 }
 
 /// Does the polygon turn back on itself at corner `i`?
-bool folds(const motion::Polygon& p, std::size_t i) {
+bool folds(const types::Polygon& p, std::size_t i) {
   const std::size_t n = p.size();
   const Vector2 in = p[i] - p[(i + n - 1) % n], out = p[(i + 1) % n] - p[i];
   return cross(in, out) == 0.0 && in.dot(out) <= 0.0;
 }
 
 /// The later of two edges that meet where they must not, as the number of its first corner.
-std::optional<std::size_t> crossing(const motion::Polygon& p) {
+std::optional<std::size_t> crossing(const types::Polygon& p) {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (folds(p, i)) return i;
@@ -68,10 +68,10 @@ bool read_corner(const toml::node& node, Vector2& corner) {
 
 }  // namespace
 
-std::optional<PolygonFault> read_polygon(const toml::node& node, motion::Polygon& polygon) {
+std::optional<PolygonFault> read_polygon(const toml::node& node, types::Polygon& polygon) {
   const auto* corners = node.as_array();
   if (corners == nullptr) return PolygonFault{"a polygon is a list of corners", &node};
-  motion::Polygon read;
+  types::Polygon read;
   for (const auto& element : *corners) {
     Vector2 corner{0.0, 0.0};
     if (!read_corner(element, corner))
@@ -89,7 +89,7 @@ std::optional<PolygonFault> read_polygon(const toml::node& node, motion::Polygon
   return {};
 }
 
-std::string polygon_text(const motion::Polygon& polygon) {
+std::string polygon_text(const types::Polygon& polygon) {
   std::string text;
   for (const Vector2& corner : polygon)
     text += fmt::format("{}[{:#}, {:#}]", text.empty() ? "" : ", ", corner.x(), corner.y());

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/motion/area_limits.hpp"
+#include "core/types/area_limits.hpp"
 
 namespace topo::daemon {
 
@@ -19,9 +19,9 @@ struct PolygonFault {
 
 /// [[x, y], [x, y], ...]: at least three corners of two finite numbers each, no further than 10 km, whose
 /// edges do not cross or touch but at common corners.
-std::optional<PolygonFault> read_polygon(const toml::node& node, motion::Polygon& polygon);
+std::optional<PolygonFault> read_polygon(const toml::node& node, types::Polygon& polygon);
 
 /// As read_polygon wants it.
-std::string polygon_text(const motion::Polygon& polygon);
+std::string polygon_text(const types::Polygon& polygon);
 
 }  // namespace topo::daemon

@@ -110,7 +110,7 @@ class Sheet {
   Picture picture;
 };
 
-void paint_map(const pipeline::Analysis& analysis, Sheet& sheet) {
+void paint_map(const analysis::Analysis& analysis, Sheet& sheet) {
   const std::vector<std::uint16_t> labels = analysis.places.labels.by_cell(analysis.map.cells.size());
   const auto& on = analysis.skeleton.on;
   sheet.paint_cells([&](std::size_t i) -> std::optional<Rgb> {
@@ -150,7 +150,7 @@ void draw_number(Picture& picture, int x, int y, std::size_t number, int scale) 
   }
 }
 
-void draw_goals(const pipeline::Analysis& analysis, std::span<const goals::Goal> open_goals, Sheet& sheet) {
+void draw_goals(const analysis::Analysis& analysis, std::span<const goals::Goal> open_goals, Sheet& sheet) {
   for (const goals::Goal& goal : analysis.goals.rejected) {
     const auto [x, y] = sheet.pixel(goal.p_map);
     for (int v = -1; v <= 1; ++v) sheet.picture.line(x - 1, y + v, x + 1, y + v, kRejected);
@@ -166,7 +166,7 @@ void draw_goals(const pipeline::Analysis& analysis, std::span<const goals::Goal>
 
 }  // namespace
 
-Picture overview_of(const pipeline::Analysis& analysis, std::span<const types::Se2> trajectory,
+Picture overview_of(const analysis::Analysis& analysis, std::span<const types::Se2> trajectory,
                     std::span<const goals::Goal> open_goals) {
   Sheet sheet(analysis.map);
   paint_map(analysis, sheet);

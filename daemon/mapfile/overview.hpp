@@ -4,8 +4,8 @@
 
 #include <span>
 
+#include "core/analysis/analysis.hpp"
 #include "core/goals/goal.hpp"
-#include "core/pipeline/analysis.hpp"
 #include "core/types/se2.hpp"
 #include "daemon/mapfile/picture.hpp"
 
@@ -16,7 +16,7 @@ namespace topo::daemon {
 /// the goals that may be chosen as green discs with their numbers (from 1, in the order given), rejected
 /// candidates as small orange squares. One pixel a cell, several for a small map; turned so that y is up.
 /// Cut to the known part of the map; one grey pixel when nothing is known.
-[[nodiscard]] Picture overview_of(const pipeline::Analysis& analysis, std::span<const types::Se2> trajectory,
+[[nodiscard]] Picture overview_of(const analysis::Analysis& analysis, std::span<const types::Se2> trajectory,
                                   std::span<const goals::Goal> open_goals);
 
 }  // namespace topo::daemon

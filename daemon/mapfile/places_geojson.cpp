@@ -28,7 +28,7 @@ class Features {
  public:
   explicit Features(const types::Vector2& origin) : origin_(origin) {}
 
-  void add_places(const pipeline::Analysis& analysis);
+  void add_places(const analysis::Analysis& analysis);
   void add_wall(const types::Segment& wall) {
     features_.push_back(feature("LineString", Json::array({point(wall.a), point(wall.b)}),
                                 {{"kind", "wall"}, {"length_m", rounded(wall.length_m())}}));
@@ -59,7 +59,7 @@ class Features {
   Json features_ = Json::array();
 };
 
-void Features::add_places(const pipeline::Analysis& analysis) {
+void Features::add_places(const analysis::Analysis& analysis) {
   const places::PlaceMap& map = analysis.places;
   std::vector<Json> neighbours(map.places.size(), Json::array());
   for (const places::PlaceBorder& border : map.borders) {
@@ -98,7 +98,7 @@ void Features::add_goal(const goals::Goal& goal, std::size_t number) {
 
 }  // namespace
 
-std::string places_geojson(const pipeline::Analysis& analysis, std::span<const goals::Goal> open_goals,
+std::string places_geojson(const analysis::Analysis& analysis, std::span<const goals::Goal> open_goals,
                            const types::Vector2& origin) {
   Features features(origin);
   features.add_places(analysis);

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/analysis/analysis.hpp"
 #include "core/goals/goal.hpp"
-#include "core/pipeline/analysis.hpp"
 
 namespace topo::daemon {
 
@@ -19,7 +19,7 @@ namespace topo::daemon {
 /// - "goal": Point; properties verdict ("accepted" or why not), place, side, opening_m, opening (point), and
 ///   number (as in the overview) for the open ones.
 /// `origin`: of the analysis's frame, in `map`.
-[[nodiscard]] std::string places_geojson(const pipeline::Analysis& analysis,
+[[nodiscard]] std::string places_geojson(const analysis::Analysis& analysis,
                                          std::span<const goals::Goal> open_goals,
                                          const types::Vector2& origin = {0.0, 0.0});
 

@@ -8,7 +8,7 @@
 
 #include "core/grid/distance.hpp"
 #include "core/grid/wavefront.hpp"
-#include "core/pipeline/path.hpp"
+#include "core/travel/path.hpp"
 
 namespace topo::test {
 namespace {
@@ -55,8 +55,8 @@ grid::DenseMap dense_map_of(const sim::World& world) {
 
 pipeline::ControlSetup control_setup(const std::string& model) {
   pipeline::ControlSetup setup;
-  setup.limits.footprint = is_at(model) ? motion::Footprint{0.313, 0.313, 0.2525, 0.340}
-                                        : motion::Footprint{0.210, 0.301, 0.2125, 0.267};
+  setup.limits.footprint = is_at(model) ? types::Footprint{0.313, 0.313, 0.2525, 0.340}
+                                        : types::Footprint{0.210, 0.301, 0.2125, 0.267};
   setup.T_base_laser.x_m = is_at(model) ? 0.125 : 0.021;
   if (is_at(model)) setup.limits.v_max_mps = 0.6;
   if (is_at(model)) setup.limits.omega_max_radps = 1.2;
@@ -69,7 +69,7 @@ std::vector<Vector2> way_in(const sim::World& world, const Vector2& from, const 
   const grid::TravelRules rules;
   const grid::TravelField field = grid::travel_field(map, clearance, map.cell_at(from), rules);
   const auto route = grid::route_to(map, field, map.cell_at(to));
-  return pipeline::smooth_path(map, clearance, route, rules.preferred_m);
+  return travel::smooth_path(map, clearance, route, rules.preferred_m);
 }
 
 void DriveRig::Sink::on_sweep(std::size_t laser, const sim::Sweep& sweep) {
@@ -116,7 +116,7 @@ void DriveRig::plan() {
   const std::size_t search_end = std::min(route_.size(), route_at_ + 20);
   for (std::size_t i = route_at_; i < search_end; ++i)
     if ((route_[i] - here).norm() < (route_[route_at_] - here).norm()) route_at_ = i;
-  pipeline::put_path(std::span(route_).subspan(route_at_), plan_.T_map_odom, plan_);
+  put_path(std::span(route_).subspan(route_at_), plan_.T_map_odom, plan_);
   plan_.path_ends_at_goal = route_.size() - route_at_ <= plan_.points;
 }
 

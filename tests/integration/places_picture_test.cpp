@@ -12,8 +12,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/analysis/analysis.hpp"
 #include "core/grid/distance.hpp"
-#include "core/pipeline/analysis.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/picture.hpp"
 #include "tests/unit/core/places/building.hpp"
@@ -24,14 +24,14 @@ namespace {
 using daemon::Picture;
 using daemon::Rgb;
 
-pipeline::Analysis analysis_of(const grid::DenseMap& map) {
+analysis::Analysis analysis_of(const grid::DenseMap& map) {
   const std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-  return pipeline::analyse({1, map, clearance_m, {}, {}}, {});
+  return analysis::analyse({1, map, clearance_m, {}, {}}, {});
 }
 
 /// Of the whole analysis what a picture shall show.
-pipeline::Analysis part_of(const pipeline::Analysis& whole, bool skeleton, bool places) {
-  pipeline::Analysis part;
+analysis::Analysis part_of(const analysis::Analysis& whole, bool skeleton, bool places) {
+  analysis::Analysis part;
   part.map = whole.map;
   if (skeleton) part.skeleton = whole.skeleton;
   if (places) {
@@ -41,7 +41,7 @@ pipeline::Analysis part_of(const pipeline::Analysis& whole, bool skeleton, bool 
   return part;
 }
 
-Picture picture_of(const pipeline::Analysis& analysis) { return daemon::overview_of(analysis, {}, {}); }
+Picture picture_of(const analysis::Analysis& analysis) { return daemon::overview_of(analysis, {}, {}); }
 
 /// Two by two, with a white margin between them.
 Picture tiled(const std::array<Picture, 4>& pictures) {
@@ -61,7 +61,7 @@ Picture tiled(const std::array<Picture, 4>& pictures) {
   return all;
 }
 
-double worst_overlap(const pipeline::Analysis& a, const pipeline::Analysis& b) {
+double worst_overlap(const analysis::Analysis& a, const analysis::Analysis& b) {
   double worst = 1.0;
   const auto labels = a.places.labels.by_cell(a.map.cells.size()),
              others = b.places.labels.by_cell(b.map.cells.size());
@@ -70,8 +70,8 @@ double worst_overlap(const pipeline::Analysis& a, const pipeline::Analysis& b) {
 }
 
 TEST(PlacesPicture, ShowsTheSamePlacesCleanAndCluttered) {
-  const pipeline::Analysis clean = analysis_of(places::clean_building().map());
-  const pipeline::Analysis cluttered = analysis_of(places::cluttered_building().map());
+  const analysis::Analysis clean = analysis_of(places::clean_building().map());
+  const analysis::Analysis cluttered = analysis_of(places::cluttered_building().map());
   EXPECT_EQ(cluttered.places.places.size(), clean.places.places.size());
   EXPECT_GE(worst_overlap(clean, cluttered), 0.9);
   EXPECT_GE(worst_overlap(cluttered, clean), 0.9);

@@ -262,17 +262,17 @@ TEST_P(Safety, GivesWayToSomebodyWhoCrossesItsWay) {
 }
 
 /// Does any part of the hull stand out of the area?
-bool is_out(const DriveRig& rig, const motion::AreaLimits& area) {
+bool is_out(const DriveRig& rig, const types::AreaLimits& area) {
   for (const Vector2& corner : rig.body().model().footprint())
-    if (!motion::allows(area, rig.body().truth() * corner)) return true;
+    if (!types::allows(area, rig.body().truth() * corner)) return true;
   return false;
 }
 
 TEST_P(Safety, NeitherTheHandNorAPlanTakesItOutOfTheArea) {
   DriveSetup setup = drive_setup(GetParam(), 1);
   DriveRig rig(hall(), setup);
-  motion::AreaLimits& area = rig.setup.area;
-  area.keep_in = motion::Polygon{{0.5, 1.0}, {12.0, 1.0}, {12.0, 7.0}, {0.5, 7.0}};
+  types::AreaLimits& area = rig.setup.area;
+  area.keep_in = types::Polygon{{0.5, 1.0}, {12.0, 1.0}, {12.0, 7.0}, {0.5, 7.0}};
   area.keep_out.push_back({{6.0, 4.2}, {7.0, 4.2}, {7.0, 5.0}, {6.0, 5.0}});
   rig.by_hand = types::Twist2{0.7, 0.0};
   rig.planner_silent = true;

@@ -99,7 +99,7 @@ class OtherTruth final : public Trace {
 
 struct Case {
   Fidelity fidelity;
-  pipeline::Strategy strategy;
+  exploration::Strategy strategy;
   double seconds;
 };
 
@@ -143,9 +143,9 @@ TEST_P(SameReadings, GiveTheSameDecisionsWhateverTheTruthIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Runs, SameReadings,
-                         ::testing::Values(Case{Fidelity::kFull, pipeline::Strategy::kTopometric, 45.0},
-                                           Case{Fidelity::kPlan, pipeline::Strategy::kTopometric, 60.0},
-                                           Case{Fidelity::kPlan, pipeline::Strategy::kNearestFrontier,
+                         ::testing::Values(Case{Fidelity::kFull, exploration::Strategy::kTopometric, 45.0},
+                                           Case{Fidelity::kPlan, exploration::Strategy::kTopometric, 60.0},
+                                           Case{Fidelity::kPlan, exploration::Strategy::kNearestFrontier,
                                                 60.0}));
 
 }  // namespace

@@ -15,17 +15,17 @@
 #include <memory>
 #include <utility>
 
+#include "core/analysis/analysis.hpp"
+#include "core/compass/compass.hpp"
+#include "core/compass/occupied_points.hpp"
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/frontiers.hpp"
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/grid/wavefront.hpp"
-#include "core/pipeline/analysis.hpp"
-#include "core/places/furniture.hpp"
-#include "core/places/place_map.hpp"
-#include "core/places/skeleton.hpp"
-#include "core/walls/compass.hpp"
-#include "core/walls/occupied_points.hpp"
+#include "core/places/segmentation/furniture.hpp"
+#include "core/places/segmentation/place_map.hpp"
+#include "core/places/skeleton/skeleton.hpp"
 #include "core/walls/wall_extraction.hpp"
 #include "tests/bench/micro/drawn_building.hpp"
 #include "tests/bench/micro/memory_gauge.hpp"
@@ -40,8 +40,8 @@ struct Stages {
   explicit Stages(int scale) : building(scale) {
     map = grid::dense_map(building.grid());
     clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    points = walls::occupied_points(map);
-    compass_rad = walls::entropy_compass(points).angle_rad.value_or(0.0);
+    points = compass::occupied_points(map);
+    compass_rad = compass::entropy_compass(points).angle_rad.value_or(0.0);
     walls = walls::extract_walls(points, compass_rad);
     open = places::without_furniture(map, walls, params.furniture_m);
     open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
@@ -131,10 +131,10 @@ void BM_Frontiers(benchmark::State& state) {
   measure(state, [](const Stages& on) { return goals::find_frontiers(on.map); });
 }
 void BM_OccupiedPoints(benchmark::State& state) {
-  measure(state, [](const Stages& on) { return walls::occupied_points(on.map); });
+  measure(state, [](const Stages& on) { return compass::occupied_points(on.map); });
 }
 void BM_Compass(benchmark::State& state) {
-  measure(state, [](const Stages& on) { return walls::entropy_compass(on.points); });
+  measure(state, [](const Stages& on) { return compass::entropy_compass(on.points); });
 }
 void BM_Walls(benchmark::State& state) {
   measure(state, [](const Stages& on) { return walls::extract_walls(on.points, on.compass_rad); });
@@ -170,11 +170,11 @@ void BM_Goals(benchmark::State& state) {
 void BM_Whole(benchmark::State& state) {
   measure(state, [](const Stages& on) {
     const std::vector<float> clearance_m = grid::clearance_m(on.map, grid::Boundary::kOccupiedOrUnknown);
-    return pipeline::analyse({1, on.map, clearance_m, {}, {}}, {});
+    return analysis::analyse({1, on.map, clearance_m, {}, {}}, {});
   });
 }
 
-/// Of BM_Again: milliseconds of distances and input, then of each pipeline::Stage.
+/// Of BM_Again: milliseconds of distances and input, then of each analysis::Stage.
 constexpr std::array kStageNames = {"a_input_ms",    "b_compass_ms", "c_walls_ms",     "d_furniture_ms",
                                     "e_skeleton_ms", "f_labels_ms",  "g_reduction_ms", "h_goals_ms"};
 
@@ -196,7 +196,7 @@ void BM_Again(benchmark::State& state) {
     }
   }
   grid::ClearanceUpdate clearance;
-  pipeline::AnalysisMemory memory;
+  analysis::AnalysisMemory memory;
   bool is_before = false;
   std::array<double, kStageNames.size()> stage_s{};
   measure(state, [&](const Stages&) {
@@ -208,10 +208,10 @@ void BM_Again(benchmark::State& state) {
       stage_s[stage] += now_s - std::exchange(last_s, now_s);
     };
     clearance.take(map);
-    pipeline::AnalysisInput input{1, map, clearance.clearance_m(), {}, {}};
+    analysis::AnalysisInput input{1, map, clearance.clearance_m(), {}, {}};
     note(0);
-    return pipeline::analyse(std::move(input), {}, memory,
-                             [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
+    return analysis::analyse(std::move(input), {}, memory,
+                             [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
   });
   for (std::size_t i = 0; i < stage_s.size(); ++i)
     state.counters[kStageNames[i]] = benchmark::Counter(1e3 * stage_s[i], benchmark::Counter::kAvgIterations);

@@ -19,7 +19,7 @@ pipeline::PlannerParams planner_of(const std::string& name) {
 TEST(Contender, hasEveryNameThatIsListed) {
   for (const std::string& name : contender_names()) {
     const bool topometric = name.starts_with("topometric");
-    EXPECT_EQ(planner_of(name).strategy == pipeline::Strategy::kTopometric, topometric) << name;
+    EXPECT_EQ(planner_of(name).strategy == exploration::Strategy::kTopometric, topometric) << name;
   }
   EXPECT_EQ(contender_names().size(), 8U);
 }

@@ -14,8 +14,8 @@ const types::Se2 kBuildingMap{3.0, -2.0, 0.0};  ///< where the map lies in the b
 
 /// A hall of 10 x 3 m, all known, from the map's origin on, with a door of 1.2 m in its upper wall at x = 5
 /// m.
-pipeline::Analysis hall() {
-  pipeline::Analysis a;
+analysis::Analysis hall() {
+  analysis::Analysis a;
   a.map.resolution_m = kCell_m;
   a.map.box = {{-5, -5}, {105, 35}};
   a.map.cells.assign(static_cast<std::size_t>(a.map.width()) * static_cast<std::size_t>(a.map.height()),
@@ -59,7 +59,7 @@ TEST(OpeningsOntoSpace, ADoorToALargeRoomIsOneAndToAClosetNone) {
 
 TEST(OpeningsOntoSpace, AGoalNearWhereARobotWouldStandIsForIt) {
   const auto has_goal = [](const types::Vector2& p_map) {
-    pipeline::Analysis a = hall();
+    analysis::Analysis a = hall();
     goals::Goal goal;
     goal.p_map = goal.opening = p_map;
     a.goals.goals.push_back(goal);
@@ -73,7 +73,7 @@ TEST(OpeningsOntoSpace, AGoalNearWhereARobotWouldStandIsForIt) {
 }
 
 TEST(OpeningsOntoSpace, SayWhatBecameOfTheNearestCandidate) {
-  pipeline::Analysis a = hall();
+  analysis::Analysis a = hall();
   EXPECT_EQ(openings_onto_space(a, building(5.0), kBuildingMap).openings.at(0).why, "no candidate near");
   goals::Goal goal;
   goal.p_map = goal.opening = {5.0, 3.0};

@@ -32,7 +32,7 @@ json stage_times(const TimedAnalysis& timed) {
   return stages;
 }
 
-json goals_of(const MapInput& input, const pipeline::Analysis& analysis) {
+json goals_of(const MapInput& input, const analysis::Analysis& analysis) {
   json goals = json::array();
   for (const goals::Goal& goal : analysis.goals.goals) {
     const types::Vector2 p_map = input.origin + goal.p_map;
@@ -46,7 +46,7 @@ json goals_of(const MapInput& input, const pipeline::Analysis& analysis) {
   return goals;
 }
 
-json rejected_by_reason(const pipeline::Analysis& analysis) {
+json rejected_by_reason(const analysis::Analysis& analysis) {
   json reasons = json::object();
   for (const goals::Goal& goal : analysis.goals.rejected) {
     const std::string why(goals::to_text(goal.verdict));
@@ -56,7 +56,7 @@ json rejected_by_reason(const pipeline::Analysis& analysis) {
 }
 
 json report(const AnalyseCommand& command, const MapInput& input, const TimedAnalysis& timed) {
-  const pipeline::Analysis& a = timed.analysis;
+  const analysis::Analysis& a = timed.analysis;
   const auto unknown = std::count(a.map.cells.begin(), a.map.cells.end(), grid::CellState::kUnknown);
   json compass = nullptr;
   if (a.compass.angle_rad) compass = *a.compass.angle_rad / types::kDegree_rad;
@@ -79,7 +79,7 @@ json report(const AnalyseCommand& command, const MapInput& input, const TimedAna
 }
 
 types::Status write_files(const AnalyseCommand& command, const MapInput& input,
-                          const pipeline::Analysis& analysis) {
+                          const analysis::Analysis& analysis) {
   const auto file = [&](const char* name) { return (command.out / name).string(); };
   if (auto s = save_labels(file("labels.png"), labels_of(input, analysis)); !s) return s;
   const auto overview = daemon::overview_of(analysis, {}, analysis.goals.goals);
@@ -91,7 +91,7 @@ types::Status write_files(const AnalyseCommand& command, const MapInput& input,
 
 }  // namespace
 
-LabelPicture labels_of(const MapInput& input, const pipeline::Analysis& analysis) {
+LabelPicture labels_of(const MapInput& input, const analysis::Analysis& analysis) {
   LabelPicture picture{input.width, input.height, false, {}};
   picture.values.assign(static_cast<std::size_t>(input.width) * static_cast<std::size_t>(input.height), 0);
   const std::vector<std::uint16_t> labels = analysis.places.labels.by_cell(analysis.map.cells.size());

@@ -26,6 +26,6 @@ struct AnalyseCommand {
 types::Status run_analyse(const AnalyseCommand& command);
 
 /// Place numbers in the size of the picture that the map came from.
-LabelPicture labels_of(const MapInput& input, const pipeline::Analysis& analysis);
+LabelPicture labels_of(const MapInput& input, const analysis::Analysis& analysis);
 
 }  // namespace topo::bench

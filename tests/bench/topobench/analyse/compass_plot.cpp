@@ -17,7 +17,7 @@ int column(double degrees) { return kCurveMargin + static_cast<int>(std::lround(
 
 }  // namespace
 
-daemon::Picture compass_plot(const walls::Compass& compass) {
+daemon::Picture compass_plot(const compass::Compass& compass) {
   daemon::Picture plot(2 * kCurveMargin + kHalfTurn * kPixelsADegree, kCurveHeight + 2 * kCurveMargin,
                        kPaper);
   for (int degrees = 0; degrees <= kHalfTurn; degrees += 10)

@@ -22,7 +22,7 @@ TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
   TimedAnalysis timed;
   for (int run = 0; run < std::max(repeat, 1); ++run) {
     // A picture has no height columns and nobody was anywhere.
-    pipeline::AnalysisInput input{1, map, {}, {}, {}};
+    analysis::AnalysisInput input{1, map, {}, {}, {}};
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
     const auto note = [&](std::size_t stage) {
@@ -33,8 +33,8 @@ TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
     const std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
     input.clearance_m = clearance_m;
     note(0);
-    timed.analysis = pipeline::analyse(
-        std::move(input), {}, [&](pipeline::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
+    timed.analysis = analysis::analyse(
+        std::move(input), {}, [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
     timed.ms.back().push_back(ms_between(start, before));
   }
   for (auto& of_stage : timed.ms) std::sort(of_stage.begin(), of_stage.end());

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/pipeline/analysis.hpp"
+#include "core/analysis/analysis.hpp"
 
 namespace topo::bench {
 
@@ -15,7 +15,7 @@ inline constexpr std::array<std::string_view, 9> kStageNames = {
     "distance", "compass", "walls", "furniture", "skeleton", "labels", "reduction", "goals", "total"};
 
 struct TimedAnalysis {
-  pipeline::Analysis analysis;
+  analysis::Analysis analysis;
   std::array<std::vector<double>, kStageNames.size()> ms;  ///< of every repetition, ascending
 };
 

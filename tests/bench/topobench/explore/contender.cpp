@@ -11,8 +11,8 @@
 namespace topo::bench {
 namespace {
 
+using exploration::Strategy;
 using pipeline::PlannerParams;
-using pipeline::Strategy;
 
 void drop_walls(PlannerParams& planner) { planner.analysis.wall_store = false; }
 void drop_k_means(PlannerParams& planner) { planner.k_means = false; }
@@ -53,7 +53,7 @@ types::Status set_contender(std::string_view name, PlannerParams& planner) {
     ablation.drop(planner);
     return {};
   }
-  const auto strategy = pipeline::strategy_of(name);
+  const auto strategy = exploration::strategy_of(name);
   if (!strategy)
     return types::fail(types::Errc::kInvalidInput, fmt::format("strategy: found '{}', expected one of {}",
                                                                name, fmt::join(contender_names(), ", ")));

@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "core/motion/robot_limits.hpp"
 #include "core/slam/params.hpp"
 #include "core/types/result.hpp"
+#include "core/types/robot_limits.hpp"
 #include "tests/bench/topobench/explore/readings.hpp"
 #include "tests/sim/simulation.hpp"
 
@@ -20,7 +20,7 @@ struct PlantSetup {
   sim::Se2 start;
   std::optional<sim::Se2> T_building_map;  ///< where the map has its origin, if it is not the start
   slam::MapperParams mapping;              ///< where the scanners are
-  motion::RobotLimits limits;
+  types::RobotLimits limits;
   types::Duration firmware_watchdog = std::chrono::milliseconds(2000);
   sim::Difficulty difficulty;
   std::uint64_t seed = 1;

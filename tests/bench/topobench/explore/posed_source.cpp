@@ -130,7 +130,7 @@ class PosedSource final : public SharedMapSource {
   }
 
  private:
-  static pipeline::KeyframePose station(const PosedKeyframe& k) {
+  static types::KeyframePose station(const PosedKeyframe& k) {
     return {k.keyframe->stamp, types::Transform2<types::Map, types::Base>(k.T_map_base)};
   }
 
@@ -195,8 +195,8 @@ class PosedSource final : public SharedMapSource {
   std::vector<types::Se2> poses_;
   std::map<slam::KeyframeId, std::size_t> places_;  ///< in these lists
   std::vector<PosedKeyframe> new_;
-  std::vector<pipeline::KeyframePose> own_;
-  std::map<std::uint16_t, std::vector<pipeline::KeyframePose>> ways_;  ///< of team-mates
+  std::vector<types::KeyframePose> own_;
+  std::map<std::uint16_t, std::vector<types::KeyframePose>> ways_;  ///< of team-mates
   types::Se2 T_map_base_;
   double invalid_share_ = 0.0;  ///< of the beams of the newest keyframe
   pipeline::TrackedPose tracked_;

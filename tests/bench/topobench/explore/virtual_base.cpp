@@ -17,7 +17,7 @@ int whole(double value) { return static_cast<int>(value); }
 
 }  // namespace
 
-VirtualBase::VirtualBase(const motion::RobotLimits& limits, types::Duration watchdog,
+VirtualBase::VirtualBase(const types::RobotLimits& limits, types::Duration watchdog,
                          const sim::arcos::Parameters& firmware)
     : drive_(firmware),
       v_max_mps_(limits.v_max_mps),

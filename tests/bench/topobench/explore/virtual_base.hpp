@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/motion/robot_limits.hpp"
 #include "core/types/base_state.hpp"
+#include "core/types/robot_limits.hpp"
 #include "tests/sim/devices/arcos_drive.hpp"
 #include "tests/sim/simulation.hpp"
 
@@ -16,7 +16,7 @@ namespace topo::bench {
 /// says. Not thread-safe.
 class VirtualBase final : public sim::WheelDrive {
  public:
-  VirtualBase(const motion::RobotLimits& limits, types::Duration watchdog,
+  VirtualBase(const types::RobotLimits& limits, types::Duration watchdog,
               const sim::arcos::Parameters& firmware = sim::arcos::p3dx_parameters());
 
   /// What the base thread sends once a period.

@@ -17,7 +17,7 @@ double free_m2_of(const grid::DenseMap& map) {
 }  // namespace
 
 void GoalStages::planned(const pipeline::PlanningOutput& output) {
-  const std::shared_ptr<const pipeline::Analysis>& analysis = output.report->analysis;
+  const std::shared_ptr<const analysis::Analysis>& analysis = output.report->analysis;
   if (analysis == nullptr || analysis.get() == last_ || next_ == count_) return;
   last_ = analysis.get();
   const double known = free_m2_of(analysis->map) / free_m2_;

@@ -16,7 +16,7 @@ struct GoalStage {
   double known = 0.0;  ///< free area, as a share of the building's
   std::size_t clusters = 0, goals = 0;
   OpeningsOntoSpace onto_space;
-  std::shared_ptr<const pipeline::Analysis> analysis;
+  std::shared_ptr<const analysis::Analysis> analysis;
 };
 
 /// Looks on at an exploration and takes the analysis at `count` stages: the first map of which (k + 0.5) /
@@ -35,7 +35,7 @@ class GoalStages final : public RunHooks {
   types::Se2 T_building_map_;
   double free_m2_;
   int count_, next_ = 0;
-  const pipeline::Analysis* last_ = nullptr;
+  const analysis::Analysis* last_ = nullptr;
   std::vector<GoalStage> stages_;
 };
 

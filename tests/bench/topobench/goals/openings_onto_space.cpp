@@ -140,10 +140,10 @@ DrivableTruth drivable_truth(sim::Raster poses, double radius_m) {
   return truth;
 }
 
-OpeningsOntoSpace openings_onto_space(const pipeline::Analysis& analysis, const DrivableTruth& truth,
+OpeningsOntoSpace openings_onto_space(const analysis::Analysis& analysis, const DrivableTruth& truth,
                                       const types::Se2& T_building_map, double space_min_m2) {
   const grid::DenseMap& map = analysis.map;
-  const std::vector<float> clearance_m = pipeline::clearance_of(analysis);
+  const std::vector<float> clearance_m = analysis::clearance_of(analysis);
   const UnexploredSpace space(map, truth, T_building_map);
   OpeningsOntoSpace out;
   std::vector<bool> is_there_for_one(analysis.goals.goals.size(), false);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pipeline/analysis.hpp"
+#include "core/analysis/analysis.hpp"
 #include "tests/sim/raster.hpp"
 
 namespace topo::bench {
@@ -37,7 +37,7 @@ struct OpeningsOntoSpace {
 /// has a goal for each: one whose own opening is on that frontier, or one within 3 m, and in sight, of where
 /// a robot would stand for it. `T_building_map`: where the map lies in the building. Costs the building's
 /// cells, and the map's for each frontier.
-OpeningsOntoSpace openings_onto_space(const pipeline::Analysis& analysis, const DrivableTruth& truth,
+OpeningsOntoSpace openings_onto_space(const analysis::Analysis& analysis, const DrivableTruth& truth,
                                       const types::Se2& T_building_map, double space_min_m2 = 10.0);
 
 }  // namespace topo::bench

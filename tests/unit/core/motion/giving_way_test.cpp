@@ -15,13 +15,13 @@ using types::Twist2;
 
 constexpr double kAlive_s = 0.2;
 
-RobotLimits p3dx() {
-  RobotLimits limits;
+types::RobotLimits p3dx() {
+  types::RobotLimits limits;
   limits.footprint = {0.210, 0.301, 0.2125, 0.267};
   return limits;
 }
 
-double scale(const Twist2& twist, const MovingObstacle& one) {
+double scale(const Twist2& twist, const perception::MovingObstacle& one) {
   return giving_way_scale(twist, std::array{one}, kAlive_s, p3dx());
 }
 
@@ -51,9 +51,9 @@ TEST(GivingWay, WhatIsBesideMayBeLeft) { EXPECT_EQ(scale({0.7, 0.0}, {{-0.2, 0.4
 
 TEST(GivingWay, WhatItLetsThroughStandsInTime) {
   EXPECT_TRUE(rc::check([] {
-    const MovingObstacle one{{uniform(-2.0, 4.0), uniform(-3.0, 3.0)},
-                             {uniform(-1.6, 1.6), uniform(-1.6, 1.6)},
-                             uniform(0.05, 0.4)};
+    const perception::MovingObstacle one{{uniform(-2.0, 4.0), uniform(-3.0, 3.0)},
+                                         {uniform(-1.6, 1.6), uniform(-1.6, 1.6)},
+                                         uniform(0.05, 0.4)};
     const Twist2 t{uniform(-0.1, 0.7), uniform(-1.0, 1.0)};
     const double s = scale(t, one);
     RC_ASSERT(s >= 0.0 && s <= 1.0);

@@ -10,9 +10,9 @@
 #include <random>
 #include <vector>
 
-#include "core/motion/footprint_sweep.hpp"
-#include "core/motion/moving_obstacles.hpp"
 #include "core/motion/velocity_gate.hpp"
+#include "core/perception/footprint_sweep.hpp"
+#include "core/perception/moving_obstacles.hpp"
 #include "tests/unit/core/motion/surroundings.hpp"
 
 namespace topo::motion {
@@ -49,7 +49,7 @@ class MovingScene {
 
   std::vector<Wall> walls;
   std::vector<Walking> walkers;
-  RobotLimits limits;
+  types::RobotLimits limits;
   types::Twist2 wanted;
   double track_error = 0.05, slip = 0.0;  ///< part by which the left wheel turns in vain
   bool free_of_gate = false;              ///< drives as it wants
@@ -58,13 +58,16 @@ class MovingScene {
   types::Twist2 twist;
 
   [[nodiscard]] double now_s() const { return now_s_; }
-  [[nodiscard]] std::span<const MovingObstacle> moving() const { return {found_.data(), found_count_}; }
+  [[nodiscard]] std::span<const perception::MovingObstacle> moving() const {
+    return {found_.data(), found_count_};
+  }
   [[nodiscard]] const GateOutput& out() const { return out_; }
   /// From the hull to the nearest walker, metres.
   [[nodiscard]] double gap_m() const {
     double gap = HUGE_VAL;
     for (const Walking& w : walkers)
-      gap = std::min(gap, distance_m(pose.inverse() * w.centre(now_s_), limits.footprint) - w.radius_m);
+      gap = std::min(
+          gap, perception::distance_m(pose.inverse() * w.centre(now_s_), limits.footprint) - w.radius_m);
     return gap;
   }
   /// Drives as it is wanted, from the first moment.
@@ -197,8 +200,8 @@ class MovingScene {
   std::deque<types::BaseState> on_the_way_;
   types::BaseState base_;
   std::unique_ptr<types::Scan> scan_ = empty_scan(types::Stamp{});
-  MovingObstacles tracker_;
-  std::array<MovingObstacle, MovingObstacles::kMax> found_{};
+  perception::MovingObstacles tracker_;
+  std::array<perception::MovingObstacle, perception::MovingObstacles::kMax> found_{};
   std::size_t found_count_ = 0;
   GateState gate_;
   GateOutput out_;

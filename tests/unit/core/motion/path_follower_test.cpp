@@ -17,7 +17,7 @@ using types::Vector2;
 
 /// A robot that does at once what it is told.
 struct Course {
-  RobotLimits limits;
+  types::RobotLimits limits;
   std::vector<Vector2> path;
   std::vector<Vector2> obstacles;  ///< in odom
   Se2 pose;

@@ -14,7 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 
 struct StuckRobot {
-  RobotLimits limits;
+  types::RobotLimits limits;
   Trail trail;
   Recovery recovery;
   RecoveryInput in;

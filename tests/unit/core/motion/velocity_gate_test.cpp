@@ -29,7 +29,7 @@ struct Scene {
   std::unique_ptr<types::Scan> scan = empty_scan(now);
   GateState state;
   GateInput input;
-  std::vector<ScanPoint> posts;
+  std::vector<perception::ScanPoint> posts;
 
   Scene() {
     input.firmware_watchdog = milliseconds(500);
@@ -117,7 +117,7 @@ TEST(VelocityGate, OverSeenGroundItKeepsItsWholeMarginAndLeavesNoTouch) {
   EXPECT_TRUE(backs(Backing::kOverSeenGround, nothing));
   EXPECT_TRUE(backs(Backing::kAlongTrail, touch_ahead));
   EXPECT_FALSE(backs(Backing::kOverSeenGround, touch_ahead));
-  const double margin_m = RobotLimits{}.margin_m;
+  const double margin_m = types::RobotLimits{}.margin_m;
   EXPECT_TRUE(backs(Backing::kAlongTrail, post_behind(0.8 * margin_m))) << "where the hull has just been";
   EXPECT_FALSE(backs(Backing::kOverSeenGround, post_behind(0.8 * margin_m)));
   EXPECT_TRUE(backs(Backing::kOverSeenGround, post_behind(margin_m + 0.05)));
@@ -135,7 +135,7 @@ TEST(VelocityGate, TurnsOnTheSpotSoSlowlyThatASlippingWheelDoesNotTakeItIntoWhat
   put_post_behind(in_view, 0.031);
   in_view.posts.front().remembered = false;
   EXPECT_DOUBLE_EQ(in_view.settle(0.0, 1.4).command.twist.omega_radps, 1.4) << "the scanner would tell";
-  const RobotLimits limits;
+  const types::RobotLimits limits;
   for (const double gap_m : {0.01, 0.02, 0.031, 0.05}) {
     const double aside_m =
         turns_radps(gap_m) * limits.slip_aside_m_per_rad;  // in the second until it is seen
@@ -175,7 +175,7 @@ TEST(VelocityGate, RampGoesThroughZeroInTwoSteps) {
 }
 
 TEST(VelocityGate, ClampingKeepsTheArc) {
-  RobotLimits limits;
+  types::RobotLimits limits;
   const Twist2 out = within_limits({1.4, 1.0}, limits);
   EXPECT_DOUBLE_EQ(out.v_mps, 0.7);
   EXPECT_DOUBLE_EQ(out.omega_radps, 0.5);
@@ -284,7 +284,7 @@ TEST(VelocityGate, NeverExceedsTheLimits) {
     Scene scene;
     scene.input.limits.allow_reverse = true;
     put_wall_ahead(*scene.scan, uniform(0.3, 5.0));
-    const RobotLimits& l = scene.input.limits;
+    const types::RobotLimits& l = scene.input.limits;
     Twist2 last;
     for (int i = 0; i < 60; ++i) {
       const Twist2 t = scene.ask(uniform(-3.0, 3.0), uniform(-5.0, 5.0)).command.twist;
@@ -298,7 +298,7 @@ TEST(VelocityGate, NeverExceedsTheLimits) {
 
 TEST(VelocityGate, MoreRoomNeverMeansLessSpeed) {
   EXPECT_TRUE(rc::check([] {
-    RobotLimits limits;
+    types::RobotLimits limits;
     const Twist2 t{uniform(-0.7, 0.7), uniform(-1.4, 1.4)};
     const double a = uniform(0.0, 5.0), b = uniform(0.0, 5.0), blind_s = uniform(0.0, 2.5);
     RC_ASSERT(stopping_scale(t, std::min(a, b), blind_s, limits) <=

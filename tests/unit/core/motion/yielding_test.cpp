@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 struct Waiter {
   Yielding yielding;
   types::Stamp now = types::stamp_from_seconds(50.0);
-  std::array<MovingObstacle, 1> other{};
+  std::array<perception::MovingObstacle, 1> other{};
   void hold_up(double y_m, int periods) {
     other[0].centre = {1.0, y_m};
     for (int i = 0; i < periods; ++i) yielding.update(now += milliseconds(50), true, other);

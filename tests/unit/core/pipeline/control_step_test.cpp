@@ -175,14 +175,14 @@ TEST_F(ControlStepTest, AfterAnEstopThePlanHasToBeginAnew) {
 }
 
 TEST_F(ControlStepTest, AreaLimitsWithoutAPlaceRefuseTheHand) {
-  setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {5.0, -5.0}, {5.0, 5.0}, {-5.0, 5.0}};
+  setup.area.keep_in = types::Polygon{{-5.0, -5.0}, {5.0, -5.0}, {5.0, 5.0}, {-5.0, 5.0}};
   const auto decision = run(5);
   EXPECT_EQ(decision.report.reason, GateReason::kNoPlace);
   EXPECT_EQ(decision.command.twist, types::Twist2{});
 }
 
 TEST_F(ControlStepTest, AFreshPlanWithoutAPlaceIsNoPlace) {
-  setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
+  setup.area.keep_in = types::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
   Plan plan = plan_ahead(now);
   input.plan = &plan;
   const auto fresh = [&] { return plan.stamp = now, run(1); };
@@ -424,7 +424,7 @@ TEST_F(ControlStepTest, WhoWalksAcrossIsWaitedForAndNoReasonToBackOffUntilPatien
 TEST_F(ControlStepTest, AllocatesNothing) {
   Plan plan = plan_ahead(now);
   input.plan = &plan;
-  setup.area.keep_in = motion::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
+  setup.area.keep_in = types::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
   run(2);
   const std::uint64_t before = test::allocations();
   for (int i = 0; i < 200; ++i) {

@@ -44,7 +44,7 @@ const std::vector<std::string> kFloor = {
     "                       ##########",
 };
 
-PlannerParams params_of(Strategy strategy, Finish finish) {
+PlannerParams params_of(exploration::Strategy strategy, Finish finish) {
   PlannerParams params;
   params.strategy = strategy;
   params.finish = finish;
@@ -68,7 +68,7 @@ Outcome run_until_ended(ToyBuilding& building, PlanningState& state, const Missi
 
 const types::Vector2 kNowhere{0.0, 0.0};
 
-class BothStrategies : public ::testing::TestWithParam<Strategy> {};
+class BothStrategies : public ::testing::TestWithParam<exploration::Strategy> {};
 
 TEST_P(BothStrategies, exploreAllAndComeHome) {
   ToyBuilding building(kFloor);
@@ -82,7 +82,8 @@ TEST_P(BothStrategies, exploreAllAndComeHome) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, BothStrategies,
-                         ::testing::Values(Strategy::kTopometric, Strategy::kNearestFrontier),
+                         ::testing::Values(exploration::Strategy::kTopometric,
+                                           exploration::Strategy::kNearestFrontier),
                          [](const auto& each) { return std::string(to_text(each.param)); });
 
 TEST(PlanningStep, standsUntilItIsTold) {
@@ -315,7 +316,7 @@ TEST(PlanningStep, aDecisionHoldsWhileTheOdometryDriftsAndNotOnABentMap) {
     TrackedPose tracked = building.tracked();
     ControlReport control = building.control();
     if (bent) {
-      for (KeyframePose& keyframe : map.keyframes)
+      for (types::KeyframePose& keyframe : map.keyframes)
         keyframe.T_map_base = types::Transform2<types::Map, types::Base>(change * keyframe.T_map_base.se2());
     } else {  // the robot is where it was; only the wheels tell it otherwise
       const types::Se2 wheels = change * control.odometry.T_odom_base.se2();
@@ -415,14 +416,14 @@ TEST(PlanningStep, refusesTargetsItCannotReach) {
 
 TEST(PlanningStep, doesNotLeaveItsArea) {
   ToyBuilding building(kFloor);
-  PlannerParams params = params_of(Strategy::kTopometric, Finish::kComplete);
-  params.area.keep_in = motion::Polygon{{0.0, 0.0}, {7.0, 0.0}, {7.0, 7.0}, {0.0, 7.0}};
+  PlannerParams params = params_of(exploration::Strategy::kTopometric, Finish::kComplete);
+  params.area.keep_in = types::Polygon{{0.0, 0.0}, {7.0, 0.0}, {7.0, 7.0}, {0.0, 7.0}};
   PlanningState state(params);
   const Mission mission{1, Order::kExplore, false, kNowhere};
   PlanningOutput out;
   for (int i = 0; i < 400 && !(i > 0 && out.report->mission_ended); ++i) {
     out = building.run_period(state, mission);
-    ASSERT_TRUE(motion::allows(params.area, building.robot()));
+    ASSERT_TRUE(types::allows(params.area, building.robot()));
   }
   EXPECT_EQ(out.report->activity, Activity::kDone);
   EXPECT_GT(building.path_m(), 1.0);

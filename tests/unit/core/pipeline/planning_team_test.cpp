@@ -75,7 +75,7 @@ class WithAMate : public ::testing::Test {
   PlanningOutput out_;
 };
 
-PlannerParams params_of(Strategy strategy) {
+PlannerParams params_of(exploration::Strategy strategy) {
   PlannerParams params;
   params.strategy = strategy;
   return params;
@@ -83,12 +83,12 @@ PlannerParams params_of(Strategy strategy) {
 
 class InTurnWithAMate : public WithAMate {
  protected:
-  InTurnWithAMate() : WithAMate(params_of(Strategy::kGreedyFrontier)) {}
+  InTurnWithAMate() : WithAMate(params_of(exploration::Strategy::kGreedyFrontier)) {}
 };
 
 class UncoordinatedWithAMate : public WithAMate {
  protected:
-  UncoordinatedWithAMate() : WithAMate(params_of(Strategy::kNearestFrontier)) {}
+  UncoordinatedWithAMate() : WithAMate(params_of(exploration::Strategy::kNearestFrontier)) {}
 };
 
 TEST_F(WithAMate, doesNotGoWhereTheMateWas) { EXPECT_EQ(goals_where_the_mate_was(), 0U); }

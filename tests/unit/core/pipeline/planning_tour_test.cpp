@@ -122,7 +122,7 @@ TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
   const PlanningReport& report = scene.period();
   EXPECT_EQ(report.reason, "explored: no goal is left in reach");
   EXPECT_EQ(report.put_off.size(), 2U);
-  for (const PutOffGoal& goal : report.put_off) {
+  for (const exploration::PutOffGoal& goal : report.put_off) {
     EXPECT_TRUE(goal.visited);
     EXPECT_TRUE(goal.is_for_good());
   }
@@ -131,7 +131,7 @@ TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
 TEST(VisitedGoals, withoutLastLooksWhereTheRobotWasIsAGoalAgainWhenThatTimeIsOver) {
   using std::chrono::seconds;
   PlannerParams params;
-  params.strategy = Strategy::kNearestFrontier;
+  params.strategy = exploration::Strategy::kNearestFrontier;
   params.visited_s = 10.0;
   params.give_up_s = 1000.0;
   params.goal_reached_m = 4.0;  // in front of the passage, and not at the end of the hall

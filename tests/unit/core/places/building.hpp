@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/places/box_counts.hpp"
-#include "core/places/furniture.hpp"
-#include "core/walls/compass.hpp"
-#include "core/walls/occupied_points.hpp"
+#include "core/compass/compass.hpp"
+#include "core/compass/occupied_points.hpp"
+#include "core/places/segmentation/box_counts.hpp"
+#include "core/places/segmentation/furniture.hpp"
 #include "core/walls/wall_extraction.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
@@ -19,8 +19,8 @@ namespace topo::places {
 /// All stages from a map to its places, as the analysis runs them.
 inline PlaceMap places_of_building(const grid::DenseMap& map) {
   const PlaceParams params;
-  const auto points = walls::occupied_points(map);
-  const double compass_rad = walls::entropy_compass(points).angle_rad.value_or(0.0);
+  const auto points = compass::occupied_points(map);
+  const double compass_rad = compass::entropy_compass(points).angle_rad.value_or(0.0);
   const auto walls = walls::extract_walls(points, compass_rad);
   const grid::DenseMap open = without_furniture(map, walls, params.furniture_m);
   const auto open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/team/assignment.hpp"
-#include "core/team/word.hpp"
+#include "core/team/status_message.hpp"
 
 namespace topo::team::testing {
 

@@ -61,7 +61,7 @@ TEST(WallExtraction, OfPointsThatCameAndWentAreThoseOfTheOnesPresent) {
       const double compass_rad = turn_rad + (*rc::gen::inRange(0, 4) == 0 ? 0.01 : 0.0);
       WallParams params;
       if (*rc::gen::inRange(0, 9) == 0) params.gap_max_m = 0.2;
-      const auto again = extract_walls(points_change(before, points), compass_rad, params, memory),
+      const auto again = extract_walls(compass::points_change(before, points), compass_rad, params, memory),
                  fresh = extract_walls(points, compass_rad, params);
       before = points;
       RC_ASSERT(again.size() == fresh.size());

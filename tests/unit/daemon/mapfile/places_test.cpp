@@ -18,8 +18,8 @@ using grid::CellState;
 using Json = nlohmann::json;
 
 /// A room of 4 x 3 m with a pillar of 0.5 m, a wall, an open goal and a rejected one.
-pipeline::Analysis sample() {
-  pipeline::Analysis a;
+analysis::Analysis sample() {
+  analysis::Analysis a;
   a.map.box = {{-3, -3}, {85, 65}};
   a.map.cells.assign(89U * 69U, CellState::kUnknown);
   for (int y = -2; y < 62; ++y) {
@@ -28,7 +28,7 @@ pipeline::Analysis sample() {
       a.map.cells[a.map.index({x, y})] = wall || pillar ? CellState::kOccupied : CellState::kFree;
     }
   }
-  const std::vector<float> clearance_m = pipeline::clearance_of(a);
+  const std::vector<float> clearance_m = analysis::clearance_of(a);
   a.skeleton = places::skeletonise(a.map, clearance_m);
   a.places = places::segment_places(a.map, clearance_m, a.skeleton, {}, 0.0);
   a.walls = {{{0.0, 0.0}, {4.0, 0.0}}};
@@ -51,7 +51,7 @@ double signed_area(const Json& ring) {
 }
 
 TEST(PlacesGeojson, HoldsPlacesWallsAndGoals) {
-  const pipeline::Analysis a = sample();
+  const analysis::Analysis a = sample();
   const Json json = Json::parse(places_geojson(a, a.goals.goals));
   EXPECT_EQ(json["type"], "FeatureCollection");
   EXPECT_EQ(json["frame"], "map");
@@ -74,7 +74,7 @@ TEST(PlacesGeojson, HoldsPlacesWallsAndGoals) {
 }
 
 TEST(PlacesGeojson, IsInTheFrameThatItsOriginIsGivenIn) {
-  const pipeline::Analysis a = sample();
+  const analysis::Analysis a = sample();
   const Json here = Json::parse(places_geojson(a, a.goals.goals)),
              there = Json::parse(places_geojson(a, a.goals.goals, {-10.0, 2.5}));
   EXPECT_EQ(there["features"][2]["geometry"]["coordinates"], Json::parse("[-7.0, 5.0]"));
@@ -163,7 +163,7 @@ TEST(Outlines, ByPartsAreThoseOfTheRegionsThatHangTogether) {
 }
 
 TEST(Overview, ShowsWhatItSaysItShows) {
-  const pipeline::Analysis a = sample();
+  const analysis::Analysis a = sample();
   const types::Se2 path[] = {{1.0, 1.0, 0.0}, {2.0, 1.0, 0.0}};
   const Picture picture = overview_of(a, path, a.goals.goals);
   const auto count = [&](auto&& like) {
@@ -186,7 +186,7 @@ TEST(Overview, OfNothingIsOnePixel) {
 }
 
 TEST(Overview, PosesFarOutsideDoNotHurt) {
-  const pipeline::Analysis a = sample();
+  const analysis::Analysis a = sample();
   const types::Se2 path[] = {{1e9, -1e9, 0.0}, {NAN, 1.0, 0.0}, {2.0, 1.0, 0.0}};
   EXPECT_GT(overview_of(a, path, {}).width(), 1);
 }

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/compass/compass.hpp"
+#include "core/compass/occupied_points.hpp"
+#include "core/goals/essential_goals.hpp"
+#include "core/goals/goal.hpp"
+#include "core/grid/clearance_update.hpp"
+#include "core/grid/dense_map.hpp"
+#include "core/places/segmentation/furniture.hpp"
+#include "core/places/segmentation/place_map.hpp"
+#include "core/places/skeleton/erosion.hpp"
+#include "core/walls/wall_extraction.hpp"
+
+namespace topo::analysis {
+
+struct AnalysisParams {
+  bool wall_store = true;  ///< false, an ablation: walls of what is occupied, as without a coronal scanner
+  compass::CompassParams compass;
+  walls::WallParams walls;
+  places::PlaceParams places;
+  goals::GoalParams goals;
+};
+
+/// Everything the topometric analysis says of one map (paper sections II-A to II-E). A value.
+struct Analysis {
+  std::uint64_t revision = 0;
+  grid::DenseMap map;
+  /// Of a coarse map, whose distances are not those between its own cells (clear_map.hpp); else empty.
+  std::vector<float> coarse_m;
+  compass::Compass compass;
+  std::vector<types::Segment> walls;
+  places::Skeleton skeleton;  ///< of the map without furniture (core/places/furniture.hpp)
+  places::PlaceMap places;
+  goals::GoalSet goals;
+};
+
+/// That by which the map was analysed, with kOccupiedOrUnknown.
+std::vector<float> clearance_of(const Analysis& analysis);
+
+enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabels, kReduction, kGoals };
+
+/// Told after each stage, in the order of the enumeration: who measures brings the clock.
+using StageWatch = std::function<void(Stage)>;
+
+/// What is analysed: whoever analyses it needs no snapshot.
+struct AnalysisInput {
+  std::uint64_t revision = 0;
+  grid::DenseMap map;                                ///< made of a snapshot (prepared_map.hpp)
+  std::span<const float> clearance_m;                ///< of the map, or of a finer one; borrowed for the call
+  std::vector<types::Vector2> wall_points;           ///< of the wall store; none without a coronal scanner
+  std::vector<std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map
+};
+
+/// All stages on one map.
+Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done = {});
+
+/// What one analysis leaves to the next.
+struct AnalysisMemory {
+  compass::OccupiedPoints occupied;
+  compass::CompassMemory compass;
+  std::vector<types::Vector2> wall_points;  ///< of the wall store; none: walls are of what is occupied
+  walls::WallMemory walls;
+  places::FurnitureUpdate furniture;
+  grid::ClearanceUpdate open;  ///< of the map without furniture
+  places::Erosion erosion;
+  bool is_own = false;  ///< erosion and labels are by the distances of `open`
+  places::FirstLabels first;
+  places::ReductionMemory reduction;
+};
+
+/// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a
+/// map that has grown or was corrected, distances and thinning are redone where something has changed; first
+/// labels, too, while the box stays the same, and the compass's histograms while its walls' box does; walls
+/// and regions while, too, the compass does not turn. Regions are always merged anew.
+/// Empty: of no map.
+Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
+                 const StageWatch& done = {});
+
+}  // namespace topo::analysis

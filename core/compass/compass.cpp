@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/compass/compass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "core/types/geometry.hpp"
+
+namespace topo::compass {
+namespace {
+
+constexpr double kQuarterTurn = std::numbers::pi / 2.0;
+
+/// Fewer points than a metre and a half of wall have say nothing of a building.
+constexpr std::size_t kPointsMin = 30;
+
+/// Of them the coarse curve is made: its dip is a degree wide and needs no more.
+constexpr std::size_t kCoarsePoints = 6000;
+
+/// So many of the coarse curve's minima are looked at with all points.
+constexpr std::size_t kDips = 3;
+
+/// The lowest of 90 values of noise is 2.5 sigma below their median.
+constexpr double kJitters = 6.0;
+
+/// Bins get wider where a few points far out would ask for more.
+constexpr double kHalfBinsMax = 30000.0;
+
+/// Angles that a compass answers with, evenly over a quarter turn: 0.05 degrees apart. A few points more then
+/// do not turn it by a hair, and all that lies in its frame may stay.
+constexpr long kAnswers = 1800;
+
+/// Entropy at an angle.
+using Curve = std::function<double(double)>;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// How much the curve jumps from step to step: of a set of points without a direction that is all it does.
+/// From its second differences, so that the slopes of a building's curve do not count; a median, so that the
+/// dip does not.
+double jitter_of(const std::vector<double>& curve) {
+  std::vector<double> bends(curve.size());
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double before = curve[(i + curve.size() - 1) % curve.size()], after = curve[(i + 1) % curve.size()];
+    bends[i] = std::abs(before - 2.0 * curve[i] + after);
+  }
+  // For normally distributed values: a median of 0.6745 sigma, and sigma of the second difference is sqrt(6).
+  return median_of(std::move(bends)) / (0.6745 * std::sqrt(6.0));
+}
+
+/// Middle of the dip around the lowest of the values, in steps: each counts as it lies below the ends, and
+/// less with its distance from the middle, up to `reach`; so the middle is looked for again until it stays.
+double dip_middle(const std::vector<double>& values, double lowest, double reach) {
+  const double edge = std::min(values.front(), values.back());
+  double middle = lowest;
+  for (int round = 0; round < 8; ++round) {
+    double sum = 0.0, moment = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double depth = std::max(0.0, edge - values[i]);
+      const double away = (static_cast<double>(i) - middle) / reach;
+      const double weight = depth * depth * std::max(0.0, 1.0 - away * away);
+      sum += weight;
+      moment += weight * static_cast<double>(i);
+    }
+    if (sum > 0.0) middle = moment / sum;
+  }
+  return middle;
+}
+
+/// Numbers of the curve's local minima, lowest first, at most `count`.
+std::vector<std::size_t> lowest_dips(const std::vector<double>& curve, std::size_t count) {
+  std::vector<std::size_t> dips;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double before = curve[(i + curve.size() - 1) % curve.size()], after = curve[(i + 1) % curve.size()];
+    if (curve[i] < before && curve[i] <= after) dips.push_back(i);
+  }
+  const auto lower = [&](std::size_t a, std::size_t b) { return curve[a] < curve[b]; };
+  std::stable_sort(dips.begin(), dips.end(), lower);
+  dips.resize(std::min(dips.size(), count));
+  return dips;
+}
+
+/// Finds the minimum of the entropy of all points, starting from the coarse curve's.
+class Refinement {
+ public:
+  Refinement(const Curve& entropy, const CompassParams& params)
+      : entropy_(entropy),
+        step_(2.0 * params.fine_step_rad),
+        reach_(static_cast<int>(std::ceil(params.coarse_step_rad / step_))) {}
+
+  /// Of the dips the one that is lowest at half steps: what few points said is not the last word.
+  [[nodiscard]] double lowest_of(const std::vector<double>& dips_rad) {
+    double best = HUGE_VAL, best_rad = 0.0;
+    for (const double dip_rad : dips_rad) {
+      for (int i = -1; i <= 1; ++i) {
+        const double angle_rad = dip_rad + i * step_ * reach_ / 2.0;
+        const double entropy = entropy_(angle_rad);
+        if (entropy < best) best_rad = angle_rad;
+        best = std::min(best, entropy);
+      }
+    }
+    return best_rad;
+  }
+
+  /// By steps to the lowest value, then to the middle of the dip around it: a building with wings has a wide
+  /// one.
+  [[nodiscard]] double refined(double angle_rad) {
+    std::vector<double> values;
+    for (int i = -2 * reach_; i <= 2 * reach_; ++i) {
+      values.push_back(entropy_(angle_rad + i * step_));
+    }
+    const auto lowest = std::min_element(values.begin() + reach_, values.end() - reach_) - values.begin();
+    const double middle = dip_middle(values, static_cast<double>(lowest), 1.5 * reach_);
+    return angle_rad + (middle - 2.0 * reach_) * step_;
+  }
+
+ private:
+  const Curve& entropy_;
+  double step_;  ///< the middle of a dip is known to less than half of it
+  int reach_;    ///< a coarse step in these
+};
+
+/// The nearest of the answers, in [0, pi/2).
+double answer_near(double angle_rad) {
+  const long nearest = std::lround(angle_rad / kQuarterTurn * kAnswers) % kAnswers;
+  return static_cast<double>(nearest < 0 ? nearest + kAnswers : nearest) * kQuarterTurn / kAnswers;
+}
+
+/// `few`: of the points for the coarse curve; `all`: of all that count.
+Compass compass_of(const Curve& few, const Curve& all, const CompassParams& params) {
+  Compass compass;
+  const auto steps = std::max(4, static_cast<int>(std::lround(kQuarterTurn / params.coarse_step_rad)));
+  for (int i = 0; i < steps; ++i) compass.entropy.push_back(few(i * kQuarterTurn / steps));
+  const auto lowest = std::min_element(compass.entropy.begin(), compass.entropy.end());
+  const double median = median_of(compass.entropy), depth = median - *lowest;
+  compass.confidence = median > 0.0 ? depth / median : 0.0;
+  if (compass.confidence < params.confidence_min || depth < kJitters * jitter_of(compass.entropy))
+    return compass;
+
+  std::vector<double> dips_rad;
+  for (const std::size_t dip : lowest_dips(compass.entropy, kDips)) {
+    dips_rad.push_back(static_cast<double>(dip) * kQuarterTurn / steps);
+  }
+  Refinement refinement(all, params);
+  compass.angle_rad = answer_near(refinement.refined(refinement.lowest_of(dips_rad)));
+  return compass;
+}
+
+/// Points that come to a curve and that go from it.
+struct Change {
+  Cloud come, gone;
+
+  /// Those between two limits of their hashes.
+  Change(const Samples& samples, std::uint64_t was, std::uint64_t is, const Placing& placing) {
+    if (was == is) return;
+    Cloud& cloud = was < is ? come : gone;
+    samples.for_each_within(std::min(was, is) + 1, std::max(was, is),
+                            [&](const Sample& sample) { sample.append_to(cloud, placing); });
+  }
+  void apply_to(KeptCurve& curve) const {
+    for (auto& [angle_rad, kept] : curve.at) {
+      kept.projection.add(come);
+      kept.projection.remove(gone);
+    }
+  }
+};
+
+/// Makes of the curves those by these points.
+void renew(CompassMemory& memory, const PointsChange& points, std::uint64_t few_limit,
+           std::uint64_t all_limit) {
+  const Placing& placing = memory.placing;
+  Change few(memory.samples, memory.few.limit, few_limit, placing),
+      all(memory.samples, memory.all.limit, all_limit, placing);
+  const auto note = [&](const types::Vector2& p, Cloud Change::*where) {
+    const Sample sample(p);
+    if (sample.hash <= few_limit) sample.append_to(few.*where, placing);
+    if (sample.hash <= all_limit) sample.append_to(all.*where, placing);
+  };
+  for (const types::Vector2& p : points.gone) {
+    memory.samples.remove(p);
+    note(p, &Change::gone);
+  }
+  for (const types::Vector2& p : points.come) {
+    memory.samples.add(p);
+    note(p, &Change::come);
+  }
+  few.apply_to(memory.few);
+  all.apply_to(memory.all);
+}
+
+}  // namespace
+
+Compass entropy_compass(const PointsChange& change, const CompassParams& params, CompassMemory& memory) {
+  const std::span<const types::Vector2> points = change.now;
+  if (points.size() < kPointsMin) {
+    memory = {};
+    return {};
+  }
+  const Extent x_m = renewed(memory.x_m, change, [](const types::Vector2&p) { return p.x(); }),
+               y_m = renewed(memory.y_m, change, [](const types::Vector2&p) { return p.y(); });
+  const types::Rectangle box{{x_m.low, y_m.low}, {x_m.high, y_m.high}};
+  const double radius_m = (box.max - box.min).norm() / 2.0 + params.cell_m;
+  const double half_bin_m = std::max(params.bin_m / 2.0, radius_m / kHalfBinsMax);
+  const Placing placing{(box.min + box.max) / 2.0, half_bin_m, params.cell_m};
+  const auto radius = static_cast<float>(radius_m / half_bin_m);
+  const std::size_t most = std::min<std::size_t>(params.points_max, UINT16_MAX);
+  const std::uint64_t few_limit = hash_limit(points.size(), std::min(most, kCoarsePoints));
+  const std::uint64_t all_limit = hash_limit(points.size(), most);
+  if (memory.placing != placing || memory.radius != radius)
+    memory = {{}, {}, placing, radius, Samples(points), {}, {}};
+  else
+    renew(memory, change, few_limit, all_limit);
+  memory.x_m = x_m;
+  memory.y_m = y_m;
+  memory.few.limit = few_limit;
+  memory.all.limit = all_limit;
+  const auto curve = [&](KeptCurve& kept) {
+    return [&, cloud = Cloud{}](double angle_rad) mutable {
+      const auto [at, is_new] = kept.at.try_emplace(angle_rad, radius, angle_rad);
+      if (is_new) {
+        if (cloud.x.empty()) cloud = memory.samples.up_to(kept.limit, placing);
+        at->second.projection.add(cloud);
+      }
+      at->second.unused = 0;
+      return at->second.projection.entropy();
+    };
+  };
+  for (KeptCurve* const kept : {&memory.few, &memory.all})
+    for (auto& [angle_rad, at] : kept->at) ++at.unused;
+  Compass compass = compass_of(curve(memory.few), curve(memory.all), params);
+  // What looks best may change to and fro.
+  for (KeptCurve* const kept : {&memory.few, &memory.all})
+    std::erase_if(kept->at, [](const auto& entry) { return entry.second.unused > 2; });
+  return compass;
+}
+
+Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
+  CompassMemory memory;
+  return entropy_compass({points, {}, {}}, params, memory);
+}
+
+}  // namespace topo::compass

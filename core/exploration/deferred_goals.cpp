@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/exploration/deferred_goals.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace topo::exploration {
+
+namespace {
+
+bool is_held(const PutOffGoal& goal, types::Stamp now) { return goal.is_for_good() || now < goal.until; }
+
+}  // namespace
+
+void PutOffGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::string why) {
+  note({p_map, until, 1, std::move(why), false, false});
+}
+
+void PutOffGoals::visit(const types::Vector2& p_map, std::optional<types::Stamp> until) {
+  note({p_map, until.value_or(types::Stamp{}), 1, "visited", true, !until});
+}
+
+void PutOffGoals::note(PutOffGoal goal) {
+  const auto same = std::find_if(list_.begin(), list_.end(), [&](const PutOffGoal& g) {
+    return (g.p_map - goal.p_map).norm() <= kSame_m;
+  });
+  if (same == list_.end()) {
+    list_.push_back(std::move(goal));
+    return;
+  }
+  goal.p_map = same->p_map;
+  goal.times = same->times + 1;
+  *same = std::move(goal);
+}
+
+bool PutOffGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
+  return std::any_of(list_.begin(), list_.end(), [&](const PutOffGoal& g) {
+    return (g.p_map - p_map).norm() <= kSame_m && is_held(g, now);
+  });
+}
+
+std::vector<types::Vector2> PutOffGoals::visited(types::Stamp now) const {
+  std::vector<types::Vector2> held;
+  for (const PutOffGoal& g : list_) {
+    if (g.visited && is_held(g, now)) held.push_back(g.p_map);
+  }
+  return held;
+}
+
+std::vector<PutOffGoal> PutOffGoals::held(types::Stamp now) const {
+  std::vector<PutOffGoal> all;
+  std::copy_if(list_.begin(), list_.end(), std::back_inserter(all),
+               [now](const PutOffGoal& g) { return is_held(g, now); });
+  return all;
+}
+
+bool PutOffGoals::call_back(types::Stamp now) {
+  bool any = false;
+  for (PutOffGoal& g : list_) {
+    if (g.is_for_good() || g.until <= now) continue;
+    g.until = now;
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace topo::exploration

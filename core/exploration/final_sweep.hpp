@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/exploration/viewpoint.hpp"
+#include "core/goals/goal.hpp"
+#include "core/types/stamp.hpp"
+
+namespace topo::exploration {
+
+struct LastLookParams {
+  double opening_min_m = 0.3;  ///< what one can look through
+  double gain_min_m2 = 0.3;    ///< exploration::Look::gain_m2
+  /// All looks together, of what is known. What a sweep promises and what it shows have little to do with one
+  /// another: from a twelfth of the promise, through slits in furniture, to all of it, in corners of rooms.
+  double promise_min = 0.002;
+  double time_share = 0.25;  ///< of the time without them: what sweeps take while nothing else is left
+  double time_min_s = 60.0;  ///< or this, when that is less
+  double reached_m = 0.2;    ///< half a metre beside it another part of what is behind the gap is seen
+  exploration::LookParams look;
+};
+
+/// Borrowed for the call.
+struct LookedAt {
+  const grid::DenseMap& map;
+  std::uint64_t revision = 0;
+  double known_m2 = 0.0;  ///< free area of the map
+  const grid::TravelField& field;
+  std::span<const types::Segment> walls;
+};
+
+/// The last sweep of an exploration that is to be complete. When no other goal can be gone for now, cluttered
+/// rooms may still have corners that were never in sight, behind gaps through which one cannot drive: each is
+/// looked into, once by one robot of the team, if all of them together promise enough.
+class LastLooks {
+ public:
+  explicit LastLooks(const LastLookParams& params) : params_(params) {}
+
+  /// Another mission.
+  void begin(types::Stamp now);
+  /// Looks for looks, unless some are left, or the time is over, or this map was asked already, or one was
+  /// less than `again` ago: it costs a tenth of a millisecond for every frontier of which it was not asked in
+  /// the last half minute.
+  void find(const LookedAt& in, types::Stamp now, types::Duration again);
+  /// Other goals are there again: what is open stays open, and the sweep's time stands still.
+  void interrupt(types::Stamp now);
+  /// Takes away those whose sight is known by now; all, when the time is over.
+  void settle(const grid::DenseMap& map, types::Stamp now);
+  /// The robot was there. False: what is there is no look.
+  bool arrive(const types::Vector2& p_map);
+  /// It could not get there; the same.
+  bool leave(const types::Vector2& p_map);
+  /// A mate has looked into these openings.
+  void share(std::span<const types::Vector2> looked);
+  /// Openings that this robot has looked into.
+  [[nodiscard]] const std::vector<types::Vector2>& looked() const { return looked_; }
+  /// How near the robot has to come to a goal that is a look; nothing for other goals.
+  [[nodiscard]] std::optional<double> reached_m(const types::Vector2& p_map) const;
+  [[nodiscard]] double reached_m() const { return params_.reached_m; }
+  [[nodiscard]] bool empty() const { return open_.empty(); }
+  [[nodiscard]] std::vector<goals::Goal> goals() const;
+
+ private:
+  struct Open {
+    goals::Goal goal;
+    types::Vector2 sight{0.0, 0.0};  ///< unknown, and in sight from the goal
+  };
+  [[nodiscard]] bool is_over(types::Stamp now) const;
+  struct Answer {
+    types::Vector2 opening{0.0, 0.0};
+    std::size_t cells = 0;
+    types::Stamp given{};
+    std::optional<exploration::Look> look;
+  };
+  [[nodiscard]] std::optional<exploration::Look> look_into(const goals::Frontier& frontier,
+                                                           const LookedAt& in, types::Stamp now);
+  [[nodiscard]] bool was_offered(const types::Vector2& opening) const;
+
+  LastLookParams params_;
+  std::vector<Open> open_;
+  std::vector<types::Vector2> offered_;  ///< openings, here or to a mate; each is looked into once
+  std::vector<types::Vector2> looked_;
+  std::vector<Answer> answers_;
+  std::uint64_t asked_ = 0;  ///< revision of the map
+  types::Stamp begun_{}, asked_at_{};
+  std::optional<types::Stamp> sweeps_since_;
+  types::Duration swept_{};  ///< in sweeps before
+};
+
+}  // namespace topo::exploration

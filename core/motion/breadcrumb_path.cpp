@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/motion/breadcrumb_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace topo::motion {
+namespace {
+
+using types::Se2;
+using types::Vector2;
+
+constexpr double kJump_m = 0.25;
+
+/// From straight behind to a point.
+double aside_rad(const Vector2& p_base) {
+  return types::wrap_angle(std::atan2(p_base.y(), p_base.x()) - std::numbers::pi);
+}
+
+}  // namespace
+
+void Trail::push(const Vector2& p) {
+  if (size_ == kCapacity) drop_oldest();
+  points_[size_++] = p;
+  while (size_ > 2 && length_m() - (points_[1] - points_[0]).norm() >= kLength_m) drop_oldest();
+}
+
+void Trail::drop_oldest() {
+  std::copy(points_.begin() + 1, points_.begin() + static_cast<std::ptrdiff_t>(size_), points_.begin());
+  --size_;
+}
+
+void Trail::update(const Se2& T_odom_base) {
+  const Vector2 p = T_odom_base.translation();
+  if (size_ > 0 && !((p - pose_.translation()).norm() <= kJump_m)) size_ = 0;
+  pose_ = T_odom_base;
+  if (size_ == 0) {
+    push(p);
+    return;
+  }
+  const Vector2 step = p - points_[size_ - 1];
+  const bool backwards = step.x() * std::cos(pose_.theta_rad) + step.y() * std::sin(pose_.theta_rad) < 0.0;
+  if (!backwards) {
+    if (step.norm() >= kSpacing_m) push(p);
+    return;
+  }
+  while (size_ > 1 &&
+         (p - points_[size_ - 2]).norm() <= (points_[size_ - 1] - points_[size_ - 2]).norm() + 1e-3)
+    --size_;
+}
+
+double Trail::length_m() const {
+  if (size_ == 0) return 0.0;
+  double length = (pose_.translation() - points_[size_ - 1]).norm();
+  for (std::size_t i = size_ - 1; i > 0; --i) length += (points_[i] - points_[i - 1]).norm();
+  return length;
+}
+
+double Trail::behind_m() const {
+  constexpr double kBeside_m = 0.03;
+  double behind_m = 0.0;
+  for (std::size_t i = size_; i > 0; --i) {
+    const Vector2 p_base = pose_.inverse() * points_[i - 1];
+    if (std::abs(p_base.y()) > kBeside_m && std::abs(aside_rad(p_base)) > kBehind_rad) break;
+    behind_m = std::max(behind_m, -p_base.x());
+  }
+  return behind_m;
+}
+
+Vector2 Trail::point_base(double away_m) const {
+  std::size_t i = size_ - 1;
+  while (i > 0 && (points_[i] - pose_.translation()).norm() < away_m) --i;
+  return pose_.inverse() * points_[i];
+}
+
+/// Where the robot turned on the spot the trail has a corner: a nearer point may lie behind when a farther
+/// one does not.
+Vector2 Trail::target_base() const {
+  constexpr std::array kAims_m{0.2, 0.15, 0.1};
+  for (const double aim_m : kAims_m) {
+    Vector2 target = point_base(aim_m);
+    if (std::abs(aside_rad(target)) <= kBehind_rad) return target;
+  }
+  return point_base(kAims_m.front());
+}
+
+double Trail::turn_to_back_rad() const {
+  if (size_ == 0) return 0.0;
+  const Vector2 target = target_base();
+  return target.norm() < kSpacing_m ? 0.0 : aside_rad(target);
+}
+
+types::Twist2 Trail::back_twist(double speed_mps) const {
+  constexpr double kOff_m = 0.1;
+  if (size_ < 2) return {};
+  const Vector2 target = target_base();
+  if (target.norm() < kSpacing_m || std::abs(turn_to_back_rad()) > kBehind_rad) return {};
+  if ((points_[size_ - 1] - pose_.translation()).norm() > kOff_m) return {};
+  return {-speed_mps, -speed_mps * 2.0 * target.y() / target.squaredNorm()};
+}
+
+}  // namespace topo::motion

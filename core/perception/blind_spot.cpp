@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/perception/blind_spot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/perception/footprint_sweep.hpp"
+#include "core/perception/moving_obstacles.hpp"
+
+namespace topo::perception {
+namespace {
+
+using types::Se2;
+using types::Vector2;
+
+constexpr double kReach_m = 0.6;         // of the centre: more than any outline with its margin
+constexpr double kLeavesView_rad = 0.6;  // so near to the end of the view a point may be out of it next time
+constexpr double kSpacing_m = 0.02;      // of neighbours that are kept
+constexpr double kMoverRim_m = 0.15;     // around what moves: a leg beside the other
+constexpr double kJump_m = 0.25;         // between two scans: the reckoning began anew
+constexpr double kJump_rad = 1.0;        // the same, on the spot
+
+/// Half of what the scanner sees. One that is mounted upside down has beams that come clockwise.
+double half_view_rad(const types::Scan& scan) {
+  return 0.5 * std::abs(static_cast<double>(scan.geometry.angle_increment_rad)) * (scan.beams - 1);
+}
+
+/// From the middle of what it sees to a point.
+double off_middle_rad(const types::Scan& scan, const Vector2& p_laser) {
+  const auto step_rad = static_cast<double>(scan.geometry.angle_increment_rad);
+  const double middle_rad =
+      static_cast<double>(scan.geometry.angle_min_rad) + 0.5 * step_rad * (scan.beams - 1);
+  return types::wrap_angle(std::atan2(p_laser.y(), p_laser.x()) - middle_rad);
+}
+
+/// Whether the scan says what is in a point's direction: not out of view, and not where nothing was measured.
+bool tells(const types::Scan& scan, const Vector2& p_laser) {
+  const double off_rad = off_middle_rad(scan, p_laser);
+  if (!(std::abs(off_rad) < half_view_rad(scan))) return false;
+  const double beam =
+      off_rad / static_cast<double>(scan.geometry.angle_increment_rad) + 0.5 * (scan.beams - 1);
+  const float range_m = scan.range_m[static_cast<std::size_t>(std::lround(beam))];
+  return types::is_hit(range_m) || range_m == types::kNoReturn;
+}
+
+bool goes_on(const Se2& before, const Se2& now) {
+  return types::distance_m(before, now) < kJump_m &&
+         std::abs(types::wrap_angle(now.theta_rad - before.theta_rad)) < kJump_rad;
+}
+
+bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving) {
+  return std::any_of(moving.begin(), moving.end(), [&](const MovingObstacle& m) {
+    return (p_base - m.centre).norm() < m.radius_m + kMoverRim_m;
+  });
+}
+
+}  // namespace
+
+void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
+  const Se2 T_laser_odom = T_odom_laser.inverse();
+  const auto is_over = [&](const Seen& s) {
+    return (s.p_odom - T_odom_base_.translation()).squaredNorm() > kReach_m * kReach_m ||
+           scan.arrival - s.last > kKept || tells(scan, T_laser_odom * s.p_odom);
+  };
+  const auto end = std::remove_if(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(size_), is_over);
+  size_ = static_cast<std::size_t>(end - seen_.begin());
+}
+
+/// One of each place: what leaves the view bit by bit has no room for the rest.
+void BlindSpot::keep(const Vector2& p_odom, types::Stamp seen) {
+  const auto end = seen_.begin() + static_cast<std::ptrdiff_t>(size_);
+  const auto there = std::find_if(seen_.begin(), end, [&](const Seen& s) {
+    return (s.p_odom - p_odom).squaredNorm() < kSpacing_m * kSpacing_m;
+  });
+  if (there != end) {
+    there->last = seen;
+    return;
+  }
+  if (size_ == kMax) {
+    std::move(seen_.begin() + 1, seen_.end(), seen_.begin());
+    --size_;
+  }
+  seen_[size_++] = {p_odom, seen};
+}
+
+void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::span<const ScanPoint> points,
+                       std::span<const MovingObstacle> moving, const types::Footprint& outline,
+                       const types::Odometry& odometry) {
+  if (scan.first_beam == scan_ || scan.beams == 0) return;
+  scan_ = scan.first_beam;
+  const Se2 T_odom_base = pose_at(odometry, scan.first_beam);
+  if (!goes_on(T_odom_base_, T_odom_base)) {
+    size_ = 0;
+    ground_.clear();
+  }
+  T_odom_base_ = T_odom_base;
+  ground_.update(scan, T_base_laser, T_odom_base, outline);
+  forget(scan, T_odom_base * T_base_laser);
+  const Se2 T_laser_base = T_base_laser.inverse();
+  const double leaves_rad = half_view_rad(scan) - kLeavesView_rad;
+  for (const ScanPoint& point : points) {
+    const Vector2& p = point.p_base;
+    if (p.squaredNorm() > kReach_m * kReach_m || contains(outline, p)) continue;
+    if (std::abs(off_middle_rad(scan, T_laser_base * p)) < leaves_rad || moves(p, moving)) continue;
+    keep(T_odom_base * p, scan.arrival);
+  }
+}
+
+void BlindSpot::put_points(const Se2& T_odom_base, std::span<ScanPoint> out) const {
+  const Se2 T_base_odom = T_odom_base.inverse();
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = {T_base_odom * seen_[i].p_odom, false, true};
+}
+
+}  // namespace topo::perception

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/perception/scan_groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace topo::perception {
+namespace {
+
+using types::Vector2;
+
+constexpr std::size_t kSegmentsMax = 256;
+constexpr std::size_t kLeastHits = 3;  // fewer: a mixed pixel, or too little to say where it is
+constexpr std::size_t kBridged = 3;
+// A surface that is seen at less than ten degrees breaks up (Borges and Aldon 2004).
+constexpr double kUneven_m = 0.09, kGrazing = 0.17;
+constexpr double kRadial = 0.8;     // of its extent: a piece of such a surface, which ends nowhere
+constexpr double kBehind_m = 0.12;  // so much farther is behind
+constexpr double kApart_m = 0.4;    // of two legs
+constexpr double kFarthest_m = 6.0;
+
+struct Segment {
+  std::size_t first = 0, last = 0, hits = 0;
+};
+
+class Segments {
+ public:
+  explicit Segments(const ScanLook& look) : look_(look) {
+    for (std::size_t i = 0; i < look.beams; ++i)
+      if (look.is_hit(i)) add(i);
+    drop_specks();
+  }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const Segment& operator[](std::size_t i) const { return segments_[i]; }
+  [[nodiscard]] double across_m(const Segment& s) const { return gap_m(s.first, s.last); }
+  [[nodiscard]] double gap_m(std::size_t a, std::size_t b) const {
+    return (look_.points[a] - look_.points[b]).norm();
+  }
+  [[nodiscard]] double range_m(std::size_t beam) const { return static_cast<double>(look_.range_m[beam]); }
+
+  /// Neither hidden by what is beside it in the scan, nor one with it, nor cut off by the scan's end.
+  [[nodiscard]] bool ends_freely(std::size_t i, bool after) const {
+    const Segment& s = segments_[i];
+    const std::size_t own = after ? s.last : s.first;
+    if (after ? own + kBridged >= look_.beams : own < kBridged) return false;
+    if (after ? i + 1 == size_ : i == 0) return true;
+    const std::size_t other = after ? segments_[i + 1].first : segments_[i - 1].last;
+    if ((after ? other - own : own - other) > 2 * kBridged) return true;  // nothing there
+    return range_m(other) > range_m(own) + kBehind_m;
+  }
+
+ private:
+  void add(std::size_t beam) {
+    if (size_ > 0) {
+      Segment& s = segments_[size_ - 1];
+      const double jump_m = kUneven_m + look_.step_rad * range_m(beam) / kGrazing;
+      if (beam - s.last <= kBridged && gap_m(beam, s.last) < jump_m) {
+        s.last = beam;
+        ++s.hits;
+        return;
+      }
+      drop_specks();
+    }
+    if (size_ < kSegmentsMax) segments_[size_++] = {beam, beam, 1};
+  }
+  void drop_specks() {
+    if (size_ > 0 && segments_[size_ - 1].hits < kLeastHits) --size_;
+  }
+
+  const ScanLook& look_;
+  std::array<Segment, kSegmentsMax> segments_{};
+  std::size_t size_ = 0;
+};
+
+/// Index of the segment that ends what begins with the segment `i`.
+std::size_t end_of_group(const Segments& segments, std::size_t i) {
+  std::size_t end = i;
+  for (std::size_t next = i + 1; next < segments.size() && next <= end + 2; ++next) {
+    const Segment& s = segments[next];
+    const bool near = segments.gap_m(segments[end].last, s.first) < kApart_m &&
+                      segments.gap_m(segments[i].first, s.last) < kGroupAcross_m;
+    if (near && segments.across_m(s) < kGroupAcross_m) end = next;
+  }
+  return end;
+}
+
+template <class Counts>
+Vector2 mean(const ScanLook& look, const ScanGroup& group, Counts counts) {
+  Vector2 sum(0.0, 0.0);
+  double count = 0.0;
+  for_each_point(look, group, [&](const Vector2& p) {
+    if (counts(p)) sum += p, count += 1.0;
+  });
+  return sum / count;
+}
+
+Vector2 mean_near(const ScanLook& look, const ScanGroup& group, const Vector2& end) {
+  constexpr double kNear_m = 0.08;
+  return mean(look, group, [&](const Vector2& p) { return (p - end).squaredNorm() < kNear_m * kNear_m; });
+}
+
+ScanGroup group_of(const ScanLook& look, const Segments& segments, std::size_t begin, std::size_t end) {
+  ScanGroup group;
+  group.first = segments[begin].first;
+  group.last = segments[end].last;
+  group.farthest_m = std::max(segments.range_m(group.first), segments.range_m(group.last)) + kBehind_m;
+  group.centre = mean(look, group, [](const Vector2&) { return true; });
+  group.begin = mean_near(look, group, look.points[group.first]);
+  group.end = mean_near(look, group, look.points[group.last]);
+  for_each_point(look, group, [&](const Vector2& p) {
+    group.radius_m = std::max(group.radius_m, (p - group.centre).norm());
+  });
+  return group;
+}
+
+}  // namespace
+
+std::size_t find_groups(const ScanLook& look, std::span<ScanGroup> out) {
+  const Segments segments(look);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < segments.size() && count < out.size(); ++i) {
+    const Segment& s = segments[i];
+    if (segments.range_m(s.first) > kFarthest_m || segments.across_m(s) > kGroupAcross_m) continue;
+    const std::size_t end = end_of_group(segments, i);
+    const double deep_m = std::abs(segments.range_m(s.first) - segments.range_m(segments[end].last));
+    if (deep_m > kRadial * segments.gap_m(s.first, segments[end].last) && deep_m > kUneven_m) continue;
+    const bool begins_freely = segments.ends_freely(i, false), ends_freely = segments.ends_freely(end, true);
+    if (begins_freely || ends_freely) {
+      out[count] = group_of(look, segments, i, end);
+      out[count].begins_freely = begins_freely;
+      out[count++].ends_freely = ends_freely;
+    }
+    i = end;
+  }
+  return count;
+}
+
+}  // namespace topo::perception

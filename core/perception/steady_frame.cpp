@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/perception/steady_frame.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace topo::perception {
+namespace {
+
+constexpr double kMatchNoise_m = 0.02, kMatchNoise_rad = 0.02;
+constexpr double kHalfTrack_m = 0.18;
+constexpr double kLoss = 0.6;  // of its way a wheel turns in vain (as RobotLimits::slip_curvature_per_m)
+
+/// Can slip have done it, and a wrong size of the wheels? Both wheels together leave the robot's middle
+/// behind by what they lose, one of them turns it by that over the track. Who turns on the spot rolls as
+/// well.
+bool is_drift(const types::Se2& by, const types::Se2& way) {
+  const double lost_m = kLoss * (way.translation().norm() + kHalfTrack_m * std::abs(way.theta_rad));
+  return by.translation().norm() <= kMatchNoise_m + lost_m &&
+         std::abs(by.theta_rad) <= kMatchNoise_rad + 0.5 * lost_m / kHalfTrack_m;
+}
+
+}  // namespace
+
+void SteadyFrame::update(const types::Transform2<types::Map, types::Odom>& T_map_odom, std::uint32_t bends,
+                         const types::Odometry& odometry) {
+  if (std::exchange(bends_, bends) != bends) lose();
+  const types::Se2& now = T_map_odom.se2();
+  const types::Se2& T_odom_base = odometry.T_odom_base.se2();
+  if (T_map_odom_) {
+    // The correction as the robot feels it: far from the origin a small turn of odom is a long way.
+    const types::Se2 by = (*T_map_odom_ * T_odom_base).inverse() * (now * T_odom_base);
+    const types::Se2 way = T_odom_base_.inverse() * T_odom_base;
+    if (is_drift(by, way)) T_steady_odom_ = T_steady_odom_ * T_odom_base * by * T_odom_base.inverse();
+  }
+  T_map_odom_ = now;
+  T_odom_base_ = T_odom_base;
+}
+
+types::Odometry SteadyFrame::steady(const types::Odometry& odometry) const {
+  types::Odometry out = odometry;
+  out.T_odom_base = types::Transform2<types::Odom, types::Base>(T_steady_odom_ * odometry.T_odom_base.se2());
+  return out;
+}
+
+}  // namespace topo::perception

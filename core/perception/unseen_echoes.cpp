@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/perception/unseen_echoes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/types/beam_directions.hpp"
+
+namespace topo::perception {
+namespace {
+
+using types::Vector2;
+
+constexpr types::Duration kEchoAgeMax = std::chrono::milliseconds(150);  // later the robot is elsewhere
+constexpr double kHalfCone_rad = 0.30;    // the beam's 12.5 degrees and what the pose is worth
+constexpr double kLooksAhead_rad = 1.75;  // the laser's 135 degrees less the cone
+constexpr double kBehindEcho_m = 0.30;    // a laser point up to here explains the echo
+constexpr double kNearest_m = 0.15;       // nearer is ringing
+
+bool is_usable(const types::SonarReading& echo, const Surroundings& around, double range_max_m) {
+  const types::Duration age = around.now - echo.stamp;
+  const double range_m = static_cast<double>(echo.range_m);
+  return echo.stamp != types::Stamp{} && age >= types::Duration::zero() && age <= kEchoAgeMax &&
+         range_m > kNearest_m && range_m < range_max_m;
+}
+
+/// Where a laser point explains the echo, in the sonar's frame: the beam's cone up to a little behind the
+/// echo.
+class Cone {
+ public:
+  explicit Cone(double range_m) : reach_m_(range_m + kBehindEcho_m), tan_(std::tan(kHalfCone_rad)) {}
+  [[nodiscard]] bool has(const Vector2& p_sonar) const {
+    return p_sonar.x() > 0.0 && std::abs(p_sonar.y()) <= tan_ * p_sonar.x() &&
+           p_sonar.squaredNorm() <= reach_m_ * reach_m_;
+  }
+  /// Corners of a triangle around it, the tip first.
+  [[nodiscard]] std::array<Vector2, 3> corners() const {
+    return {Vector2{0.0, 0.0}, {reach_m_, tan_ * reach_m_}, {reach_m_, -tan_ * reach_m_}};
+  }
+  /// Is a point in that triangle, or nearly?
+  [[nodiscard]] bool is_around(const Vector2& p_sonar) const {
+    constexpr double kNearly_m = 1e-3;
+    return p_sonar.x() > -kNearly_m && p_sonar.x() < reach_m_ + kNearly_m &&
+           std::abs(p_sonar.y()) < tan_ * p_sonar.x() + 2.0 * kNearly_m;
+  }
+
+ private:
+  double reach_m_, tan_;
+};
+
+struct Beams {
+  std::size_t begin = 0, end = 0;
+};
+
+double bearing_rad(const Vector2& p) { return std::atan2(p.y(), p.x()); }
+
+/// The beams that can meet the cone: between the bearings of its corners. All when the laser is within it, or
+/// when the bearings lie astride the scan's seam.
+Beams beams_towards(const Cone& cone, const types::Se2& T_sonar_laser, const types::Scan& scan) {
+  const Beams all{0, scan.beams};
+  const double step_rad = static_cast<double>(scan.geometry.angle_increment_rad);
+  if (!(step_rad > 0.0) || cone.is_around(T_sonar_laser.translation())) return all;
+  const types::Se2 T_laser_sonar = T_sonar_laser.inverse();
+  const std::array<Vector2, 3> corners = cone.corners();
+  const double first_rad = static_cast<double>(scan.geometry.angle_min_rad);
+  const double middle_rad = first_rad + 0.5 * step_rad * (scan.beams - 1);
+  const double centre_rad =
+      bearing_rad(T_laser_sonar * Vector2((corners[0] + corners[1] + corners[2]) / 3.0));
+  double low_rad = 0.0, high_rad = 0.0;
+  for (const Vector2& corner : corners) {
+    const double off_rad = types::wrap_angle(bearing_rad(T_laser_sonar * corner) - centre_rad);
+    low_rad = std::min(low_rad, off_rad);
+    high_rad = std::max(high_rad, off_rad);
+  }
+  const double from_middle_rad = types::wrap_angle(centre_rad - middle_rad);
+  if (from_middle_rad + low_rad < -std::numbers::pi || from_middle_rad + high_rad > std::numbers::pi)
+    return all;
+  const auto beam = [&](double off_rad) {
+    const double i = (middle_rad + from_middle_rad + off_rad - first_rad) / step_rad;
+    return std::clamp(i, 0.0, static_cast<double>(scan.beams));
+  };
+  return {static_cast<std::size_t>(std::floor(beam(low_rad - step_rad))),
+          static_cast<std::size_t>(std::ceil(beam(high_rad + step_rad)))};
+}
+
+bool laser_explains(const Surroundings& around, const types::Se2& T_base_sonar, double range_m) {
+  const types::Se2 T_sonar_laser = T_base_sonar.inverse() * around.T_base_laser;
+  const types::Scan& scan = *around.front_scan;
+  const Cone cone(range_m);
+  const Beams beams = beams_towards(cone, T_sonar_laser, scan);
+  types::BeamDirections direction(scan.geometry, T_sonar_laser.theta_rad, beams.begin);
+  for (std::size_t i = beams.begin; i < beams.end; ++i, direction.advance()) {
+    if (!types::is_hit(scan.range_m[i])) continue;
+    const double beam_m = static_cast<double>(scan.range_m[i]);
+    if (cone.has(T_sonar_laser.translation() + beam_m * direction.now())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::size_t unseen_echoes(const Surroundings& around, double range_max_m, std::span<Vector2> out) {
+  std::size_t count = 0;
+  if (around.front_scan == nullptr) return count;
+  const std::size_t known = std::min(around.sonar.size(), around.T_base_sonar.size());
+  for (std::size_t i = 0; i < known && count < out.size(); ++i) {
+    const types::Se2& T_base_sonar = around.T_base_sonar[i];
+    if (std::abs(types::wrap_angle(T_base_sonar.theta_rad)) > kLooksAhead_rad) continue;
+    if (!is_usable(around.sonar[i], around, range_max_m)) continue;
+    const double range_m = static_cast<double>(around.sonar[i].range_m);
+    if (laser_explains(around, T_base_sonar, range_m)) continue;
+    out[count++] = T_base_sonar * Vector2(range_m, 0.0);
+  }
+  return count;
+}
+
+}  // namespace topo::perception

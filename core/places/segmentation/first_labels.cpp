@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/places/segmentation/first_labels.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "core/grid/free_runs.hpp"
+#include "core/places/segmentation/ascent.hpp"
+#include "core/places/segmentation/watershed.hpp"
+#include "core/places/skeleton/fetch_ahead.hpp"
+#include "core/places/skeleton/sparse_scan.hpp"
+
+namespace topo::places {
+namespace {
+
+using grid::CellState;
+using grid::DenseMap;
+
+/// Clearance must fall and rise again by this factor for a passage.
+constexpr float kPassageRatio = 1.3F;
+
+/// Positions along an edge of its narrowest cells between wider parts, the nodes at both ends included.
+void find_passages(std::span<const std::uint32_t> cells, std::span<const float> clearance_m, float at_a_m,
+                   float at_b_m, std::vector<std::size_t>& passages) {
+  passages.clear();
+  float widest = at_a_m, narrowest = at_a_m;
+  std::size_t where = 0;
+  for (std::size_t k = 0; k <= cells.size(); ++k) {
+    const float here = k < cells.size() ? clearance_m[cells[k]] : at_b_m;
+    if (here < narrowest && k < cells.size()) {
+      narrowest = here;
+      where = k;
+    }
+    if (narrowest * kPassageRatio < widest && here > narrowest * kPassageRatio) {
+      passages.push_back(where);
+      widest = narrowest = here;
+    } else if (here > widest) {
+      widest = narrowest = here;
+    }
+  }
+}
+
+/// Divides the axis into pieces: to each of its cells, as in Skeleton::axis, the number of one.
+class AxisPieces {
+ public:
+  AxisPieces(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
+             double piece_m)
+      : skeleton_(skeleton), clearance_m_(clearance_m), numbers_(skeleton.axis.size(), 0) {
+    piece_cells_ =
+        std::max<std::size_t>(static_cast<std::size_t>(std::lround(piece_m / map.resolution_m)), 1);
+    count_ = static_cast<std::uint32_t>(skeleton_.nodes.size());
+    for (std::uint32_t n = 0; n < skeleton_.nodes.size(); ++n) {
+      const SkeletonNode& node = skeleton_.nodes[n];
+      std::fill_n(numbers_.begin() + node.first_cell, node.cell_count, n);
+    }
+    for (const SkeletonEdge& edge : skeleton_.edges) divide_edge(edge);
+  }
+
+  /// The pieces' labels.
+  [[nodiscard]] std::vector<std::uint32_t> labels() const {
+    std::vector<std::uint32_t> lowest(count_, kLost);
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+      lowest[numbers_[k]] = std::min(lowest[numbers_[k]], skeleton_.axis[k] + 1);
+    return lowest;
+  }
+  [[nodiscard]] const std::vector<std::uint32_t>& numbers() const { return numbers_; }
+
+ private:
+  void divide_edge(const SkeletonEdge& edge) {
+    const auto cells = skeleton_.cells_of(edge);
+    find_passages(cells, clearance_m_, skeleton_.nodes[edge.a].clearance_m,
+                  skeleton_.nodes[edge.b].clearance_m, passages_);
+    std::size_t begin = 0;
+    for (std::size_t p = 0; p <= passages_.size(); ++p) {
+      const bool last = p == passages_.size();
+      const std::size_t end = last ? cells.size() : passages_[p];
+      const std::span stretch = std::span(numbers_).subspan(edge.first_cell + begin, end - begin);
+      divide_stretch(stretch, p == 0 ? std::optional(edge.a) : std::nullopt,
+                     last ? std::optional(edge.b) : std::nullopt);
+      begin = end;
+    }
+  }
+
+  /// Even pieces; the first and the last go to the nodes `a` and `b`.
+  void divide_stretch(std::span<std::uint32_t> cells, std::optional<std::uint32_t> a,
+                      std::optional<std::uint32_t> b) {
+    const std::size_t least = a && b ? 2 : 1;
+    const std::size_t count = std::max(least, (cells.size() + piece_cells_ / 2) / piece_cells_);
+    for (std::size_t piece = 0; piece < count; ++piece) {
+      const std::size_t begin = piece * cells.size() / count, end = (piece + 1) * cells.size() / count;
+      if (begin == end) continue;
+      const bool to_a = piece == 0 && a, to_b = piece + 1 == count && b;
+      const std::uint32_t number = to_a ? *a : to_b ? *b : count_++;
+      std::fill(cells.begin() + static_cast<std::ptrdiff_t>(begin),
+                cells.begin() + static_cast<std::ptrdiff_t>(end), number);
+    }
+  }
+
+  const Skeleton& skeleton_;
+  std::span<const float> clearance_m_;
+  std::size_t piece_cells_ = 1;
+  std::uint32_t count_ = 0;
+  std::vector<std::uint32_t> numbers_;
+  std::vector<std::size_t> passages_;
+};
+
+/// Spreads labels from the cells in `queue` over all that are open to their eight neighbours, breadth first.
+void spread(std::span<const std::ptrdiff_t> offsets, FirstLabels& first, std::vector<std::uint32_t>& queue) {
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const auto i = static_cast<std::ptrdiff_t>(queue[next]);
+    const std::uint32_t label = first.labels[queue[next]];
+    for (const std::ptrdiff_t offset : offsets) {
+      const auto j = static_cast<std::size_t>(i + offset);
+      if ((first.slopes[j] & kClosed) != 0 || first.labels[j] != 0) continue;
+      first.labels[j] = label;
+      queue.push_back(static_cast<std::uint32_t>(j));
+    }
+  }
+}
+
+/// Cells with a label that have one of the given cells as a neighbour, ascending.
+std::vector<std::uint32_t> labelled_beside(std::span<const std::ptrdiff_t> offsets,
+                                           std::span<const std::uint32_t> cells,
+                                           const std::vector<std::uint32_t>& labels) {
+  std::vector<std::uint32_t> beside;
+  for (const std::uint32_t i : cells) {
+    for (const std::ptrdiff_t offset : offsets) {
+      const auto j = static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offset);
+      if (labels[j] != 0) beside.push_back(j);
+    }
+  }
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  return beside;
+}
+
+/// Who came nowhere gets the label of whoever is nearest.
+void label_lost(const DenseMap& map, FirstLabels& first) {
+  for (const std::uint32_t i : first.lost) first.labels[i] = 0;
+  const auto offsets = neighbour_offsets(map);
+  std::vector<std::uint32_t> queue = labelled_beside(offsets, first.lost, first.labels);
+  spread(offsets, first, queue);
+}
+
+/// Gives the axis its labels. Calls changed(cell) where it is another, or has another label.
+template <class F>
+void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
+  for (std::size_t k = 0; k < first.axis.size(); ++k) {
+    const std::uint32_t i = first.axis[k];
+    fetch_ahead(first.slopes.data(), first.axis, k);
+    if (skeleton.on[i]) continue;
+    first.slopes[i] &= static_cast<Slope>(~kOnAxis);
+    changed(i);
+  }
+  first.axis = skeleton.axis;
+  first.pieces = pieces.labels();
+  first.axis_pieces = pieces.numbers();
+  for (std::size_t k = 0; k < first.axis.size(); ++k) {
+    const std::uint32_t i = first.axis[k], label = first.pieces[first.axis_pieces[k]];
+    fetch_ahead(first.slopes.data(), first.axis, k);
+    fetch_ahead(first.labels.data(), first.axis, k);
+    if ((first.slopes[i] & kOnAxis) != 0 && first.labels[i] == label) continue;
+    first.slopes[i] |= kOnAxis;
+    first.labels[i] = label;
+    changed(i);
+  }
+}
+
+void number_runs(FirstLabels& first, std::size_t cells) {
+  const PieceNumbers numbers(first, cells);
+  first.run_pieces.resize(first.runs.size());
+  for (std::size_t k = 0; k < first.runs.size(); ++k) first.run_pieces[k] = numbers.of(first.runs[k].label);
+}
+
+/// Adds the labels of the runs that reach into blocks of cells.
+void add_labels_in(const grid::CellBlocks& blocks, std::span<const PieceRun> runs,
+                   std::vector<std::uint32_t>& labels) {
+  auto run = runs.begin();
+  blocks.for_each([&](std::size_t from, std::size_t end) {
+    while (run != runs.end() && run->end <= from) ++run;
+    for (; run != runs.end() && run->first < end; ++run) {
+      labels.push_back(run->label);
+      if (run->end > end) break;  // into the next block as well
+    }
+  });
+}
+
+/// Takes the runs anew where something has changed, and tells what that is.
+LabelChange renew_runs(const grid::CellBlocks& changed, std::span<const float> clearance_m,
+                       FirstLabels& first) {
+  LabelChange change;
+  changed.for_each([&](std::size_t from, std::size_t end) {
+    change.cells.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end)});
+  });
+  add_labels_in(changed, first.runs, change.pieces);
+  first.runs = renewed_runs(first.runs, changed, clearance_m, first.labels);
+  add_labels_in(changed, first.runs, change.pieces);
+  std::sort(change.pieces.begin(), change.pieces.end());
+  change.pieces.erase(std::unique(change.pieces.begin(), change.pieces.end()), change.pieces.end());
+  return change;
+}
+
+}  // namespace
+
+FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
+                         double piece_m) {
+  FirstLabels first;
+  first.box = map.box;
+  first.labels.resize(map.cells.size(), 0);
+  if (map.cells.empty()) return first;
+  first.slopes = slopes_of(map, clearance_m);
+  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first, [](std::uint32_t) {});
+  Ascent ascent(map, first.slopes, first.labels);
+  grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
+    for (std::size_t i = run.first; i < run.end; ++i)
+      if (first.slopes[i] != kClosed) ascent.climb(static_cast<std::uint32_t>(i));
+  });
+  first.lost = ascent.lost();
+  label_lost(map, first);
+  first.runs = piece_runs(map, clearance_m, first.labels);
+  number_runs(first, map.cells.size());
+  return first;
+}
+
+void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
+             double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first) {
+  assert(first.box == map.box);
+  first.change = LabelChange{};
+  if (map.cells.empty()) return;
+  std::vector<std::uint32_t> others = renew_slopes(map, clearance_m, changed, first.slopes);
+  for (const std::uint32_t i : others)
+    if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
+  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
+             [&](std::uint32_t i) { others.push_back(i); });
+  grid::CellBlocks again = find_catchments(map, others, first.slopes);
+  std::erase_if(first.lost,
+                [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
+  for (const std::uint32_t i : first.lost) first.labels[i] = kLost;
+  const auto for_each_again = [&](auto&& f) {
+    again.for_each([&](std::size_t from, std::size_t end) {
+      for_each_with<Slope>(kVisited, std::span(first.slopes).subspan(from, end - from),
+                           [&](std::size_t i) { f(from + i); });
+    });
+  };
+  for_each_again([&](std::size_t i) { first.labels[i] = 0; });
+  Ascent ascent(map, first.slopes, first.labels);
+  for_each_again([&](std::size_t i) {
+    first.slopes[i] &= static_cast<Slope>(~kVisited);
+    ascent.climb(static_cast<std::uint32_t>(i));
+  });
+  first.lost.insert(first.lost.end(), ascent.lost().begin(), ascent.lost().end());
+  label_lost(map, first);
+  for (const auto& cells :
+       {changed, std::span<const std::uint32_t>(others), std::span<const std::uint32_t>(first.lost)})
+    for (const std::uint32_t i : cells) again.add(i);
+  first.change = renew_runs(again, clearance_m, first);
+  number_runs(first, map.cells.size());
+}
+
+}  // namespace topo::places

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/places/segmentation/piece_runs.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/grid/free_runs.hpp"
+
+namespace topo::places {
+namespace {
+
+/// Floats that are not negative are in the order of their bits, and of whole numbers the compiler makes
+/// vector instructions.
+float greatest(std::span<const float> values) {
+  std::int32_t most = 0;
+  for (const float& value : values) most = std::max(most, std::bit_cast<std::int32_t>(value));
+  return std::bit_cast<float>(most);
+}
+
+/// Appends the runs of [from, end), where no run begins before or ends after.
+void scan(std::size_t from, std::size_t end, std::span<const float> clearance_m,
+          std::span<const std::uint32_t> labels, std::vector<PieceRun>& runs) {
+  for (std::size_t i = from; i < end;) {
+    const std::size_t first = i;
+    const std::uint32_t label = labels[i];
+    while (i < end && labels[i] == label) ++i;
+    if (label == 0) continue;
+    runs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(i), label,
+                    greatest(clearance_m.subspan(first, i - first))});
+  }
+}
+
+}  // namespace
+
+std::vector<PieceRun> piece_runs(const grid::DenseMap& map, std::span<const float> clearance_m,
+                                 std::span<const std::uint32_t> labels) {
+  std::vector<PieceRun> runs;
+  grid::for_each_free_run(
+      map, [&](const grid::FreeRun& free) { scan(free.first, free.end, clearance_m, labels, runs); });
+  return runs;
+}
+
+std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid::CellBlocks& changed,
+                                   std::span<const float> clearance_m,
+                                   std::span<const std::uint32_t> labels) {
+  std::vector<PieceRun> runs;
+  runs.reserve(before.size() + before.size() / 8);
+  auto old = before.begin();
+  std::size_t done = 0;
+  const auto goes_on = [&](std::size_t cell) { return labels[cell - 1] == labels[cell]; };
+  changed.for_each([&](std::size_t from, std::size_t end) {
+    from = std::max(from, done);
+    if (from >= end) return;
+    // Runs that reach into the block, or now go on in it, are looked at from their beginning to their end.
+    while (old != before.end() && (old->end < from || (old->end == from && !goes_on(from))))
+      runs.push_back(*old++);
+    if (old != before.end()) from = std::min<std::size_t>(from, old->first);
+    // So is one that was looked at with the block before as far as it went, and now goes on in this one.
+    if (from == done && !runs.empty() && runs.back().end == from && runs.back().label == labels[from]) {
+      from = runs.back().first;
+      runs.pop_back();
+    }
+    for (; old != before.end() && (old->first < end || (old->first == end && goes_on(end))); ++old)
+      end = std::max<std::size_t>(end, old->end);
+    scan(from, end, clearance_m, labels, runs);
+    done = end;
+  });
+  runs.insert(runs.end(), old, before.end());
+  return runs;
+}
+
+}  // namespace topo::places

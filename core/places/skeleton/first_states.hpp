@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+#include "core/places/skeleton/thinning_state.hpp"
+
+namespace topo::places {
+
+/// Assumes of all free cells that what is not on the ridge goes when its turn comes; `fates` is zero so far,
+/// as long as map.cells. Returns the cells for which that does not hold, in rising order. One pass over the
+/// cells.
+std::vector<std::uint32_t> assume_fates(const grid::DenseMap& map, std::span<const float> clearance_m,
+                                        std::vector<Fate>& fates);
+
+}  // namespace topo::places

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/grid/dense_map.hpp"
+#include "core/places/skeleton/cell_numbers.hpp"
+#include "core/places/skeleton/thinning.hpp"
+
+namespace topo::places {
+
+/// Unevenness of walls makes short side branches, which say nothing of the disposition of free space. They
+/// are found from their ends: most of the axis lies between junctions, and is not looked at for them.
+class Spurs {
+ public:
+  /// `spur_m`: SkeletonParams.
+  Spurs(const grid::DenseMap& map, std::span<const float> clearance_m, double spur_m)
+      : map_(map),
+        clearance_m_(clearance_m),
+        spur_m_(spur_m),
+        offsets_(neighbour_offsets(map)),
+        junction_of_(map.cells.size()) {}
+
+  /// Takes all spurs away from what was thinned to lines. True when there was one.
+  bool drop(Thinning& thinning);
+
+ private:
+  /// Cells beside each other with more than two neighbours each.
+  struct Junction {
+    std::uint32_t clearest = 0;  ///< of its cells
+    std::size_t exits = 0;       ///< neighbours that lead away
+  };
+  /// From an end to where the axis branches.
+  struct Branch {
+    std::uint32_t junction = 0;  ///< one of its cells
+    float length_m = 0.0F;
+  };
+
+  std::optional<Branch> follow(std::uint32_t end, const Thinning& thinning);
+  const Junction& junction_at(std::uint32_t cell, Thinning& thinning);
+  [[nodiscard]] double protrusion_m(std::uint32_t end, const Junction& junction, float length_m) const;
+  [[nodiscard]] std::uint32_t neighbour(std::uint32_t i, std::size_t k) const {
+    return static_cast<std::uint32_t>(static_cast<std::ptrdiff_t>(i) + offsets_[k]);
+  }
+
+  const grid::DenseMap& map_;
+  std::span<const float> clearance_m_;
+  double spur_m_;
+  std::array<std::ptrdiff_t, 8> offsets_;
+  CellNumbers junction_of_;  ///< number of the junction of those that are marked as nodes
+  std::vector<Junction> junctions_;
+  std::vector<std::uint32_t> at_junctions_;  ///< their cells
+  std::vector<std::uint32_t> way_;           ///< the branch followed last, without its junction
+};
+
+}  // namespace topo::places

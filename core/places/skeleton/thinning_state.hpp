@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/places/skeleton/erosion.hpp"
+
+namespace topo::places {
+
+/// A cell's bucket, an eighth of a cell of clearance wide, above its flags. A free cell's is not 0, so
+/// that nothing else is; from 512 cells of clearance on there is one.
+using Fate = std::uint16_t;
+inline constexpr int kBucketShift = 4;
+inline constexpr std::size_t kBuckets = 4096;
+inline constexpr Fate kFlags = (1U << kBucketShift) - 1;
+
+/// In doubt, and waiting for its turn.
+inline constexpr Fate kQueued = 1;
+inline constexpr Fate kOutcome = Erosion::kKept | Erosion::kDelayed;
+
+/// When a cell's turn comes: by bucket, the delayed ones last. The shift leaves these two.
+inline constexpr int kTurnShift = 3;
+static_assert(Erosion::kDelayed == 1U << kTurnShift);
+
+/// A fate with nothing but its bucket.
+inline Fate fate_of(float clearance_m, float buckets_per_m) {
+  const float bucket = std::min(clearance_m * buckets_per_m, static_cast<float>(kBuckets - 1));
+  return static_cast<Fate>(static_cast<std::int32_t>(bucket) << kBucketShift);
+}
+
+inline std::size_t bucket_of(Fate fate) { return static_cast<std::size_t>(fate >> kBucketShift); }
+
+/// For fate_of: buckets are an eighth of a cell wide.
+inline float buckets_per_m(const grid::DenseMap& map) { return static_cast<float>(8.0 / map.resolution_m); }
+
+/// Unlike std::max without references, which keep the compiler from vector instructions.
+inline float larger(float a, float b) { return a < b ? b : a; }
+
+/// On the ridge no neighbour is much clearer: with a wall on one side clearance rises by nearly a cell a cell
+/// somewhere (at least 0.92, because neighbours lie in eight directions), on the axis of a right-angled
+/// corner by 0.71, in a corridor not at all. Near the boundary, where distances jump, only what is as flat as
+/// a corridor counts.
+inline bool is_ridge(float here_m, float side_m, float corner_m, float cell_m) {
+  const float rise_m = larger(side_m - here_m, (corner_m - here_m) * 0.70711F);
+  const float flat_m = here_m < 3.0F * cell_m ? 0.3F * cell_m : 0.8F * cell_m;
+  return rise_m < flat_m;
+}
+
+}  // namespace topo::places

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/team/status_message.hpp"
+
+namespace topo::team {
+
+std::string_view to_text(Duty duty) {
+  switch (duty) {
+    case Duty::kAble:
+      return "able";
+    case Duty::kUnable:
+      return "unable";
+    case Duty::kOver:
+      return "over";
+  }
+  return "unknown";
+}
+
+bool is_same_goal(const types::Vector2& a, const types::Vector2& b) {
+  return (a - b).squaredNorm() <= kSameGoal_m * kSameGoal_m;
+}
+
+bool beats(const Bid& a, std::uint16_t robot_a, const Bid& b, std::uint16_t robot_b) {
+  return a.cost_m != b.cost_m ? a.cost_m < b.cost_m : robot_a < robot_b;
+}
+
+}  // namespace topo::team

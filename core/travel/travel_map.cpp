@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/travel/travel_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "core/grid/cell_block.hpp"
+#include "core/grid/known_span.hpp"
+#include "core/types/beam_directions.hpp"
+
+namespace topo::travel {
+namespace {
+
+using grid::CellIndex;
+using grid::CellState;
+using grid::DenseMap;
+using types::Vector2;
+
+constexpr int kBlock = grid::kCellBlock;
+using Block = std::array<std::uint8_t, kBlock>;
+
+/// For each of `count` cells from `from` on: is the nearest known cell in steps of `stride` free?
+void see_free(const CellState* from, int count, std::ptrdiff_t stride, int reach, Block& sees) {
+  std::fill_n(sees.begin(), count, std::uint8_t{0});
+  for (int step = reach; step >= 1; --step) {
+    const CellState* at = from + step * stride;
+    for (int x = 0; x < count; ++x) {
+      const auto free = static_cast<std::uint8_t>(at[x] == CellState::kFree);
+      const auto unknown = static_cast<std::uint8_t>(at[x] == CellState::kUnknown);
+      sees[static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>(free | (unknown & sees[static_cast<std::size_t>(x)]));
+    }
+  }
+}
+
+/// Which of the cells are unknown and between free ones. False: none.
+bool between_free(const CellState* from, int count, std::span<const std::ptrdiff_t> strides, int reach,
+                  Block& between) {
+  Block one, other;
+  std::fill_n(between.begin(), count, std::uint8_t{0});
+  for (const std::ptrdiff_t stride : strides) {
+    see_free(from, count, stride, reach, one);
+    see_free(from, count, -stride, reach, other);
+    for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x)
+      between[x] = static_cast<std::uint8_t>(between[x] | (one[x] & other[x]));
+  }
+  std::uint8_t any = 0;
+  for (int x = 0; x < count; ++x) {
+    const auto unknown = static_cast<std::uint8_t>(from[x] == CellState::kUnknown);
+    std::uint8_t& here = between[static_cast<std::size_t>(x)];
+    here = static_cast<std::uint8_t>(here & unknown);
+    any = static_cast<std::uint8_t>(any | here);
+  }
+  return any != 0;
+}
+
+/// Are all of the cells of one state? Most of a map's blocks are unknown through and through, or known.
+bool is_all(const CellState* from, int count, CellState state) {
+  std::uint8_t other = 0;
+  for (int x = 0; x < count; ++x)
+    other = static_cast<std::uint8_t>(other | static_cast<std::uint8_t>(from[x] != state));
+  return other == 0;
+}
+
+/// Can no cell of these change: none is unknown, or all around is?
+bool is_settled(const CellState* from, int count, std::ptrdiff_t width, int reach) {
+  if (std::memchr(from, static_cast<int>(CellState::kUnknown), static_cast<std::size_t>(count)) == nullptr)
+    return true;
+  for (int y = -reach; y <= reach; ++y) {
+    if (!is_all(from + y * width - reach, count + 2 * reach, CellState::kUnknown)) return false;
+  }
+  return true;
+}
+
+/// Between which columns something is known.
+class KnownColumns {
+ public:
+  struct Columns {
+    int first, end;
+  };
+
+  KnownColumns(const DenseMap& map, int reach) : reach_(reach) {
+    const auto width = static_cast<std::size_t>(map.width());
+    for (std::size_t row = 0; row < map.cells.size(); row += width) {
+      const auto [first, end] = grid::known_span(map.cells, row, row + width);
+      if (first == end)
+        of_row_.push_back({map.width(), 0});
+      else
+        of_row_.push_back({static_cast<int>(first - row), static_cast<int>(end - row)});
+    }
+  }
+
+  /// In the rows as far as `reach` from one.
+  [[nodiscard]] Columns around(int row) const {
+    Columns all = of_row_[static_cast<std::size_t>(row - reach_)];
+    for (int y = row - reach_ + 1; y <= row + reach_; ++y) {
+      const Columns& there = of_row_[static_cast<std::size_t>(y)];
+      all = {std::min(all.first, there.first), std::max(all.end, there.end)};
+    }
+    return all;
+  }
+
+ private:
+  int reach_;
+  std::vector<Columns> of_row_;
+};
+
+/// Crossings of the horizontal line at `y_m` with a polygon's edges, in order of x.
+void crossings(const types::Polygon& polygon, double y_m, std::vector<double>& out) {
+  out.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((a.y() > y_m) == (b.y() > y_m)) continue;
+    out.push_back(a.x() + (y_m - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+  std::sort(out.begin(), out.end());
+}
+
+/// Occupies the cells of one row whose centres are inside the polygon, or outside when `outside`.
+void occupy_row(DenseMap& map, std::int32_t y, const std::vector<double>& crossings_m, bool outside) {
+  std::size_t passed = 0;
+  CellState* row = map.cells.data() + map.index({map.box.min.x, y});
+  for (int i = 0; i < map.width(); ++i) {
+    const double x_m = (map.box.min.x + i + 0.5) * map.resolution_m;
+    while (passed < crossings_m.size() && crossings_m[passed] <= x_m) ++passed;
+    const bool inside = passed % 2 == 1;
+    if (inside != outside) row[i] = CellState::kOccupied;
+  }
+}
+
+void occupy(DenseMap& map, const types::Polygon& polygon, bool outside) {
+  std::vector<double> crossings_m;
+  for (std::int32_t y = map.box.min.y; y <= map.box.max.y; ++y) {
+    crossings(polygon, (y + 0.5) * map.resolution_m, crossings_m);
+    if (outside || !crossings_m.empty()) occupy_row(map, y, crossings_m, outside);
+  }
+}
+
+/// Calls visit(index, squared distance) for the cells within a radius of a point.
+template <class Visit>
+void for_each_around(const DenseMap& map, const Vector2& centre, double radius_m, Visit visit) {
+  const CellIndex low = map.cell_at(centre - Vector2(radius_m, radius_m));
+  const CellIndex high = map.cell_at(centre + Vector2(radius_m, radius_m));
+  const std::int32_t left = std::max(low.x, map.box.min.x), right = std::min(high.x, map.box.max.x);
+  const double radius_m2 = radius_m * radius_m;
+  for (std::int32_t y = std::max(low.y, map.box.min.y); y <= std::min(high.y, map.box.max.y); ++y) {
+    for (std::int32_t x = left; x <= right; ++x) {
+      const double away_m2 = (map.centre_of({x, y}) - centre).squaredNorm();
+      if (away_m2 <= radius_m2) visit(map.index({x, y}), away_m2);
+    }
+  }
+}
+
+}  // namespace
+
+void close_gaps(DenseMap& map, int reach) {
+  static_assert(sizeof(CellState) == 1);
+  const int w = map.width(), h = map.height();
+  const std::array<std::ptrdiff_t, 4> strides{1, w, w + 1, w - 1};
+  std::vector<std::size_t> closed;
+  Block between;
+  const KnownColumns known(map, reach);
+  for (int y = reach; y < h - reach; ++y) {
+    const CellState* row = map.cells.data() + static_cast<std::ptrdiff_t>(y) * w;
+    const auto [first, end] = known.around(y);
+    for (int x = std::max(reach, first); x < std::min(w - reach, end); x += kBlock) {
+      const int count = std::min(kBlock, w - reach - x);
+      if (is_settled(row + x, count, w, reach)) continue;
+      if (!between_free(row + x, count, strides, reach, between)) continue;
+      for (int i = 0; i < count; ++i) {
+        if (between[static_cast<std::size_t>(i)] != 0)
+          closed.push_back(static_cast<std::size_t>(row + x + i - map.cells.data()));
+      }
+    }
+  }
+  for (const std::size_t index : closed) map.cells[index] = CellState::kFree;
+}
+
+void free_disc(DenseMap& map, const Vector2& centre, double radius_m) {
+  for_each_around(map, centre, radius_m, [&](std::size_t index, double) {
+    if (map.cells[index] != CellState::kUnknown || map.is_on_border(map.cell(index))) return;
+    map.cells[index] = CellState::kFree;
+  });
+}
+
+void free_trail(DenseMap& map, const grid::OccupancyGrid& grid, const Vector2& centre, double radius_m) {
+  for_each_around(map, centre, radius_m, [&](std::size_t index, double) {
+    if (map.cells[index] == CellState::kOccupied && grid.state(map.cell(index)) != CellState::kOccupied)
+      map.cells[index] = CellState::kFree;
+  });
+}
+
+void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid) {
+  constexpr int kSide = grid::Tile::kSide;
+  grid.tiles().for_each([&](patricia::Key key, const grid::TileRef& tile) {
+    const auto corner = patricia::cell_of(key);
+    const auto& cells = tile.read().cells;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const grid::CellCounts& counts = cells[static_cast<std::size_t>(i)];
+      const unsigned hits = counts.hits, all = hits + counts.misses;
+      if (hits < 2 || 10 * hits < all) continue;
+      const CellIndex cell{corner.x * kSide + i % kSide, corner.y * kSide + i / kSide};
+      if (map.contains(cell)) map.cells[map.index(cell)] = CellState::kOccupied;
+    }
+  });
+}
+
+void apply_limits(DenseMap& map, const types::AreaLimits& limits) {
+  if (limits.keep_in) occupy(map, *limits.keep_in, true);
+  for (const types::Polygon& polygon : limits.keep_out) occupy(map, polygon, false);
+}
+
+DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways, const types::AreaLimits& limits,
+                     double route_radius_m) {
+  constexpr double kReach_m = 0.15;  // to either side: the spacing of 0.25 degrees at 30 m
+  const int reach = static_cast<int>(std::lround(kReach_m / grid.resolution_m()));
+  const int disc = static_cast<int>(std::ceil(route_radius_m / grid.resolution_m())) + 1;
+  DenseMap map = grid::dense_map(grid, std::max(2 * reach, disc));
+  occupy_faint(map, grid);
+  close_gaps(map, reach);
+  constexpr double kInner =
+      0.7;  // of the route's disc: the part that the robot's outline fills whichever way it faces
+  const auto free_way = [&](std::span<const types::KeyframePose> way) {
+    for (const types::KeyframePose& keyframe : way) {
+      const Vector2 centre = keyframe.T_map_base.se2().translation();
+      free_disc(map, centre, route_radius_m);
+      free_trail(map, grid, centre, kInner * route_radius_m);
+    }
+  };
+  free_way(ways.own);
+  for (std::span<const types::KeyframePose> way : ways.mates) free_way(way);
+  apply_limits(map, limits);
+  return map;
+}
+
+std::vector<Vector2> confirmed_points(const types::Scan& scan, const types::Se2& T_map_laser,
+                                      double range_max_m) {
+  constexpr float kStep_m = 0.1F;
+  std::vector<Vector2> points;
+  const auto confirmed = [&](std::size_t i, std::size_t neighbour) {
+    return types::is_hit(scan.range_m[neighbour]) &&
+           std::abs(scan.range_m[neighbour] - scan.range_m[i]) < kStep_m;
+  };
+  types::BeamDirections direction(scan.geometry, T_map_laser.theta_rad);
+  for (std::size_t i = 1; i + 1 < scan.beams; ++i) {
+    direction.advance();
+    const double range_m = static_cast<double>(scan.range_m[i]);
+    if (!types::is_hit(scan.range_m[i]) || range_m > range_max_m) continue;
+    if (!confirmed(i, i - 1) || !confirmed(i, i + 1)) continue;
+    points.emplace_back(T_map_laser.translation() + range_m * direction.now());
+  }
+  return points;
+}
+
+void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, double reach_m,
+                     std::vector<float>& clearance_m) {
+  for (const Vector2& obstacle : obstacles) {
+    // What the map has already changes nothing.
+    const CellIndex cell = map.cell_at(obstacle);
+    if (!map.contains(cell) || clearance_m[map.index(cell)] <= 0.0F) continue;
+    for_each_around(map, obstacle, reach_m, [&](std::size_t index, double away_m2) {
+      clearance_m[index] = std::min(clearance_m[index], static_cast<float>(std::sqrt(away_m2)));
+    });
+  }
+}
+
+void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> way, CellIndex here,
+                     const TrailRules& rules, std::vector<float>& clearance_m) {
+  constexpr double kGap_m = 0.8;  // two keyframes: farther apart the robot was carried, or lost
+  const auto open_m = static_cast<float>(rules.open_m), above_m = static_cast<float>(rules.above_m);
+  const Vector2 robot = map.centre_of(here);
+  // A line of cells without a gap, and no wider: beside it the robot may touch.
+  const double reach_m = 0.75 * map.resolution_m;
+  const std::size_t stands = map.contains(here) ? map.index(here) : map.cells.size();
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
+    const double length_m = (b - a).norm();
+    if (length_m > kGap_m || (b - robot).norm() > rules.within_m) continue;
+    const int steps = static_cast<int>(std::ceil(length_m / map.resolution_m)) + 1;
+    for (int k = 0; k <= steps; ++k) {
+      for_each_around(
+          map, a + (b - a) * (static_cast<double>(k) / steps), reach_m, [&](std::size_t index, double) {
+            if (map.cells[index] == CellState::kFree && index != stands && clearance_m[index] >= above_m)
+              clearance_m[index] = std::max(clearance_m[index], open_m);
+          });
+    }
+  }
+}
+
+}  // namespace topo::travel

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/types/stamp.hpp"
+
+namespace topo::types {
+
+/// The robot's outline seen from above, from its centre of rotation: a rectangle, cut to the circle that the
+/// robot needs to turn on the spot (PROTOCOLS section 6.2: a P3-DX has no corners outside of 0.267 m, though
+/// its rectangle has).
+struct Footprint {
+  double front_m = 0.21;
+  double rear_m = 0.301;
+  double half_width_m = 0.2125;
+  double swing_radius_m = HUGE_VAL;  ///< unknown: the rectangle
+};
+
+/// Radius of the smallest circle about the centre of rotation that holds the outline.
+inline double reach_m(const Footprint& f) {
+  return std::min(f.swing_radius_m, std::hypot(std::max(f.front_m, f.rear_m), f.half_width_m));
+}
+
+/// Larger on every side.
+inline Footprint grown(const Footprint& f, double by_m) {
+  return {f.front_m + by_m, f.rear_m + by_m, f.half_width_m + by_m, f.swing_radius_m + by_m};
+}
+
+/// What one robot may do: the smallest of configuration, model and firmware.
+struct RobotLimits {
+  double v_max_mps = 0.7;
+  double omega_max_radps = 1.4;
+  double acceleration_mps2 = 0.3;
+  double deceleration_mps2 = 0.5;
+  double angular_acceleration_radps2 = 1.7;
+  Footprint footprint;
+  double margin_m = 0.05;       ///< kept free around the footprint
+  double turn_margin_m = 0.03;  ///< the same while turning on the spot, where no way adds its error
+  /// One wheel that turns in vain for 0.6 of its way on a track of 0.36 m: what the robot may curve without
+  /// its encoders knowing. It has to be able to brake on such an arc as well.
+  double slip_curvature_per_m = 1.7;
+  double v_beside_mps = 0.12;  ///< slow enough to drive beside something whatever the wheels do
+  /// The same wheel while the robot turns on the spot: how far its centre moves aside for each radian.
+  double slip_aside_m_per_rad = 0.05;
+  double omega_beside_radps = 0.2;  ///< slow enough to turn beside something whatever the wheels do
+  bool allow_reverse = false;       ///< the rear is blind; whoever sets this vouches for the way
+  double v_reverse_max_mps = 0.1;
+  types::Duration request_age_max = std::chrono::milliseconds(300);
+  types::Duration status_age_max = std::chrono::milliseconds(300);
+  types::Duration reaction = std::chrono::milliseconds(100);  ///< from a scan's arrival to the wheels
+};
+
+/// False when a number is not finite or makes no sense: nothing may move then.
+bool is_valid(const RobotLimits& limits);
+
+}  // namespace topo::types

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/analysis/analysis.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/grid/distance.hpp"
+#include "core/travel/coarse_map.hpp"
+
+namespace topo::analysis {
+namespace {
+
+using grid::CellState;
+using grid::DenseMap;
+
+void fill(DenseMap& map, int x0, int y0, int x1, int y1, CellState state) {
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) map.cells[map.index({x, y})] = state;
+}
+
+/// Two rows of rooms along a corridor, with doors, and things that stand about.
+DenseMap building() {
+  DenseMap map;
+  map.box = {{0, 0}, {199, 119}};
+  map.cells.assign(static_cast<std::size_t>(map.width() * map.height()), CellState::kUnknown);
+  fill(map, 8, 8, 192, 112, CellState::kOccupied);
+  fill(map, 10, 50, 190, 70, CellState::kFree);
+  for (int x = 10; x < 190; x += 36) {
+    for (const int y : {10, 72}) fill(map, x, y, x + 34, y + 38, CellState::kFree);
+    for (const int y : {48, 70}) fill(map, x + 12, y, x + 24, y + 2, CellState::kFree);
+  }
+  for (int k = *rc::gen::inRange(0, 30); k > 0; --k) {
+    const int x = *rc::gen::inRange(12, 180), y = *rc::gen::inRange(12, 100);
+    fill(map, x, y, x + *rc::gen::inRange(1, 8), y + *rc::gen::inRange(1, 8), CellState::kOccupied);
+  }
+  return map;
+}
+
+/// What a robot has come to know of a building.
+class Exploration {
+ public:
+  explicit Exploration(DenseMap building) : building_(std::move(building)), seen_(building_) {
+    std::fill(seen_.cells.begin(), seen_.cells.end(), CellState::kUnknown);
+  }
+
+  void look_around(int x, int y, int reach) {
+    at_.push_back(building_.centre_of({x, y}));
+    for (std::size_t i = 0; i < seen_.cells.size(); ++i) {
+      const grid::CellIndex c = building_.cell(i);
+      if ((c.x - x) * (c.x - x) + (c.y - y) * (c.y - y) <= reach * reach) seen_.cells[i] = building_.cells[i];
+    }
+  }
+  /// Somebody moved a thing, or the map was corrected: a patch becomes what it was not.
+  void change(int x, int y, int side, CellState state) { fill(seen_, x, y, x + side, y + side, state); }
+
+  /// As a snapshot has it: no greater than what is known.
+  [[nodiscard]] AnalysisInput input(std::uint64_t revision) {
+    grid::CellBox known;
+    for (std::size_t i = 0; i < seen_.cells.size(); ++i)
+      if (seen_.cells[i] != CellState::kUnknown) known.extend(seen_.cell(i));
+    DenseMap map;
+    map.resolution_m = seen_.resolution_m;
+    map.box = {{known.min.x - 1, known.min.y - 1}, {known.max.x + 1, known.max.y + 1}};
+    map.cells.resize(static_cast<std::size_t>(map.width() * map.height()));
+    for (std::size_t i = 0; i < map.cells.size(); ++i) map.cells[i] = seen_.state(map.cell(i));
+    clearance_m_ = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    return {revision, std::move(map), clearance_m_, {}, {at_}};
+  }
+
+ private:
+  DenseMap building_, seen_;
+  std::vector<types::Vector2> at_;
+  std::vector<float> clearance_m_;  ///< of the newest input
+};
+
+/// As a wall store has them: not of all that is occupied, and in another order than the map's.
+std::vector<types::Vector2> some_occupied(const DenseMap& map) {
+  std::vector<types::Vector2> points;
+  const std::size_t left_out = *rc::gen::inRange<std::size_t>(2, 9);
+  for (std::size_t i = map.cells.size(); i-- > 0;)
+    if (map.cells[i] == CellState::kOccupied && i % left_out != 0)
+      points.push_back(map.centre_of(map.cell(i)));
+  return points;
+}
+
+void check_skeleton(const places::Skeleton& a, const places::Skeleton& b) {
+  RC_ASSERT(a.on == b.on);
+  RC_ASSERT(a.axis == b.axis);
+  RC_ASSERT(a.nodes.size() == b.nodes.size());
+  for (std::size_t n = 0; n < a.nodes.size(); ++n) RC_ASSERT(a.nodes[n].cell == b.nodes[n].cell);
+  RC_ASSERT(a.edges.size() == b.edges.size());
+  for (std::size_t e = 0; e < a.edges.size(); ++e) {
+    RC_ASSERT(a.edges[e].a == b.edges[e].a && a.edges[e].b == b.edges[e].b);
+    RC_ASSERT(a.edges[e].length_m == b.edges[e].length_m);
+    RC_ASSERT(a.edges[e].clearance_min_m == b.edges[e].clearance_min_m);
+  }
+}
+
+void check_places(const places::PlaceMap& a, const places::PlaceMap& b) {
+  RC_ASSERT(a.labels == b.labels);
+  RC_ASSERT(a.places.size() == b.places.size());
+  for (std::size_t p = 0; p < a.places.size(); ++p) {
+    RC_ASSERT(a.places[p].box.min == b.places[p].box.min && a.places[p].box.max == b.places[p].box.max);
+    RC_ASSERT(a.places[p].centroid == b.places[p].centroid);
+  }
+  RC_ASSERT(a.borders.size() == b.borders.size());
+  for (std::size_t k = 0; k < a.borders.size(); ++k) {
+    RC_ASSERT(a.borders[k].a == b.borders[k].a && a.borders[k].b == b.borders[k].b);
+    RC_ASSERT(a.borders[k].length_m == b.borders[k].length_m);
+  }
+}
+
+void check_goals(const std::vector<goals::Goal>& a, const std::vector<goals::Goal>& b) {
+  RC_ASSERT(a.size() == b.size());
+  for (std::size_t g = 0; g < a.size(); ++g)
+    RC_ASSERT(a[g].p_map == b[g].p_map && a[g].place == b[g].place && a[g].verdict == b[g].verdict);
+}
+
+TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
+  int angles_kept = 0, angles_changed = 0;
+  EXPECT_TRUE(rc::check([&] {
+    std::optional<double> last_rad;
+    Exploration exploration(building());
+    AnalysisMemory memory;
+    // Of a map that does not get larger more is kept.
+    if (*rc::gen::inRange(0, 2) == 0)
+      for (const auto& [x, y] : {std::pair(1, 1), {198, 118}})
+        exploration.change(x, y, 1, CellState::kOccupied);
+    const int steps = *rc::gen::inRange(2, 10);
+    for (int step = 0; step < steps; ++step) {
+      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
+                              *rc::gen::inRange(10, 60));
+      for (int k = *rc::gen::inRange(0, 4); k > 0; --k) {
+        const auto state = *rc::gen::element(CellState::kUnknown, CellState::kFree, CellState::kOccupied);
+        exploration.change(*rc::gen::inRange(1, 170), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 28),
+                           state);
+      }
+      AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
+      if (*rc::gen::inRange(0, 8) == 0) (void)analyse(AnalysisInput{}, {}, memory);  // of no map
+      if (*rc::gen::inRange(0, 3) == 0) input.wall_points = some_occupied(input.map);
+      if (*rc::gen::inRange(0, 4) == 0) (void)analyse(input, {}, memory);  // the same twice
+      const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+      RC_ASSERT(again.revision == whole.revision);
+      RC_ASSERT(again.map.cells == whole.map.cells);
+      RC_ASSERT(again.compass.angle_rad == whole.compass.angle_rad);
+      ++(again.compass.angle_rad == std::exchange(last_rad, whole.compass.angle_rad) ? angles_kept
+                                                                                     : angles_changed);
+      RC_ASSERT(again.walls.size() == whole.walls.size());
+      for (std::size_t w = 0; w < again.walls.size(); ++w)
+        RC_ASSERT(again.walls[w].a == whole.walls[w].a && again.walls[w].b == whole.walls[w].b);
+      check_skeleton(again.skeleton, whole.skeleton);
+      check_places(again.places, whole.places);
+      check_goals(again.goals.goals, whole.goals.goals);
+      check_goals(again.goals.rejected, whole.goals.rejected);
+    }
+  }));
+  EXPECT_GT(angles_kept, 50);
+  EXPECT_GT(angles_changed, 50);
+}
+
+/// Of a coarse map the distances given are not those between its own cells.
+TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    AnalysisMemory memory;
+    for (int step = 0; step < 4; ++step) {
+      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
+                              *rc::gen::inRange(10, 60));
+      AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
+      travel::ClearMap wide = travel::coarser(input.map, input.clearance_m);
+      if (*rc::gen::inRange(0, 3) != 0) {
+        input.map = std::move(wide.map);
+        input.clearance_m = wide.clearance_m;
+      }
+      const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+      check_skeleton(again.skeleton, whole.skeleton);
+      check_places(again.places, whole.places);
+      check_goals(again.goals.goals, whole.goals.goals);
+    }
+  }));
+}
+
+TEST(Analysis, AnotherMapIsAnotherMap) {
+  EXPECT_TRUE(rc::check([] {
+    AnalysisMemory memory;
+    Exploration one(building()), other(building());
+    one.look_around(100, 60, 90);
+    other.look_around(40, 30, 30);
+    (void)analyse(one.input(1), {}, memory);
+    const AnalysisInput input = other.input(2);
+    const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+    check_skeleton(again.skeleton, whole.skeleton);
+    check_places(again.places, whole.places);
+  }));
+}
+
+}  // namespace
+}  // namespace topo::analysis

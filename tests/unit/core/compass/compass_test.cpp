@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/compass/compass.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "tests/unit/core/walls/points.hpp"
+
+namespace topo::compass {
+namespace {
+
+using walls::building;
+using walls::cell_centres;
+using walls::draw_line;
+using walls::furnish;
+using walls::Points;
+using walls::turned;
+
+constexpr double kQuarterTurn = std::numbers::pi / 2.0;
+
+double apart_deg(double a_rad, double b_rad) {
+  return std::abs(std::remainder(a_rad - b_rad, kQuarterTurn)) / types::kDegree_rad;
+}
+
+TEST(Compass, TurnsWithTheBuilding) {
+  const Points plan = building();
+  for (int a = 0; a < 90; a += 7) {
+    const Compass compass = entropy_compass(cell_centres(turned(plan, a * types::kDegree_rad)));
+    ASSERT_TRUE(compass.angle_rad) << a;
+    EXPECT_LT(apart_deg(*compass.angle_rad, a * types::kDegree_rad), 0.1) << a;
+    EXPECT_GE(*compass.angle_rad, 0.0);
+    EXPECT_LT(*compass.angle_rad, kQuarterTurn);
+    EXPECT_EQ(compass.entropy.size(), 90U);
+  }
+}
+
+TEST(Compass, AnswersInStepsThatAFewPointsDoNotChange) {
+  for (const double a_deg : {0.0, 33.0, 71.5}) {
+    Points points = cell_centres(turned(building(), a_deg * types::kDegree_rad));
+    const auto angle_rad = entropy_compass(points).angle_rad;
+    ASSERT_TRUE(angle_rad) << a_deg;
+    const double steps = *angle_rad / types::kDegree_rad / 0.05;
+    EXPECT_NEAR(steps, std::round(steps), 1e-6) << a_deg;
+    for (int gone = 10; gone <= 50; gone += 10) {
+      points.resize(points.size() - 10);
+      EXPECT_EQ(entropy_compass(points).angle_rad, angle_rad) << a_deg << " without " << gone;
+    }
+  }
+}
+
+TEST(Compass, OnBothSidesOfAQuarterTurnIsTheSame) {
+  for (const double a_deg : {-0.02, 0.0, 0.02, 89.98, 90.02}) {
+    const Points plan = cell_centres(turned(building(), a_deg * types::kDegree_rad));
+    EXPECT_EQ(entropy_compass(plan).angle_rad, 0.0) << a_deg;
+  }
+}
+
+TEST(Compass, IsNotTurnedByFurniture) {
+  Points plan = cell_centres(building());
+  furnish(plan, 3);
+  for (const int a : {0, 7, 23, 45, 47, 61, 89}) {
+    const Compass compass = entropy_compass(cell_centres(turned(plan, a * types::kDegree_rad)));
+    ASSERT_TRUE(compass.angle_rad) << a;
+    EXPECT_LT(apart_deg(*compass.angle_rad, a * types::kDegree_rad), 0.3) << a;
+  }
+}
+
+TEST(Compass, IsTheSameInAnyOrderOfThePoints) {
+  EXPECT_TRUE(rc::check("order", [] {
+    Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * types::kDegree_rad));
+    furnish(plan, 1);
+    CompassParams params;
+    params.points_max = static_cast<std::size_t>(*rc::gen::element(3000, 20000));
+    const Compass expected = entropy_compass(plan, params);
+    std::shuffle(plan.begin(), plan.end(), std::mt19937(static_cast<unsigned>(*rc::gen::inRange(0, 1000))));
+    const Compass shuffled = entropy_compass(plan, params);
+    RC_ASSERT(shuffled.angle_rad == expected.angle_rad);
+    RC_ASSERT(shuffled.entropy == expected.entropy);
+    RC_ASSERT(shuffled.confidence == expected.confidence);
+  }));
+}
+
+TEST(Compass, OfPointsThatCameAndWentIsThatOfThosePresent) {
+  EXPECT_TRUE(rc::check("points that come and go", [] {
+    const Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * types::kDegree_rad));
+    CompassParams params;
+    params.points_max = static_cast<std::size_t>(*rc::gen::element(300, 3000, 20000));
+    CompassMemory memory;
+    Points before;
+    for (int step = 0; step < 6; ++step) {
+      Points points = plan;
+      if (*rc::gen::inRange(0, 2) == 0) furnish(points, static_cast<unsigned>(*rc::gen::inRange(0, 4)));
+      const double x_m = *rc::gen::inRange(0, 28), wide_m = *rc::gen::inRange(0, 8);
+      std::erase_if(points, [&](const auto& p) { return p.x() > x_m && p.x() < x_m + wide_m; });
+      if (*rc::gen::inRange(0, 9) == 0) points.clear();
+      std::sort(points.begin(), points.end(), comes_before);
+      const Compass again = entropy_compass(points_change(before, points), params, memory),
+                    fresh = entropy_compass(points, params);
+      before = points;
+      RC_ASSERT(again.angle_rad == fresh.angle_rad);
+      RC_ASSERT(again.entropy == fresh.entropy);
+      RC_ASSERT(again.confidence == fresh.confidence);
+    }
+  }));
+}
+
+TEST(Compass, SaysSoWhereThereIsNoDirection) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0.0, 5.0);
+  std::uniform_real_distribution<double> angle(0.0, 2.0 * std::numbers::pi);
+  for (const int size : {10, 100, 1000, 20000}) {
+    Points cloud, circle;
+    for (int i = 0; i < size; ++i) {
+      cloud.emplace_back(normal(random), normal(random));
+      const double a = angle(random);
+      circle.emplace_back(8.0 * std::cos(a), 8.0 * std::sin(a));
+    }
+    EXPECT_FALSE(entropy_compass(cloud).angle_rad) << size;
+    EXPECT_FALSE(entropy_compass(circle).angle_rad) << size;
+    EXPECT_FALSE(entropy_compass(cell_centres(circle)).angle_rad) << size;
+  }
+}
+
+TEST(Compass, OfRasteredNoiseIsNotTheRaster) {
+  // A disc of noise on cells of 0.1 m, wider than a half bin: its rows are no walls.
+  std::mt19937 random(9);
+  std::uniform_int_distribution<int> cell(-80, 80);
+  Points noise;
+  while (noise.size() < 5000) {
+    const int x = cell(random), y = cell(random);
+    if (x * x + y * y < 6400) noise.emplace_back(x * 0.1, y * 0.1);
+  }
+  EXPECT_FALSE(entropy_compass(noise, {.cell_m = 0.1}).angle_rad);
+}
+
+TEST(Compass, OfNothingOrAPointOrOneCellIsNone) {
+  EXPECT_FALSE(entropy_compass({}).angle_rad);
+  EXPECT_FALSE(entropy_compass(Points{{1.0, 2.0}}).angle_rad);
+  const Points same(1000, types::Vector2(1.0, 2.0));
+  const Compass compass = entropy_compass(same);
+  EXPECT_FALSE(compass.angle_rad);
+  EXPECT_EQ(compass.confidence, 0.0);
+}
+
+TEST(Compass, OfOneCorridorWallIsItsDirection) {
+  Points wall;
+  draw_line(wall, {0.0, 0.0}, {20.0 * std::cos(0.5), 20.0 * std::sin(0.5)});
+  const Compass compass = entropy_compass(cell_centres(wall));
+  ASSERT_TRUE(compass.angle_rad);
+  EXPECT_LT(apart_deg(*compass.angle_rad, 0.5), 0.2);
+  EXPECT_GT(compass.confidence, 0.1);
+}
+
+TEST(Compass, APointFarOutCostsNoMemory) {
+  Points plan = cell_centres(building());
+  plan.emplace_back(1e9, -1e9);
+  EXPECT_LE(entropy_compass(plan).entropy.size(), 90U);
+}
+
+}  // namespace
+}  // namespace topo::compass

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/travel/coarse_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/grid/distance.hpp"
+#include "tests/unit/core/grid/maps.hpp"
+
+namespace topo::travel {
+namespace {
+
+using grid::CellState;
+
+TEST(ClearMap, aCoarserMapHidesNoObstacleAndNarrowsNoWay) {
+  EXPECT_TRUE(rc::check([] {
+    ClearMap fine;
+    fine.map = grid::random_map(40);
+    fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
+    const ClearMap coarse = coarser(fine.map, fine.clearance_m);
+    RC_ASSERT(coarse.map.resolution_m == 2.0 * fine.map.resolution_m);
+    for (std::size_t i = 0; i < fine.map.cells.size(); ++i) {
+      const types::Vector2 centre = fine.map.centre_of(fine.map.cell(i));
+      const grid::CellIndex there = coarse.map.cell_at(centre);
+      const CellState state = coarse.map.state(there);
+      RC_ASSERT(state >= fine.map.cells[i]);  // unknown, free, occupied
+      RC_ASSERT(state != CellState::kFree ||
+                coarse.clearance_m[coarse.map.index(there)] >= fine.clearance_m[i]);
+    }
+    // ... and invents none.
+    for (std::size_t i = 0; i < coarse.map.cells.size(); ++i) {
+      const grid::CellIndex at = coarse.map.cell(i);
+      bool found = coarse.map.cells[i] == CellState::kUnknown;
+      for (int k = 0; k < 4; ++k)
+        found = found || fine.map.state({2 * at.x + k % 2, 2 * at.y + k / 2}) == coarse.map.cells[i];
+      RC_ASSERT(found);
+    }
+  }));
+}
+
+TEST(ClearMap, aCoarserMapHasUnknownCellsAllAround) {
+  ClearMap fine;
+  fine.map = grid::filled_map(7, 5, CellState::kFree);
+  fine.clearance_m.assign(fine.map.cells.size(), 1.0F);
+  const ClearMap coarse = coarser(fine.map, fine.clearance_m);
+  for (std::size_t i = 0; i < coarse.map.cells.size(); ++i) {
+    const grid::CellIndex at = coarse.map.cell(i);
+    const bool outermost = at.x == coarse.map.box.min.x || at.x == coarse.map.box.max.x ||
+                           at.y == coarse.map.box.min.y || at.y == coarse.map.box.max.y;
+    EXPECT_TRUE(!outermost || coarse.map.cells[i] == CellState::kUnknown);
+  }
+  EXPECT_TRUE(coarser({}, {}).map.cells.empty());
+}
+
+}  // namespace
+}  // namespace topo::travel

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/travel/travel_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/grid/maps.hpp"
+#include "tests/unit/core/travel/drawn_map.hpp"
+
+namespace topo::travel {
+namespace {
+
+using ::testing::ElementsAreArray;
+using Rows = std::vector<std::string>;
+
+TEST(CloseGaps, stripesBetweenBeamsAreNoFrontier) {
+  grid::DenseMap map = drawn_map({"            ",  //
+                                  "  ........  ",  //
+                                  "            ",  //
+                                  "  ........  ",  //
+                                  "            ",  //
+                                  "            "});
+  close_gaps(map, 2);
+  // Between the stripes all is free; beyond them nothing was seen.
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"            ",  //
+                                                  "  ........  ",  //
+                                                  "  ........  ",  //
+                                                  "  ........  ",  //
+                                                  "            ",  //
+                                                  "            "}));
+}
+
+TEST(CloseGaps, aWallBetweenStaysClosedAndWideGapsStay) {
+  const Rows rows{"              ",  //
+                  "  ..#  ....   ",  //
+                  "  ..#  ....   ",  //
+                  "              ",  //
+                  "              "};
+  grid::DenseMap map = drawn_map(rows);
+  close_gaps(map, 2);
+  EXPECT_THAT(text_of(map), ElementsAreArray(rows));
+}
+
+/// Is the next known cell that way free, within reach?
+bool sees_free(const grid::DenseMap& map, grid::CellIndex from, grid::CellIndex step, int reach) {
+  for (int k = 1; k <= reach; ++k) {
+    const grid::CellState state = map.state({from.x + k * step.x, from.y + k * step.y});
+    if (state != grid::CellState::kUnknown) return state == grid::CellState::kFree;
+  }
+  return false;
+}
+
+TEST(CloseGaps, closesWhatLiesBetweenFreeCellsInMapsOfAnySize) {
+  EXPECT_TRUE(rc::check([] {
+    const int reach = *rc::gen::inRange(1, 4);
+    grid::DenseMap map =
+        grid::filled_map(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 12), grid::CellState::kUnknown);
+    for (int known = *rc::gen::inRange(0, 200); known > 0; --known) {
+      map.cells[*rc::gen::inRange<std::size_t>(0, map.cells.size())] =
+          *rc::gen::element(grid::CellState::kFree, grid::CellState::kFree, grid::CellState::kOccupied);
+    }
+    const grid::DenseMap before = map;
+    close_gaps(map, reach);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const grid::CellIndex c = map.cell(i);
+      const bool inside = c.x - map.box.min.x >= reach && map.box.max.x - c.x >= reach &&
+                          c.y - map.box.min.y >= reach && map.box.max.y - c.y >= reach;
+      bool between = false;
+      for (std::size_t d = 0; d < 4; ++d) {
+        const grid::CellIndex there = grid::kNeighbours[d], back{-there.x, -there.y};
+        between = between || (sees_free(before, c, there, reach) && sees_free(before, c, back, reach));
+      }
+      const bool closes = inside && between && before.cells[i] == grid::CellState::kUnknown;
+      RC_ASSERT(map.cells[i] == (closes ? grid::CellState::kFree : before.cells[i]));
+    }
+  }));
+}
+
+TEST(FreeDisc, takesUnknownCellsOnly) {
+  grid::DenseMap map = drawn_map({"     ", "  #  ", "     ", "     ", "     "}, 1.0);
+  free_disc(map, {2.5, 2.5}, 1.1);
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"     ", "  #  ", " ... ", "  .  ", "     "}));
+}
+
+TEST(FreeDisc, leavesTheBorderUnknown) {
+  grid::DenseMap map = drawn_map({"     ", "     ", "     ", "     ", "     "}, 1.0);
+  free_disc(map, {0.5, 2.5}, 2.6);
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"     ", " ..  ", " ..  ", " ..  ", "     "}));
+}
+
+/// A grid of one tile in which some cells have counts.
+class CountedCells {
+ public:
+  CountedCells() : grid_(arena_, 0.05) {}
+  void put(grid::CellIndex cell, std::uint16_t hits, std::uint16_t misses) {
+    grid_.tile_to_change(cell.x >> 5, cell.y >> 5).cells[grid::Tile::index(cell.x & 31, cell.y & 31)] = {
+        hits, misses};
+  }
+  [[nodiscard]] const grid::OccupancyGrid& grid() const { return grid_; }
+
+ private:
+  patricia::Arena<grid::TileRef> arena_;
+  grid::OccupancyGrid grid_;
+};
+
+TEST(OccupyFaint, aTenthAndTwiceAtLeast) {
+  grid::DenseMap map = drawn_map({"......"});
+  CountedCells counted;
+  counted.put({0, 0}, 2, 18);   // a tenth
+  counted.put({1, 0}, 2, 19);   // less
+  counted.put({2, 0}, 1, 0);    // once
+  counted.put({3, 0}, 20, 20);  // half
+  counted.put({4, 0}, 0, 30);
+  counted.put({40, 0}, 9, 0);  // outside the map
+  occupy_faint(map, counted.grid());
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"#..#.."}));
+}
+
+/// A wall to the left of the robot, and nothing in range to its right.
+TEST(PrepareMap, theDiscOfARobotAtTheEdgeOfTheMapIsFreeAndTheBorderIsNot) {
+  CountedCells counted;
+  for (int x = 0; x < 32; ++x) counted.put({x, 31}, 5, 0);
+  for (int x = 0; x < 32; ++x) counted.put({x, 0}, 0, 5);
+  const std::vector<types::KeyframePose> way = {
+      {types::Stamp{}, types::Transform2<types::Map, types::Base>(0.8, 0.0, 0.0)}};
+  constexpr double kRoute_m = 0.95;
+  const grid::DenseMap map = prepare_map(counted.grid(), {way, {}}, {}, kRoute_m);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const double away_m = (map.centre_of(map.cell(i)) - types::Vector2(0.8, 0.0)).norm();
+    if (map.is_on_border(map.cell(i))) {
+      EXPECT_EQ(map.cells[i], grid::CellState::kUnknown);
+    } else if (away_m <= kRoute_m) {
+      EXPECT_EQ(map.cells[i], grid::CellState::kFree);
+    }
+  }
+  EXPECT_EQ(map.state(map.cell_at({0.8, -0.9})), grid::CellState::kFree);
+}
+
+TEST(FreeTrail, whereTheRobotStoodASuspicionIsNone) {
+  grid::DenseMap map = drawn_map({"#####"});
+  CountedCells counted;
+  counted.put({1, 0}, 2, 18);  // faint
+  counted.put({2, 0}, 18, 2);  // seen well
+  counted.put({4, 0}, 2, 18);  // faint, and not where the robot stood
+  free_trail(map, counted.grid(), map.centre_of({1, 0}), 0.06);
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"..###"}));
+}
+
+types::KeyframePose station(double x_m, double y_m) {
+  return {types::Stamp{}, types::Transform2<types::Map, types::Base>(x_m, y_m, 0.0)};
+}
+
+TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
+  Rows rows(20, std::string(40, '.'));
+  rows[9][6] = '#';  // (6, 10), on the way
+  const grid::DenseMap map = drawn_map(rows, 0.1);
+  std::vector<float> clearance(map.cells.size(), 0.0F);
+  clearance[map.index({7, 10})] = 0.9F;
+  const std::vector<types::KeyframePose> way{station(0.35, 1.05), station(1.05, 1.05), station(3.05, 1.05)};
+  keep_trail_open(map, way, {39, 19}, {0.33}, clearance);
+  for (const int x : {3, 4, 5, 8, 9, 10}) {
+    EXPECT_FLOAT_EQ(clearance[map.index({x, 10})], 0.33F) << x;
+    EXPECT_FLOAT_EQ(clearance[map.index({x, 11})], 0.0F) << x << ": no wider than its line";
+  }
+  EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.0F) << "occupied";
+  EXPECT_FLOAT_EQ(clearance[map.index({7, 10})], 0.9F) << "never lowered";
+  EXPECT_FLOAT_EQ(clearance[map.index({20, 10})], 0.0F) << "carried from one to the next";
+}
+
+TEST(KeepTrailOpen, noFartherThanToldAndOnlyWhereItIsHardlyShut) {
+  const grid::DenseMap map = drawn_map(Rows(20, std::string(60, '.')), 0.1);
+  std::vector<float> clearance(map.cells.size(), 0.26F);
+  clearance[map.index({6, 10})] = 0.2F;
+  std::vector<types::KeyframePose> way(10);
+  for (std::size_t i = 0; i < way.size(); ++i) way[i] = station(0.35 + 0.5 * static_cast<double>(i), 1.05);
+  keep_trail_open(map, way, {3, 10}, {0.27, 0.25, 3.2}, clearance);
+  EXPECT_FLOAT_EQ(clearance[map.index({4, 10})], 0.27F);
+  EXPECT_FLOAT_EQ(clearance[map.index({6, 10})], 0.2F) << "something is there";
+  EXPECT_FLOAT_EQ(clearance[map.index({30, 10})], 0.27F);
+  EXPECT_FLOAT_EQ(clearance[map.index({37, 10})], 0.26F) << "far off";
+}
+
+/// In a team the second robot stands 1.3 m ahead, and walls are near: who stood still at its start for two
+/// keyframes never left it.
+TEST(KeepTrailOpen, whereTheRobotStandsItLeavesOverWhatIsAroundIt) {
+  const grid::DenseMap map = grid::filled_map(80, 11, grid::CellState::kFree);  // 0.55 m wide
+  const std::vector<float> narrow_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const std::vector<types::KeyframePose> way{station(0.32, 0.28), station(0.33, 0.28)};
+  const grid::CellIndex here = map.cell_at(way.back().T_map_base.se2().translation());
+  const grid::TravelRules rules;
+  const auto reached = [&](const std::vector<float>& clearance_m) {
+    const grid::TravelField field = grid::travel_field(map, clearance_m, here, rules);
+    return std::count_if(field.cost_m.begin(), field.cost_m.end(), [](float c) { return std::isfinite(c); });
+  };
+  std::vector<float> clearance_m = narrow_m;
+  keep_trail_open(map, way, here, {rules.radius_m}, clearance_m);
+  EXPECT_GE(reached(clearance_m), reached(narrow_m));
+  EXPECT_GT(reached(clearance_m), 50);
+}
+
+TEST(ApplyLimits, outsideAndKeepOutAreWalls) {
+  grid::DenseMap map = drawn_map({"......", "......", "......", "......"}, 1.0);
+  types::AreaLimits limits;
+  limits.keep_in = types::Polygon{{1.0, 0.0}, {6.0, 0.0}, {6.0, 3.0}, {1.0, 3.0}};
+  limits.keep_out.push_back({{3.0, 1.0}, {5.0, 1.0}, {5.0, 2.0}, {3.0, 2.0}});
+  apply_limits(map, limits);
+  EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"######", "#.....", "#..##.", "#....."}));
+}
+
+TEST(LowerClearance, neverRaisesAndReachesAsFarAsTold) {
+  const grid::DenseMap map = drawn_map(Rows(20, std::string(20, '.')), 0.1);
+  std::vector<float> clearance(map.cells.size(), 0.3F);
+  clearance[map.index({10, 10})] = 0.5F;
+  lower_clearance(map, std::vector<types::Vector2>{map.centre_of({10, 12})}, 0.25, clearance);
+  EXPECT_FLOAT_EQ(clearance[map.index({10, 12})], 0.0F);
+  EXPECT_NEAR(clearance[map.index({10, 10})], 0.2, 1e-6);
+  EXPECT_FLOAT_EQ(clearance[map.index({10, 8})], 0.3F);
+  for (const float c : clearance) EXPECT_LE(c, 0.5F);
+}
+
+TEST(ConfirmedPoints, loneEchoesAreNoObstacles) {
+  types::Scan scan;
+  scan.beams = 9;
+  scan.geometry.angle_min_rad = -0.04F;
+  scan.geometry.angle_increment_rad = 0.01F;
+  scan.range_m = {2.0F, 2.0F, 2.0F, 1.0F, 2.0F, 2.0F, types::kInvalid, 2.0F, 9.0F};
+  const auto points = confirmed_points(scan, {0.0, 0.0, 0.0}, 5.0);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_NEAR(points.front().norm(), 2.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace topo::travel
