@@ -9,20 +9,20 @@ namespace topo::exploration {
 
 namespace {
 
-bool is_held(const PutOffGoal& goal, types::Stamp now) { return goal.is_for_good() || now < goal.until; }
+bool is_held(const DeferredGoal& goal, types::Stamp now) { return goal.is_for_good() || now < goal.until; }
 
 }  // namespace
 
-void PutOffGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::string why) {
+void DeferredGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::string why) {
   note({p_map, until, 1, std::move(why), false, false});
 }
 
-void PutOffGoals::visit(const types::Vector2& p_map, std::optional<types::Stamp> until) {
+void DeferredGoals::visit(const types::Vector2& p_map, std::optional<types::Stamp> until) {
   note({p_map, until.value_or(types::Stamp{}), 1, "visited", true, !until});
 }
 
-void PutOffGoals::note(PutOffGoal goal) {
-  const auto same = std::find_if(list_.begin(), list_.end(), [&](const PutOffGoal& g) {
+void DeferredGoals::note(DeferredGoal goal) {
+  const auto same = std::find_if(list_.begin(), list_.end(), [&](const DeferredGoal& g) {
     return (g.p_map - goal.p_map).norm() <= kSame_m;
   });
   if (same == list_.end()) {
@@ -34,30 +34,30 @@ void PutOffGoals::note(PutOffGoal goal) {
   *same = std::move(goal);
 }
 
-bool PutOffGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
-  return std::any_of(list_.begin(), list_.end(), [&](const PutOffGoal& g) {
+bool DeferredGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
+  return std::any_of(list_.begin(), list_.end(), [&](const DeferredGoal& g) {
     return (g.p_map - p_map).norm() <= kSame_m && is_held(g, now);
   });
 }
 
-std::vector<types::Vector2> PutOffGoals::visited(types::Stamp now) const {
+std::vector<types::Vector2> DeferredGoals::visited(types::Stamp now) const {
   std::vector<types::Vector2> held;
-  for (const PutOffGoal& g : list_) {
+  for (const DeferredGoal& g : list_) {
     if (g.visited && is_held(g, now)) held.push_back(g.p_map);
   }
   return held;
 }
 
-std::vector<PutOffGoal> PutOffGoals::held(types::Stamp now) const {
-  std::vector<PutOffGoal> all;
+std::vector<DeferredGoal> DeferredGoals::held(types::Stamp now) const {
+  std::vector<DeferredGoal> all;
   std::copy_if(list_.begin(), list_.end(), std::back_inserter(all),
-               [now](const PutOffGoal& g) { return is_held(g, now); });
+               [now](const DeferredGoal& g) { return is_held(g, now); });
   return all;
 }
 
-bool PutOffGoals::call_back(types::Stamp now) {
+bool DeferredGoals::call_back(types::Stamp now) {
   bool any = false;
-  for (PutOffGoal& g : list_) {
+  for (DeferredGoal& g : list_) {
     if (g.is_for_good() || g.until <= now) continue;
     g.until = now;
     any = true;

@@ -12,7 +12,7 @@
 namespace topo::exploration {
 
 /// A goal that was given up or visited, and until when it is put off.
-struct PutOffGoal {
+struct DeferredGoal {
   types::Vector2 p_map{0.0, 0.0};
   types::Stamp until{};
   int times = 0;  ///< how often it was put off
@@ -27,7 +27,7 @@ struct PutOffGoal {
 
 /// Goals that did not work out, and those the robot was at. Each comes back after a while, or when nothing
 /// else is left; after the second time it stays away.
-class PutOffGoals {
+class DeferredGoals {
  public:
   static constexpr double kSame_m = 0.8;  ///< goals this near are one goal
 
@@ -43,12 +43,12 @@ class PutOffGoals {
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }
   /// All that are put off at this time.
-  [[nodiscard]] std::vector<PutOffGoal> held(types::Stamp now) const;
+  [[nodiscard]] std::vector<DeferredGoal> held(types::Stamp now) const;
 
  private:
-  void note(PutOffGoal goal);
+  void note(DeferredGoal goal);
 
-  std::vector<PutOffGoal> list_;
+  std::vector<DeferredGoal> list_;
 };
 
 }  // namespace topo::exploration

@@ -17,73 +17,73 @@ bool is_same_opening(const types::Vector2& a, const types::Vector2& b) {
 
 }  // namespace
 
-void LastLooks::begin(types::Stamp now) {
-  *this = LastLooks(params_);
+void FinalSweep::begin(types::Stamp now) {
+  *this = FinalSweep(params_);
   begun_ = now;
 }
 
-void LastLooks::interrupt(types::Stamp now) {
+void FinalSweep::interrupt(types::Stamp now) {
   if (sweeps_since_) swept_ += now - *sweeps_since_;
   sweeps_since_.reset();
 }
 
-bool LastLooks::is_over(types::Stamp now) const {
+bool FinalSweep::is_over(types::Stamp now) const {
   if (!sweeps_since_) return false;
   const double without_s = types::to_seconds(*sweeps_since_ - begun_ - swept_);
   const double most_s = std::max(params_.time_min_s, params_.time_share * without_s);
   return types::to_seconds(swept_ + (now - *sweeps_since_)) > most_s;
 }
 
-void LastLooks::settle(const grid::DenseMap& map, types::Stamp now) {
+void FinalSweep::settle(const grid::DenseMap& map, types::Stamp now) {
   if (is_over(now)) open_.clear();
   std::erase_if(open_,
                 [&](const Open& o) { return map.state(map.cell_at(o.sight)) != grid::CellState::kUnknown; });
 }
 
-bool LastLooks::arrive(const types::Vector2& p_map) {
+bool FinalSweep::arrive(const types::Vector2& p_map) {
   for (const Open& o : open_) {
     if (o.goal.p_map == p_map) looked_.push_back(o.goal.opening);
   }
   return leave(p_map);
 }
 
-bool LastLooks::leave(const types::Vector2& p_map) {
+bool FinalSweep::leave(const types::Vector2& p_map) {
   return std::erase_if(open_, [&](const Open& o) { return o.goal.p_map == p_map; }) > 0;
 }
 
-void LastLooks::share(std::span<const types::Vector2> looked) {
+void FinalSweep::share(std::span<const types::Vector2> looked) {
   for (const types::Vector2& opening : looked) {
     std::erase_if(open_, [&](const Open& o) { return is_same_opening(o.goal.opening, opening); });
     if (!was_offered(opening)) offered_.push_back(opening);
   }
 }
 
-std::optional<double> LastLooks::reached_m(const types::Vector2& p_map) const {
+std::optional<double> FinalSweep::reached_m(const types::Vector2& p_map) const {
   const bool is_look =
       std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.goal.p_map == p_map; });
   return is_look ? std::optional(params_.reached_m) : std::nullopt;
 }
 
-bool LastLooks::was_offered(const types::Vector2& opening) const {
+bool FinalSweep::was_offered(const types::Vector2& opening) const {
   return std::any_of(offered_.begin(), offered_.end(),
                      [&](const types::Vector2& p) { return is_same_opening(p, opening); });
 }
 
 /// While a robot waits it asks every second, and of a frontier whose cells are the same the answer is, too.
-std::optional<exploration::Look> LastLooks::look_into(const goals::Frontier& frontier, const LookedAt& in,
-                                                      types::Stamp now) {
+std::optional<exploration::Viewpoint> FinalSweep::viewpoint_into(const goals::Frontier& frontier,
+                                                                 const LookedAt& in, types::Stamp now) {
   const auto holds = [&](const Answer& a) {
     return a.opening == frontier.centroid && a.cells == frontier.cells.size() &&
            (!a.look || (in.map.contains(a.look->from) && in.field.can_stay_at(in.map.index(a.look->from))));
   };
   const auto known = std::find_if(answers_.begin(), answers_.end(), holds);
   if (known != answers_.end()) return known->look;
-  const auto look = exploration::find_look(in.map, frontier, in.field, in.walls, params_.look);
+  const auto look = exploration::find_viewpoint(in.map, frontier, in.field, in.walls, params_.look);
   answers_.push_back({frontier.centroid, frontier.cells.size(), now, look});
   return look;
 }
 
-void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again) {
+void FinalSweep::find(const LookedAt& in, types::Stamp now, types::Duration again) {
   const auto& [map, revision, known_m2, field, walls] = in;
   if (!open_.empty() && !sweeps_since_) sweeps_since_ = now;  // those left of a sweep that was interrupted
   if (!open_.empty() || is_over(now) || revision == asked_ || now - asked_at_ < again) return;
@@ -95,7 +95,7 @@ void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again
     if (was_offered(frontier.centroid)) continue;
     // Costs a fiftieth of a look, and most frontiers are rims of pockets.
     if (goals::unknown_behind_m2(map, frontier) < params_.gain_min_m2) continue;
-    const auto look = look_into(frontier, in, now);
+    const auto look = viewpoint_into(frontier, in, now);
     if (!look || look->gain_m2 < params_.gain_min_m2) continue;
     goals::Goal goal;
     goal.p_map = map.centre_of(look->from);
@@ -110,7 +110,7 @@ void LastLooks::find(const LookedAt& in, types::Stamp now, types::Duration again
   if (!open_.empty()) sweeps_since_ = now;
 }
 
-std::vector<goals::Goal> LastLooks::goals() const {
+std::vector<goals::Goal> FinalSweep::goals() const {
   std::vector<goals::Goal> all;
   for (const Open& o : open_) all.push_back(o.goal);
   return all;

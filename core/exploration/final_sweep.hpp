@@ -13,16 +13,16 @@
 
 namespace topo::exploration {
 
-struct LastLookParams {
+struct FinalSweepParams {
   double opening_min_m = 0.3;  ///< what one can look through
-  double gain_min_m2 = 0.3;    ///< exploration::Look::gain_m2
+  double gain_min_m2 = 0.3;    ///< exploration::Viewpoint::gain_m2
   /// All looks together, of what is known. What a sweep promises and what it shows have little to do with one
   /// another: from a twelfth of the promise, through slits in furniture, to all of it, in corners of rooms.
   double promise_min = 0.002;
   double time_share = 0.25;  ///< of the time without them: what sweeps take while nothing else is left
   double time_min_s = 60.0;  ///< or this, when that is less
   double reached_m = 0.2;    ///< half a metre beside it another part of what is behind the gap is seen
-  exploration::LookParams look;
+  exploration::ViewpointParams look;
 };
 
 /// Borrowed for the call.
@@ -37,9 +37,9 @@ struct LookedAt {
 /// The last sweep of an exploration that is to be complete. When no other goal can be gone for now, cluttered
 /// rooms may still have corners that were never in sight, behind gaps through which one cannot drive: each is
 /// looked into, once by one robot of the team, if all of them together promise enough.
-class LastLooks {
+class FinalSweep {
  public:
-  explicit LastLooks(const LastLookParams& params) : params_(params) {}
+  explicit FinalSweep(const FinalSweepParams& params) : params_(params) {}
 
   /// Another mission.
   void begin(types::Stamp now);
@@ -75,13 +75,13 @@ class LastLooks {
     types::Vector2 opening{0.0, 0.0};
     std::size_t cells = 0;
     types::Stamp given{};
-    std::optional<exploration::Look> look;
+    std::optional<exploration::Viewpoint> look;
   };
-  [[nodiscard]] std::optional<exploration::Look> look_into(const goals::Frontier& frontier,
-                                                           const LookedAt& in, types::Stamp now);
+  [[nodiscard]] std::optional<exploration::Viewpoint> viewpoint_into(const goals::Frontier& frontier,
+                                                                     const LookedAt& in, types::Stamp now);
   [[nodiscard]] bool was_offered(const types::Vector2& opening) const;
 
-  LastLookParams params_;
+  FinalSweepParams params_;
   std::vector<Open> open_;
   std::vector<types::Vector2> offered_;  ///< openings, here or to a mate; each is looked into once
   std::vector<types::Vector2> looked_;

@@ -36,12 +36,12 @@ double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, gri
 }
 
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
-                                     const PutOffGoals& put_off, const types::Se2& T_map_base,
+                                     const DeferredGoals& deferred, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off) {
   const auto& [map, clearance_m, field, radius_m] = reach;
   std::vector<Candidate> candidates;
   for (const goals::Goal& goal : goals) {
-    if (put_off.hold(goal.p_map, now)) continue;
+    if (deferred.hold(goal.p_map, now)) continue;
     const grid::CellIndex at = map.cell_at(goal.p_map);
     auto cell = grid::nearest_to_stay_at(map, field, at, kGoalReach_m);
     if (!cell && goal.side != goals::Side::kNone)

@@ -37,7 +37,7 @@ struct Reach {
 /// keeps the robot from, to be looked at from where the way ends (grid/end_of_way.hpp). `cut_off` becomes
 /// true when one is left out because no way leads there now.
 std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
-                                     const PutOffGoals& put_off, const types::Se2& T_map_base,
+                                     const DeferredGoals& deferred, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off);
 
 /// Those frontiers that a robot can get to, and with at least so much unknown space behind them, as goals:

@@ -175,8 +175,8 @@ void draw_wall(const DenseMap& map, const types::Segment& wall, double on_m, Win
 }
 
 /// Counts the unknown cells of a window that a robot may come to see.
-Look look_from(const DenseMap& map, CellIndex from, int steps, Window<Unseen>& cells) {
-  Look look{from, from, 0.0};
+Viewpoint look_from(const DenseMap& map, CellIndex from, int steps, Window<Unseen>& cells) {
+  Viewpoint look{from, from, 0.0};
   int count = 0;
   std::vector<CellIndex> beyond;
   std::size_t longest = 0;
@@ -202,9 +202,9 @@ Look look_from(const DenseMap& map, CellIndex from, int steps, Window<Unseen>& c
 
 }  // namespace
 
-std::optional<Look> find_look(const DenseMap& map, const goals::Frontier& frontier,
-                              const grid::TravelField& field, std::span<const types::Segment> walls,
-                              const LookParams& params) {
+std::optional<Viewpoint> find_viewpoint(const DenseMap& map, const goals::Frontier& frontier,
+                                        const grid::TravelField& field, std::span<const types::Segment> walls,
+                                        const ViewpointParams& params) {
   if (frontier.cells.empty()) return std::nullopt;
   const auto cells_in = [&](double length_m) { return static_cast<int>(length_m / map.resolution_m); };
   const int reach = cells_in(params.reach_m), behind = cells_in(params.behind_m);
@@ -219,7 +219,7 @@ std::optional<Look> find_look(const DenseMap& map, const goals::Frontier& fronti
   const CellIndex centre = map.cell_at(frontier.centroid);
   Window<Unseen> unseen({{centre.x - behind, centre.y - behind}, {centre.x + behind, centre.y + behind}});
   for (const types::Segment& wall : walls) draw_wall(map, wall, params.wall_on_m, unseen);
-  const Look look = look_from(map, *from, reach + behind, unseen);
+  const Viewpoint look = look_from(map, *from, reach + behind, unseen);
   return look.gain_m2 > 0.0 ? std::optional(look) : std::nullopt;
 }
 

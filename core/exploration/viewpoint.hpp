@@ -10,14 +10,14 @@
 
 namespace topo::exploration {
 
-struct LookParams {
+struct ViewpointParams {
   double reach_m = 4.0;    ///< from the robot to what is looked into
   double behind_m = 2.0;   ///< around a frontier; what is farther is not counted for it
   double wall_on_m = 0.6;  ///< so far beyond its seen ends a wall goes on: less than half of a wide door
 };
 
 /// A place from which to look into a gap that is too narrow, or too far behind furniture, to be driven to.
-struct Look {
+struct Viewpoint {
   grid::CellIndex from;   ///< where the robot stands
   grid::CellIndex sight;  ///< in the middle of what is unknown in one direction from there
   double gain_m2 = 0.0;   ///< unknown space that may come in sight; much less does as a rule
@@ -28,8 +28,8 @@ struct Look {
 /// the most. `walls`, in map: what is unknown behind them, and behind where they go on, counts for nothing.
 /// Nothing when hardly any of it is in sight from anywhere. Does not depend on the order of the walls. Costs
 /// at most 1700 rays, and the cells around the frontier.
-std::optional<Look> find_look(const grid::DenseMap& map, const goals::Frontier& frontier,
-                              const grid::TravelField& field, std::span<const types::Segment> walls,
-                              const LookParams& params = {});
+std::optional<Viewpoint> find_viewpoint(const grid::DenseMap& map, const goals::Frontier& frontier,
+                                        const grid::TravelField& field, std::span<const types::Segment> walls,
+                                        const ViewpointParams& params = {});
 
 }  // namespace topo::exploration

@@ -79,7 +79,7 @@ void accept_few(const GoalInput& input, std::vector<Candidate>& candidates, cons
     goals.push_back(&candidate.goal);
   }
   const std::vector<StandingPlace> places = standing_places(input, prospects, params);
-  const GoalCover cover = cover_openings(prospects, places, input.visited, params);
+  const GreedyCover cover = cover_openings(prospects, places, input.visited, params);
   for (std::size_t k = 0; k < goals.size(); ++k)
     if (cover.served[k]) goals[k]->verdict = Verdict::kServed;
   for (const Chosen& chosen : cover.chosen) {

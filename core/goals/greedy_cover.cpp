@@ -70,10 +70,10 @@ class Hopes {
 
 }  // namespace
 
-GoalCover cover_openings(std::span<const Prospect> prospects, std::span<const StandingPlace> places,
-                         std::span<const std::vector<types::Vector2>> visited, const GoalParams& params) {
+GreedyCover cover_openings(std::span<const Prospect> prospects, std::span<const StandingPlace> places,
+                           std::span<const std::vector<types::Vector2>> visited, const GoalParams& params) {
   assert(params.worth_min > 0.0);
-  GoalCover cover;
+  GreedyCover cover;
   Hopes hopes(prospects, places);
   while (!places.empty()) {
     const std::uint32_t best = hopes.best();

@@ -17,7 +17,7 @@ struct Chosen {
   std::uint32_t prospect = 0;  ///< the likeliest that nobody served before
 };
 
-struct GoalCover {
+struct GreedyCover {
   std::vector<Chosen> chosen;  ///< in the order of choice
   std::vector<bool> served;    ///< by prospect
 };
@@ -27,7 +27,7 @@ struct GoalCover {
 /// the one nearest to them. A place that no opening calls its own is left out where a robot was within
 /// visited_radius_m of it (paper section II-E): who was there saw what can be seen from there. Costs the
 /// places, and the poses, for each that is chosen or left out. Precondition: worth_min is positive.
-GoalCover cover_openings(std::span<const Prospect> prospects, std::span<const StandingPlace> places,
-                         std::span<const std::vector<types::Vector2>> visited, const GoalParams& params);
+GreedyCover cover_openings(std::span<const Prospect> prospects, std::span<const StandingPlace> places,
+                           std::span<const std::vector<types::Vector2>> visited, const GoalParams& params);
 
 }  // namespace topo::goals

@@ -21,18 +21,18 @@ double aside_rad(const Vector2& p_base) {
 
 }  // namespace
 
-void Trail::push(const Vector2& p) {
+void BreadcrumbPath::push(const Vector2& p) {
   if (size_ == kCapacity) drop_oldest();
   points_[size_++] = p;
   while (size_ > 2 && length_m() - (points_[1] - points_[0]).norm() >= kLength_m) drop_oldest();
 }
 
-void Trail::drop_oldest() {
+void BreadcrumbPath::drop_oldest() {
   std::copy(points_.begin() + 1, points_.begin() + static_cast<std::ptrdiff_t>(size_), points_.begin());
   --size_;
 }
 
-void Trail::update(const Se2& T_odom_base) {
+void BreadcrumbPath::update(const Se2& T_odom_base) {
   const Vector2 p = T_odom_base.translation();
   if (size_ > 0 && !((p - pose_.translation()).norm() <= kJump_m)) size_ = 0;
   pose_ = T_odom_base;
@@ -51,14 +51,14 @@ void Trail::update(const Se2& T_odom_base) {
     --size_;
 }
 
-double Trail::length_m() const {
+double BreadcrumbPath::length_m() const {
   if (size_ == 0) return 0.0;
   double length = (pose_.translation() - points_[size_ - 1]).norm();
   for (std::size_t i = size_ - 1; i > 0; --i) length += (points_[i] - points_[i - 1]).norm();
   return length;
 }
 
-double Trail::behind_m() const {
+double BreadcrumbPath::behind_m() const {
   constexpr double kBeside_m = 0.03;
   double behind_m = 0.0;
   for (std::size_t i = size_; i > 0; --i) {
@@ -69,7 +69,7 @@ double Trail::behind_m() const {
   return behind_m;
 }
 
-Vector2 Trail::point_base(double away_m) const {
+Vector2 BreadcrumbPath::point_base(double away_m) const {
   std::size_t i = size_ - 1;
   while (i > 0 && (points_[i] - pose_.translation()).norm() < away_m) --i;
   return pose_.inverse() * points_[i];
@@ -77,7 +77,7 @@ Vector2 Trail::point_base(double away_m) const {
 
 /// Where the robot turned on the spot the trail has a corner: a nearer point may lie behind when a farther
 /// one does not.
-Vector2 Trail::target_base() const {
+Vector2 BreadcrumbPath::target_base() const {
   constexpr std::array kAims_m{0.2, 0.15, 0.1};
   for (const double aim_m : kAims_m) {
     Vector2 target = point_base(aim_m);
@@ -86,13 +86,13 @@ Vector2 Trail::target_base() const {
   return point_base(kAims_m.front());
 }
 
-double Trail::turn_to_back_rad() const {
+double BreadcrumbPath::turn_to_back_rad() const {
   if (size_ == 0) return 0.0;
   const Vector2 target = target_base();
   return target.norm() < kSpacing_m ? 0.0 : aside_rad(target);
 }
 
-types::Twist2 Trail::back_twist(double speed_mps) const {
+types::Twist2 BreadcrumbPath::back_twist(double speed_mps) const {
   constexpr double kOff_m = 0.1;
   if (size_ < 2) return {};
   const Vector2 target = target_base();

@@ -14,7 +14,7 @@ namespace topo::motion {
 /// The last metre of the way that the robot drove forwards, in odom or whatever frame the poses are in
 /// (steady_frame.hpp): the only way back that it knows to be free (DESIGN "Motion and safety": the rear is
 /// blind). Fixed size.
-class Trail {
+class BreadcrumbPath {
  public:
   static constexpr double kSpacing_m = 0.02;
   static constexpr double kLength_m = 1.0;

@@ -127,7 +127,7 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
   bool aside = !in.touching && !backs_askew_ && backed_m < 0.05 &&
                std::abs(aside_rad) > kStraightBehind_rad &&
                in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s;
-  if (aside && std::abs(aside_rad) <= Trail::kBehind_rad && lasts(refused_, in.now, kRefused)) {
+  if (aside && std::abs(aside_rad) <= BreadcrumbPath::kBehind_rad && lasts(refused_, in.now, kRefused)) {
     // No room to turn even so little, as in a doorway: then back as it stands, as far as the gate lets it.
     backs_askew_ = true;
     aside = false;

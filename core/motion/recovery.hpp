@@ -44,7 +44,7 @@ struct RecoveryInput {
   double blind_s = 0.0;        ///< what the robot rolls on for when the host dies
   double ahead_m = 0.0;        ///< free straight on
   double seen_behind_m = 0.0;  ///< straight back, where the scanner looked lately, at most kSeenBehind_m
-  const Trail* trail = nullptr;
+  const BreadcrumbPath* trail = nullptr;
   const types::RobotLimits* limits = nullptr;
 };
 

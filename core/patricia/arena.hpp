@@ -39,7 +39,7 @@ class Arena {
   ~Arena() { check(branches_.live() == 0 && leaves_.live() == 0, "an arena was destroyed before its maps"); }
 
   /// Makes the calling thread the owner. Only while no other thread uses the arena, and after a hand-over
-  /// that orders the two threads: starting or joining a thread, or a release/acquire pair. (The maker of an
+  /// that orders the two threads: starting or joining a thread, or a release/acquire pair. (The origin of an
   /// arena is its first owner.)
   void adopt() { owner_ = &detail::thread_mark; }
 

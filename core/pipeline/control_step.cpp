@@ -30,7 +30,7 @@ constexpr double kObstacleReach_m = 2.8;  // more than the way that 0.7 m/s need
 constexpr double kObstacleSpacing_m = 0.03;
 constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wished for no longer: off
 constexpr double kSameGoal_m = 0.2;
-const motion::Trail kNoTrail;
+const motion::BreadcrumbPath kNoTrail;
 
 /// What the period wants, before the gate.
 struct Wish {
@@ -106,7 +106,7 @@ struct ControlState::Impl {
   motion::Recovery recovery;
   perception::SteadyFrame steady_frame;  ///< of the trail and of the blind spot
   std::uint64_t steady_plan = 0;         ///< the last one that it was told of
-  motion::Trail trail;
+  motion::BreadcrumbPath trail;
   types::Stamp trail_stamp{};
   types::Stamp wanted_at{};  ///< when somebody last wanted to move; zero: never, or an e-stop since
   bool held = false;         ///< after an e-stop: until the plan stood, or is about another goal

@@ -98,7 +98,7 @@ class ControlState {
 };
 
 /// One period of the base thread (DESIGN "Motion and safety"): the operator's hand, else the plan, else
-/// standing; everything through the velocity gate, which has the last word. Anything stale, unknown or
+/// standing; everything through the velocity gate, which has the last message. Anything stale, unknown or
 /// contradictory: zero velocity. Allocates nothing.
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input);
 

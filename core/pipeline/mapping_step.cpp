@@ -37,8 +37,8 @@ struct SweepPoses {
 }  // namespace
 
 struct MappingState::Impl {
-  Impl(const slam::MapperParams& given, const slam::Maker& maker, const types::Se2& start)
-      : params(given), mapper(given, maker, start), builder(given.grid), columns(given.coronal) {}
+  Impl(const slam::MapperParams& given, const slam::Origin& origin, const types::Se2& start)
+      : params(given), mapper(given, origin, start), builder(given.grid), columns(given.coronal) {}
 
   void take(const MappingInput& input);
   void push(std::deque<types::Scan>& waiting, const types::Scan& scan);
@@ -198,12 +198,12 @@ void MappingState::Impl::draw(MappingOutput& output) {
   output.corrected = true;
 }
 
-MappingState::MappingState(const slam::MapperParams& params, const slam::Maker& maker,
+MappingState::MappingState(const slam::MapperParams& params, const slam::Origin& origin,
                            const types::Se2& start)
-    : impl_(std::make_unique<Impl>(params, maker, start)) {}
+    : impl_(std::make_unique<Impl>(params, origin, start)) {}
 MappingState::MappingState(const slam::MapperParams& params, const slam::Session& session,
-                           const slam::Arrival& arrival, const slam::Maker& maker)
-    : MappingState(params, maker) {
+                           const slam::Arrival& arrival, const slam::Origin& origin)
+    : MappingState(params, origin) {
   impl_->mapper.resume(session, arrival);
   impl_->cloud = arrival.cloud;
   impl_->placed = arrival.cloud.stamp;
@@ -217,7 +217,7 @@ void MappingState::adopt() { impl_->builder.adopt(); }
 
 void MappingState::offer(slam::LoopAnswer answer) {
   const slam::Keyframe& asked = *impl_->mapper.keyframes()[answer.node];
-  impl_->has_mates_answer = impl_->has_mates_answer || asked.id.robot != impl_->mapper.maker().robot;
+  impl_->has_mates_answer = impl_->has_mates_answer || asked.id.robot != impl_->mapper.origin().robot;
   impl_->answers.push_back(std::move(answer));
 }
 
@@ -287,7 +287,7 @@ std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {
     return out;
   };
   snapshot->keyframes = stations(mapper.own_way());
-  for (const auto& [maker, way] : mapper.mates_ways()) snapshot->mates.push_back(stations(way));
+  for (const auto& [origin, way] : mapper.mates_ways()) snapshot->mates.push_back(stations(way));
   return snapshot;
 }
 

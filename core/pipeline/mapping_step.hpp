@@ -53,11 +53,11 @@ struct MappingLosses {
 class MappingState {
  public:
   /// `start`: where the map has the robot at its first scan.
-  explicit MappingState(const slam::MapperParams& params, const slam::Maker& maker = {},
+  explicit MappingState(const slam::MapperParams& params, const slam::Origin& origin = {},
                         const types::Se2& start = {});
   /// Goes on with a session that was checked, from where a scan was found in its map. Draws the whole map.
   MappingState(const slam::MapperParams& params, const slam::Session& session, const slam::Arrival& arrival,
-               const slam::Maker& maker = {});
+               const slam::Origin& origin = {});
   ~MappingState();
   MappingState(const MappingState&) = delete;
   MappingState& operator=(const MappingState&) = delete;

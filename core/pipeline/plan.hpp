@@ -25,7 +25,7 @@ enum class Activity : std::uint8_t {
   kDone,       ///< the mission is fulfilled
   kFailed,     ///< the mission was given up, for a reason that can be read
 };
-/// One word for tables and JSON: "idle", "exploring", ...
+/// One message for tables and JSON: "idle", "exploring", ...
 std::string_view to_text(Activity activity);
 
 /// What planning hands to the base: the next metres of the way, in odom, so that a correction of the map does

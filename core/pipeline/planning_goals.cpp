@@ -67,7 +67,7 @@ void PlanningState::Impl::give_up(const PlanningInput& in, std::string why) {
   note(in, goal->p_map, "given up: " + why);
   // A look that is left says nothing of a goal beside it.
   if (!looks.leave(goal->p_map))
-    put_off.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
+    deferred.give_up(goal->p_map, in.now + types::from_seconds(params.give_up_s), std::move(why));
   goal.reset();
 }
 
@@ -141,7 +141,7 @@ void PlanningState::Impl::settle_goal(const PlanningInput& in) {
   const double reached_m = looks.reached_m(goal->p_map).value_or(params.goal_reached_m);
   if ((map.centre_of(target) - here).norm() <= reached_m ||
       (about_this && in.control->mode == ControlMode::kArrived)) {
-    if (!looks.arrive(goal->p_map)) put_off.visit(goal->p_map, next_visit(in.now));
+    if (!looks.arrive(goal->p_map)) deferred.visit(goal->p_map, next_visit(in.now));
     note(in, goal->p_map, "reached");
     goal.reset();
     return;
@@ -155,10 +155,10 @@ std::vector<exploration::Candidate> PlanningState::Impl::candidates_among(const 
                                                                           bool& cut_off) const {
   std::vector<exploration::Candidate> found =
       exploration::candidates_of(goals, {map, clearance.clearance_m(), field, params.travel.radius_m},
-                                 put_off, T_map_base.se2(), in.now, cut_off);
+                                 deferred, T_map_base.se2(), in.now, cut_off);
   if (is_coordinated(in))
     std::erase_if(found, [&](const exploration::Candidate& c) {
-      return mate_was_at(in, c, exploration::PutOffGoals::kSame_m);
+      return mate_was_at(in, c, exploration::DeferredGoals::kSame_m);
     });
   return found;
 }
@@ -213,7 +213,7 @@ void PlanningState::Impl::run_dry(const PlanningInput& in, bool cut_off) {
   } else if (cut_off && !looks_meanwhile && looks_around()) {
     looks_meanwhile = true;
     reason = "no way to the goals left: looks into corners meanwhile";
-  } else if (put_off.call_back(in.now)) {
+  } else if (deferred.call_back(in.now)) {
     reason = "only goals given up before are left: they are tried again";
   } else if (in.team != nullptr && (others_have_goals(in) || in.now - nothing_since < kPatience)) {
     wait_for_goal(in, "waits: no goal is in reach, but others have some");

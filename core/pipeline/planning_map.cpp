@@ -141,7 +141,7 @@ void PlanningState::Impl::refresh_analysis(const PlanningInput& in) {
   const bool waits = in.team != nullptr && !goal && analysed >= idle_since;
   if (analysis != nullptr && (goal || waits) && in.now - analysed < period) return;
   analysed = in.now;
-  travel::ClearMap wide;
+  travel::CoarseMap wide;
   if (params.coarse_analysis) wide = travel::coarser(map, clearance.clearance_m());
   analysis::AnalysisInput input{map_revision, params.coarse_analysis ? std::move(wide.map) : map,
                                 params.coarse_analysis ? wide.clearance_m : clearance.clearance_m(),

@@ -37,7 +37,7 @@ struct NewestKeyframe {
 /// What planning remembers; private to planning_step.cpp and the planning_*.cpp files beside it.
 struct PlanningState::Impl {
   explicit Impl(const PlannerParams& given)
-      : params(given), looks(given.looks), roster(given.roster), contact(given.contact_lost_s) {}
+      : params(given), looks(given.final_sweep), roster(given.roster), contact(given.contact_lost_s) {}
 
   // The step, in the order in which it goes (planning_step.cpp).
   PlanningOutput step(const PlanningInput& in);
@@ -140,9 +140,9 @@ struct PlanningState::Impl {
   [[nodiscard]] bool mates_claim_the_same(const PlanningInput& in) const;
   void wait_for_goal(const PlanningInput& in, const char* why);
   /// Is it time to make room for a mate, or to stop doing so?
-  [[nodiscard]] bool precedence_changed(const PlanningInput& in) const;
+  [[nodiscard]] bool right_of_way_changed(const PlanningInput& in) const;
   /// Does it, at home, go on to where a mate that wants to pass is bound for (core/team/homes.hpp)?
-  [[nodiscard]] bool moves_up_for(const PlanningInput& in, const team::Word& mate) const;
+  [[nodiscard]] bool moves_up_for(const PlanningInput& in, const team::StatusMessage& mate) const;
   /// Goes out of a mate's way; false when nobody needs it.
   bool make_room(const PlanningInput& in);
   void wait_at_home(const PlanningInput& in);
@@ -150,8 +150,8 @@ struct PlanningState::Impl {
   [[nodiscard]] bool comes_home_with_others(const PlanningInput& in) const;
   /// Where this robot comes home to: its start, or another's when it comes with others (core/team/homes.hpp).
   [[nodiscard]] types::Vector2 home_of(const PlanningInput& in);
-  [[nodiscard]] const team::Word* who_needs_room(const PlanningInput& in) const;
-  [[nodiscard]] team::Word make_word(const PlanningInput& in) const;
+  [[nodiscard]] const team::StatusMessage* who_needs_room(const PlanningInput& in) const;
+  [[nodiscard]] team::StatusMessage make_message(const PlanningInput& in) const;
   /// Is what is there a mate that will go on? One that stands for good is an obstacle like any other.
   [[nodiscard]] bool is_going_mate(const types::Vector2& p_map) const;
   /// Is a mate that moves so near that this robot has to go slowly (core/team/precedence.hpp)?
@@ -206,9 +206,9 @@ struct PlanningState::Impl {
   types::Stamp analysed{};
   types::Stamp idle_since{};  ///< without a goal; zero: with one
   grid::TravelSearch search;
-  grid::TravelField field;  ///< as far as the search has come
-  bool has_coarse = false;  ///< of this period
-  travel::ClearMap coarse;  ///< the map for travelling in cells four times as wide, for what is far
+  grid::TravelField field;   ///< as far as the search has come
+  bool has_coarse = false;   ///< of this period
+  travel::CoarseMap coarse;  ///< the map for travelling in cells four times as wide, for what is far
   grid::TravelSearch coarse_search;
   grid::TravelField coarse_field;
   exploration::GoalWays goal_ways;  ///< of the last tour
@@ -221,8 +221,8 @@ struct PlanningState::Impl {
   bool has_target = false;
   types::Stamp goal_taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
-  exploration::PutOffGoals put_off;
-  exploration::LastLooks looks;
+  exploration::DeferredGoals deferred;
+  exploration::FinalSweep looks;
   bool looks_meanwhile = false;  ///< though there are goals, to which no way leads
   struct Blocked {
     types::Vector2 p_map{0.0, 0.0};
@@ -247,7 +247,7 @@ struct PlanningState::Impl {
   team::LastContact contact;
   bool seeks_contact = false;
   std::vector<types::Vector2> going_at;  ///< Roster::going_at() of this period
-  std::uint64_t words = 0;
+  std::uint64_t messages = 0;
   std::vector<team::Bid> bids;
   Claims claims_then;              ///< when the last decision was made
   double claimed_m = 0.0;          ///< what the goal's way counted when the goal was taken

@@ -32,7 +32,7 @@ constexpr double kNear_m = 6.0;                                 // farther ways 
 const char* place_missing(const PlanningInput& in, types::Stamp matched) {
   if (in.map == nullptr || in.map->keyframes.empty()) return "no map yet";
   if (in.control == nullptr || in.now - in.control->stamp > kControlAgeMax)
-    return "no word from the base thread";
+    return "no message from the base thread";
   if (!in.control->base_ready) return "the base is not ready";
   if (in.tracked == nullptr || in.now - in.tracked->stamp > kTrackedAgeMax)
     return "no scan was placed lately: the robot does not know where it is";
@@ -72,7 +72,7 @@ void PlanningState::Impl::take_mission(const PlanningInput& in) {
   battery_low = false;
   goal.reset();
   has_target = false;
-  put_off.clear();
+  deferred.clear();
   too_tight.clear();
   looks.begin(in.now);
   looks_meanwhile = false;
@@ -140,7 +140,7 @@ bool PlanningState::Impl::route_holds(const PlanningInput& in) const {
   if (since >= kDecisionHolds && (!may_be_quiet || has_changed(in) || !mates_claim_the_same(in)))
     return false;
   if (battery_low && !returning) return false;
-  if (in.team != nullptr && precedence_changed(in)) return false;
+  if (in.team != nullptr && right_of_way_changed(in)) return false;
   if (seeks_contact && !contact.lost_at(in.now)) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
   if (newest.is_bent(*in.map, kCorrection_m, kCorrection_rad)) return false;
@@ -241,7 +241,7 @@ std::unique_ptr<PlanningReport> PlanningState::Impl::make_report(const PlanningI
   report->known_m2 = known_m2;
   report->analysis = analysis;
   report->open_goals = open_goals;
-  report->put_off = put_off.held(in.now);
+  report->deferred = deferred.held(in.now);
   report->decisions = decisions;
   report->goal = goal;
   report->route_map = route;
@@ -293,8 +293,8 @@ PlanningOutput PlanningState::Impl::step(const PlanningInput& in) {
   make_plan(in, out.plan);
   out.report = make_report(in);
   if (in.team != nullptr) {
-    ++words;
-    out.word = make_word(in);
+    ++messages;
+    out.message = make_message(in);
   }
   return out;
 }

@@ -49,7 +49,7 @@ struct PlannerParams {
   bool k_means = true;  ///< false, an ablation: a team shares out single goals, not clusters of them
   analysis::AnalysisParams analysis;
   TourParams tour;
-  exploration::LastLookParams looks;  ///< Finish::kComplete
+  exploration::FinalSweepParams final_sweep;  ///< Finish::kComplete
   grid::TravelRules travel;
   types::AreaLimits area;
   types::Se2 T_base_laser;       ///< front scanner, for what stands in the way now
@@ -91,8 +91,8 @@ struct TrackedPose {
 
 /// What a robot of a team hears of the others.
 struct TeamInput {
-  std::uint16_t robot = 0;            ///< this one
-  std::span<const team::Word> words;  ///< that came since the last period, in any order
+  std::uint16_t robot = 0;                        ///< this one
+  std::span<const team::StatusMessage> messages;  ///< that came since the last period, in any order
 };
 
 /// What thinking a plan over consists of.
@@ -139,7 +139,7 @@ struct PlanningReport {
   double known_m2 = 0.0;                               ///< free cells seen so far
   std::shared_ptr<const analysis::Analysis> analysis;  ///< newest; null before the first
   std::vector<goals::Goal> open_goals;                 ///< what may be chosen now, either phase
-  std::vector<exploration::PutOffGoal> put_off;        ///< at this time
+  std::vector<exploration::DeferredGoal> deferred;     ///< at this time
   std::vector<Decision> decisions;                     ///< the last 64, oldest first
   std::optional<goals::Goal> goal;                     ///< on the way to it
   std::vector<types::Vector2> route_map;
@@ -153,7 +153,7 @@ struct PlanningReport {
 struct PlanningOutput {
   Plan plan;
   std::unique_ptr<const PlanningReport> report;  ///< never null
-  std::optional<team::Word> word;                ///< for the others; of a robot in a team only
+  std::optional<team::StatusMessage> message;    ///< for the others; of a robot in a team only
 };
 
 /// The planning thread's whole state. Used by one thread.

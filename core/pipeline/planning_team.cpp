@@ -62,9 +62,9 @@ std::vector<Vector2> beginning_of(const std::vector<Vector2>& route) {
 }  // namespace
 
 void PlanningState::Impl::hear(const PlanningInput& in) {
-  for (const team::Word& word : in.team->words) {
-    const bool newer = word.robot != in.team->robot && roster.take(word, in.now);
-    if (newer && word.duty != team::Duty::kOver) contact.heard(T_map_base.se2().translation(), in.now);
+  for (const team::StatusMessage& message : in.team->messages) {
+    const bool newer = message.robot != in.team->robot && roster.take(message, in.now);
+    if (newer && message.duty != team::Duty::kOver) contact.heard(T_map_base.se2().translation(), in.now);
   }
   if (!roster.any_at_work()) contact.forget();
   going_at = roster.going_at(in.now);
@@ -76,19 +76,19 @@ bool PlanningState::Impl::is_going_mate(const Vector2& p_map) const {
 }
 
 bool PlanningState::Impl::slows_for_mate(const PlanningInput& in) const {
-  team::Word self;
+  team::StatusMessage self;
   self.robot = in.team->robot;
   self.T_map_base = T_map_base.se2();
   const auto heard = roster.heard(in.now);
-  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* mate) {
+  return std::any_of(heard.begin(), heard.end(), [&](const team::StatusMessage* mate) {
     return team::slows_for(self, *mate, types::to_seconds(roster.age_of(*mate, in.now)));
   });
 }
 
 bool PlanningState::Impl::is_mate_behind(const PlanningInput& in) const {
   const auto heard = roster.heard(in.now);
-  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
-    const Vector2 at = T_map_base.se2().inverse() * word->T_map_base.translation();
+  return std::any_of(heard.begin(), heard.end(), [&](const team::StatusMessage* message) {
+    const Vector2 at = T_map_base.se2().inverse() * message->T_map_base.translation();
     return at.x() < 0.0 && at.norm() <= kBehind_m;
   });
 }
@@ -123,7 +123,7 @@ const exploration::Candidate* PlanningState::Impl::pick(const PlanningInput& in,
   for (const exploration::Candidate& c : candidates)
     bids.push_back({told(c.goal), exploration::weighed_cost_m(c, present, params.switch_gain),
                     c.goal.side != goals::Side::kNone});
-  team::Word self;
+  team::StatusMessage self;
   self.robot = in.team->robot;
   self.bids = bids;
   if (present != nullptr) self.claim = team::Bid{told(present->goal), claimed_m};
@@ -147,8 +147,8 @@ bool PlanningState::Impl::is_coordinated(const PlanningInput& in) const {
 bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const exploration::Candidate& candidate,
                                       double within_m) const {
   const auto heard = roster.heard(in.now);
-  return std::any_of(heard.begin(), heard.end(), [&](const team::Word* word) {
-    return std::any_of(word->visited.begin(), word->visited.end(),
+  return std::any_of(heard.begin(), heard.end(), [&](const team::StatusMessage* message) {
+    return std::any_of(message->visited.begin(), message->visited.end(),
                        [&](const Vector2& p) { return (p - candidate.goal.p_map).norm() <= within_m; });
   });
 }
@@ -156,15 +156,16 @@ bool PlanningState::Impl::mate_was_at(const PlanningInput& in, const exploration
 bool PlanningState::Impl::others_have_goals(const PlanningInput& in) const {
   if (!is_coordinated(in)) return false;
   const auto counted = roster.counted(in.now);
-  return std::any_of(counted.begin(), counted.end(),
-                     [](const team::Word* word) { return word->claim || !word->bids.empty(); });
+  return std::any_of(counted.begin(), counted.end(), [](const team::StatusMessage* message) {
+    return message->claim || !message->bids.empty();
+  });
 }
 
 PlanningState::Impl::Claims PlanningState::Impl::claims_of_mates(const PlanningInput& in) const {
   Claims claims;
-  for (const team::Word* word : roster.counted(in.now)) {
-    const auto claimed = word->claim ? std::optional(word->claim->p_map) : std::nullopt;
-    claims.emplace_back(word->robot, claimed);
+  for (const team::StatusMessage* message : roster.counted(in.now)) {
+    const auto claimed = message->claim ? std::optional(message->claim->p_map) : std::nullopt;
+    claims.emplace_back(message->robot, claimed);
   }
   return claims;
 }
@@ -187,38 +188,39 @@ void PlanningState::Impl::wait_for_goal(const PlanningInput& in, const char* why
   last_progress = in.now;
 }
 
-const team::Word* PlanningState::Impl::who_needs_room(const PlanningInput& in) const {
+const team::StatusMessage* PlanningState::Impl::who_needs_room(const PlanningInput& in) const {
   if (in.now < ignore_room_until) return nullptr;
-  team::Word self;
+  team::StatusMessage self;
   self.robot = in.team->robot;
   self.T_map_base = T_map_base.se2();
   if (has_target) self.way_map = beginning_of(route);
   return team::who_needs_room(self, roster.heard(in.now));
 }
 
-bool PlanningState::Impl::precedence_changed(const PlanningInput& in) const {
+bool PlanningState::Impl::right_of_way_changed(const PlanningInput& in) const {
   return !room && who_needs_room(in) != nullptr;
 }
 
-bool PlanningState::Impl::moves_up_for(const PlanningInput& in, const team::Word& mate) const {
-  team::Word self;
+bool PlanningState::Impl::moves_up_for(const PlanningInput& in, const team::StatusMessage& mate) const {
+  team::StatusMessage self;
   self.T_map_base = T_map_base.se2();
   return comes_home_with_others(in) && mate.home && home && team::is_at_home(self, *home) &&
          !team::is_at_home(mate, {mate.robot, *mate.home});
 }
 
 bool PlanningState::Impl::make_room(const PlanningInput& in) {
-  const std::vector<const team::Word*> heard = roster.heard(in.now);
+  const std::vector<const team::StatusMessage*> heard = roster.heard(in.now);
   if (!room) {
-    const team::Word* mate = who_needs_room(in);
+    const team::StatusMessage* mate = who_needs_room(in);
     if (mate == nullptr || moves_up_for(in, *mate)) return false;
     room = Room{mate->robot, T_map_base.se2().translation(), in.now, target};
     ++goal_id;  // what control says of this way is not about the goal
     note(in, room->asked_at, "makes room for robot " + std::to_string(mate->robot));
   }
-  const auto mate = std::find_if(heard.begin(), heard.end(),
-                                 [&](const team::Word* word) { return word->robot == room->mate; });
-  const team::PrecedenceParams limits;
+  const auto mate = std::find_if(heard.begin(), heard.end(), [&](const team::StatusMessage* message) {
+    return message->robot == room->mate;
+  });
+  const team::RightOfWayParams limits;
   const auto in_the_way = [&](const Vector2& p) { return (p - room->asked_at).norm() < limits.room_m; };
   const bool room_timed_out = in.now - room->since > kRoomFor;
   if (room_timed_out) ignore_room_until = in.now + kRoomFor;
@@ -245,7 +247,7 @@ bool PlanningState::Impl::comes_home_with_others(const PlanningInput& in) const 
 Vector2 PlanningState::Impl::home_of(const PlanningInput& in) {
   Vector2 start = T_map_start.se2().translation();
   if (!comes_home_with_others(in)) return start;
-  team::Word self;
+  team::StatusMessage self;
   self.robot = in.team->robot;
   self.start = start;
   self.T_map_base = T_map_base.se2();
@@ -282,25 +284,25 @@ void PlanningState::Impl::wait_at_home(const PlanningInput& in) {
   reason = "home, waits for the others";
 }
 
-team::Word PlanningState::Impl::make_word(const PlanningInput& in) const {
-  team::Word word;
-  word.robot = in.team->robot;
-  word.sequence = words;
-  word.T_map_base = T_map_base.se2();
-  word.start = T_map_start.se2().translation();
-  if (returning && home) word.home = home->p_map;
+team::StatusMessage PlanningState::Impl::make_message(const PlanningInput& in) const {
+  team::StatusMessage message;
+  message.robot = in.team->robot;
+  message.sequence = messages;
+  message.T_map_base = T_map_base.se2();
+  message.start = T_map_start.se2().translation();
+  if (returning && home) message.home = home->p_map;
   if (ended || at_home)
-    word.duty = team::Duty::kOver;
+    message.duty = team::Duty::kOver;
   else if (located && !in.control->estop_latched && !mission.paused && mission.order == Order::kExplore)
-    word.duty = team::Duty::kAble;
-  if (has_target) word.way_map = beginning_of(route);
-  word.visited = put_off.visited(in.now);
-  word.looked = looks.looked();
+    message.duty = team::Duty::kAble;
+  if (has_target) message.way_map = beginning_of(route);
+  message.visited = deferred.visited(in.now);
+  message.looked = looks.looked();
   // Who is unable says on what it claimed: the others decide by how long it has been so (roster.hpp).
-  if (ended || at_home || returning || mission.order != Order::kExplore) return word;
-  word.bids = bids;
-  if (goal && !seeks_contact) word.claim = team::Bid{told(*goal), claimed_m};
-  return word;
+  if (ended || at_home || returning || mission.order != Order::kExplore) return message;
+  message.bids = bids;
+  if (goal && !seeks_contact) message.claim = team::Bid{told(*goal), claimed_m};
+  return message;
 }
 
 }  // namespace topo::pipeline

@@ -125,7 +125,7 @@ std::optional<types::Stamp> PlanningState::Impl::next_visit(types::Stamp now) co
 
 void PlanningState::Impl::settle_looks(const PlanningInput& in) {
   looks.settle(map, in.now);
-  for (const team::Word* mate : roster.heard(in.now)) looks.share(mate->looked);
+  for (const team::StatusMessage* mate : roster.heard(in.now)) looks.share(mate->looked);
 }
 
 /// When there is nothing else to do.
@@ -138,7 +138,7 @@ void PlanningState::Impl::find_looks(const PlanningInput& in) {
 /// Those that were found and are not taken yet.
 void PlanningState::Impl::add_looks(std::vector<exploration::Candidate>& candidates, bool& cut_off) const {
   // A look from beside a goal that a robot was at shows something else.
-  const exploration::PutOffGoals none;
+  const exploration::DeferredGoals none;
   std::vector<exploration::Candidate> found =
       exploration::candidates_of(looks.goals(), {map, clearance.clearance_m(), field, params.travel.radius_m},
                                  none, T_map_base.se2(), {}, cut_off);

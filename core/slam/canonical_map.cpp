@@ -46,7 +46,7 @@ int rank_of(const RelationKey& key, const Relation& relation) {
   const auto& [a, b] = key;
   if (relation.robust) return 2;
   const bool successive = std::max(a.sequence, b.sequence) - std::min(a.sequence, b.sequence) == 1;
-  return a.maker() == b.maker() && successive ? 0 : 1;
+  return a.origin() == b.origin() && successive ? 0 : 1;
 }
 
 struct Graph {

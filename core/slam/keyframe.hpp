@@ -15,10 +15,10 @@ namespace topo::slam {
 
 /// Who makes keyframes: a robot in one run of its program. A robot that begins to count anew has another run
 /// number, so that nothing of two runs has one key.
-struct Maker {
+struct Origin {
   std::uint16_t robot = 0;
   std::uint32_t run = 0;
-  friend auto operator<=>(const Maker&, const Maker&) = default;
+  friend auto operator<=>(const Origin&, const Origin&) = default;
 };
 
 /// Who made a keyframe and as which of his: the key of the grow-only set (DESIGN "Team"). Ordered by robot,
@@ -27,7 +27,7 @@ struct KeyframeId {
   std::uint16_t robot = 0;
   std::uint32_t sequence = 0;
   std::uint32_t run = 0;
-  [[nodiscard]] Maker maker() const { return {robot, run}; }
+  [[nodiscard]] Origin origin() const { return {robot, run}; }
   friend bool operator==(const KeyframeId&, const KeyframeId&) = default;
   friend auto operator<=>(const KeyframeId& a, const KeyframeId& b) {
     return std::tie(a.robot, a.run, a.sequence) <=> std::tie(b.robot, b.run, b.sequence);

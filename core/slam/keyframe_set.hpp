@@ -31,10 +31,10 @@ class KeyframeSet {
   /// In the order of their keys.
   [[nodiscard]] const Map& keyframes() const { return keyframes_; }
 
-  /// What is here without a gap, by maker: what a robot tells another, so that it sends the rest.
-  [[nodiscard]] std::vector<MakerCount> counts() const { return counts_of(keyframes_); }
-  /// What is here and, by its counts, not there; at most `count_max`, maker by maker, oldest first.
-  [[nodiscard]] std::vector<KeyframePtr> missing(std::span<const MakerCount> there,
+  /// What is here without a gap, by origin: what a robot tells another, so that it sends the rest.
+  [[nodiscard]] std::vector<OriginCount> counts() const { return counts_of(keyframes_); }
+  /// What is here and, by its counts, not there; at most `count_max`, origin by origin, oldest first.
+  [[nodiscard]] std::vector<KeyframePtr> missing(std::span<const OriginCount> there,
                                                  std::size_t count_max) const {
     return missing_of(keyframes_, there, count_max);
   }

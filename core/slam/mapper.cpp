@@ -46,9 +46,9 @@ bool is_within(const SearchWindow& window, const types::Se2& off) {
 
 }  // namespace
 
-Mapper::Mapper(const MapperParams& params, const Maker& maker, const types::Se2& start)
+Mapper::Mapper(const MapperParams& params, const Origin& origin, const types::Se2& start)
     : params_(params),
-      maker_(maker),
+      maker_(origin),
       start_(start),
       local_map_(params.refine.reach_m),
       open_questions_(0.5 * params.loop.search_floor_m, 0.5 * params.loop.search_floor_rad,

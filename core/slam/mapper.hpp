@@ -55,7 +55,7 @@ struct JoinVerdict {
 class Mapper {
  public:
   /// `start`: where the map has the robot at its first scan.
-  explicit Mapper(const MapperParams& params, const Maker& maker = {}, const types::Se2& start = {});
+  explicit Mapper(const MapperParams& params, const Origin& origin = {}, const types::Se2& start = {});
 
   /// Goes on with a session that was checked, from where a scan was found in its map: the scan becomes the
   /// next keyframe, hung on the nearest one. Of a new mapper only.
@@ -116,10 +116,10 @@ class Mapper {
   [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
   /// A keyframe's place in these lists; nothing when it is not in the map.
   [[nodiscard]] std::optional<std::size_t> node_of(const KeyframeId& id) const;
-  [[nodiscard]] const Maker& maker() const { return maker_; }
-  /// Nodes of the robot's own way, in its order, and of each other maker in the order of the keys.
+  [[nodiscard]] const Origin& origin() const { return maker_; }
+  /// Nodes of the robot's own way, in its order, and of each other origin in the order of the keys.
   [[nodiscard]] std::span<const std::size_t> own_way() const { return own_; }
-  [[nodiscard]] const std::map<Maker, std::vector<std::size_t>>& mates_ways() const { return mates_; }
+  [[nodiscard]] const std::map<Origin, std::vector<std::size_t>>& mates_ways() const { return mates_; }
   [[nodiscard]] Session session() const { return {keyframes_, poses_, edges_}; }
   [[nodiscard]] types::Se2 T_map_odom() const { return T_map_base_ * T_odom_base_.inverse(); }
   [[nodiscard]] const types::Se2& T_map_base() const { return T_map_base_; }
@@ -166,7 +166,7 @@ class Mapper {
   static constexpr double kTensionChi2 = 1.0;      ///< what is further off than this is solved for at once
 
   MapperParams params_;
-  Maker maker_;
+  Origin maker_;
   types::Se2 start_;
   std::vector<KeyframePtr> keyframes_;  ///< in the order in which they came, the first one holds the map
   std::vector<types::Se2> poses_;       ///< of base_link at each keyframe, in map
@@ -191,15 +191,15 @@ class Mapper {
   std::size_t resumed_at_ = 0;           ///< place on the own way of the first keyframe since resume()
   std::vector<std::size_t> neighbours_;  ///< older keyframes around it
 
-  std::vector<std::size_t> own_;                     ///< the robot's own nodes, in the order of its way
-  std::map<Maker, std::vector<std::size_t>> mates_;  ///< others' nodes in the order of their keys
+  std::vector<std::size_t> own_;                      ///< the robot's own nodes, in the order of its way
+  std::map<Origin, std::vector<std::size_t>> mates_;  ///< others' nodes in the order of their keys
   std::map<KeyframeId, std::size_t> nodes_;
   std::set<RelationKey> known_;       ///< relations in the graph or waiting
   std::vector<FoundRelation> found_;  ///< by this robot
   Unplaced unplaced_;
-  std::deque<std::size_t> unasked_;          ///< nodes of team-mates
-  std::set<std::size_t> tied_;               ///< nodes of team-mates with an edge to the own way
-  std::map<Maker, std::size_t> aligned_at_;  ///< keyframes, own and theirs, at the last question about them
+  std::deque<std::size_t> unasked_;           ///< nodes of team-mates
+  std::set<std::size_t> tied_;                ///< nodes of team-mates with an edge to the own way
+  std::map<Origin, std::size_t> aligned_at_;  ///< keyframes, own and theirs, at the last question about them
 };
 
 }  // namespace topo::slam

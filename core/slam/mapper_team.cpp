@@ -85,7 +85,7 @@ bool Mapper::is_own(std::size_t node) const { return std::binary_search(own_.beg
 
 std::size_t Mapper::add_mates_node(KeyframePtr keyframe, const types::Se2& pose) {
   const KeyframeId id = keyframe->id;
-  std::vector<std::size_t>& way = mates_[id.maker()];
+  std::vector<std::size_t>& way = mates_[id.origin()];
   const auto at = std::upper_bound(way.begin(), way.end(), id, [&](const KeyframeId& a, std::size_t b) {
     return a < keyframes_[b]->id;
   });  // it may have come late
@@ -112,7 +112,7 @@ std::optional<std::size_t> Mapper::node_of(const KeyframeId& id) const {
 
 std::vector<LoopGroup> Mapper::groups_of_mates(std::size_t node, std::span<const double> distances_m) const {
   std::vector<std::pair<LoopRun, Way>> runs;
-  for (const auto& [maker, way] : mates_) {
+  for (const auto& [origin, way] : mates_) {
     for (const LoopRun& run : find_loop_runs(poses_, distances_m, node, way, way.size(), params_.loop))
       runs.emplace_back(run, way);
   }
@@ -127,7 +127,7 @@ std::vector<LoopGroup> Mapper::groups_of_mates(std::size_t node, std::span<const
 }
 
 bool Mapper::is_tied_to_own_way(std::size_t node) const {
-  const std::vector<std::size_t>& way = mates_.at(keyframes_[node]->id.maker());
+  const std::vector<std::size_t>& way = mates_.at(keyframes_[node]->id.origin());
   const auto place = static_cast<std::size_t>(std::find(way.begin(), way.end(), node) - way.begin());
   const std::size_t first = place > kTiedReach ? place - kTiedReach : 0;
   const std::size_t last = std::min(place + kTiedReach, way.size() - 1);
@@ -152,11 +152,11 @@ std::vector<LoopQuery> Mapper::take_mate_queries(std::size_t count_max) {
 }
 
 std::optional<AlignmentQuery> Mapper::take_alignment_query() {
-  std::map<Maker, std::vector<KeyframeId>> waiting;
-  for (const auto& [id, keyframe] : unplaced_.keyframes()) waiting[id.maker()].push_back(id);
-  for (const auto& [maker, ids] : waiting) {
+  std::map<Origin, std::vector<KeyframeId>> waiting;
+  for (const auto& [id, keyframe] : unplaced_.keyframes()) waiting[id.origin()].push_back(id);
+  for (const auto& [origin, ids] : waiting) {
     const std::size_t size = ids.size() + keyframes_.size();
-    std::size_t& asked_at = aligned_at_[maker];
+    std::size_t& asked_at = aligned_at_[origin];
     if (ids.size() < kAlignFrom || static_cast<double>(size) < kAlignGrowth * static_cast<double>(asked_at))
       continue;
     asked_at = size;

@@ -9,43 +9,43 @@
 
 #include "core/slam/keyframe.hpp"
 
-// What makers number from 0 on, kept in a std::map by KeyframeId: how one who has some of it says what, so
+// What origins number from 0 on, kept in a std::map by KeyframeId: how one who has some of it says what, so
 // that another sends the rest.
 namespace topo::slam {
 
-/// Of one maker's things somebody has all below `next`, and maybe some more.
-struct MakerCount {
+/// Of one origin's things somebody has all below `next`, and maybe some more.
+struct OriginCount {
   std::uint16_t robot = 0;
   std::uint32_t next = 0;
   std::uint32_t run = 0;
-  friend auto operator<=>(const MakerCount&, const MakerCount&) = default;
+  friend auto operator<=>(const OriginCount&, const OriginCount&) = default;
 };
 
-/// What is there without a gap, by maker.
+/// What is there without a gap, by origin.
 template <class Value>
-std::vector<MakerCount> counts_of(const std::map<KeyframeId, Value>& things) {
-  std::vector<MakerCount> counts;
+std::vector<OriginCount> counts_of(const std::map<KeyframeId, Value>& things) {
+  std::vector<OriginCount> counts;
   for (const auto& [id, thing] : things) {
-    if (counts.empty() || Maker{counts.back().robot, counts.back().run} != id.maker())
+    if (counts.empty() || Origin{counts.back().robot, counts.back().run} != id.origin())
       counts.push_back({id.robot, 0, id.run});
     if (id.sequence == counts.back().next) ++counts.back().next;
   }
   return counts;
 }
 
-/// What is here and, by its counts, not there; at most `count_max`, maker by maker, oldest first.
+/// What is here and, by its counts, not there; at most `count_max`, origin by origin, oldest first.
 template <class Value>
-std::vector<Value> missing_of(const std::map<KeyframeId, Value>& things, std::span<const MakerCount> there,
+std::vector<Value> missing_of(const std::map<KeyframeId, Value>& things, std::span<const OriginCount> there,
                               std::size_t count_max) {
   std::vector<Value> missing;
   auto at = things.begin();
   while (at != things.end() && missing.size() < count_max) {
-    const Maker maker = at->first.maker();
-    const auto known = std::find_if(there.begin(), there.end(), [&](const MakerCount& count) {
-      return Maker{count.robot, count.run} == maker;
+    const Origin origin = at->first.origin();
+    const auto known = std::find_if(there.begin(), there.end(), [&](const OriginCount& count) {
+      return Origin{count.robot, count.run} == origin;
     });
-    if (known != there.end()) at = things.lower_bound({maker.robot, known->next, maker.run});
-    for (; at != things.end() && at->first.maker() == maker && missing.size() < count_max; ++at)
+    if (known != there.end()) at = things.lower_bound({origin.robot, known->next, origin.run});
+    for (; at != things.end() && at->first.origin() == origin && missing.size() < count_max; ++at)
       missing.push_back(at->second);
   }
   return missing;

@@ -51,16 +51,16 @@ class RelationSet {
   std::map<Key, Relation> relations_;
 };
 
-/// The grow-only set of what everybody found, keyed by finder and number as keyframes are by maker and
+/// The grow-only set of what everybody found, keyed by finder and number as keyframes are by origin and
 /// sequence: what robots send one another until all have all of it.
 class RelationLog {
  public:
   /// True when the log has changed.
   bool insert(const FoundRelation& found);
   [[nodiscard]] std::size_t size() const { return found_.size(); }
-  [[nodiscard]] std::vector<MakerCount> counts() const { return counts_of(found_); }
+  [[nodiscard]] std::vector<OriginCount> counts() const { return counts_of(found_); }
   /// What is here and, by its counts, not there; at most `count_max`, finder by finder, oldest first.
-  [[nodiscard]] std::vector<FoundRelation> missing(std::span<const MakerCount> there,
+  [[nodiscard]] std::vector<FoundRelation> missing(std::span<const OriginCount> there,
                                                    std::size_t count_max) const {
     return missing_of(found_, there, count_max);
   }

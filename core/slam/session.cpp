@@ -50,7 +50,7 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
   // Keyframes are numbered on: the key of the grow-only set never comes twice.
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
     const KeyframeId& id = session.keyframes[i]->id;
-    if (id.maker() == maker_) next_sequence_ = std::max(next_sequence_, id.sequence + 1);
+    if (id.origin() == maker_) next_sequence_ = std::max(next_sequence_, id.sequence + 1);
     if (id.robot == maker_.robot)
       add_own_node(session.keyframes[i], session.poses[i]);
     else

@@ -55,13 +55,13 @@ Patch make_patch(const Session& mates, std::size_t first, std::size_t last) {
   return patch;
 }
 
-/// Patches evenly over the session, none across two makers.
+/// Patches evenly over the session, none across two origins.
 std::vector<Patch> make_patches(const Session& mates, const AlignmentParams& params) {
   std::vector<std::pair<std::size_t, std::size_t>> runs;
   const std::size_t length = 2 * params.patch_half + 1;
   for (std::size_t first = 0; first + length <= mates.keyframes.size(); first += length) {
     const std::size_t last = first + length - 1;
-    if (mates.keyframes[first]->id.maker() == mates.keyframes[last]->id.maker())
+    if (mates.keyframes[first]->id.origin() == mates.keyframes[last]->id.origin())
       runs.emplace_back(first, last);
   }
   std::vector<Patch> patches;

@@ -17,10 +17,10 @@ namespace {
 constexpr double kScannerRange_m = 30.0;  // UTM-30LX (PROTOCOLS), of the rule that reckons with what is seen
 
 /// Everybody's goals: of all bids, in the order of their points, those that are for no goal before.
-std::vector<types::Vector2> goals_of(std::span<const Word* const> team) {
+std::vector<types::Vector2> goals_of(std::span<const StatusMessage* const> team) {
   std::vector<types::Vector2> points, goals;
-  for (const Word* word : team) {
-    for (const Bid& bid : word->bids) points.push_back(bid.p_map);
+  for (const StatusMessage* message : team) {
+    for (const Bid& bid : message->bids) points.push_back(bid.p_map);
   }
   std::sort(points.begin(), points.end(), comes_before);
   for (const types::Vector2& p : points) {
@@ -39,9 +39,9 @@ std::size_t goal_of(const std::vector<types::Vector2>& goals, const Bid& bid) {
 }
 
 /// Who bids how much for which goal, by the order of ids; of a robot's bids for one goal the cheapest counts.
-CostTable table_of(std::span<const Word* const> team) {
+CostTable table_of(std::span<const StatusMessage* const> team) {
   std::vector<std::uint16_t> robots;
-  for (const Word* word : team) robots.push_back(word->robot);
+  for (const StatusMessage* message : team) robots.push_back(message->robot);
   CostTable table(std::move(robots), goals_of(team));
   for (std::size_t goal = 0; goal < table.goals().size(); ++goal) table.set_essential(goal, false);
   for (std::size_t row = 0; row < team.size(); ++row) {
@@ -56,7 +56,7 @@ CostTable table_of(std::span<const Word* const> team) {
 }
 
 /// The same; a goal costs who has claimed it no more than when it was taken.
-CostTable with_claims(CostTable table, std::span<const Word* const> team) {
+CostTable with_claims(CostTable table, std::span<const StatusMessage* const> team) {
   for (std::size_t row = 0; row < team.size(); ++row) {
     for (std::size_t goal = 0; team[row]->claim && goal < table.goals().size(); ++goal) {
       double& cost_m = table.cost_m(row, goal);
@@ -69,7 +69,7 @@ CostTable with_claims(CostTable table, std::span<const Word* const> team) {
 }
 
 /// The robot's cheapest bid for a goal.
-const Bid& cheapest_for(const Word& self, const CostTable& table, std::size_t goal) {
+const Bid& cheapest_for(const StatusMessage& self, const CostTable& table, std::size_t goal) {
   const Bid* best = nullptr;
   for (const Bid& bid : self.bids) {
     if (goal_of(table.goals(), bid) != goal) continue;
@@ -82,7 +82,7 @@ const Bid& cheapest_for(const Word& self, const CostTable& table, std::size_t go
 
 /// The robot's bids in the cluster of a goal, and the one that it is bound for, whatever cluster that is in
 /// now: clusters change with every goal that is found, and who turns round for that loses both ways.
-std::vector<std::size_t> share_of(const Word& self, const CostTable& table, std::size_t row,
+std::vector<std::size_t> share_of(const StatusMessage& self, const CostTable& table, std::size_t row,
                                   std::size_t assigned, Rule rule) {
   const std::vector<std::size_t> cluster = clusters_of(table, rule == Rule::kClusters);
   std::vector<std::size_t> share;
@@ -113,10 +113,10 @@ Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sig
 }
 
 /// Has a mate a better claim on what the robot bids for? What it claims itself counts as it was claimed.
-bool is_claimed(const Bid& bid, const Word& self, std::span<const Word* const> mates) {
+bool is_claimed(const Bid& bid, const StatusMessage& self, std::span<const StatusMessage* const> mates) {
   const bool own = self.claim && self.claim->p_map == bid.p_map;
   const Bid& said = own ? *self.claim : bid;
-  return std::any_of(mates.begin(), mates.end(), [&](const Word* mate) {
+  return std::any_of(mates.begin(), mates.end(), [&](const StatusMessage* mate) {
     return mate->claim && mate->robot != self.robot && is_same_goal(mate->claim->p_map, bid.p_map) &&
            beats(*mate->claim, mate->robot, said, self.robot);
   });
@@ -137,19 +137,20 @@ bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_
 
 }  // namespace
 
-std::optional<std::size_t> coordinate(Rule rule, const Word& self, std::span<const Word* const> mates,
+std::optional<std::size_t> coordinate(Rule rule, const StatusMessage& self,
+                                      std::span<const StatusMessage* const> mates,
                                       const PointsInSight& in_sight, const Chooser& choose) {
   if (rule == Rule::kAlone) mates = {};
   const bool claims = rule == Rule::kClusters || rule == Rule::kNoClusters;
-  const auto by_id = [](const Word* a, const Word* b) { return a->robot < b->robot; };
-  std::set<const Word*, decltype(by_id)> team(by_id);
+  const auto by_id = [](const StatusMessage* a, const StatusMessage* b) { return a->robot < b->robot; };
+  std::set<const StatusMessage*, decltype(by_id)> team(by_id);
   team.insert(&self);
   team.insert(mates.begin(), mates.end());
-  const std::vector<const Word*> words(team.begin(), team.end());
+  const std::vector<const StatusMessage*> messages(team.begin(), team.end());
   const auto row = static_cast<std::size_t>(std::distance(team.begin(), team.find(&self)));
-  CostTable table = table_of(words);
+  CostTable table = table_of(messages);
   for (;;) {  // ends: every round takes a goal out
-    const Assignment assigned = assign(rule, claims ? with_claims(table, words) : table, in_sight);
+    const Assignment assigned = assign(rule, claims ? with_claims(table, messages) : table, in_sight);
     if (!assigned[row]) return std::nullopt;
     const Bid& bid = claims && choose ? self.bids[choose(share_of(self, table, row, *assigned[row], rule))]
                                       : cheapest_for(self, table, *assigned[row]);

@@ -17,7 +17,7 @@ constexpr double kThere_m = 0.6;  // of a start: nobody else has room
 
 bool is_near(const Vector2& a, const Vector2& b) { return (a - b).norm() <= kThere_m; }
 
-bool takes(const Word& mate, const Home& start, const Word& self) {
+bool takes(const StatusMessage& mate, const Home& start, const StatusMessage& self) {
   if (is_near(self.T_map_base.translation(), start.p_map))
     return false;  // who is there does not go away again
   const bool there = is_near(mate.T_map_base.translation(), start.p_map);
@@ -27,9 +27,9 @@ bool takes(const Word& mate, const Home& start, const Word& self) {
 }
 
 /// Everybody's, in an order that everybody has them in.
-std::vector<Home> starts_of(const Word& self, std::span<const Word* const> mates) {
+std::vector<Home> starts_of(const StatusMessage& self, std::span<const StatusMessage* const> mates) {
   std::vector<Home> starts{{self.robot, self.start}};
-  for (const Word* mate : mates) starts.push_back({mate->robot, mate->start});
+  for (const StatusMessage* mate : mates) starts.push_back({mate->robot, mate->start});
   std::sort(starts.begin(), starts.end(),
             [](const Home& a, const Home& b) { return comes_before(a.p_map, b.p_map); });
   return starts;
@@ -37,16 +37,16 @@ std::vector<Home> starts_of(const Word& self, std::span<const Word* const> mates
 
 }  // namespace
 
-bool is_at_home(const Word& self, const Home& home) {
+bool is_at_home(const StatusMessage& self, const Home& home) {
   return is_near(self.T_map_base.translation(), home.p_map);
 }
 
-std::optional<Home> choose_home(const Word& self, std::span<const Word* const> mates,
-                                const std::optional<Home>& present, const Word* passing,
+std::optional<Home> choose_home(const StatusMessage& self, std::span<const StatusMessage* const> mates,
+                                const std::optional<Home>& present, const StatusMessage* passing,
                                 const std::function<double(const Vector2&)>& cost_m) {
   const auto is_open = [&](const Home& start) {
     return std::none_of(mates.begin(), mates.end(),
-                        [&](const Word* mate) { return takes(*mate, start, self); });
+                        [&](const StatusMessage* mate) { return takes(*mate, start, self); });
   };
   const std::vector<Home> starts = starts_of(self, mates);
   if (passing != nullptr && passing->home && present && is_at_home(self, *present)) {

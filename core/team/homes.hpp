@@ -29,11 +29,11 @@ struct Home {
 ///
 /// `passing`, if not null, is a mate that this robot, at home, stands in the way of: the robot goes on to
 /// where that mate is bound for, which then finds its own free. Where nobody can pass another all move up.
-std::optional<Home> choose_home(const Word& self, std::span<const Word* const> mates,
-                                const std::optional<Home>& present, const Word* passing,
+std::optional<Home> choose_home(const StatusMessage& self, std::span<const StatusMessage* const> mates,
+                                const std::optional<Home>& present, const StatusMessage* passing,
                                 const std::function<double(const types::Vector2&)>& cost_m);
 
 /// Is who stands here at home?
-bool is_at_home(const Word& self, const Home& home);
+bool is_at_home(const StatusMessage& self, const Home& home);
 
 }  // namespace topo::team

@@ -19,7 +19,8 @@ bool leads_through(std::span<const Vector2> way, const Vector2& p, double room_m
 
 }  // namespace
 
-bool slows_for(const Word& self, const Word& mate, double age_s, const PrecedenceParams& params) {
+bool slows_for(const StatusMessage& self, const StatusMessage& mate, double age_s,
+               const RightOfWayParams& params) {
   if (mate.way_map.empty()) return false;
   const double moved_m = params.speed_mps * std::max(0.0, age_s);
   const Vector2 at = self.T_map_base.inverse() * mate.T_map_base.translation();
@@ -29,11 +30,11 @@ bool slows_for(const Word& self, const Word& mate, double age_s, const Precedenc
   return at.x() > 0.0;
 }
 
-const Word* who_needs_room(const Word& self, std::span<const Word* const> mates,
-                           const PrecedenceParams& params) {
+const StatusMessage* who_needs_room(const StatusMessage& self, std::span<const StatusMessage* const> mates,
+                                    const RightOfWayParams& params) {
   const Vector2 here = self.T_map_base.translation();
-  const Word* found = nullptr;
-  for (const Word* mate : mates) {
+  const StatusMessage* found = nullptr;
+  for (const StatusMessage* mate : mates) {
     const Vector2 there = mate->T_map_base.translation();
     if (mate->robot == self.robot || (there - here).norm() > params.near_m) continue;
     if (!leads_through(mate->way_map, here, params.room_m)) continue;
@@ -45,8 +46,9 @@ const Word* who_needs_room(const Word& self, std::span<const Word* const> mates,
 }
 
 std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid::TravelField& field,
-                                           const Word& mate, std::span<const Word* const> mates,
-                                           double search_m, const PrecedenceParams& params) {
+                                           const StatusMessage& mate,
+                                           std::span<const StatusMessage* const> mates, double search_m,
+                                           const RightOfWayParams& params) {
   const auto reach = static_cast<std::int32_t>(std::ceil(search_m / map.resolution_m));
   std::optional<grid::CellIndex> best;
   float best_m = 2.0F * static_cast<float>(search_m);  // crowding counts
@@ -57,7 +59,7 @@ std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid
       if (!field.can_stay_at(map.index(cell))) continue;
       const Vector2 p = map.centre_of(cell);
       if (leads_through(mate.way_map, p, params.room_m)) continue;
-      const bool taken = std::any_of(mates.begin(), mates.end(), [&](const Word* other) {
+      const bool taken = std::any_of(mates.begin(), mates.end(), [&](const StatusMessage* other) {
         return (other->T_map_base.translation() - p).norm() < params.room_m;
       });
       if (taken) continue;

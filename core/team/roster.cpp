@@ -10,24 +10,24 @@ namespace topo::team {
 namespace {
 
 /// It moves up for who wants past (homes.hpp).
-bool waits_at_home(const Word& word) {
-  return word.duty == Duty::kOver && word.home && is_at_home(word, {word.robot, *word.home});
+bool waits_at_home(const StatusMessage& message) {
+  return message.duty == Duty::kOver && message.home && is_at_home(message, {message.robot, *message.home});
 }
 
 }  // namespace
 
-bool Roster::take(const Word& word, types::Stamp now) {
-  const auto [at, added] = mates_.try_emplace(word.robot);
+bool Roster::take(const StatusMessage& message, types::Stamp now) {
+  const auto [at, added] = mates_.try_emplace(message.robot);
   Mate& mate = at->second;
-  const bool anew = added || (is_silent(mate, now) && word.sequence != mate.word.sequence);
-  if (!anew && word.sequence <= mate.word.sequence) return false;
-  const types::Vector2 here = word.T_map_base.translation();
-  if (anew || word.duty != Duty::kUnable) mate.able_at = now;
-  if (anew || !word.claim || (here - mate.stood).norm() > params_.progress_m) {
+  const bool anew = added || (is_silent(mate, now) && message.sequence != mate.message.sequence);
+  if (!anew && message.sequence <= mate.message.sequence) return false;
+  const types::Vector2 here = message.T_map_base.translation();
+  if (anew || message.duty != Duty::kUnable) mate.able_at = now;
+  if (anew || !message.claim || (here - mate.stood).norm() > params_.progress_m) {
     mate.progress_at = now;
     mate.stood = here;
   }
-  mate.word = word;
+  mate.message = message;
   mate.heard = now;
   return true;
 }
@@ -36,47 +36,47 @@ bool Roster::is_silent(const Mate& mate, types::Stamp now) const {
   return now - mate.heard > types::from_seconds(params_.silent_s);
 }
 
-std::vector<const Word*> Roster::heard(types::Stamp now) const {
-  std::vector<const Word*> words;
+std::vector<const StatusMessage*> Roster::heard(types::Stamp now) const {
+  std::vector<const StatusMessage*> messages;
   for (const auto& [id, mate] : mates_) {
-    if (!is_silent(mate, now)) words.push_back(&mate.word);
+    if (!is_silent(mate, now)) messages.push_back(&mate.message);
   }
-  return words;
+  return messages;
 }
 
 bool Roster::counts(const Mate& mate, types::Stamp now) const {
   const bool unable = now - mate.able_at > types::from_seconds(params_.unable_s);
   const bool stuck = now - mate.progress_at > types::from_seconds(params_.stuck_s);
-  return !is_silent(mate, now) && mate.word.duty != Duty::kOver && !unable && !stuck;
+  return !is_silent(mate, now) && mate.message.duty != Duty::kOver && !unable && !stuck;
 }
 
-std::vector<const Word*> Roster::counted(types::Stamp now) const {
-  std::vector<const Word*> words;
+std::vector<const StatusMessage*> Roster::counted(types::Stamp now) const {
+  std::vector<const StatusMessage*> messages;
   for (const auto& [id, mate] : mates_) {
-    if (counts(mate, now)) words.push_back(&mate.word);
+    if (counts(mate, now)) messages.push_back(&mate.message);
   }
-  return words;
+  return messages;
 }
 
 std::vector<types::Vector2> Roster::going_at(types::Stamp now) const {
   std::vector<types::Vector2> places;
   for (const auto& [id, mate] : mates_) {
-    const bool goes = counts(mate, now) && mate.word.duty == Duty::kAble;
-    if ((goes || waits_at_home(mate.word)) && now - mate.heard <= kPlaceAgeMax)
-      places.push_back(mate.word.T_map_base.translation());
+    const bool goes = counts(mate, now) && mate.message.duty == Duty::kAble;
+    if ((goes || waits_at_home(mate.message)) && now - mate.heard <= kPlaceAgeMax)
+      places.push_back(mate.message.T_map_base.translation());
   }
   return places;
 }
 
 bool Roster::any_at_work() const {
   return std::any_of(mates_.begin(), mates_.end(),
-                     [](const auto& entry) { return entry.second.word.duty != Duty::kOver; });
+                     [](const auto& entry) { return entry.second.message.duty != Duty::kOver; });
 }
 
 bool Roster::all_home(types::Stamp now) const {
   return std::all_of(mates_.begin(), mates_.end(), [&](const auto& entry) {
     const Mate& mate = entry.second;
-    return mate.word.duty == Duty::kOver || now - mate.heard > types::from_seconds(params_.missing_s);
+    return mate.message.duty == Duty::kOver || now - mate.heard > types::from_seconds(params_.missing_s);
   });
 }
 

@@ -23,24 +23,24 @@ struct RosterParams {
   double progress_m = 0.5;   ///< less than this is staying
 };
 
-/// The team as one robot knows it. Old and repeated words change nothing, and neither does the order in which
-/// those of different robots come. A robot that was silent may count anew: it was started again. Words are
-/// judged by when they came here: robots' clocks need not agree.
+/// The team as one robot knows it. Old and repeated messages change nothing, and neither does the order in
+/// which those of different robots come. A robot that was silent may count anew: it was started again. Words
+/// are judged by when they came here: robots' clocks need not agree.
 class Roster {
  public:
   explicit Roster(const RosterParams& params = {}) : params_(params) {}
 
   /// False: old or repeated.
-  bool take(const Word& word, types::Stamp now);
+  bool take(const StatusMessage& message, types::Stamp now);
 
   /// Those heard of lately, by id: where they are is known. Good until the next take().
-  [[nodiscard]] std::vector<const Word*> heard(types::Stamp now) const;
+  [[nodiscard]] std::vector<const StatusMessage*> heard(types::Stamp now) const;
   /// How long ago one of those was heard of.
-  [[nodiscard]] types::Duration age_of(const Word& word, types::Stamp now) const {
-    return now - mates_.at(word.robot).heard;
+  [[nodiscard]] types::Duration age_of(const StatusMessage& message, types::Stamp now) const {
+    return now - mates_.at(message.robot).heard;
   }
   /// Of those the ones whose bids and claims count: neither home nor, for a while now, unable or stuck.
-  [[nodiscard]] std::vector<const Word*> counted(types::Stamp now) const;
+  [[nodiscard]] std::vector<const StatusMessage*> counted(types::Stamp now) const;
   /// Where those are that can go out of the way, heard of within kPlaceAgeMax: counted ones, and those that
   /// wait at home.
   [[nodiscard]] std::vector<types::Vector2> going_at(types::Stamp now) const;
@@ -51,7 +51,7 @@ class Roster {
 
  private:
   struct Mate {
-    Word word;
+    StatusMessage message;
     types::Stamp heard{};
     types::Stamp able_at{};      ///< when it last was
     types::Stamp progress_at{};  ///< when it last moved, or had no goal

@@ -29,9 +29,9 @@ struct Bid {
 };
 
 /// What one robot tells the others once a planning period: everything that its team decides by.
-struct Word {
+struct StatusMessage {
   std::uint16_t robot = 0;
-  std::uint64_t sequence = 0;  ///< counts the robot's words
+  std::uint64_t sequence = 0;  ///< counts the robot's messages
   types::Se2 T_map_base;
   types::Vector2 start{0.0, 0.0};      ///< where it entered, in map: a place to come home to
   std::optional<types::Vector2> home;  ///< the start, its own or another's, that it comes home to now

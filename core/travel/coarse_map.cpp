@@ -62,8 +62,8 @@ class Pooled {
 
 }  // namespace
 
-ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings) {
-  ClearMap out;
+CoarseMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings) {
+  CoarseMap out;
   out.map.resolution_m = std::ldexp(map.resolution_m, doublings);
   if (map.box.empty()) return out;
   const auto wide = [doublings](std::int32_t v) { return v >> doublings; };  // towards minus infinity

@@ -10,13 +10,13 @@
 namespace topo::travel {
 
 /// A map and its distance map with kOccupiedOrUnknown.
-struct ClearMap {
+struct CoarseMap {
   grid::DenseMap map;
   std::vector<float> clearance_m;
 };
 
 /// The same in cells 2^`doublings` as wide: occupied when one of a cell's is, else free when one is. A free
 /// cell's clearance is the most of them, so that a way is as wide as it was. Costs one pass over the cells.
-ClearMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings = 1);
+CoarseMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings = 1);
 
 }  // namespace topo::travel

@@ -42,7 +42,7 @@ Passage passage(const DenseMap& coarse, const grid::TravelField& there, const gr
 
 /// The part of the map that lies in the passage; the rest is unknown.
 void take_part(const DenseMap& map, std::span<const float> clearance_m, const DenseMap& coarse,
-               const Passage& open, ClearMap& out) {
+               const Passage& open, CoarseMap& out) {
   const int shift = doublings(map, coarse);
   const int side = 1 << shift;
   out.map.resolution_m = map.resolution_m;
@@ -72,7 +72,7 @@ void take_part(const DenseMap& map, std::span<const float> clearance_m, const De
 }  // namespace
 
 std::vector<CellIndex> FarRoute::find(const DenseMap& map, std::span<const float> clearance_m,
-                                      const ClearMap& coarse, const grid::TravelField& coarse_field,
+                                      const CoarseMap& coarse, const grid::TravelField& coarse_field,
                                       CellIndex start, CellIndex target, const grid::TravelRules& rules) {
   const CellIndex goal = coarse.map.cell_at(map.centre_of(target));
   const float cost_m = coarse_field.cost_m[coarse.map.index(goal)];

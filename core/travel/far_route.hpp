@@ -20,14 +20,14 @@ class FarRoute {
   /// one that the coarse map does not have. Costs two searches of the coarse map, and the cells beside the
   /// way.
   std::vector<grid::CellIndex> find(const grid::DenseMap& map, std::span<const float> clearance_m,
-                                    const ClearMap& coarse, const grid::TravelField& coarse_field,
+                                    const CoarseMap& coarse, const grid::TravelField& coarse_field,
                                     grid::CellIndex start, grid::CellIndex target,
                                     const grid::TravelRules& rules);
 
  private:
   grid::TravelSearch search_;
   grid::TravelField back_, field_;
-  ClearMap corridor_;
+  CoarseMap corridor_;
 };
 
 }  // namespace topo::travel

@@ -24,7 +24,7 @@ Json goal_json(const std::optional<goals::Goal>& goal) { return goal ? to_json(*
 Json goals_json(const pipeline::PlanningReport& report) {
   Json open = Json::array(), given_up = Json::array(), dropped = Json::array(), decisions = Json::array();
   for (const goals::Goal& goal : report.open_goals) open.push_back(to_json(goal));
-  for (const exploration::PutOffGoal& goal : report.put_off) {
+  for (const exploration::DeferredGoal& goal : report.deferred) {
     Json json = point(goal.p_map);
     json["back_in_s"] = goal.is_for_good() ? Json() : Json(types::to_seconds(goal.until - report.stamp));
     json["why"] = goal.why;

@@ -9,7 +9,7 @@
 
 #include "daemon/config/key_table.hpp"
 #include "daemon/recording/format.hpp"
-#include "daemon/session/maker.hpp"
+#include "daemon/session/origin.hpp"
 #include "daemon/session/session_writer.hpp"
 #include "drivers/io/posix.hpp"
 

@@ -3,7 +3,7 @@
 #include "daemon/app/workers.hpp"
 
 #include "daemon/app/session_control.hpp"
-#include "daemon/session/maker.hpp"
+#include "daemon/session/origin.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -11,8 +11,8 @@ namespace {
 using types::Result;
 using types::Status;
 
-hokuyo::SessionConfig session_config(const std::string& name, const ScannerConfig& scanner) {
-  hokuyo::SessionConfig config;
+hokuyo::ConnectionConfig session_config(const std::string& name, const ScannerConfig& scanner) {
+  hokuyo::ConnectionConfig config;
   config.name = name;
   config.serial_number = scanner.serial_number;
   config.intensity = scanner.intensity;
@@ -21,9 +21,9 @@ hokuyo::SessionConfig session_config(const std::string& name, const ScannerConfi
   return config;
 }
 
-pioneer::SessionConfig session_config(const Configuration& configuration) {
+pioneer::ConnectionConfig session_config(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
-  pioneer::SessionConfig config;
+  pioneer::ConnectionConfig config;
   config.expected_subclass = configuration.robot.model == RobotModel::kP3at ? "p3at-sh" : "p3dx-sh";
   config.v_max_mps = base.v_max_mps;
   config.omega_max_radps = base.omega_max_radps;
@@ -42,13 +42,13 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   auto base = connectors("base", c.base.address);
   if (!base) return tl::unexpected(base.error());
   workers->base_ = std::make_unique<BaseWorker>(
-      hand_overs, control_setup(c), std::make_unique<pioneer::Session>(session_config(c), std::move(*base)),
-      workers->base_vitals_);
+      hand_overs, control_setup(c),
+      std::make_unique<pioneer::Connection>(session_config(c), std::move(*base)), workers->base_vitals_);
   auto front = connectors("front", c.front.address);
   if (!front) return tl::unexpected(front.error());
   workers->front_ = std::make_unique<ScanWorker>(
       hand_overs, hand_overs.front, true,
-      std::make_unique<hokuyo::Session>(session_config("front", c.front), std::move(*front)),
+      std::make_unique<hokuyo::Connection>(session_config("front", c.front), std::move(*front)),
       workers->front_vitals_);
   workers->vital_ = {&workers->base_vitals_, &workers->front_vitals_};
   if (c.coronal.present) {
@@ -56,7 +56,7 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
     if (!coronal) return tl::unexpected(coronal.error());
     workers->coronal_ = std::make_unique<ScanWorker>(
         hand_overs, hand_overs.coronal, false,
-        std::make_unique<hokuyo::Session>(session_config("coronal", c.coronal), std::move(*coronal)),
+        std::make_unique<hokuyo::Connection>(session_config("coronal", c.coronal), std::move(*coronal)),
         workers->coronal_vitals_);
     workers->vital_.push_back(&workers->coronal_vitals_);
   }

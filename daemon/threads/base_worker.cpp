@@ -8,8 +8,8 @@
 
 namespace topo::daemon {
 BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
-                       std::unique_ptr<pioneer::Session> session, Vitals& vitals)
-    : hand_overs_(hand_overs), session_(std::move(session)), vitals_(vitals), setup_(setup) {}
+                       std::unique_ptr<pioneer::Connection> connection, Vitals& vitals)
+    : hand_overs_(hand_overs), connection_(std::move(connection)), vitals_(vitals), setup_(setup) {}
 
 void BaseWorker::run() noexcept {
   Period period(io::monotonic_now() + kPeriod, kPeriod);
@@ -29,7 +29,7 @@ void BaseWorker::run() noexcept {
     }
     vitals_.beat();
   }
-  session_->close(kCloseTime);
+  connection_->close(kCloseTime);
   report();
 }
 
@@ -37,7 +37,7 @@ void BaseWorker::serve_until(types::Stamp deadline) {
   while (true) {
     const types::Stamp now = io::monotonic_now();
     if (now >= deadline) return;
-    if (session_->step(incoming_, deadline - now) == pioneer::StepOutcome::kState) take_state();
+    if (connection_->step(incoming_, deadline - now) == pioneer::StepOutcome::kState) take_state();
   }
 }
 
@@ -60,9 +60,9 @@ pipeline::ControlInput BaseWorker::gather() {
   input.teleop = hand_overs_.drive.read();
   input.plan = hand_overs_.plan.read();
   input.front = hand_overs_.front.to_base.read();
-  const bool ready = session_->health() == pioneer::Health::kReady;
+  const bool ready = connection_->health() == pioneer::Health::kReady;
   input.state = ready && has_state_ ? &state_ : nullptr;
-  if (const auto& info = session_->info(); info) {
+  if (const auto& info = connection_->info(); info) {
     input.firmware_watchdog = std::chrono::milliseconds(info->watchdog_ms);
     input.T_base_sonar = {info->T_base_sonar.data(), info->sonars};
   }
@@ -72,16 +72,17 @@ pipeline::ControlInput BaseWorker::gather() {
 void BaseWorker::decide() {
   const pipeline::ControlOutput output = pipeline::control_step(control_, setup_, gather());
   control_report_ = output.report;
-  // A command that does not go out shows in the session's health, and without it the session stops the base.
-  if (session_->health() == pioneer::Health::kReady) (void)session_->command(output.command);
+  // A command that does not go out shows in the connection's health, and without it the connection stops the
+  // base.
+  if (connection_->health() == pioneer::Health::kReady) (void)connection_->command(output.command);
 }
 
 void BaseWorker::report() {
-  fill_report(hand_overs_.base_device.writable(), *session_);
+  fill_report(hand_overs_.base_device.writable(), *connection_);
   hand_overs_.base_device.publish();
   BaseReport& report = hand_overs_.base_report.writable();
   report.state = state_;
-  report.ready = session_->health() == pioneer::Health::kReady;
+  report.ready = connection_->health() == pioneer::Health::kReady;
   report.control = control_report_;
   hand_overs_.base_report.publish();
   hand_overs_.control_to_planning.store(control_report_);

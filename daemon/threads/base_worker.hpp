@@ -7,19 +7,19 @@
 #include "core/pipeline/control_step.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
-#include "drivers/pioneer/session.hpp"
+#include "drivers/pioneer/connection.hpp"
 
 namespace topo::daemon {
 
 /// The base thread: sole user of the robot's connection. Reads status packets as they come, and at every
-/// whole 50 ms decides and sends one command. Allocates nothing while the session streams.
+/// whole 50 ms decides and sends one command. Allocates nothing while the connection streams.
 class BaseWorker {
  public:
   static constexpr types::Duration kPeriod = std::chrono::milliseconds(50);
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(800);
 
   BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
-             std::unique_ptr<pioneer::Session> session, Vitals& vitals);
+             std::unique_ptr<pioneer::Connection> connection, Vitals& vitals);
 
   /// The thread's body: until hand_overs.devices_closing, then the controlled close.
   void run() noexcept;
@@ -32,7 +32,7 @@ class BaseWorker {
   void report();
 
   HandOvers& hand_overs_;
-  std::unique_ptr<pioneer::Session> session_;
+  std::unique_ptr<pioneer::Connection> connection_;
   Vitals& vitals_;
   types::BaseState incoming_, state_;
   bool has_state_ = false;

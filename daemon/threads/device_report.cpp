@@ -60,22 +60,22 @@ void set_identity(DeviceReport& report, std::string_view model, const Info& info
 
 }  // namespace
 
-void fill_report(DeviceReport& report, const hokuyo::Session& session) {
-  report.state = state_name(session.health());
-  report.message = session.message();
-  report.working = session.health() == hokuyo::Health::kStreaming;
-  if (session.info()) set_identity(report, session.info()->model, *session.info());
-  const hokuyo::Counters& c = session.counters();
+void fill_report(DeviceReport& report, const hokuyo::Connection& connection) {
+  report.state = state_name(connection.health());
+  report.message = connection.message();
+  report.working = connection.health() == hokuyo::Health::kStreaming;
+  if (connection.info()) set_identity(report, connection.info()->model, *connection.info());
+  const hokuyo::Counters& c = connection.counters();
   report.counters = {c.scans, c.checksum_errors, c.resyncs, c.reconnects, c.lost_scans, c.bytes};
 }
 
-void fill_report(DeviceReport& report, const pioneer::Session& session) {
-  report.state = state_name(session.health());
-  report.message = session.message();
-  report.working = session.health() == pioneer::Health::kReady;
-  if (session.info()) set_identity(report, session.info()->subclass, *session.info());
-  if (session.info()) report.watchdog_ms = session.info()->watchdog_ms;
-  const pioneer::Counters& c = session.counters();
+void fill_report(DeviceReport& report, const pioneer::Connection& connection) {
+  report.state = state_name(connection.health());
+  report.message = connection.message();
+  report.working = connection.health() == pioneer::Health::kReady;
+  if (connection.info()) set_identity(report, connection.info()->subclass, *connection.info());
+  if (connection.info()) report.watchdog_ms = connection.info()->watchdog_ms;
+  const pioneer::Counters& c = connection.counters();
   report.counters = {c.status_packets, c.bad_packets, c.lost_packets, c.reconnects, c.commands, c.bytes};
   report.bus = c.bus;
 }

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "daemon/threads/hand_overs.hpp"
-#include "drivers/hokuyo/session.hpp"
-#include "drivers/pioneer/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
+#include "drivers/pioneer/connection.hpp"
 
 namespace topo::daemon {
 
 /// What the sessions say of their device, in storage of fixed size. Allocate nothing.
-void fill_report(DeviceReport& report, const hokuyo::Session& session);
-void fill_report(DeviceReport& report, const pioneer::Session& session);
+void fill_report(DeviceReport& report, const hokuyo::Connection& connection);
+void fill_report(DeviceReport& report, const pioneer::Connection& connection);
 
 }  // namespace topo::daemon

@@ -9,8 +9,8 @@
 namespace topo::daemon {
 
 MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params,
-                             const slam::Maker& maker, Vitals& vitals)
-    : hand_overs_(hand_overs), params_(params), maker_(maker), vitals_(vitals) {
+                             const slam::Origin& origin, Vitals& vitals)
+    : hand_overs_(hand_overs), params_(params), maker_(origin), vitals_(vitals) {
   odometry_.reserve(kOdometryRing);
 }
 

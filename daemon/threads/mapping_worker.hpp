@@ -19,8 +19,8 @@ class MappingWorker {
   /// Scans waiting beyond this are left out, but for the newest.
   static constexpr std::size_t kBacklog = 12;
 
-  /// `maker`: of the keyframes of the first map.
-  MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, const slam::Maker& maker,
+  /// `origin`: of the keyframes of the first map.
+  MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, const slam::Origin& origin,
                 Vitals& vitals);
 
   /// The thread's body: until hand_overs.readers_gone, because it ends the map cell; it maps no more once
@@ -49,7 +49,7 @@ class MappingWorker {
 
   HandOvers& hand_overs_;
   slam::MapperParams params_;
-  slam::Maker maker_;
+  slam::Origin maker_;
   Vitals& vitals_;
   std::vector<types::Odometry> odometry_;
   MappingReport report_;

@@ -9,17 +9,21 @@
 namespace topo::daemon {
 
 ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
-                       std::unique_ptr<hokuyo::Session> session, Vitals& vitals)
-    : hand_overs_(hand_overs), out_(out), front_(front), session_(std::move(session)), vitals_(vitals) {}
+                       std::unique_ptr<hokuyo::Connection> connection, Vitals& vitals)
+    : hand_overs_(hand_overs),
+      out_(out),
+      front_(front),
+      connection_(std::move(connection)),
+      vitals_(vitals) {}
 
 void ScanWorker::run() noexcept {
   while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
-    // Paced by the sensor, or by the time-out: a session returns earlier only with news.
+    // Paced by the sensor, or by the time-out: a connection returns earlier only with news.
     const hokuyo::StepOutcome outcome = step();
     vitals_.beat();
     if (outcome == hokuyo::StepOutcome::kChanged || io::monotonic_now() >= next_report_) report();
   }
-  session_->close(kCloseTime);
+  connection_->close(kCloseTime);
   report();
 }
 
@@ -27,7 +31,7 @@ hokuyo::StepOutcome ScanWorker::step() {
   // With the ring full the sensor is still read, so that the base sees and the line stays clean.
   types::Scan* slot = out_.to_mapping.next_free();
   types::Scan& scan = slot != nullptr ? *slot : *spare_;
-  const hokuyo::StepOutcome outcome = session_->step(scan, kTimeout);
+  const hokuyo::StepOutcome outcome = connection_->step(scan, kTimeout);
   if (outcome != hokuyo::StepOutcome::kScan) return outcome;
   const types::Stamp woken = io::monotonic_now();
   vitals_.wake.record((woken - scan.arrival).count());
@@ -55,7 +59,7 @@ void ScanWorker::note_ring_full(bool full) {
 }
 
 void ScanWorker::report() {
-  fill_report(out_.report.writable(), *session_);
+  fill_report(out_.report.writable(), *connection_);
   out_.report.publish();
   next_report_ = io::monotonic_now() + std::chrono::milliseconds(200);
 }

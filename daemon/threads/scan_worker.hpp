@@ -6,20 +6,20 @@
 
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
-#include "drivers/hokuyo/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
 
 namespace topo::daemon {
 
 /// A scan thread: sole user of one scanner. Scans are decoded into the ring's slot. Allocates nothing while
-/// the session streams.
+/// the connection streams.
 class ScanWorker {
  public:
   static constexpr types::Duration kTimeout = std::chrono::milliseconds(100);
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(500);
 
   /// `front`: the base thread stops by this scanner, and gets every newest scan; planning too.
-  ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front, std::unique_ptr<hokuyo::Session> session,
-             Vitals& vitals);
+  ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
+             std::unique_ptr<hokuyo::Connection> connection, Vitals& vitals);
 
   /// The thread's body: until hand_overs.devices_closing, then the laser is switched off.
   void run() noexcept;
@@ -32,7 +32,7 @@ class ScanWorker {
   HandOvers& hand_overs_;
   ScanHandOver& out_;
   bool front_;
-  std::unique_ptr<hokuyo::Session> session_;
+  std::unique_ptr<hokuyo::Connection> connection_;
   Vitals& vitals_;
   std::unique_ptr<types::Scan> spare_ = std::make_unique<types::Scan>();  ///< while the ring is full
   bool ring_full_ = false;

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "core/types/result.hpp"
+#include "drivers/hokuyo/connection.hpp"
 #include "drivers/hokuyo/scip_parser.hpp"
-#include "drivers/hokuyo/session.hpp"
 
 namespace topo::hokuyo {
 

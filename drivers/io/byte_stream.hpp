@@ -24,7 +24,7 @@ struct ReadResult {
   Stamp stamp{};          ///< when the bytes were there, on the host's steady clock
 };
 
-/// The one seam between the sessions and the outside world: an open, ordered stream of bytes to a device.
+/// The one seam between the connections and the outside world: an open, ordered stream of bytes to a device.
 /// Serial ports, TCP sockets, CAN (one packet a message), recordings and test doubles are byte
 /// streams. One thread uses a stream; nothing here is thread-safe. No call allocates.
 class ByteStream {
@@ -48,7 +48,7 @@ class ByteStream {
   /// Line speed of a serial port; other transports have none and succeed without doing anything.
   virtual Status set_baud(int baud) = 0;
 
-  /// True where the line has a speed that a session may have to search for (an RS-232 line).
+  /// True where the line has a speed that a connection may have to search for (an RS-232 line).
   [[nodiscard]] virtual bool has_baud() const = 0;
 
   /// Now, on the clock that stamps the reads.

@@ -81,7 +81,7 @@ struct PacketView {
 
   [[nodiscard]] std::uint8_t type() const { return std::to_integer<std::uint8_t>(payload.front()); }
   [[nodiscard]] bool is(PacketType wanted) const { return type() == static_cast<std::uint8_t>(wanted); }
-  /// 0x3x: the mark of an open session whatever the firmware's age (PROTOCOLS section 4).
+  /// 0x3x: the mark of an open connection whatever the firmware's age (PROTOCOLS section 4).
   [[nodiscard]] bool is_status() const { return (type() & 0xF0U) == 0x30U; }
   [[nodiscard]] std::size_t wire_bytes() const { return payload.size() + 5; }
 };

@@ -8,11 +8,11 @@
 
 namespace topo::pioneer {
 
-/// What a running session sends: the caller's setpoints, a stop when the caller falls silent, a pulse when
+/// What a running connection sends: the caller's setpoints, a stop when the caller falls silent, a pulse when
 /// nothing else goes out, and the motors' switch. Decides from stamps given as values.
 class Drive {
  public:
-  /// Queues the first commands of a session: standstill, limits, sonar. `now` counts as the first status.
+  /// Queues the first commands of a connection: standstill, limits, sonar. `now` counts as the first status.
   Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move, types::Stamp now);
 
   /// kUnsupported when motion or motors are asked for and may not be; a stop goes out in its place.
@@ -22,7 +22,7 @@ class Drive {
   void keep_alive(types::Stamp now, types::Stamp last_send);
   /// When keep_alive() has to be called again at the latest.
   [[nodiscard]] types::Stamp next_due(types::Stamp last_send) const;
-  /// The session ends: the motors' switch is left to the caller.
+  /// The connection ends: the motors' switch is left to the caller.
   void shut_down() { ever_commanded_ = false; }
   [[nodiscard]] bool stands() const { return stands_; }
   /// By what was heard last, or by what was asked for last.

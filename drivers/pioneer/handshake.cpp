@@ -119,7 +119,7 @@ Handshake::Progress Handshake::on_time() {
 
 Handshake::Progress Handshake::end_quiet() {
   if (last_status_ != types::Stamp{} && link_.now() - last_status_ < kStillStreaming)
-    return restart("an old session goes on streaming and does not obey CLOSE");
+    return restart("an old connection goes on streaming and does not obey CLOSE");
   tries_ = 0;
   send_sync(0);
   return Progress::kPending;
@@ -133,7 +133,8 @@ void Handshake::send_sync(unsigned index) {
 
 Handshake::Progress Handshake::sync_timed_out() {
   if (++tries_ < kTries) {
-    // What came before may have been lost on its way, and to a session that is still open SYNC0 is a PULSE.
+    // What came before may have been lost on its way, and to a connection that is still open SYNC0 is a
+    // PULSE.
     if (sync_index_ == 0) link_.outbox().set_estop();
     send_sync(sync_index_);
     return Progress::kPending;
@@ -182,7 +183,7 @@ Handshake::Progress Handshake::on_packet(const PacketView& packet) {
 }
 
 Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
-  if (packet.is_status()) return restart("an old session goes on streaming and does not obey CLOSE");
+  if (packet.is_status()) return restart("an old connection goes on streaming and does not obey CLOSE");
   if (is_reset(packet)) return restart("the robot rejects the order of SYNC0, SYNC1, SYNC2");
   if (packet.type() != sync_index_) return Progress::kPending;
   heard_robot_ = true;

@@ -9,23 +9,23 @@
 #include <string_view>
 
 #include "drivers/pioneer/config_packet.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "drivers/pioneer/link.hpp"
 #include "drivers/pioneer/robot_models.hpp"
-#include "drivers/pioneer/session.hpp"
 
 namespace topo::pioneer {
 
-/// From an open port to an open session with a known robot (PROTOCOLS sections 2 and 7), as a state machine
-/// with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE: a robot
-/// whose host died resumes its last setpoint on any packet. On a line that loses bytes each of them may be
-/// the only one to arrive; so a robot that may still drive hears nothing but E_STOP first, until it is heard
-/// to stand or its watchdog must have bitten.
+/// From an open port to an open connection with a known robot (PROTOCOLS sections 2 and 7), as a state
+/// machine with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE:
+/// a robot whose host died resumes its last setpoint on any packet. On a line that loses bytes each of them
+/// may be the only one to arrive; so a robot that may still drive hears nothing but E_STOP first, until it is
+/// heard to stand or its watchdog must have bitten.
 class Handshake {
  public:
   enum class Progress { kPending, kDone, kFailed };
 
   /// `first_baud` is tried before the other speeds; 0: none is known. Until `may_drive_until` the robot may
-  /// still follow a setpoint of a session that was lost.
+  /// still follow a setpoint of a connection that was lost.
   Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud,
             types::Stamp may_drive_until = {});
 

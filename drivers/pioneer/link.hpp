@@ -11,8 +11,8 @@
 
 #include "drivers/io/byte_stream.hpp"
 #include "drivers/pioneer/arcos_codec.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "drivers/pioneer/outbox.hpp"
-#include "drivers/pioneer/session.hpp"
 
 namespace topo::pioneer {
 

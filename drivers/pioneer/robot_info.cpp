@@ -63,7 +63,7 @@ std::string watchdog_fault(const std::optional<ConfigPacket>& config) {
   return {};
 }
 
-DriveLimits drive_limits(const SessionConfig& wanted, const RobotInfo& info,
+DriveLimits drive_limits(const ConnectionConfig& wanted, const RobotInfo& info,
                          const std::optional<ConfigPacket>& config) {
   const ConfigPacket top = config.value_or(ConfigPacket{});
   const auto bounded = [](double value, double limit) {

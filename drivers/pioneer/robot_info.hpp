@@ -6,8 +6,8 @@
 #include <string>
 
 #include "drivers/pioneer/config_packet.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "drivers/pioneer/robot_models.hpp"
-#include "drivers/pioneer/session.hpp"
 #include "drivers/pioneer/setpoints.hpp"
 
 namespace topo::pioneer {
@@ -27,7 +27,7 @@ struct DriveLimits {
   int acceleration_mmps2 = 0, deceleration_mmps2 = 0;
   int angular_acceleration_degps2 = 0;
 };
-DriveLimits drive_limits(const SessionConfig& wanted, const RobotInfo& info,
+DriveLimits drive_limits(const ConnectionConfig& wanted, const RobotInfo& info,
                          const std::optional<ConfigPacket>& config);
 
 }  // namespace topo::pioneer

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What only a bus can do to a session: interfaces that are switched off or vanish, controllers that report
+// What only a bus can do to a connection: interfaces that are switched off or vanish, controllers that report
 // errors, a queue that is full. Runs as root where there is a bus (tests/vm/can_test.py).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,15 +18,15 @@
 #include "daemon/estop/stop_robot.hpp"
 #include "drivers/io/can_interface.hpp"
 #include "drivers/pioneer/base_connector.hpp"
-#include "drivers/pioneer/session.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "tests/integration/can_bus.hpp"
 #include "tests/integration/room_harness.hpp"
 
 namespace topo::test {
 namespace {
 
+using pioneer::Connection;
 using pioneer::Health;
-using pioneer::Session;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing::HasSubstr;
@@ -43,7 +43,7 @@ class CanWire : public testing::TestWithParam<CanPair> {
     ASSERT_NE(harness_, nullptr);
     auto connector = pioneer::make_base_connector(address());
     ASSERT_TRUE(connector) << connector.error().message;
-    session_ = std::make_unique<Session>(pioneer::SessionConfig{}, std::move(*connector));
+    session_ = std::make_unique<Connection>(pioneer::ConnectionConfig{}, std::move(*connector));
     ASSERT_TRUE(reach(Health::kReady)) << session_->message();
   }
   [[nodiscard]] std::string address() const { return "can:" + GetParam().driver + ":0"; }
@@ -81,7 +81,7 @@ class CanWire : public testing::TestWithParam<CanPair> {
     return {};
   }
   std::unique_ptr<sim::SimHarness> harness_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<Connection> session_;
   types::BaseState state_;
 };
 
@@ -162,25 +162,25 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CanWire);
 TEST(CanInterfaceThatVanishes, IsNamedAndFoundAgainWhenItReturns) {
   if (can_pairs().empty()) GTEST_SKIP() << "no bus: set TOPOMETRIC_CAN";
   shell("ip link add vcan7 type vcan && ip link set vcan7 up");
-  pioneer::Session session({}, std::move(*pioneer::make_base_connector("can:vcan7")));
+  pioneer::Connection connection({}, std::move(*pioneer::make_base_connector("can:vcan7")));
   auto harness = sim::start_in_room(light_can_robot("vcan7"), sim::Difficulty::none());
   ASSERT_NE(harness, nullptr);
   types::BaseState state;
   const auto run_until = [&](const std::function<bool()>& done) {
     const auto end = std::chrono::steady_clock::now() + seconds(20);
     while (std::chrono::steady_clock::now() < end && !done())
-      std::ignore = session.step(state, milliseconds(20));
+      std::ignore = connection.step(state, milliseconds(20));
     return done();
   };
-  ASSERT_TRUE(run_until([&] { return session.health() == Health::kReady; })) << session.message();
+  ASSERT_TRUE(run_until([&] { return connection.health() == Health::kReady; })) << connection.message();
   harness->cut(0, kBase, 3.0);
   shell("ip link delete vcan7");
   ASSERT_TRUE(run_until([&] {
-    return session.message().find("there is no interface vcan7") != std::string::npos;
-  })) << session.message();
+    return connection.message().find("there is no interface vcan7") != std::string::npos;
+  })) << connection.message();
   shell("ip link add vcan7 type vcan && ip link set vcan7 up");
-  EXPECT_TRUE(run_until([&] { return session.health() == Health::kReady; })) << session.message();
-  session.close(seconds(1));
+  EXPECT_TRUE(run_until([&] { return connection.health() == Health::kReady; })) << connection.message();
+  connection.close(seconds(1));
   harness.reset();
   shell("ip link delete vcan7");
 }

@@ -189,23 +189,23 @@ TEST_F(DaemonThreads, SessionsAreKeptSavedAndGoneOnWith) {
   for (std::size_t i = 0; i < shared; ++i) EXPECT_EQ(on.keyframes[i]->id, room.keyframes[i]->id);
   for (std::size_t i = shared; i < on.keyframes.size(); ++i) {
     EXPECT_EQ(on.keyframes[i]->id.robot, 1);
-    EXPECT_NE(on.keyframes[i]->id.maker(), room.keyframes[0]->id.maker());
+    EXPECT_NE(on.keyframes[i]->id.origin(), room.keyframes[0]->id.origin());
   }
 }
 
 TEST_F(DaemonThreads, EveryStartSignsItsKeyframesWithARunOfItsOwn) {
-  std::array<slam::Maker, 2> makers;
-  for (slam::Maker& maker : makers) {
+  std::array<slam::Origin, 2> origins;
+  for (slam::Origin& origin : origins) {
     if (app == nullptr) start_daemon();
     ASSERT_TRUE(until_ready());
     ASSERT_FALSE(ask("session.save", {{"name", "start"}}).empty());
-    maker = kept("start").keyframes.at(0)->id.maker();
+    origin = kept("start").keyframes.at(0)->id.origin();
     stop_daemon();
     app.reset();
   }
-  EXPECT_EQ(makers[0].robot, 1);
-  EXPECT_EQ(makers[1].robot, 1);
-  EXPECT_NE(makers[0].run, makers[1].run);
+  EXPECT_EQ(origins[0].robot, 1);
+  EXPECT_EQ(origins[1].robot, 1);
+  EXPECT_NE(origins[0].run, origins[1].run);
 }
 
 TEST_F(DaemonThreads, EstopStopsAndLatches) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The Hokuyo session against the simulator's sensors, whose codec is independent of the driver's, over true
-// TCP and true terminals.
+// The Hokuyo connection against the simulator's sensors, whose codec is independent of the driver's, over
+// true TCP and true terminals.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/types/se2.hpp"
-#include "drivers/hokuyo/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
 #include "drivers/io/make_connector.hpp"
 #include "drivers/io/posix.hpp"
 #include "tests/integration/room_harness.hpp"
@@ -30,14 +30,14 @@ class HokuyoSim : public testing::Test {
     ASSERT_NE(simulator, nullptr);
   }
 
-  void open(DeviceId device, SessionConfig config = {}) {
+  void open(DeviceId device, ConnectionConfig config = {}) {
     config.name = "front";
     auto connector = io::make_connector(text_of(simulator->address(0, device)));
     ASSERT_TRUE(connector) << connector.error().message;
-    session = std::make_unique<Session>(std::move(config), std::move(*connector));
+    connection = std::make_unique<Connection>(std::move(config), std::move(*connector));
   }
 
-  void start_tcp(ScipModel model = ScipModel::kUtm30LxEw, SessionConfig config = {}) {
+  void start_tcp(ScipModel model = ScipModel::kUtm30LxEw, ConnectionConfig config = {}) {
     sim::RobotConfig robot = sim::tcp_robot();
     robot.front = model;
     start(std::move(robot));
@@ -55,7 +55,7 @@ class HokuyoSim : public testing::Test {
   }
 
   void TearDown() override {
-    session.reset();
+    connection.reset();
     simulator.reset();
     if (!folder.empty()) std::filesystem::remove_all(folder);
   }
@@ -64,7 +64,7 @@ class HokuyoSim : public testing::Test {
   bool run(Done done, types::Duration limit = 20s) {
     const types::Stamp until = io::monotonic_now() + limit;
     while (io::monotonic_now() < until) {
-      if (session->step(*scan, 10ms) == StepOutcome::kScan) {
+      if (connection->step(*scan, 10ms) == StepOutcome::kScan) {
         ++scans;
         check_scan();
       }
@@ -77,7 +77,7 @@ class HokuyoSim : public testing::Test {
     return run([&] { return scans >= target; }, limit);
   }
   bool run_health(Health health) {
-    return run([&] { return session->health() == health; });
+    return run([&] { return connection->health() == health; });
   }
 
   /// Whatever happens on the wire: what is given as a distance lies in the room.
@@ -99,26 +99,26 @@ class HokuyoSim : public testing::Test {
 
   std::filesystem::path folder;
   std::unique_ptr<sim::SimHarness> simulator;
-  std::unique_ptr<Session> session;
+  std::unique_ptr<Connection> connection;
   std::unique_ptr<types::Scan> scan = std::make_unique<types::Scan>();
   int scans = 0;
 };
 
 TEST_F(HokuyoSim, StreamsOverTcpAndSeesTheRoom) {
   start_tcp();
-  ASSERT_TRUE(run_scans(40)) << session->message();
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  ASSERT_TRUE(run_scans(40)) << connection->message();
+  EXPECT_EQ(connection->health(), Health::kStreaming);
   EXPECT_EQ(scan->beams, 1081);
   EXPECT_NEAR(range_at_deg(90) + range_at_deg(-90), 6.0, 0.01);
   EXPECT_NEAR(range_at_deg(90), range_at_deg(-90), 0.01);
   EXPECT_GT(range_at_deg(0), 3.0);
   EXPECT_LT(range_at_deg(0), 4.2);
-  EXPECT_EQ(session->counters().checksum_errors, 0U);
+  EXPECT_EQ(connection->counters().checksum_errors, 0U);
 }
 
 TEST_F(HokuyoSim, StampsAgreeWithTheSimulatorsTime) {
   start_tcp();
-  ASSERT_TRUE(run_scans(80)) << session->message();
+  ASSERT_TRUE(run_scans(80)) << connection->message();
   // Step 0 of every sweep passes at a whole multiple of the period since the simulation's start, plus a
   // constant which the first scans give away; the stamp must also lie a sweep before the arrival.
   double worst_ms = 0.0;
@@ -136,117 +136,118 @@ TEST_F(HokuyoSim, StampsAgreeWithTheSimulatorsTime) {
 
 TEST_F(HokuyoSim, StreamsIntensityFromAUst) {
   start_tcp(ScipModel::kUst20Lx, {.intensity = true});
-  ASSERT_TRUE(run_scans(10)) << session->message();
+  ASSERT_TRUE(run_scans(10)) << connection->message();
   EXPECT_TRUE(scan->has_intensity);
   EXPECT_NEAR(range_at_deg(90) + range_at_deg(-90), 6.0, 0.01);
 }
 
 TEST_F(HokuyoSim, StreamsFromAUtmOnATerminal) {
   start_pty(ScipModel::kUtm30Lx);
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   EXPECT_NEAR(range_at_deg(90) + range_at_deg(-90), 6.0, 0.01);
   EXPECT_EQ(scan->beams, 1081);
 }
 
 TEST_F(HokuyoSim, SwitchesAUrgOnATerminalFromScip1) {
   start_pty(ScipModel::kUrg04Lx);
-  ASSERT_TRUE(run_scans(10)) << session->message();
+  ASSERT_TRUE(run_scans(10)) << connection->message();
   EXPECT_EQ(scan->beams, 682);
   EXPECT_NEAR(range_at_deg(90) + range_at_deg(-90), 6.0, 0.02);
 }
 
 TEST_F(HokuyoSim, TheTwoSensorsAreToldApart) {
   start_tcp();
-  ASSERT_TRUE(run_scans(1)) << session->message();
-  const std::string front = session->info()->serial_number;
-  session->close(500ms);
+  ASSERT_TRUE(run_scans(1)) << connection->message();
+  const std::string front = connection->info()->serial_number;
+  connection->close(500ms);
   open(DeviceId::kCoronal, {.serial_number = front});
   ASSERT_TRUE(run_health(Health::kWrongDevice));
-  EXPECT_THAT(session->message(), HasSubstr(front));
+  EXPECT_THAT(connection->message(), HasSubstr(front));
 }
 
 TEST_F(HokuyoSim, TheBaseIsNoLaser) {
   start_tcp();
   open(DeviceId::kBase);
-  ASSERT_TRUE(
-      run([&] { return session->health() == Health::kWrongDevice || session->health() == Health::kSilent; }));
-  EXPECT_THAT(session->message(), HasSubstr("expected a Hokuyo sensor"));
+  ASSERT_TRUE(run([&] {
+    return connection->health() == Health::kWrongDevice || connection->health() == Health::kSilent;
+  }));
+  EXPECT_THAT(connection->message(), HasSubstr("expected a Hokuyo sensor"));
 }
 
 TEST_F(HokuyoSim, GarbageCostsScansAndNothingElse) {
   start_tcp();
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   for (int i = 0; i < 5; ++i) {
     simulator->garbage(0, DeviceId::kFront, 300);
-    ASSERT_TRUE(run_scans(10)) << session->message();
+    ASSERT_TRUE(run_scans(10)) << connection->message();
   }
-  EXPECT_GT(session->counters().checksum_errors, 0U);
-  EXPECT_EQ(session->counters().reconnects, 0U);
+  EXPECT_GT(connection->counters().checksum_errors, 0U);
+  EXPECT_EQ(connection->counters().reconnects, 0U);
 }
 
 TEST_F(HokuyoSim, LostBytesCostScansAndNothingElse) {
   start_tcp();
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   simulator->drop(0, DeviceId::kFront, 0.0002);
-  ASSERT_TRUE(run_scans(40)) << session->message();
+  ASSERT_TRUE(run_scans(40)) << connection->message();
   simulator->drop(0, DeviceId::kFront, 0.0);
-  ASSERT_TRUE(run_scans(20)) << session->message();
-  EXPECT_GT(session->counters().lost_scans, 0U);
+  ASSERT_TRUE(run_scans(20)) << connection->message();
+  EXPECT_GT(connection->counters().lost_scans, 0U);
 }
 
 TEST_F(HokuyoSim, ACutLinkIsToldAndMended) {
   start_tcp();
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   simulator->cut(0, DeviceId::kFront, 1.0);
   ASSERT_TRUE(run_health(Health::kDisconnected));
-  ASSERT_TRUE(run_scans(20)) << session->message();
-  EXPECT_GE(session->counters().reconnects, 1U);
+  ASSERT_TRUE(run_scans(20)) << connection->message();
+  EXPECT_GE(connection->counters().reconnects, 1U);
 }
 
 TEST_F(HokuyoSim, AnUnpluggedTerminalIsToldAndReopened) {
   start_pty(ScipModel::kUtm30Lx);
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   simulator->cut(0, DeviceId::kFront, 1.0);
   ASSERT_TRUE(run_health(Health::kDisconnected));
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
 }
 
 TEST_F(HokuyoSim, SilenceIsToldAndOvercome) {
   start_tcp();
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   simulator->silence(0, DeviceId::kFront, 1.2);
   ASSERT_TRUE(run_health(Health::kSilent));
-  ASSERT_TRUE(run_scans(20)) << session->message();
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  ASSERT_TRUE(run_scans(20)) << connection->message();
+  EXPECT_EQ(connection->health(), Health::kStreaming);
 }
 
 TEST_F(HokuyoSim, AFaultySensorIsToldInItsOwnWords) {
   start_tcp();
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   simulator->dead(0, DeviceId::kFront, sim::ScipHealth::kFault);
-  ASSERT_TRUE(run([&] { return session->message().find("Trouble!!") != std::string::npos; }))
-      << session->message();
-  EXPECT_EQ(session->health(), Health::kFault);
+  ASSERT_TRUE(run([&] { return connection->message().find("Trouble!!") != std::string::npos; }))
+      << connection->message();
+  EXPECT_EQ(connection->health(), Health::kFault);
   simulator->dead(0, DeviceId::kFront, sim::ScipHealth::kGood);
-  ASSERT_TRUE(run_scans(20)) << session->message();
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  ASSERT_TRUE(run_scans(20)) << connection->message();
+  EXPECT_EQ(connection->health(), Health::kStreaming);
 }
 
 TEST_F(HokuyoSim, APowerCycleIsOvercome) {
   start_tcp();
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   simulator->reset(0, DeviceId::kFront);
-  ASSERT_TRUE(run_scans(60)) << session->message();
+  ASSERT_TRUE(run_scans(60)) << connection->message();
 }
 
 TEST_F(HokuyoSim, AClockThatJumpsDoesNotMoveTheStamps) {
   start_tcp();
-  ASSERT_TRUE(run_scans(100)) << session->message();
+  ASSERT_TRUE(run_scans(100)) << connection->message();
   const types::Duration before = scan->arrival - scan->first_beam;
   simulator->clock_jump(0, DeviceId::kFront, 123456.0);
-  ASSERT_TRUE(run_scans(20)) << session->message();
+  ASSERT_TRUE(run_scans(20)) << connection->message();
   EXPECT_LT(std::abs(types::to_seconds(scan->arrival - scan->first_beam - before)), 0.030);
-  EXPECT_EQ(session->counters().reconnects, 0U);
+  EXPECT_EQ(connection->counters().reconnects, 0U);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The Pioneer session on true wires (TCP, pseudo terminal, CAN where there is a bus) against the simulated
+// The Pioneer connection on true wires (TCP, pseudo terminal, CAN where there is a bus) against the simulated
 // robot's firmware.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "drivers/pioneer/base_connector.hpp"
-#include "drivers/pioneer/session.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "tests/integration/can_bus.hpp"
 #include "tests/integration/room_harness.hpp"
 
@@ -91,7 +91,7 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
   static constexpr auto kBase = sim::DeviceId::kBase;
 
   void TearDown() override {
-    dead_ = true;  // a session that is still there need not stop a robot that goes away with it
+    dead_ = true;  // a connection that is still there need not stop a robot that goes away with it
     session_.reset();
     harness_.reset();
     if (!folder_.empty()) std::filesystem::remove_all(folder_);
@@ -129,8 +129,8 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
     auto connector = make_base_connector(address());
     ASSERT_TRUE(connector) << connector.error().message;
     dead_ = false;
-    session_ = std::make_unique<Session>(SessionConfig{},
-                                         std::make_unique<MortalConnector>(std::move(*connector), dead_));
+    session_ = std::make_unique<Connection>(ConnectionConfig{},
+                                            std::make_unique<MortalConnector>(std::move(*connector), dead_));
   }
   /// The process is gone: no E_STOP, no CLOSE.
   void kill_host() {
@@ -161,7 +161,7 @@ class PioneerOnWire : public testing::TestWithParam<Wire> {
   std::filesystem::path folder_;
   std::unique_ptr<sim::SimHarness> harness_;
   bool dead_ = false;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<Connection> session_;
   types::BaseState state_;
 };
 

@@ -235,7 +235,7 @@ void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skel
     if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
   label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
              [&](std::uint32_t i) { others.push_back(i); });
-  grid::CellBlocks again = find_catchments(map, others, first.slopes);
+  grid::CellBlocks again = find_basins(map, others, first.slopes);
   std::erase_if(first.lost,
                 [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
   for (const std::uint32_t i : first.lost) first.labels[i] = kLost;

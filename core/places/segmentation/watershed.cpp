@@ -100,8 +100,8 @@ class Search {
 
 }  // namespace
 
-grid::CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
-                                 std::vector<Slope>& slopes) {
+grid::CellBlocks find_basins(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
+                             std::vector<Slope>& slopes) {
   Search search(map, slopes);
   search.begin_at(changed);
   search.run();

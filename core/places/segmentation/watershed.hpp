@@ -19,7 +19,7 @@ namespace topo::places {
 /// labelled before, and so on the ways that lead to those. Both go from cell to cell along slopes and across
 /// what is flat, and none goes through the axis. So whatever is connected in this manner, up and down, with a
 /// cell that has changed or was beside it is labelled anew, and nothing else.
-grid::CellBlocks find_catchments(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
-                                 std::vector<Slope>& slopes);
+grid::CellBlocks find_basins(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
+                             std::vector<Slope>& slopes);
 
 }  // namespace topo::places

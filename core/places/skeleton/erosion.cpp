@@ -18,13 +18,13 @@ namespace {
 using grid::CellState;
 using grid::DenseMap;
 
-/// Changes some cells' clearances under fates that were settled.
+/// Changes some cells' clearances under states that were settled.
 class Change {
  public:
-  Change(const DenseMap& map, std::span<const float> clearance_m, std::vector<Fate>& fates)
+  Change(const DenseMap& map, std::span<const float> clearance_m, std::vector<ThinningState>& states)
       : map_(map),
         clearance_m_(clearance_m),
-        fates_(fates),
+        fates_(states),
         offsets_(neighbour_offsets(map)),
         buckets_per_m_(buckets_per_m(map)) {}
 
@@ -41,9 +41,9 @@ class Change {
       fates_[i] = 0;
       return;
     }
-    const auto bucket = fate_of(clearance_m_[i], buckets_per_m_);
-    settling.renew(i,
-                   static_cast<Fate>(bucket | (fates_[i] & kOutcome) | (on_ridge(i) ? Erosion::kRidge : 0)));
+    const auto bucket = state_of(clearance_m_[i], buckets_per_m_);
+    settling.renew(
+        i, static_cast<ThinningState>(bucket | (fates_[i] & kOutcome) | (on_ridge(i) ? Erosion::kRidge : 0)));
   }
   [[nodiscard]] bool on_ridge(std::uint32_t i) const {
     const auto at = [&](std::size_t k) {
@@ -56,7 +56,7 @@ class Change {
 
   const DenseMap& map_;
   std::span<const float> clearance_m_;
-  std::vector<Fate>& fates_;
+  std::vector<ThinningState>& fates_;
   std::array<std::ptrdiff_t, 8> offsets_;
   float buckets_per_m_;
 };
@@ -64,7 +64,7 @@ class Change {
 /// The erosion before over a map whose box holds the other's.
 Erosion carried_over(Erosion before, const DenseMap& map) {
   if (before.box == map.box) return before;
-  Erosion erosion{map.box, grid::over_box(before.fates, before.box, map.box), std::move(before.kept)};
+  Erosion erosion{map.box, grid::over_box(before.states, before.box, map.box), std::move(before.kept)};
   const auto width = static_cast<std::uint32_t>(before.box.width());
   for (std::uint32_t& i : erosion.kept) {
     i = static_cast<std::uint32_t>(map.index({before.box.min.x + static_cast<std::int32_t>(i % width),
@@ -74,10 +74,10 @@ Erosion carried_over(Erosion before, const DenseMap& map) {
 }
 
 /// Cells that are kept, in the order of their turns: within one by number.
-std::vector<std::uint32_t> kept_in_order(std::span<const Fate> fates) {
+std::vector<std::uint32_t> kept_in_order(std::span<const ThinningState> states) {
   std::vector<std::uint32_t> cells, ends((kBuckets << 1U) + 1, 0);
-  const auto turn = [&](std::uint32_t i) { return static_cast<std::size_t>(fates[i] >> kTurnShift); };
-  for_each_with(Erosion::kKept, fates,
+  const auto turn = [&](std::uint32_t i) { return static_cast<std::size_t>(states[i] >> kTurnShift); };
+  for_each_with(Erosion::kKept, states,
                 [&](std::size_t i) { cells.push_back(static_cast<std::uint32_t>(i)); });
   for (const std::uint32_t cell : cells) ++ends[turn(cell) + 1];
   for (std::size_t t = 0; t + 1 < ends.size(); ++t) ends[t + 1] += ends[t];
@@ -89,18 +89,18 @@ std::vector<std::uint32_t> kept_in_order(std::span<const Fate> fates) {
 
 /// The same after some cells were settled with another turn or outcome, which may be listed repeatedly.
 void renew_kept(std::span<const std::uint32_t> settled, Erosion& erosion) {
-  auto& fates = erosion.fates;
-  for (const std::uint32_t i : settled) fates[i] |= kQueued;  // a mark: nobody queues any more
+  auto& states = erosion.states;
+  for (const std::uint32_t i : settled) states[i] |= kQueued;  // a mark: nobody queues any more
   std::erase_if(erosion.kept,
-                [&](std::uint32_t i) { return (fates[i] & (kQueued | Erosion::kKept)) != Erosion::kKept; });
+                [&](std::uint32_t i) { return (states[i] & (kQueued | Erosion::kKept)) != Erosion::kKept; });
   std::vector<std::uint32_t> come;
   for (const std::uint32_t i : settled) {
-    const bool is_marked = (fates[i] & kQueued) != 0;
-    fates[i] &= static_cast<Fate>(~kQueued);
-    if (is_marked && (fates[i] & Erosion::kKept) != 0) come.push_back(i);
+    const bool is_marked = (states[i] & kQueued) != 0;
+    states[i] &= static_cast<ThinningState>(~kQueued);
+    if (is_marked && (states[i] & Erosion::kKept) != 0) come.push_back(i);
   }
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    const int turn_a = fates[a] >> kTurnShift, turn_b = fates[b] >> kTurnShift;
+    const int turn_a = states[a] >> kTurnShift, turn_b = states[b] >> kTurnShift;
     return turn_a != turn_b ? turn_a < turn_b : a < b;
   };
   std::sort(come.begin(), come.end(), before);
@@ -117,12 +117,12 @@ std::array<std::ptrdiff_t, 8> neighbour_offsets(const DenseMap& map) {
 }
 
 Erosion erode(const DenseMap& map, std::span<const float> clearance_m) {
-  Erosion erosion{map.box, std::vector<Fate>(map.cells.size(), 0), {}};
+  Erosion erosion{map.box, std::vector<ThinningState>(map.cells.size(), 0), {}};
   if (map.cells.empty()) return erosion;
-  Settling settling(map, erosion.fates);
-  for (const std::uint32_t i : assume_fates(map, clearance_m, erosion.fates)) settling.doubt(i);
+  Settling settling(map, erosion.states);
+  for (const std::uint32_t i : assume_states(map, clearance_m, erosion.states)) settling.doubt(i);
   settling.settle_all();
-  erosion.kept = kept_in_order(erosion.fates);
+  erosion.kept = kept_in_order(erosion.states);
   return erosion;
 }
 
@@ -130,8 +130,8 @@ Erosion erode_again(const DenseMap& map, std::span<const float> clearance_m, Ero
                     std::span<const std::uint32_t> changed) {
   Erosion erosion = carried_over(std::move(before), map);
   if (map.cells.empty()) return erosion;
-  Settling settling(map, erosion.fates);
-  Change(map, clearance_m, erosion.fates).apply(changed, settling);
+  Settling settling(map, erosion.states);
+  Change(map, clearance_m, erosion.states).apply(changed, settling);
   settling.settle_all();
   renew_kept(settling.others(), erosion);
   return erosion;

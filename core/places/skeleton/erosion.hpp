@@ -20,8 +20,8 @@ std::array<std::ptrdiff_t, 8> neighbour_offsets(const grid::DenseMap& map);
 /// connects it. Cells at the array's border count as not free. A value; empty: of no map.
 struct Erosion {
   grid::CellBox box;  ///< of the map
-  /// Of every cell of the map: its bucket of clearance, and its fate; 0 where it is not free.
-  std::vector<std::uint16_t> fates;
+  /// Of every cell of the map: its bucket of clearance, and its state; 0 where it is not free.
+  std::vector<std::uint16_t> states;
   std::vector<std::uint32_t> kept;  ///< in the order in which their turns came
 
   static constexpr std::uint16_t kRidge = 2;    ///< of the distance map: stays whatever is around it

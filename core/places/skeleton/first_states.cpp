@@ -15,14 +15,14 @@ using grid::CellState;
 using grid::DenseMap;
 using grid::kCellBlock;
 
-/// First fates: everything that is not on the ridge goes when its turn comes.
+/// First states: everything that is not on the ridge goes when its turn comes.
 class Assumption {
  public:
-  Assumption(const DenseMap& map, std::span<const float> clearance_m, std::vector<Fate>& fates)
+  Assumption(const DenseMap& map, std::span<const float> clearance_m, std::vector<ThinningState>& states)
       : map_(map),
         width_(static_cast<std::size_t>(map.width())),
         clearance_m_(clearance_m),
-        fates_(fates),
+        fates_(states),
         buckets_per_m_(buckets_per_m(map)) {}
 
   /// Of all rows; returns the cells for which that does not hold, in rising order.
@@ -60,7 +60,7 @@ class Assumption {
         continue;
       }
       for (std::size_t i = 0; i < count; ++i)
-        to[i] = static_cast<std::int16_t>(bucket_of(fate_of(from[i], per_m)));
+        to[i] = static_cast<std::int16_t>(bucket_of(state_of(from[i], per_m)));
     }
   }
   void assume_row(std::size_t y, const Rows& rows) {
@@ -74,11 +74,12 @@ class Assumption {
     Marks ridge, simple;
     find_ridge(first, count, ridge);
     find_simple(rows, count, simple);
-    Fate* const fate = &fates_[first];
+    ThinningState* const state = &fates_[first];
     for (std::size_t i = 0; i < count; ++i) {
       const auto bucket = static_cast<unsigned>(rows.mid[i]);
-      const auto free = static_cast<Fate>(bucket == 0 ? 0 : 0xFFFF);
-      fate[i] = static_cast<Fate>((bucket << kBucketShift | ridge[i] * unsigned{Erosion::kRidge}) & free);
+      const auto free = static_cast<ThinningState>(bucket == 0 ? 0 : 0xFFFF);
+      state[i] =
+          static_cast<ThinningState>((bucket << kBucketShift | ridge[i] * unsigned{Erosion::kRidge}) & free);
     }
     Marks doubtful{};
     for (std::size_t i = 0; i < count; ++i)
@@ -120,16 +121,16 @@ class Assumption {
   const DenseMap& map_;
   std::size_t width_;
   std::span<const float> clearance_m_;
-  std::vector<Fate>& fates_;
+  std::vector<ThinningState>& fates_;
   float buckets_per_m_;
   std::vector<std::uint32_t> doubtful_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> assume_fates(const DenseMap& map, std::span<const float> clearance_m,
-                                        std::vector<Fate>& fates) {
-  return Assumption(map, clearance_m, fates).run();
+std::vector<std::uint32_t> assume_states(const DenseMap& map, std::span<const float> clearance_m,
+                                         std::vector<ThinningState>& states) {
+  return Assumption(map, clearance_m, states).run();
 }
 
 }  // namespace topo::places

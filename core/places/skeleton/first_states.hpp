@@ -11,10 +11,10 @@
 
 namespace topo::places {
 
-/// Assumes of all free cells that what is not on the ridge goes when its turn comes; `fates` is zero so far,
+/// Assumes of all free cells that what is not on the ridge goes when its turn comes; `states` is zero so far,
 /// as long as map.cells. Returns the cells for which that does not hold, in rising order. One pass over the
 /// cells.
-std::vector<std::uint32_t> assume_fates(const grid::DenseMap& map, std::span<const float> clearance_m,
-                                        std::vector<Fate>& fates);
+std::vector<std::uint32_t> assume_states(const grid::DenseMap& map, std::span<const float> clearance_m,
+                                         std::vector<ThinningState>& states);
 
 }  // namespace topo::places

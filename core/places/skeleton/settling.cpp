@@ -13,11 +13,11 @@ constexpr std::size_t kStripRows = 32;
 
 }  // namespace
 
-Settling::Settling(const grid::DenseMap& map, std::vector<Fate>& fates)
-    : fates_(fates.data()),
+Settling::Settling(const grid::DenseMap& map, std::vector<ThinningState>& states)
+    : fates_(states.data()),
       offsets_(neighbour_offsets(map)),
       strip_cells_(kStripRows * static_cast<std::size_t>(map.width())),
-      doubtful_(fates.size() / strip_cells_ + 1) {}
+      doubtful_(states.size() / strip_cells_ + 1) {}
 
 void Settling::settle_all() {
   for (bool any = true; any;) {
@@ -48,10 +48,10 @@ bool Settling::settle_strip(std::size_t strip) {
 Settling::Around Settling::around(std::uint32_t i, unsigned turn) const {
   Around around;
   for (std::size_t k = 0; k < 8; ++k) {
-    const unsigned fate = fates_[neighbour(i, k)];
-    around.kept |= (fate / Erosion::kKept & 1U) << k;
-    around.later |= ((fate >> kTurnShift) + (k < 4 ? 1U : 0U) > turn ? 1U : 0U) << k;
-    around.queued |= (fate & kQueued) << k;
+    const unsigned state = fates_[neighbour(i, k)];
+    around.kept |= (state / Erosion::kKept & 1U) << k;
+    around.later |= ((state >> kTurnShift) + (k < 4 ? 1U : 0U) > turn ? 1U : 0U) << k;
+    around.queued |= (state & kQueued) << k;
   }
   return around;
 }
@@ -61,19 +61,19 @@ bool Settling::stays(std::uint32_t i, const Around& around) const {
 }
 
 void Settling::decide(std::uint32_t i) {
-  fates_[i] &= static_cast<Fate>(~kQueued);
+  fates_[i] &= static_cast<ThinningState>(~kQueued);
   const Around around = this->around(i, static_cast<unsigned>(bucket_ << 1U));
   constexpr unsigned kSides = 0x55;
   if ((around.kept & ~around.later & kSides) != 0) {
     queue(i, last_);
     if ((fates_[i] & Erosion::kDelayed) == 0) settle(i, around, Erosion::kDelayed, false);
   } else {
-    settle(i, around, stays(i, around) ? Erosion::kKept : Fate{0}, false);
+    settle(i, around, stays(i, around) ? Erosion::kKept : ThinningState{0}, false);
   }
 }
 
 void Settling::decide_last(std::uint32_t i) {
-  fates_[i] &= static_cast<Fate>(~kQueued);
+  fates_[i] &= static_cast<ThinningState>(~kQueued);
   const Around around = this->around(i, static_cast<unsigned>(bucket_ << 1U | 1U));
   settle(i, around, stays(i, around) ? kOutcome : Erosion::kDelayed, true);
 }
@@ -84,10 +84,10 @@ void Settling::queue(std::uint32_t i, Rising& cells) {
   cells.add(i);
 }
 
-/// A cell's fate; if it is not what it was, neighbours with a later turn doubt theirs.
-void Settling::settle(std::uint32_t i, const Around& around, Fate outcome, bool last) {
+/// A cell's state; if it is not what it was, neighbours with a later turn doubt theirs.
+void Settling::settle(std::uint32_t i, const Around& around, ThinningState outcome, bool last) {
   if ((fates_[i] & kOutcome) == outcome) return;
-  fates_[i] = static_cast<Fate>((fates_[i] & ~kOutcome) | outcome);
+  fates_[i] = static_cast<ThinningState>((fates_[i] & ~kOutcome) | outcome);
   others_.push_back(i);
   for (unsigned doubted = around.later & ~around.queued; doubted != 0; doubted &= doubted - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(doubted));

@@ -13,23 +13,23 @@
 
 namespace topo::places {
 
-/// Finds the fates of free cells that fit together.
+/// Finds the states of free cells that fit together.
 ///
 /// What becomes of a cell depends on what has become of its neighbours when its turn comes, and on nothing
 /// else. Turns are by bucket of clearance; within a bucket those beside a cell that had to stay come last (so
 /// the connection goes straight up the slope, and not askew in the order of the cells' numbers), otherwise by
-/// number. So most fates are known beforehand: a cell on a slope, all of whose earlier neighbours are gone,
+/// number. So most states are known beforehand: a cell on a slope, all of whose earlier neighbours are gone,
 /// is simple and goes. Only the others are looked at one after the other, and whoever turns out other than
-/// was assumed has its later neighbours looked at again. What was assumed may also be the fates on an earlier
-/// map. Because a fate depends on earlier turns only, there is one set of fates that fits together, in
-/// whatever order it is found: so strips of rows are settled one after the other, each small enough for the
-/// cache, until nothing is in doubt.
+/// was assumed has its later neighbours looked at again. What was assumed may also be the states on an
+/// earlier map. Because a state depends on earlier turns only, there is one set of states that fits together,
+/// in whatever order it is found: so strips of rows are settled one after the other, each small enough for
+/// the cache, until nothing is in doubt.
 class Settling {
  public:
-  /// `fates` of the map's cells, settled but for those that doubt() is told.
-  Settling(const grid::DenseMap& map, std::vector<Fate>& fates);
+  /// `states` of the map's cells, settled but for those that doubt() is told.
+  Settling(const grid::DenseMap& map, std::vector<ThinningState>& states);
 
-  /// A free cell whose fate may not be what its neighbours' say.
+  /// A free cell whose state may not be what its neighbours' say.
   void doubt(std::uint32_t i) {
     if (is_in_doubt(i)) return;
     fates_[i] |= kQueued;
@@ -37,9 +37,9 @@ class Settling {
   }
   [[nodiscard]] bool is_in_doubt(std::uint32_t i) const { return (fates_[i] & kQueued) != 0; }
   /// A free cell that may be in another bucket, or on the ridge where it was not; in doubt from now on.
-  void renew(std::uint32_t i, Fate fate) {
-    if (fates_[i] >> kTurnShift != fate >> kTurnShift) others_.push_back(i);
-    fates_[i] = fate;
+  void renew(std::uint32_t i, ThinningState state) {
+    if (fates_[i] >> kTurnShift != state >> kTurnShift) others_.push_back(i);
+    fates_[i] = state;
     doubt(i);
   }
 
@@ -67,9 +67,9 @@ class Settling {
   void decide(std::uint32_t i);
   void decide_last(std::uint32_t i);
   void queue(std::uint32_t i, Rising& cells);
-  void settle(std::uint32_t i, const Around& around, Fate outcome, bool last);
+  void settle(std::uint32_t i, const Around& around, ThinningState outcome, bool last);
 
-  Fate* fates_;
+  ThinningState* fates_;
   std::array<std::ptrdiff_t, 8> offsets_;
   std::size_t strip_cells_;
   std::vector<std::vector<std::uint32_t>> doubtful_;  ///< of each strip

@@ -14,9 +14,9 @@ Thinning thin_to_ridge(const DenseMap& map, const Erosion& erosion) {
   Thinning thinning{std::vector<std::uint8_t>(map.cells.size(), 0), erosion.kept};
   for (std::size_t k = 0; k < erosion.kept.size(); ++k) {
     const std::uint32_t i = erosion.kept[k];
-    fetch_ahead(erosion.fates.data(), erosion.kept, k);
+    fetch_ahead(erosion.states.data(), erosion.kept, k);
     fetch_ahead(thinning.marks.data(), erosion.kept, k);
-    const bool ridge = (erosion.fates[i] & Erosion::kRidge) != 0;
+    const bool ridge = (erosion.states[i] & Erosion::kRidge) != 0;
     thinning.marks[i] =
         Thinning::kOn | Thinning::kDoubted | Thinning::kAhead | (ridge ? Thinning::kRidge : 0);
   }

@@ -12,28 +12,28 @@ namespace topo::places {
 
 /// A cell's bucket, an eighth of a cell of clearance wide, above its flags. A free cell's is not 0, so
 /// that nothing else is; from 512 cells of clearance on there is one.
-using Fate = std::uint16_t;
+using ThinningState = std::uint16_t;
 inline constexpr int kBucketShift = 4;
 inline constexpr std::size_t kBuckets = 4096;
-inline constexpr Fate kFlags = (1U << kBucketShift) - 1;
+inline constexpr ThinningState kFlags = (1U << kBucketShift) - 1;
 
 /// In doubt, and waiting for its turn.
-inline constexpr Fate kQueued = 1;
-inline constexpr Fate kOutcome = Erosion::kKept | Erosion::kDelayed;
+inline constexpr ThinningState kQueued = 1;
+inline constexpr ThinningState kOutcome = Erosion::kKept | Erosion::kDelayed;
 
 /// When a cell's turn comes: by bucket, the delayed ones last. The shift leaves these two.
 inline constexpr int kTurnShift = 3;
 static_assert(Erosion::kDelayed == 1U << kTurnShift);
 
-/// A fate with nothing but its bucket.
-inline Fate fate_of(float clearance_m, float buckets_per_m) {
+/// A state with nothing but its bucket.
+inline ThinningState state_of(float clearance_m, float buckets_per_m) {
   const float bucket = std::min(clearance_m * buckets_per_m, static_cast<float>(kBuckets - 1));
-  return static_cast<Fate>(static_cast<std::int32_t>(bucket) << kBucketShift);
+  return static_cast<ThinningState>(static_cast<std::int32_t>(bucket) << kBucketShift);
 }
 
-inline std::size_t bucket_of(Fate fate) { return static_cast<std::size_t>(fate >> kBucketShift); }
+inline std::size_t bucket_of(ThinningState state) { return static_cast<std::size_t>(state >> kBucketShift); }
 
-/// For fate_of: buckets are an eighth of a cell wide.
+/// For state_of: buckets are an eighth of a cell wide.
 inline float buckets_per_m(const grid::DenseMap& map) { return static_cast<float>(8.0 / map.resolution_m); }
 
 /// Unlike std::max without references, which keep the compiler from vector instructions.

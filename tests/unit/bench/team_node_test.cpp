@@ -67,8 +67,8 @@ struct Robot {
   TeamNode node;
 };
 
-team::Word word(std::uint16_t robot, double x_m) {
-  team::Word w;
+team::StatusMessage message(std::uint16_t robot, double x_m) {
+  team::StatusMessage w;
   w.robot = robot;
   w.sequence = 1;
   w.T_map_base = {x_m, 0.0, 0.0};
@@ -121,21 +121,21 @@ TEST(TeamNode, everybodyGetsEveryKeyframeAndRelationOnceWhateverIsLostLateOrTwic
 
 TEST(TeamNode, aWordSaysWhereTheRobotIsWhenItIsSent) {
   Robot robot(0), mate(1);
-  mate.node.say(word(1, 5.0));
+  mate.node.say(message(1, 5.0));
   for (const double x_m : {5.1, 5.2}) {
     mate.source.stands.x_m = x_m;
     mate.node.gather();
     robot.node.take(1, mate.node.letter_to(0), {});
   }
-  const auto words = robot.node.heard().words;
-  ASSERT_EQ(words.size(), 2U);
-  EXPECT_EQ(words[1].T_map_base.x_m, 5.2);
-  EXPECT_GT(words[1].sequence, words[0].sequence);
+  const auto messages = robot.node.heard().messages;
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[1].T_map_base.x_m, 5.2);
+  EXPECT_GT(messages[1].sequence, messages[0].sequence);
 }
 
 TEST(TeamNode, hearsAMateInItsOwnFrameOrNotAtAll) {
   Robot robot(0), mate(1);
-  team::Word said = word(1, 5.0);
+  team::StatusMessage said = message(1, 5.0);
   said.claim = team::Bid{{6.0, 0.0}, 3.0};
   said.looked = {{7.0, 0.0}};
   mate.node.say(said);
@@ -143,23 +143,23 @@ TEST(TeamNode, hearsAMateInItsOwnFrameOrNotAtAll) {
   mate.node.gather();
   robot.source.T_map_mate.reset();
   robot.node.take(1, mate.node.letter_to(0), {});
-  EXPECT_TRUE(robot.node.heard().words.empty()) << "where the mate's map lies is not known";
+  EXPECT_TRUE(robot.node.heard().messages.empty()) << "where the mate's map lies is not known";
   robot.source.T_map_mate = types::Se2{1.0, 2.0, 0.5 * std::numbers::pi};
   robot.node.take(1, mate.node.letter_to(0), {});
-  const auto words = robot.node.heard().words;
-  ASSERT_EQ(words.size(), 1U);
-  EXPECT_LT((words[0].T_map_base.translation() - types::Vector2(1.0, 7.0)).norm(), 1e-12);
-  EXPECT_LT((words[0].claim->p_map - types::Vector2(1.0, 8.0)).norm(), 1e-12);
-  EXPECT_EQ(words[0].claim->cost_m, 3.0);
-  EXPECT_LT((words[0].looked.front() - types::Vector2(1.0, 9.0)).norm(), 1e-12);
+  const auto messages = robot.node.heard().messages;
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_LT((messages[0].T_map_base.translation() - types::Vector2(1.0, 7.0)).norm(), 1e-12);
+  EXPECT_LT((messages[0].claim->p_map - types::Vector2(1.0, 8.0)).norm(), 1e-12);
+  EXPECT_EQ(messages[0].claim->cost_m, 3.0);
+  EXPECT_LT((messages[0].looked.front() - types::Vector2(1.0, 9.0)).norm(), 1e-12);
 }
 
 TEST(TeamNode, handsEachWordToThePlannerOnce) {
   Robot robot(0), mate(1);
-  mate.node.say(word(1, 5.0));
+  mate.node.say(message(1, 5.0));
   robot.node.take(1, mate.node.letter_to(0), {});
-  EXPECT_EQ(robot.node.heard().words.size(), 1U);
-  EXPECT_TRUE(robot.node.heard().words.empty());
+  EXPECT_EQ(robot.node.heard().messages.size(), 1U);
+  EXPECT_TRUE(robot.node.heard().messages.empty());
   EXPECT_EQ(robot.node.heard().robot, 0U);
 }
 
@@ -187,10 +187,10 @@ TEST(TeamNode, masksMatesWhereTheySayTheyAreAndAtFirstAtTheirStarts) {
   EXPECT_TRUE(masks_ahead(robot, 1.0)) << "one is known to start there";
   EXPECT_FALSE(masks_ahead(robot, 31.0)) << "but it will have gone";
   Robot mate(1);
-  mate.node.say(word(1, 50.0));
+  mate.node.say(message(1, 50.0));
   robot.node.take(1, mate.node.letter_to(0), types::stamp_from_seconds(2.0));
   EXPECT_FALSE(masks_ahead(robot, 2.1)) << "it is elsewhere";
-  mate.node.say(word(1, 2.2));
+  mate.node.say(message(1, 2.2));
   robot.node.take(1, mate.node.letter_to(0), types::stamp_from_seconds(40.0));
   EXPECT_TRUE(masks_ahead(robot, 40.2));
   EXPECT_FALSE(masks_ahead(robot, 42.1)) << "that was long ago";

@@ -34,9 +34,9 @@ struct ExploreCommand {
 /// Is it so many seconds that an exploration may last?
 types::Status check_limit(double limit_s);
 
-/// One exploration as commanded, with its files but without a word on standard output: the report of REPORTS
-/// "topobench explore". `hooks`: of the first robot. The same command gives the same report but for what says
-/// how long it took.
+/// One exploration as commanded, with its files but without a message on standard output: the report of
+/// REPORTS "topobench explore". `hooks`: of the first robot. The same command gives the same report but for
+/// what says how long it took.
 types::Result<nlohmann::json> explore(const ExploreCommand& command, RunHooks& hooks);
 
 /// `topobench explore`: one exploration in lock-step with the simulated building; prints the report. Fails

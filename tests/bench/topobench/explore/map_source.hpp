@@ -22,7 +22,7 @@ class MapSource {
   [[nodiscard]] virtual const pipeline::TrackedPose& tracked() const = 0;
 };
 
-/// A keyframe, and where its maker's mapper has it.
+/// A keyframe, and where its origin's mapper has it.
 struct PosedKeyframe {
   slam::KeyframePtr keyframe;
   types::Se2 T_map_base;
@@ -51,7 +51,7 @@ class SharedMapSource : public MapSource {
 
 /// Who joins maps with whom.
 struct SlamTeam {
-  slam::Maker maker;
+  slam::Origin origin;
   /// Where the robots started, in the frame of all maps, by id. Empty: nobody knows, every robot's map begins
   /// at its own start, and a team-mate is joined when it is found in the map.
   std::vector<types::Se2> starts;

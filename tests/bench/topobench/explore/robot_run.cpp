@@ -78,7 +78,7 @@ void RobotRun::plan(types::Stamp now) {
     stage_s = now_s;
   };
   const pipeline::PlanningOutput& output = mind_.plan(now, mission, node_ != nullptr ? &team : nullptr, done);
-  if (output.word) node_->say(*output.word);
+  if (output.message) node_->say(*output.message);
   note(*output.report, output.plan);
   hooks_.planned(output);
 }

@@ -15,7 +15,7 @@ class SlamSource final : public SharedMapSource {
   SlamSource(const slam::MapperParams& params, int closure_delay_scans, SlamTeam team)
       : delay_(static_cast<std::uint64_t>(closure_delay_scans)),
         team_(std::move(team)),
-        state_(params, team_.maker, start_of(team_, team_.maker.robot)) {
+        state_(params, team_.origin, start_of(team_, team_.origin.robot)) {
     snapshot_ = state_.make_snapshot();
   }
 
@@ -67,7 +67,7 @@ class SlamSource final : public SharedMapSource {
     return node ? &state_.mapper().poses()[*node] : nullptr;
   }
   [[nodiscard]] std::optional<types::Se2> T_map_mates(std::uint16_t robot) const override {
-    // Of every map the first keyframe stays where its maker's robot started.
+    // Of every map the first keyframe stays where its origin's robot started.
     const types::Se2* first = find_pose({robot, 0});
     if (first != nullptr) return *first * start_of(team_, robot).inverse();
     return team_.starts.empty() ? std::nullopt : std::optional(types::Se2{});
@@ -86,7 +86,7 @@ class SlamSource final : public SharedMapSource {
   /// A team-mate's first keyframe: where it is from this robot's is known.
   void meet(const slam::KeyframeId& id) {
     if (team_.starts.empty() || id.sequence != 0) return;
-    const slam::KeyframeId own{team_.maker.robot, 0, team_.maker.run};
+    const slam::KeyframeId own{team_.origin.robot, 0, team_.origin.run};
     const auto known = slam::known_starts(own, start_of(team_, own.robot), id, start_of(team_, id.robot));
     state_.relate(known.first, known.second);
   }

@@ -10,23 +10,23 @@
 namespace topo::bench {
 namespace {
 
-/// Without a word from a robot it is taken to stand at its start so long.
+/// Without a message from a robot it is taken to stand at its start so long.
 constexpr types::Duration kAtStart = std::chrono::seconds(30);
 constexpr std::size_t kKeyframesInLetter = 20;
 constexpr std::size_t kRelationsInLetter = 60;  // some keyframes have two or three
 
 /// What was said in one map's frame, in another's.
-team::Word in_frame(const types::Se2& T_map_mates, team::Word word) {
+team::StatusMessage in_frame(const types::Se2& T_map_mates, team::StatusMessage message) {
   const auto move = [&](types::Vector2& p) { p = T_map_mates * p; };
-  word.T_map_base = T_map_mates * word.T_map_base;
-  move(word.start);
-  if (word.home) move(*word.home);
-  if (word.claim) move(word.claim->p_map);
-  for (team::Bid& bid : word.bids) move(bid.p_map);
-  for (types::Vector2& place : word.visited) move(place);
-  for (types::Vector2& opening : word.looked) move(opening);
-  for (types::Vector2& point : word.way_map) move(point);
-  return word;
+  message.T_map_base = T_map_mates * message.T_map_base;
+  move(message.start);
+  if (message.home) move(*message.home);
+  if (message.claim) move(message.claim->p_map);
+  for (team::Bid& bid : message.bids) move(bid.p_map);
+  for (types::Vector2& place : message.visited) move(place);
+  for (types::Vector2& opening : message.looked) move(opening);
+  for (types::Vector2& point : message.way_map) move(point);
+  return message;
 }
 
 }  // namespace
@@ -76,12 +76,12 @@ void TeamNode::gather() {
   for (const slam::FoundRelation& found : own.relations) log_.insert(found);
   if (!said_) return;
   said_->T_map_base = source_.T_map_base();
-  said_->sequence = ++words_;
+  said_->sequence = ++messages_;
 }
 
 Letter TeamNode::letter_to(std::uint16_t other) const {
   Letter letter;
-  letter.word = said_;
+  letter.message = said_;
   letter.keyframe_counts = set_.counts();
   letter.relation_counts = log_.counts();
   const auto at = there_.find(other);
@@ -105,8 +105,8 @@ void TeamNode::take(std::uint16_t from, const Letter& letter, types::Stamp now) 
   }
   if (!news.keyframes.empty() || !news.relations.empty()) source_.join(news);
   const auto T_map_mates = source_.T_map_mates(from);
-  if (!letter.word || !T_map_mates) return;
-  inbox_.push_back(in_frame(*T_map_mates, *letter.word));
+  if (!letter.message || !T_map_mates) return;
+  inbox_.push_back(in_frame(*T_map_mates, *letter.message));
   mates_[from] = {inbox_.back().T_map_base.translation(), now};
 }
 

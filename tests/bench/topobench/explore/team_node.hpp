@@ -16,8 +16,8 @@ namespace topo::bench {
 
 /// What one robot sends another in one exchange; all of it may come twice, late or never.
 struct Letter {
-  std::optional<team::Word> word;
-  std::vector<slam::MakerCount> keyframe_counts, relation_counts;  ///< what the sender has
+  std::optional<team::StatusMessage> message;
+  std::vector<slam::OriginCount> keyframe_counts, relation_counts;  ///< what the sender has
   TeamNews news;  ///< what the receiver lacks, as far as the sender knows
 };
 
@@ -35,11 +35,11 @@ class TeamNode {
   /// else by where dead reckoning has the robot.
   void mask_mates(Readings& readings);
 
-  /// The words that came since the last call. Good until the next one.
+  /// The messages that came since the last call. Good until the next one.
   pipeline::TeamInput heard();
-  void say(const team::Word& word) { said_ = word; }
+  void say(const team::StatusMessage& message) { said_ = message; }
 
-  /// Before letters are written: takes the robot's new keyframes into its set, and brings its word up to
+  /// Before letters are written: takes the robot's new keyframes into its set, and brings its message up to
   /// date with where it is by now.
   void gather();
   [[nodiscard]] Letter letter_to(std::uint16_t other) const;
@@ -62,14 +62,14 @@ class TeamNode {
   slam::KeyframeSet set_;
   slam::RelationLog log_;
   struct Counts {
-    std::vector<slam::MakerCount> keyframes, relations;
+    std::vector<slam::OriginCount> keyframes, relations;
   };
   std::map<std::uint16_t, Counts> there_;  ///< by robot, as last heard
   std::map<std::uint16_t, Place> mates_;
   types::Transform2<types::Odom, types::Base> T_odom_base_;  ///< newest
-  std::optional<team::Word> said_;
-  std::uint64_t words_ = 0;
-  std::vector<team::Word> inbox_, outbox_;  ///< words that came, and those handed to the planner
+  std::optional<team::StatusMessage> said_;
+  std::uint64_t messages_ = 0;
+  std::vector<team::StatusMessage> inbox_, outbox_;  ///< messages that came, and those handed to the planner
 };
 
 }  // namespace topo::bench

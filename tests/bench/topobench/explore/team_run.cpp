@@ -31,16 +31,16 @@ struct Member {
   std::unique_ptr<RobotRun> run;
 };
 
-/// A map of what robots saw themselves, each keyframe where its maker has it.
+/// A map of what robots saw themselves, each keyframe where its origin has it.
 class Drawing {
  public:
   explicit Drawing(const RunSetup& setup, const sim::Raster& visible)
       : builder_(setup.mind.mapping.grid),
         coverage_(visible, setup.plant.start, setup.mind.mapping.grid.resolution_m) {}
 
-  void add(const slam::KeyframePtr& keyframe, const Member& maker) {
+  void add(const slam::KeyframePtr& keyframe, const Member& origin) {
     keyframes_.push_back(keyframe);
-    makers_.push_back(&maker);
+    makers_.push_back(&origin);
   }
   void update() {
     poses_.clear();

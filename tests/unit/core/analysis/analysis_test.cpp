@@ -172,7 +172,7 @@ TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
       exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
                               *rc::gen::inRange(10, 60));
       AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
-      travel::ClearMap wide = travel::coarser(input.map, input.clearance_m);
+      travel::CoarseMap wide = travel::coarser(input.map, input.clearance_m);
       if (*rc::gen::inRange(0, 3) != 0) {
         input.map = std::move(wide.map);
         input.clearance_m = wide.clearance_m;

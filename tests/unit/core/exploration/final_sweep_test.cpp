@@ -32,8 +32,8 @@ class TwoGaps : public ::testing::Test {
   void find(std::uint64_t revision) { looks.find({map, revision, 12.0, field, {}}, now, {}); }
   static types::Stamp at(double t_s) { return types::stamp_from_seconds(1000.0 + t_s); }
 
-  static LastLookParams params() {
-    LastLookParams params;
+  static FinalSweepParams params() {
+    FinalSweepParams params;
     params.promise_min = 0.02;
     params.time_share = 0.75;
     return params;
@@ -42,7 +42,7 @@ class TwoGaps : public ::testing::Test {
   types::Stamp now = at(100.0);
   grid::DenseMap map;
   grid::TravelField field;
-  LastLooks looks{params()};
+  FinalSweep looks{params()};
 };
 
 TEST_F(TwoGaps, AreTwoGoals) {

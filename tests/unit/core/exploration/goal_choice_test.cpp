@@ -54,18 +54,19 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   goals::Goal here, beyond;
   here.p_map = {0.7, 1.5};
   beyond.p_map = {2.5, 1.0};
-  PutOffGoals put_off;
+  DeferredGoals deferred;
   const types::Se2 robot{0.7, 1.0, 0.0};
   bool cut_off = false;
   const std::vector<goals::Goal> one{here}, both{here, beyond};
-  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, put_off, robot, kNow, cut_off).size(), 1U);
+  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
+            1U);
   EXPECT_FALSE(cut_off);
-  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, put_off, robot, kNow, cut_off).size(),
+  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
             1U);
   EXPECT_TRUE(cut_off);
   cut_off = false;
-  put_off.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
-  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, put_off, robot, kNow, cut_off).size(),
+  deferred.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
+  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
             1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
@@ -119,61 +120,61 @@ TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
   EXPECT_EQ(successor_of(goal, candidates), nullptr);
 }
 
-TEST(PutOffGoals, comeBackOnceAndThenStayAway) {
-  PutOffGoals put_off;
+TEST(DeferredGoals, comeBackOnceAndThenStayAway) {
+  DeferredGoals deferred;
   const auto later = kNow + std::chrono::seconds(60);
-  put_off.give_up({1.0, 1.0}, later, "stuck");
-  EXPECT_TRUE(put_off.hold({1.5, 1.0}, kNow));
-  EXPECT_FALSE(put_off.hold({3.0, 1.0}, kNow));
-  EXPECT_FALSE(put_off.hold({1.0, 1.0}, later));
-  EXPECT_TRUE(put_off.call_back(kNow));
-  EXPECT_FALSE(put_off.hold({1.0, 1.0}, kNow));
-  EXPECT_FALSE(put_off.call_back(kNow));  // it is back already
-  put_off.give_up({1.1, 1.0}, later, "stuck again");
-  EXPECT_TRUE(put_off.hold({1.0, 1.0}, later + std::chrono::hours(1)));
-  EXPECT_FALSE(put_off.call_back(kNow));
+  deferred.give_up({1.0, 1.0}, later, "stuck");
+  EXPECT_TRUE(deferred.hold({1.5, 1.0}, kNow));
+  EXPECT_FALSE(deferred.hold({3.0, 1.0}, kNow));
+  EXPECT_FALSE(deferred.hold({1.0, 1.0}, later));
+  EXPECT_TRUE(deferred.call_back(kNow));
+  EXPECT_FALSE(deferred.hold({1.0, 1.0}, kNow));
+  EXPECT_FALSE(deferred.call_back(kNow));  // it is back already
+  deferred.give_up({1.1, 1.0}, later, "stuck again");
+  EXPECT_TRUE(deferred.hold({1.0, 1.0}, later + std::chrono::hours(1)));
+  EXPECT_FALSE(deferred.call_back(kNow));
 }
 
-TEST(PutOffGoals, areToldWhileTheyStayAway) {
-  PutOffGoals put_off;
+TEST(DeferredGoals, areToldWhileTheyStayAway) {
+  DeferredGoals deferred;
   const auto soon = kNow + std::chrono::seconds(10), later = kNow + std::chrono::seconds(60);
-  put_off.give_up({1.0, 1.0}, soon, "stuck");
-  put_off.visit({5.0, 1.0}, later);
-  EXPECT_EQ(put_off.held(kNow).size(), 2U);
-  ASSERT_EQ(put_off.held(soon).size(), 1U) << "the first is back";
-  EXPECT_EQ(put_off.held(soon).front().p_map, Vector2(5.0, 1.0));
-  EXPECT_FALSE(put_off.held(soon).front().is_for_good());
-  put_off.give_up({1.1, 1.0}, later, "stuck again");
-  ASSERT_EQ(put_off.held(later).size(), 1U) << "the second is back";
-  EXPECT_TRUE(put_off.held(later).front().is_for_good());
-  EXPECT_EQ(put_off.held(later).front().why, "stuck again");
+  deferred.give_up({1.0, 1.0}, soon, "stuck");
+  deferred.visit({5.0, 1.0}, later);
+  EXPECT_EQ(deferred.held(kNow).size(), 2U);
+  ASSERT_EQ(deferred.held(soon).size(), 1U) << "the first is back";
+  EXPECT_EQ(deferred.held(soon).front().p_map, Vector2(5.0, 1.0));
+  EXPECT_FALSE(deferred.held(soon).front().is_for_good());
+  deferred.give_up({1.1, 1.0}, later, "stuck again");
+  ASSERT_EQ(deferred.held(later).size(), 1U) << "the second is back";
+  EXPECT_TRUE(deferred.held(later).front().is_for_good());
+  EXPECT_EQ(deferred.held(later).front().why, "stuck again");
 }
 
 // Paper section II-E: "Once a robot has visited what seemed to be an attractive location, we do not wish to
 // return there."
-TEST(PutOffGoals, whereTheRobotWasForTheLastTimeItDoesNotComeAgain) {
-  PutOffGoals put_off;
-  put_off.visit({5.0, 1.0}, std::nullopt);
-  EXPECT_TRUE(put_off.hold({5.5, 1.0}, kNow + std::chrono::hours(1)));
-  EXPECT_FALSE(put_off.call_back(kNow)) << "want of anything else is no reason";
-  EXPECT_TRUE(put_off.hold({5.5, 1.0}, kNow));
-  ASSERT_EQ(put_off.held(kNow).size(), 1U);
-  EXPECT_TRUE(put_off.held(kNow).front().is_for_good());
-  EXPECT_EQ(put_off.visited(kNow).size(), 1U);
+TEST(DeferredGoals, whereTheRobotWasForTheLastTimeItDoesNotComeAgain) {
+  DeferredGoals deferred;
+  deferred.visit({5.0, 1.0}, std::nullopt);
+  EXPECT_TRUE(deferred.hold({5.5, 1.0}, kNow + std::chrono::hours(1)));
+  EXPECT_FALSE(deferred.call_back(kNow)) << "want of anything else is no reason";
+  EXPECT_TRUE(deferred.hold({5.5, 1.0}, kNow));
+  ASSERT_EQ(deferred.held(kNow).size(), 1U);
+  EXPECT_TRUE(deferred.held(kNow).front().is_for_good());
+  EXPECT_EQ(deferred.visited(kNow).size(), 1U);
 }
 
-TEST(PutOffGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
-  PutOffGoals put_off;
+TEST(DeferredGoals, ofThoseARobotWasAtTheOthersAreToldWhileTheyStayAway) {
+  DeferredGoals deferred;
   const auto later = kNow + std::chrono::seconds(60);
-  put_off.give_up({1.0, 1.0}, later, "stuck");
-  put_off.visit({5.0, 1.0}, later);
-  ASSERT_EQ(put_off.visited(kNow).size(), 1U);
-  EXPECT_EQ(put_off.visited(kNow).front(), Vector2(5.0, 1.0));
-  EXPECT_TRUE(put_off.hold({5.0, 1.0}, kNow));
-  EXPECT_TRUE(put_off.visited(later).empty());
-  put_off.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
-  EXPECT_EQ(put_off.visited(kNow).size(), 2U);
-  EXPECT_EQ(put_off.held(kNow).size(), 2U);
+  deferred.give_up({1.0, 1.0}, later, "stuck");
+  deferred.visit({5.0, 1.0}, later);
+  ASSERT_EQ(deferred.visited(kNow).size(), 1U);
+  EXPECT_EQ(deferred.visited(kNow).front(), Vector2(5.0, 1.0));
+  EXPECT_TRUE(deferred.hold({5.0, 1.0}, kNow));
+  EXPECT_TRUE(deferred.visited(later).empty());
+  deferred.visit({1.0, 1.3}, later);  // stuck on the way there, then there: what happened last counts
+  EXPECT_EQ(deferred.visited(kNow).size(), 2U);
+  EXPECT_EQ(deferred.held(kNow).size(), 2U);
 }
 
 }  // namespace

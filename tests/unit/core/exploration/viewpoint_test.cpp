@@ -65,12 +65,12 @@ bool sees(const DenseMap& map, CellIndex from, CellIndex to) {
   return false;
 }
 
-TEST(Look, IntoAGapThatIsTooNarrowForTheRobot) {
+TEST(Viewpoint, IntoAGapThatIsTooNarrowForTheRobot) {
   const DenseMap map = room_with_gap();
   const auto field = field_from(map, {20, 40});
   const goals::Frontier gap = the_gap(map);
   ASSERT_LT(gap.width_m, 0.75);
-  const auto look = find_look(map, gap, field, {});
+  const auto look = find_viewpoint(map, gap, field, {});
   ASSERT_TRUE(look);
   EXPECT_TRUE(std::isfinite(field.cost_m[map.index(look->from)]));
   EXPECT_EQ(map.state(look->sight), CellState::kUnknown);
@@ -78,12 +78,12 @@ TEST(Look, IntoAGapThatIsTooNarrowForTheRobot) {
   EXPECT_GT(look->gain_m2, 1.0);
 }
 
-TEST(Look, IsFromBesideWhatStandsBeforeTheGap) {
+TEST(Viewpoint, IsFromBesideWhatStandsBeforeTheGap) {
   DenseMap map = room_with_gap();
   fill(map, {40, 30}, {50, 49}, CellState::kOccupied);  // half a metre before the gap, wider than it
   const auto field = field_from(map, {20, 40});
   const goals::Frontier gap = the_gap(map);
-  const auto look = find_look(map, gap, field, {});
+  const auto look = find_viewpoint(map, gap, field, {});
   ASSERT_TRUE(look);
   EXPECT_TRUE(std::isfinite(field.cost_m[map.index(look->from)]));
   EXPECT_TRUE(sees(map, look->from, look->sight));
@@ -91,23 +91,23 @@ TEST(Look, IsFromBesideWhatStandsBeforeTheGap) {
   EXPECT_TRUE(from.y() < 0.05 * 30 || from.y() > 0.05 * 50) << "behind the cupboard: " << from.transpose();
 }
 
-TEST(Look, IsNoneWhereNobodyCanComeInSight) {
+TEST(Viewpoint, IsNoneWhereNobodyCanComeInSight) {
   DenseMap map = room_with_gap();
   fill(map, {30, 0}, {31, kHeight - 1}, CellState::kOccupied);
-  EXPECT_FALSE(find_look(map, the_gap(map), field_from(map, {15, 40}), {}));
-  EXPECT_TRUE(find_look(map, the_gap(map), field_from(map, {45, 20}), {}));
-  EXPECT_FALSE(find_look(map, goals::Frontier{}, field_from(map, {45, 20}), {}));
+  EXPECT_FALSE(find_viewpoint(map, the_gap(map), field_from(map, {15, 40}), {}));
+  EXPECT_TRUE(find_viewpoint(map, the_gap(map), field_from(map, {45, 20}), {}));
+  EXPECT_FALSE(find_viewpoint(map, goals::Frontier{}, field_from(map, {45, 20}), {}));
 }
 
-TEST(Look, CountsNothingBehindAWallThatGoesOn) {
+TEST(Viewpoint, CountsNothingBehindAWallThatGoesOn) {
   const DenseMap map = room_with_gap();
   const auto field = field_from(map, {20, 40});
   const goals::Frontier gap = the_gap(map);
-  const double open_m2 = find_look(map, gap, field, {})->gain_m2;
+  const double open_m2 = find_viewpoint(map, gap, field, {})->gain_m2;
   // The wall of the next house, 0.4 m behind the gap: 0.3 m of unknown space before it.
   const double wall_x_m = 0.05 * (kWallX + 8);
   const std::vector<Segment> wall{{{wall_x_m, 0.0}, {wall_x_m, 4.0}}};
-  const double closed_m2 = find_look(map, gap, field, wall)->gain_m2;
+  const double closed_m2 = find_viewpoint(map, gap, field, wall)->gain_m2;
   EXPECT_LE(closed_m2, 0.4 * 4.0);
   EXPECT_LT(closed_m2, 0.5 * open_m2);
   // Of the same wall one metre was seen below and one above, and what is between not: it goes on over 0.8 m.
@@ -115,23 +115,23 @@ TEST(Look, CountsNothingBehindAWallThatGoesOn) {
     return std::vector<Segment>{{{wall_x_m, 2.0 - half_m - 1.0}, {wall_x_m, 2.0 - half_m}},
                                 {{wall_x_m, 2.0 + half_m}, {wall_x_m, 2.0 + half_m + 1.0}}};
   };
-  const double bridged_m2 = find_look(map, gap, field, pieces(0.4))->gain_m2;
+  const double bridged_m2 = find_viewpoint(map, gap, field, pieces(0.4))->gain_m2;
   EXPECT_LT(bridged_m2, 0.5 * open_m2);
-  EXPECT_GT(find_look(map, gap, field, pieces(0.9))->gain_m2, 1.5 * bridged_m2);
+  EXPECT_GT(find_viewpoint(map, gap, field, pieces(0.9))->gain_m2, 1.5 * bridged_m2);
   auto turned = pieces(0.4);
   std::swap(turned[0], turned[1]);
-  EXPECT_EQ(find_look(map, gap, field, turned)->gain_m2, bridged_m2);
+  EXPECT_EQ(find_viewpoint(map, gap, field, turned)->gain_m2, bridged_m2);
 }
 
-TEST(Look, ReachesNoFartherThanItIsTold) {
+TEST(Viewpoint, ReachesNoFartherThanItIsTold) {
   const DenseMap map = room_with_gap();
   const auto field = field_from(map, {20, 40});
   const goals::Frontier gap = the_gap(map);
-  LookParams params;
+  ViewpointParams params;
   params.reach_m = 0.2;  // nearer than the robot's disc comes to the wall
-  EXPECT_FALSE(find_look(map, gap, field, {}, params));
+  EXPECT_FALSE(find_viewpoint(map, gap, field, {}, params));
   params.reach_m = 1.0;
-  const auto look = find_look(map, gap, field, {}, params);
+  const auto look = find_viewpoint(map, gap, field, {}, params);
   ASSERT_TRUE(look);
   EXPECT_LE((map.centre_of(look->from) - gap.centroid).norm(), 1.0 + 0.4);
 }

@@ -21,10 +21,10 @@ StandingPlace shared(std::vector<std::uint32_t> prospects, double x, double away
   return {{x, 0.0}, std::move(prospects), away_m, true};
 }
 
-TEST(GoalCover, OnePlaceForAllThatItServes) {
+TEST(GreedyCover, OnePlaceForAllThatItServes) {
   const auto prospects = prospects_of({0.5, 0.6, 0.4});
   const std::vector<StandingPlace> places = {own(0, 0.0), own(1, 4.0), own(2, 20.0), shared({0, 1}, 2.0)};
-  const GoalCover cover = cover_openings(prospects, places, {}, {});
+  const GreedyCover cover = cover_openings(prospects, places, {}, {});
   ASSERT_EQ(cover.chosen.size(), 2U);
   EXPECT_EQ(cover.chosen[0].place, 3U);
   EXPECT_EQ(cover.chosen[0].prospect, 1U) << "the likelier of the two";
@@ -32,40 +32,40 @@ TEST(GoalCover, OnePlaceForAllThatItServes) {
   EXPECT_EQ(cover.served, std::vector<bool>({true, true, true}));
 }
 
-TEST(GoalCover, WhatIsHardlyWorthItAloneMayBeWithItsNeighbours) {
+TEST(GreedyCover, WhatIsHardlyWorthItAloneMayBeWithItsNeighbours) {
   const auto prospects = prospects_of({0.15, 0.15, 0.15});
   const std::vector<StandingPlace> alone = {own(0, 0.0), own(1, 4.0), own(2, 20.0)};
-  const GoalCover none = cover_openings(prospects, alone, {}, {});
+  const GreedyCover none = cover_openings(prospects, alone, {}, {});
   EXPECT_TRUE(none.chosen.empty());
   EXPECT_EQ(none.served, std::vector<bool>({false, false, false}));
   std::vector<StandingPlace> places = alone;
   places.push_back(shared({0, 1}, 2.0));
-  const GoalCover cover = cover_openings(prospects, places, {}, {});
+  const GreedyCover cover = cover_openings(prospects, places, {}, {});
   ASSERT_EQ(cover.chosen.size(), 1U);
   EXPECT_EQ(cover.chosen[0].place, 3U);
   EXPECT_FALSE(cover.served[2]);
 }
 
-TEST(GoalCover, NobodyIsSentWhereARobotSawAllThatCanBeSeen) {
+TEST(GreedyCover, NobodyIsSentWhereARobotSawAllThatCanBeSeen) {
   const auto prospects = prospects_of({0.5, 0.6});
   const std::vector<StandingPlace> places = {own(0, 0.0), own(1, 4.0), shared({0, 1}, 2.0)};
   const std::vector<std::vector<types::Vector2>> visited = {{{2.0, 0.5}}};
-  const GoalCover cover = cover_openings(prospects, places, visited, {});
+  const GreedyCover cover = cover_openings(prospects, places, visited, {});
   ASSERT_EQ(cover.chosen.size(), 2U);
   EXPECT_EQ(cover.chosen[0].place, 1U);
   EXPECT_EQ(cover.chosen[1].place, 0U);
 }
 
-TEST(GoalCover, OfPlacesAsGoodTheNearestIsChosen) {
+TEST(GreedyCover, OfPlacesAsGoodTheNearestIsChosen) {
   const auto prospects = prospects_of({0.5, 0.6, 0.7});
   const std::vector<StandingPlace> places = {shared({0, 1, 2}, 1.0, 2.0), shared({0, 1, 2}, 2.0, 1.5),
                                              shared({0, 1, 2}, 3.0, 1.8)};
-  const GoalCover cover = cover_openings(prospects, places, {}, {});
+  const GreedyCover cover = cover_openings(prospects, places, {}, {});
   ASSERT_EQ(cover.chosen.size(), 1U);
   EXPECT_EQ(cover.chosen[0].place, 1U);
 }
 
-TEST(GoalCover, LeavesNothingThatWouldBeWorthIt) {
+TEST(GreedyCover, LeavesNothingThatWouldBeWorthIt) {
   EXPECT_TRUE(rc::check([] {
     std::vector<double> chances(static_cast<std::size_t>(*rc::gen::inRange(0, 12)));
     for (double& chance : chances) chance = 0.01 * *rc::gen::inRange(0, 100);
@@ -80,7 +80,7 @@ TEST(GoalCover, LeavesNothingThatWouldBeWorthIt) {
       places.push_back(shared(serves, 0.0));
     }
     const GoalParams params;
-    const GoalCover cover = cover_openings(prospects, places, {}, params);
+    const GreedyCover cover = cover_openings(prospects, places, {}, params);
     std::vector<bool> served(chances.size(), false);
     for (const Chosen& chosen : cover.chosen) {
       RC_ASSERT(!served[chosen.prospect]);

@@ -9,8 +9,8 @@
 namespace topo::motion {
 namespace {
 
-TEST(Trail, IsTheLastMetreAndIsUsedUpBackwards) {
-  Trail trail;
+TEST(BreadcrumbPath, IsTheLastMetreAndIsUsedUpBackwards) {
+  BreadcrumbPath trail;
   EXPECT_EQ(trail.back_twist(0.1), types::Twist2{});
   for (double x = 0.0; x <= 3.0; x += 0.01) trail.update({x, 0.0, 0.0});
   EXPECT_NEAR(trail.length_m(), 1.0, 0.05);
@@ -21,8 +21,8 @@ TEST(Trail, IsTheLastMetreAndIsUsedUpBackwards) {
   EXPECT_EQ(trail.back_twist(0.1), types::Twist2{}) << "behind its end nothing is known";
 }
 
-TEST(Trail, LeadsBackAlongACurve) {
-  Trail trail;
+TEST(BreadcrumbPath, LeadsBackAlongACurve) {
+  BreadcrumbPath trail;
   types::Se2 pose;
   for (int i = 0; i < 100; ++i) trail.update(pose = pose * types::Se2{0.01, 0.0, 0.01});
   const types::Se2 end = pose;
@@ -37,8 +37,8 @@ TEST(Trail, LeadsBackAlongACurve) {
   EXPECT_NEAR((pose.translation() - types::Vector2{0.0, 1.0}).norm(), 1.0, 0.03);
 }
 
-TEST(Trail, IsNoWayBackWhenTheRobotHasTurnedOrJumped) {
-  Trail trail;
+TEST(BreadcrumbPath, IsNoWayBackWhenTheRobotHasTurnedOrJumped) {
+  BreadcrumbPath trail;
   for (double x = 0.0; x <= 1.0; x += 0.01) trail.update({x, 0.0, 0.0});
   trail.update({1.0, 0.0, 1.5});
   EXPECT_EQ(trail.back_twist(0.1), types::Twist2{});
@@ -48,12 +48,12 @@ TEST(Trail, IsNoWayBackWhenTheRobotHasTurnedOrJumped) {
 }
 
 /// Between shelves it turned on the spot and went on a hand's breadth: that much is straight behind it.
-TEST(Trail, LeadsBackToTheCornerWhereTheRobotTurnedOnTheSpot) {
-  Trail trail;
+TEST(BreadcrumbPath, LeadsBackToTheCornerWhereTheRobotTurnedOnTheSpot) {
+  BreadcrumbPath trail;
   for (double x = -1.0; x <= 0.0; x += 0.01) trail.update({x, 0.0, 0.0});
   for (double y = 0.0; y <= 0.12; y += 0.01) trail.update({0.0, y, 1.5708});
   EXPECT_NEAR(trail.behind_m(), 0.12, 0.01);
-  EXPECT_NEAR(trail.turn_to_back_rad(), 0.0, Trail::kBehind_rad);
+  EXPECT_NEAR(trail.turn_to_back_rad(), 0.0, BreadcrumbPath::kBehind_rad);
   const types::Twist2 back = trail.back_twist(0.1);
   EXPECT_EQ(back.v_mps, -0.1);
   EXPECT_LT(std::abs(back.omega_radps), 0.05);

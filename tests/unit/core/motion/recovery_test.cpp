@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 struct StuckRobot {
   types::RobotLimits limits;
-  Trail trail;
+  BreadcrumbPath trail;
   Recovery recovery;
   RecoveryInput in;
 
@@ -164,7 +164,7 @@ TEST(Recovery, ATurnBackThatIsRefusedOneWayRoundIsMadeTheOther) {
 
 /// May not turn: all that it may do is to go back where its scanner looked, or straight on.
 struct CaughtRobot : StuckRobot {
-  Trail no_trail;
+  BreadcrumbPath no_trail;
   double seen_to_m;         ///< behind where it stood at first
   double ahead_to_m;        ///< ahead of it
   double rolls_to_m = 0.0;  ///< back, if the host dies
@@ -226,7 +226,7 @@ TEST(Recovery, EasesBackNoFartherThanTheScannerLookedAndThenGoesALittleStraightO
 /// In a doorway, 0.29 m from the jamb, with a mate behind: robots were left there for good.
 TEST(Recovery, WhoCanNeitherBackOffNorTurnGoesALittleStraightOn) {
   StuckRobot s;
-  const Trail none;
+  const BreadcrumbPath none;
   s.in.trail = &none;
   s.in.blocked = true;
   s.in.turn_rad = 3.0;
@@ -247,7 +247,7 @@ TEST(Recovery, WhoCanNeitherBackOffNorTurnGoesALittleStraightOn) {
 TEST(Recovery, WhoTouchesSomethingOrHasBackedOffDoesNotGoStraightOn) {
   for (const bool touches : {true, false}) {
     StuckRobot s;
-    const Trail none;
+    const BreadcrumbPath none;
     if (touches) s.in.trail = &none;
     s.in.blocked = true;
     s.in.touching = touches;

@@ -131,9 +131,9 @@ TEST(PlanningStep, aStuckGoalIsGivenUpWithItsReason) {
   for (int i = 0; i < 4; ++i) (void)building.run_period(state, mission);
   building.control().mode = ControlMode::kStuck;
   const PlanningOutput out = building.run_period(state, mission);
-  ASSERT_EQ(out.report->put_off.size(), 1U);
-  EXPECT_THAT(out.report->put_off.front().why, HasSubstr("stuck"));
-  EXPECT_GT(out.report->put_off.front().until, building.now());
+  ASSERT_EQ(out.report->deferred.size(), 1U);
+  EXPECT_THAT(out.report->deferred.front().why, HasSubstr("stuck"));
+  EXPECT_GT(out.report->deferred.front().until, building.now());
 }
 
 /// A mission during which the battery gets low, some metres from the start.
@@ -161,13 +161,13 @@ TEST(PlanningStep, withoutProgressTheGoalIsGivenUpAndThePlaceAheadGoneRound) {
   for (int i = 0; i < 4; ++i) (void)building.run_period(state, mission);
   types::Vector2 ahead(0.0, 0.0);
   PlanningOutput out;
-  for (int i = 0; i < 60 && (i == 0 || out.report->put_off.empty()); ++i) {
+  for (int i = 0; i < 60 && (i == 0 || out.report->deferred.empty()); ++i) {
     out = building.run_period(state, mission, 0.0);  // it stands, whatever the plan
     const auto& T = building.control().odometry.T_odom_base.se2();
     ahead = T * types::Vector2(0.45, 0.0);
   }
-  ASSERT_EQ(out.report->put_off.size(), 1U);
-  EXPECT_THAT(out.report->put_off.front().why, HasSubstr("no progress"));
+  ASSERT_EQ(out.report->deferred.size(), 1U);
+  EXPECT_THAT(out.report->deferred.front().why, HasSubstr("no progress"));
   out = building.run_period(state, mission, 0.0);
   ASSERT_TRUE(out.plan.moving);
   for (std::size_t i = 5; i < out.plan.points; ++i)
@@ -288,7 +288,7 @@ TEST(PlanningStep, standsWhileItIsLostAndGoesOnWhenAScanMatches) {
   }
 }
 
-/// One period of whoever has this map, these words and this time.
+/// One period of whoever has this map, these messages and this time.
 PlanningOutput plan_at(types::Stamp now, PlanningState& state, const Mission& mission, const MapSnapshot& map,
                        TrackedPose tracked, ControlReport control) {
   control.stamp = control.odometry.stamp = tracked.stamp = now;

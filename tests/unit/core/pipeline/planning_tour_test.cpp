@@ -113,7 +113,7 @@ TEST(GapChance, isByTheWidthAndTheDistanceFromWhereRobotsWere) {
 TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
   PlannerParams params;
   params.goal_reached_m = 20.0;  // the passage and the end of the hall from where the robot stands
-  params.looks.promise_min = 1.0;
+  params.final_sweep.promise_min = 1.0;
   HallAndPassage scene(4, 6.0, params);
   scene.open_the_door();
   const types::Stamp begun = scene.now();
@@ -121,8 +121,8 @@ TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
   }
   const PlanningReport& report = scene.period();
   EXPECT_EQ(report.reason, "explored: no goal is left in reach");
-  EXPECT_EQ(report.put_off.size(), 2U);
-  for (const exploration::PutOffGoal& goal : report.put_off) {
+  EXPECT_EQ(report.deferred.size(), 2U);
+  for (const exploration::DeferredGoal& goal : report.deferred) {
     EXPECT_TRUE(goal.visited);
     EXPECT_TRUE(goal.is_for_good());
   }
@@ -138,12 +138,12 @@ TEST(VisitedGoals, withoutLastLooksWhereTheRobotWasIsAGoalAgainWhenThatTimeIsOve
   HallAndPassage scene(4, 6.0, params);
   scene.open_the_door();
   types::Stamp visited = scene.now();
-  while (scene.period().put_off.empty() && scene.now() < visited + seconds(60)) {
+  while (scene.period().deferred.empty() && scene.now() < visited + seconds(60)) {
   }
   const PlanningReport* report = &scene.period();
-  ASSERT_EQ(report->put_off.size(), 1U);
-  EXPECT_TRUE(report->put_off.front().visited);
-  visited = report->put_off.front().until - seconds(10);
+  ASSERT_EQ(report->deferred.size(), 1U);
+  EXPECT_TRUE(report->deferred.front().visited);
+  visited = report->deferred.front().until - seconds(10);
   EXPECT_LE(visited, report->stamp);
   EXPECT_GE(visited, report->stamp - seconds(1));
   const auto is_open = [&] {

@@ -85,10 +85,10 @@ TEST(KeyframeSet, whatIsMissingThereMakesTheSetsEqual) {
 TEST(KeyframeSet, countsEndAtTheFirstGapAndMissingIsBounded) {
   const KeyframeSet set =
       set_of({sample(1, 0, 0), sample(1, 1, 0), sample(1, 3, 0), sample(4, 2, 0), sample(6, 0, 0)});
-  const std::vector<MakerCount> expected{{1, 2}, {4, 0}, {6, 1}};
+  const std::vector<OriginCount> expected{{1, 2}, {4, 0}, {6, 1}};
   EXPECT_EQ(set.counts(), expected);
   EXPECT_EQ(set.missing({}, 100).size(), 5U);
-  const std::vector<MakerCount> there{{1, 2}, {4, 3}};
+  const std::vector<OriginCount> there{{1, 2}, {4, 3}};
   const auto missing = set.missing(there, 100);
   ASSERT_EQ(missing.size(), 2U);
   EXPECT_EQ(missing[0]->id, (KeyframeId{1, 3}));

@@ -72,7 +72,7 @@ TEST(RelationLog, sendsWhatIsMissingAndNoMore) {
     ASSERT_FALSE(letter.empty());
     for (const FoundRelation& one : letter) there.insert(one);
   }
-  const std::vector<MakerCount> counts{{0, 8, 0}, {1, 8, 7}, {1, 8, 9}};
+  const std::vector<OriginCount> counts{{0, 8, 0}, {1, 8, 7}, {1, 8, 9}};
   EXPECT_EQ(there.counts(), counts) << "number 20 lies beyond a gap";
 }
 

@@ -18,8 +18,8 @@ const PointsInSight kNoneInSight = [](const Vector2&, const Vector2&) { return f
 constexpr std::array kRules{Rule::kAlone,  Rule::kClusters, Rule::kNoClusters,
                             Rule::kInTurn, Rule::kUtility,  Rule::kMinPos};
 
-Word word(std::uint16_t robot, std::vector<Bid> bids, std::optional<Bid> claim = {}) {
-  Word w;
+StatusMessage message(std::uint16_t robot, std::vector<Bid> bids, std::optional<Bid> claim = {}) {
+  StatusMessage w;
   w.robot = robot;
   w.duty = Duty::kAble;
   w.bids = std::move(bids);
@@ -27,8 +27,8 @@ Word word(std::uint16_t robot, std::vector<Bid> bids, std::optional<Bid> claim =
   return w;
 }
 
-std::vector<const Word*> others(const std::vector<Word>& team, std::size_t self) {
-  std::vector<const Word*> mates;
+std::vector<const StatusMessage*> others(const std::vector<StatusMessage>& team, std::size_t self) {
+  std::vector<const StatusMessage*> mates;
   for (std::size_t i = 0; i < team.size(); ++i) {
     if (i != self) mates.push_back(&team[i]);
   }
@@ -36,22 +36,22 @@ std::vector<const Word*> others(const std::vector<Word>& team, std::size_t self)
 }
 
 /// Up to five robots that bid for some of the same goals.
-std::vector<Word> arbitrary_team() {
+std::vector<StatusMessage> arbitrary_team() {
   std::set<std::pair<double, double>> goals;
   for (const Vector2& p : testing::arbitrary_points(10)) goals.emplace(p.x(), p.y());
-  std::vector<Word> team;
+  std::vector<StatusMessage> team;
   for (int id = *rc::gen::inRange(0, 5); id >= 0; --id) {
     std::vector<Bid> bids;
     for (const auto& [x, y] : goals) {
       const double cost_m = testing::arbitrary_cost_m();
       if (cost_m < HUGE_VAL) bids.push_back({{x, y}, cost_m});
     }
-    team.push_back(word(static_cast<std::uint16_t>(3 * id), testing::shuffled(bids)));
+    team.push_back(message(static_cast<std::uint16_t>(3 * id), testing::shuffled(bids)));
   }
   return team;
 }
 
-std::optional<Vector2> target_of(Rule rule, const std::vector<Word>& team, std::size_t self,
+std::optional<Vector2> target_of(Rule rule, const std::vector<StatusMessage>& team, std::size_t self,
                                  const PointsInSight& in_sight = kNoneInSight) {
   const auto bid = coordinate(rule, team[self], others(team, self), in_sight);
   if (!bid) return std::nullopt;
@@ -59,17 +59,17 @@ std::optional<Vector2> target_of(Rule rule, const std::vector<Word>& team, std::
 }
 
 TEST(Coordinate, theOrderOfBidsAndMatesAndTheirRepetitionDoNotMatter) {
-  EXPECT_TRUE(rc::check("a function of the words", [] {
-    const std::vector<Word> team = arbitrary_team();
-    std::vector<Word> jumbled = testing::shuffled(team);
-    for (Word& w : jumbled) w.bids = testing::shuffled(w.bids);
+  EXPECT_TRUE(rc::check("a function of the messages", [] {
+    const std::vector<StatusMessage> team = arbitrary_team();
+    std::vector<StatusMessage> jumbled = testing::shuffled(team);
+    for (StatusMessage& w : jumbled) w.bids = testing::shuffled(w.bids);
     for (const Rule rule : kRules) {
       for (std::size_t i = 0; i < team.size(); ++i) {
         const auto same = std::find_if(jumbled.begin(), jumbled.end(),
-                                       [&](const Word& w) { return w.robot == team[i].robot; });
+                                       [&](const StatusMessage& w) { return w.robot == team[i].robot; });
         const auto self = static_cast<std::size_t>(same - jumbled.begin());
         RC_ASSERT(target_of(rule, team, i, kAllInSight) == target_of(rule, jumbled, self, kAllInSight));
-        std::vector<const Word*> twice = others(team, i);
+        std::vector<const StatusMessage*> twice = others(team, i);
         const auto once = twice;
         twice.insert(twice.end(), once.begin(), once.end());
         RC_ASSERT(coordinate(rule, team[i], twice, kAllInSight) ==
@@ -81,10 +81,10 @@ TEST(Coordinate, theOrderOfBidsAndMatesAndTheirRepetitionDoNotMatter) {
 
 TEST(Coordinate, onlyTheOrderOfIdsMatters) {
   EXPECT_TRUE(rc::check("other numbers in the same order decide the same", [] {
-    const std::vector<Word> team = arbitrary_team();
-    std::vector<Word> renamed = team;
+    const std::vector<StatusMessage> team = arbitrary_team();
+    std::vector<StatusMessage> renamed = team;
     std::uint16_t id = 1000;
-    for (Word& w : renamed) w.robot = id = static_cast<std::uint16_t>(id - *rc::gen::inRange(1, 9));
+    for (StatusMessage& w : renamed) w.robot = id = static_cast<std::uint16_t>(id - *rc::gen::inRange(1, 9));
     for (const Rule rule : kRules) {
       for (std::size_t i = 0; i < team.size(); ++i)
         RC_ASSERT(target_of(rule, team, i) == target_of(rule, renamed, i));
@@ -95,11 +95,11 @@ TEST(Coordinate, onlyTheOrderOfIdsMatters) {
 TEST(Coordinate, whoHasTheSameWordsDecidesTheSame) {
   EXPECT_TRUE(rc::check("when all bid for all goals, no two go to one", [] {
     const std::vector<Vector2> points = testing::arbitrary_points(10);
-    std::vector<Word> team;
+    std::vector<StatusMessage> team;
     for (int id = *rc::gen::inRange(0, 5); id >= 0; --id) {
       std::vector<Bid> bids;
       for (const Vector2& p : points) bids.push_back({p, 1.0 * *rc::gen::inRange(1, 30)});
-      team.push_back(word(static_cast<std::uint16_t>(id), bids));
+      team.push_back(message(static_cast<std::uint16_t>(id), bids));
     }
     for (const Rule rule : {Rule::kClusters, Rule::kNoClusters, Rule::kInTurn}) {
       std::set<std::pair<double, double>> taken;
@@ -114,7 +114,7 @@ TEST(Coordinate, whoHasTheSameWordsDecidesTheSame) {
 
 TEST(Coordinate, whoDoesNotBidForAllGoalsDecidesTheSameToo) {
   EXPECT_TRUE(rc::check("no two go to one, and nobody waits for a goal that nobody goes to", [] {
-    const std::vector<Word> team = arbitrary_team();
+    const std::vector<StatusMessage> team = arbitrary_team();
     for (const Rule rule : {Rule::kNoClusters, Rule::kInTurn}) {
       std::set<std::pair<double, double>> taken;
       std::size_t going = 0;
@@ -135,7 +135,7 @@ TEST(Coordinate, whoDoesNotBidForAllGoalsDecidesTheSameToo) {
 
 TEST(Coordinate, aGoalIsNotLeftToAMateThatGoesElsewhere) {
   const Vector2 g(0.0, 0.0), h(9.0, 0.0);
-  const std::vector<Word> team{word(0, {{g, 22.0}}), word(1, {{g, 20.0}, {h, 3.0}})};
+  const std::vector<StatusMessage> team{message(0, {{g, 22.0}}), message(1, {{g, 20.0}, {h, 3.0}})};
   for (const Rule rule : {Rule::kClusters, Rule::kNoClusters}) {
     EXPECT_EQ(target_of(rule, team, 0), g);
     EXPECT_EQ(target_of(rule, team, 1), h);
@@ -146,7 +146,8 @@ TEST(Coordinate, whatAMateComesPastSoonerIsLeftToIt) {
   const Vector2 near(0.0, 5.0), far(0.0, 9.0);  // along a corridor
   const auto second = [&](double way_m, const PointsInSight& in_sight) {
     return target_of(Rule::kClusters,
-                     {word(0, {{near, 4.0}, {far, 8.0}}), word(1, {{near, 6.0}, {far, way_m}})}, 1, in_sight);
+                     {message(0, {{near, 4.0}, {far, 8.0}}), message(1, {{near, 6.0}, {far, way_m}})}, 1,
+                     in_sight);
   };
   EXPECT_EQ(second(10.0, kAllInSight), std::nullopt) << "the first is there after 4 + 4 m";
   EXPECT_EQ(second(7.0, kAllInSight), far) << "the second is there before";
@@ -155,7 +156,7 @@ TEST(Coordinate, whatAMateComesPastSoonerIsLeftToIt) {
 
 TEST(Coordinate, aMateThatComesPastDoesNotLeaveTheGoalInTurn) {
   EXPECT_TRUE(rc::check("where anybody could go, somebody goes", [] {
-    const std::vector<Word> team = arbitrary_team();
+    const std::vector<StatusMessage> team = arbitrary_team();
     for (const Rule rule : {Rule::kClusters, Rule::kNoClusters}) {
       bool wanted = false, going = false;
       for (std::size_t i = 0; i < team.size(); ++i) {
@@ -168,7 +169,7 @@ TEST(Coordinate, aMateThatComesPastDoesNotLeaveTheGoalInTurn) {
 }
 
 TEST(Coordinate, bidsThatAreNearlyForOneGoalAreForOne) {
-  const std::vector<Word> team{word(0, {{{0.0, 0.0}, 5.0}}), word(1, {{{1.0, 0.0}, 6.0}})};
+  const std::vector<StatusMessage> team{message(0, {{{0.0, 0.0}, 5.0}}), message(1, {{{1.0, 0.0}, 6.0}})};
   EXPECT_EQ(target_of(Rule::kClusters, team, 0), Vector2(0.0, 0.0));
   EXPECT_EQ(target_of(Rule::kClusters, team, 1), std::nullopt);
 }
@@ -176,10 +177,11 @@ TEST(Coordinate, bidsThatAreNearlyForOneGoalAreForOne) {
 TEST(Coordinate, aClaimCountsAsItWasMadeWhateverTheWayIsByNow) {
   const Vector2 p(3.0, 3.0);
   // Both have got nearer since, and each has heard of the other's way what it was before.
-  const Word first = word(2, {{p, 3.0}}, Bid{p, 8.0}), second = word(5, {{p, 2.5}}, Bid{p, 9.0});
-  const Word first_before = word(2, {{p, 3.4}}, Bid{p, 8.0}),
-             second_before = word(5, {{p, 3.1}}, Bid{p, 9.0});
-  const std::vector<const Word*> to_first{&second_before}, to_second{&first_before};
+  const StatusMessage first = message(2, {{p, 3.0}}, Bid{p, 8.0}),
+                      second = message(5, {{p, 2.5}}, Bid{p, 9.0});
+  const StatusMessage first_before = message(2, {{p, 3.4}}, Bid{p, 8.0}),
+                      second_before = message(5, {{p, 3.1}}, Bid{p, 9.0});
+  const std::vector<const StatusMessage*> to_first{&second_before}, to_second{&first_before};
   EXPECT_TRUE(coordinate(Rule::kClusters, first, to_first, kAllInSight).has_value());
   EXPECT_FALSE(coordinate(Rule::kClusters, second, to_second, kAllInSight).has_value());
 }
@@ -187,15 +189,15 @@ TEST(Coordinate, aClaimCountsAsItWasMadeWhateverTheWayIsByNow) {
 TEST(Coordinate, whoChoosesIsOfferedItsClusterAndWhatItIsBoundForButNothingThatAMateHas) {
   // Two clusters; robot 0 is nearer to the first one, and bound for a goal of the second.
   const std::vector<Bid> bids{{{0.0, 0.0}, 2.0}, {{0.0, 3.0}, 4.0}, {{30.0, 0.0}, 30.0}, {{30.0, 3.0}, 33.0}};
-  const Word mate = word(1, {{{30.0, 0.0}, 1.0}, {{30.0, 3.0}, 3.0}}, Bid{{30.0, 0.0}, 1.5});
-  const std::vector<const Word*> mates{&mate};
+  const StatusMessage mate = message(1, {{{30.0, 0.0}, 1.0}, {{30.0, 3.0}, 3.0}}, Bid{{30.0, 0.0}, 1.5});
+  const std::vector<const StatusMessage*> mates{&mate};
   const auto offered = [&](std::optional<Bid> claim) {
     std::vector<std::size_t> share;
     const Chooser last = [&](std::span<const std::size_t> s) {
       share.assign(s.begin(), s.end());
       return s.back();
     };
-    const auto chosen = coordinate(Rule::kClusters, word(0, bids, claim), mates, kNoneInSight, last);
+    const auto chosen = coordinate(Rule::kClusters, message(0, bids, claim), mates, kNoneInSight, last);
     EXPECT_EQ(chosen, share.back());
     return share;
   };
@@ -207,14 +209,15 @@ TEST(Coordinate, whoChoosesIsOfferedItsClusterAndWhatItIsBoundForButNothingThatA
 
 TEST(Coordinate, whoHasClaimedAGoalHasItsClusterThoughTheWayHasBecomeLonger) {
   const Bid goal{{0.0, 0.0}, 5.0}, beside{{2.0, 0.0}, 4.0}, far{{40.0, 0.0}, 40.0};
-  const std::vector<Word> team{word(0, {goal, beside, far}),
-                               word(1, {{goal.p_map, 8.0}}, Bid{goal.p_map, 3.0})};
+  const std::vector<StatusMessage> team{message(0, {goal, beside, far}),
+                                        message(1, {{goal.p_map, 8.0}}, Bid{goal.p_map, 3.0})};
   EXPECT_EQ(target_of(Rule::kClusters, team, 0), far.p_map);
   EXPECT_EQ(target_of(Rule::kClusters, team, 1), goal.p_map);
 }
 
 TEST(Coordinate, aloneIsTheNearest) {
-  const std::vector<Word> team{word(0, {{{0.0, 0.0}, 5.0}, {{9.0, 0.0}, 3.0}}), word(1, {{{9.0, 0.0}, 1.0}})};
+  const std::vector<StatusMessage> team{message(0, {{{0.0, 0.0}, 5.0}, {{9.0, 0.0}, 3.0}}),
+                                        message(1, {{{9.0, 0.0}, 1.0}})};
   EXPECT_EQ(target_of(Rule::kAlone, team, 0), Vector2(9.0, 0.0));
   EXPECT_EQ(target_of(Rule::kClusters, team, 0), Vector2(0.0, 0.0));
 }
@@ -223,9 +226,9 @@ TEST(Coordinate, aBetterClaimIsLeftToTheMate) {
   const Bid goal{{9.0, 0.0}, 5.0}, other{{0.0, 0.0}, 30.0};
   const auto choice = [&](double claim_m, std::uint16_t mate) {
     // The mate bids elsewhere by now, but still claims this goal.
-    const Word w = word(mate, {{{50.0, 0.0}, 1.0}}, Bid{{9.5, 0.0}, claim_m});
-    const std::vector<const Word*> mates{&w};
-    return *coordinate(Rule::kNoClusters, word(4, {goal, other}), mates, kAllInSight);
+    const StatusMessage w = message(mate, {{{50.0, 0.0}, 1.0}}, Bid{{9.5, 0.0}, claim_m});
+    const std::vector<const StatusMessage*> mates{&w};
+    return *coordinate(Rule::kNoClusters, message(4, {goal, other}), mates, kAllInSight);
   };
   EXPECT_EQ(choice(4.0, 7), 1U) << "the lower cost wins";
   EXPECT_EQ(choice(6.0, 7), 0U);
@@ -237,7 +240,7 @@ TEST(Coordinate, twoThatClaimOneGoalDoNotBothLeaveIt) {
   EXPECT_TRUE(rc::check("the better claim stays", [] {
     const Vector2 p(3.0, 3.0);
     const Bid a{p, 1.0 * *rc::gen::inRange(1, 4)}, b{p, 1.0 * *rc::gen::inRange(1, 4)};
-    const std::vector<Word> team{word(2, {a}, a), word(5, {b}, b)};
+    const std::vector<StatusMessage> team{message(2, {a}, a), message(5, {b}, b)};
     const bool first = target_of(Rule::kClusters, team, 0).has_value();
     const bool second = target_of(Rule::kClusters, team, 1).has_value();
     RC_ASSERT(first != second);
@@ -248,14 +251,14 @@ TEST(Coordinate, twoThatClaimOneGoalDoNotBothLeaveIt) {
 TEST(Coordinate, robotsDoNotSwapWithoutGain) {
   // Each is on its way; costs have shifted a little in favour of swapping, and bids get a fifth off for that.
   const Vector2 p(10.0, 0.0), q(10.0, 8.0);
-  const std::vector<Word> team{word(0, {{p, 0.8 * 10.0}, {q, 9.0}}, Bid{p, 8.0}),
-                               word(1, {{p, 9.0}, {q, 0.8 * 10.0}}, Bid{q, 8.0})};
+  const std::vector<StatusMessage> team{message(0, {{p, 0.8 * 10.0}, {q, 9.0}}, Bid{p, 8.0}),
+                                        message(1, {{p, 9.0}, {q, 0.8 * 10.0}}, Bid{q, 8.0})};
   EXPECT_EQ(target_of(Rule::kClusters, team, 0), p);
   EXPECT_EQ(target_of(Rule::kClusters, team, 1), q);
 }
 
 TEST(Coordinate, nothingToBidForIsNothingToDo) {
-  const std::vector<Word> team{word(0, {}), word(1, {{{9.0, 0.0}, 1.0}})};
+  const std::vector<StatusMessage> team{message(0, {}), message(1, {{{9.0, 0.0}, 1.0}})};
   for (const Rule rule : kRules) EXPECT_EQ(target_of(rule, team, 0), std::nullopt);
 }
 

@@ -16,8 +16,8 @@ using types::Vector2;
 /// A dead end at x = 0; robots come from the east.
 double from_the_east(const Vector2& start) { return 50.0 - start.x(); }
 
-Word out(std::uint16_t robot, double start_x_m) {
-  Word w;
+StatusMessage out(std::uint16_t robot, double start_x_m) {
+  StatusMessage w;
   w.robot = robot;
   w.start = {start_x_m, 0.0};
   w.T_map_base = {50.0, 0.0, 0.0};
@@ -25,19 +25,19 @@ Word out(std::uint16_t robot, double start_x_m) {
   return w;
 }
 
-Word home_at(std::uint16_t robot, double start_x_m, double x_m) {
-  Word w = out(robot, start_x_m);
+StatusMessage home_at(std::uint16_t robot, double start_x_m, double x_m) {
+  StatusMessage w = out(robot, start_x_m);
   w.home = Vector2(x_m, 0.0);
   w.T_map_base = {x_m, 0.0, 0.0};
   w.way_map.clear();
   return w;
 }
 
-std::optional<Vector2> home(const Word& self, const std::vector<Word>& mates,
-                            const std::optional<Home>& present = {}, const Word* passing = nullptr) {
-  std::vector<const Word*> words;
-  for (const Word& mate : mates) words.push_back(&mate);
-  const auto chosen = choose_home(self, words, present, passing, from_the_east);
+std::optional<Vector2> home(const StatusMessage& self, const std::vector<StatusMessage>& mates,
+                            const std::optional<Home>& present = {}, const StatusMessage* passing = nullptr) {
+  std::vector<const StatusMessage*> messages;
+  for (const StatusMessage& mate : mates) messages.push_back(&mate);
+  const auto chosen = choose_home(self, messages, present, passing, from_the_east);
   if (!chosen) return std::nullopt;
   return chosen->p_map;
 }
@@ -49,7 +49,7 @@ TEST(ChooseHome, whoComesFirstGoesFarthestIn) {
 }
 
 TEST(ChooseHome, ofTwoThatWantOneTheLowerIdKeepsIt) {
-  Word a = out(1, 1.5), b = out(2, 3.0);
+  StatusMessage a = out(1, 1.5), b = out(2, 3.0);
   a.home = b.home = Vector2(1.5, 0.0);
   EXPECT_EQ(home(a, {b}, Home{1, *a.home}), Vector2(1.5, 0.0));
   EXPECT_EQ(home(b, {a}, Home{1, *b.home}), Vector2(3.0, 0.0));
@@ -66,11 +66,11 @@ TEST(ChooseHome, movesWithTheStartThatItIs) {
 
 TEST(ChooseHome, whoStandsInTheWayMovesUpAndThePassingOneGetsItsPlace) {
   // Robot 2 came home to 3.0 though 1.5 is farther in; 1 is bound for that.
-  Word standing = home_at(2, 3.0, 3.0), passing = out(1, 1.5);
+  StatusMessage standing = home_at(2, 3.0, 3.0), passing = out(1, 1.5);
   passing.home = Vector2(1.5, 0.0);
   EXPECT_EQ(home(standing, {passing}, Home{2, {3.0, 0.0}}, &passing), Vector2(1.5, 0.0));
   // On its way there it keeps it, lower id or not, and the other keeps it, too, until it is there.
-  Word moving = standing;
+  StatusMessage moving = standing;
   moving.T_map_base = {2.3, 0.0, 0.0};
   moving.home = Vector2(1.5, 0.0);
   moving.way_map = {{2.0, 0.0}};
@@ -83,32 +83,32 @@ TEST(ChooseHome, whoStandsInTheWayMovesUpAndThePassingOneGetsItsPlace) {
 }
 
 TEST(ChooseHome, whoIsOnItsWayMovesUpForNobody) {
-  Word passing = out(3, 4.5);
+  StatusMessage passing = out(3, 4.5);
   passing.home = Vector2(1.5, 0.0);
   EXPECT_EQ(home(out(2, 3.0), {passing}, Home{2, {3.0, 0.0}}, &passing), Vector2(3.0, 0.0));
 }
 
 TEST(ChooseHome, whereTheRobotItselfStandsIsNotTaken) {
-  Word a = out(1, 1.5), b = home_at(2, 3.0, 1.5);
+  StatusMessage a = out(1, 1.5), b = home_at(2, 3.0, 1.5);
   a.home = Vector2(1.5, 0.0);
   a.T_map_base = {2.0, 0.0, 0.0};
   EXPECT_EQ(home(b, {a}, Home{1, {1.5, 0.0}}), Vector2(1.5, 0.0));
 }
 
 TEST(ChooseHome, nobodyGoesWhereNoWayLeads) {
-  const std::vector<const Word*> nobody;
+  const std::vector<const StatusMessage*> nobody;
   EXPECT_EQ(choose_home(out(2, 3.0), nobody, {}, nullptr, [](const Vector2&) { return HUGE_VAL; }),
             std::nullopt);
 }
 
 TEST(ChooseHome, allComeHomeOneAfterTheOtherAndNobodyPassesAnybody) {
   EXPECT_TRUE(rc::check("any order of robots", [] {
-    std::vector<Word> team;
+    std::vector<StatusMessage> team;
     for (std::uint16_t id = 0; id < 5; ++id) team.push_back(out(id, 1.5 * (id + 1)));
     const std::vector<std::size_t> order = testing::shuffled(std::vector<std::size_t>{0, 1, 2, 3, 4});
     double last_x_m = 0.0;
     for (const std::size_t i : order) {
-      std::vector<Word> mates = team;
+      std::vector<StatusMessage> mates = team;
       mates.erase(mates.begin() + static_cast<std::ptrdiff_t>(i));
       const auto chosen = home(team[i], testing::shuffled(mates));
       RC_ASSERT(chosen.has_value());

@@ -11,8 +11,8 @@ namespace {
 
 types::Stamp at(double s) { return types::stamp_from_seconds(1000.0 + s); }
 
-Word told(std::uint16_t robot, std::uint64_t sequence, double x_m = 0.0, Duty duty = Duty::kAble) {
-  Word w;
+StatusMessage told(std::uint16_t robot, std::uint64_t sequence, double x_m = 0.0, Duty duty = Duty::kAble) {
+  StatusMessage w;
   w.robot = robot;
   w.sequence = sequence;
   w.T_map_base = {x_m, 0.0, 0.0};
@@ -20,29 +20,30 @@ Word told(std::uint16_t robot, std::uint64_t sequence, double x_m = 0.0, Duty du
   return w;
 }
 
-Word claiming(std::uint16_t robot, std::uint64_t sequence, double x_m) {
-  Word w = told(robot, sequence, x_m);
+StatusMessage claiming(std::uint16_t robot, std::uint64_t sequence, double x_m) {
+  StatusMessage w = told(robot, sequence, x_m);
   w.claim = Bid{{50.0, 0.0}, 50.0};
   return w;
 }
 
-std::vector<std::pair<std::uint16_t, std::uint64_t>> names(const std::vector<const Word*>& words) {
+std::vector<std::pair<std::uint16_t, std::uint64_t>> names(
+    const std::vector<const StatusMessage*>& messages) {
   std::vector<std::pair<std::uint16_t, std::uint64_t>> out;
-  for (const Word* w : words) out.emplace_back(w->robot, w->sequence);
+  for (const StatusMessage* w : messages) out.emplace_back(w->robot, w->sequence);
   return out;
 }
 
 TEST(Roster, keepsTheNewestOfEachWhateverOrderWordsComeIn) {
   EXPECT_TRUE(rc::check("any order, any repetition", [] {
-    std::vector<Word> words;
+    std::vector<StatusMessage> messages;
     for (std::uint16_t robot = 1; robot < 4; ++robot) {
       for (std::uint64_t n = 1; n <= 4; ++n) {
-        words.push_back(told(robot, n));
-        if (*rc::gen::arbitrary<bool>()) words.push_back(told(robot, n));
+        messages.push_back(told(robot, n));
+        if (*rc::gen::arbitrary<bool>()) messages.push_back(told(robot, n));
       }
     }
     Roster roster;
-    for (const Word& w : testing::shuffled(words)) (void)roster.take(w, at(0.0));
+    for (const StatusMessage& w : testing::shuffled(messages)) (void)roster.take(w, at(0.0));
     const std::vector<std::pair<std::uint16_t, std::uint64_t>> newest{{1, 4}, {2, 4}, {3, 4}};
     RC_ASSERT(names(roster.heard(at(1.0))) == newest);
     RC_ASSERT(names(roster.counted(at(1.0))) == newest);
@@ -63,11 +64,11 @@ TEST(Roster, aRepeatedWordDoesNotMakeASilentRobotHeard) {
 TEST(Roster, hearsARobotThatWasStartedAgainAndCountsFromOne) {
   Roster roster;
   (void)roster.take(claiming(1, 500, 0.0), at(0.0));
-  EXPECT_FALSE(roster.take(told(1, 1, 7.0), at(9.0))) << "it may be a word that comes late";
+  EXPECT_FALSE(roster.take(told(1, 1, 7.0), at(9.0))) << "it may be a message that comes late";
   EXPECT_TRUE(roster.take(told(1, 2, 7.0), at(10.5)));
   EXPECT_EQ(names(roster.counted(at(10.5))), (std::vector<std::pair<std::uint16_t, std::uint64_t>>{{1, 2}}));
   EXPECT_TRUE(roster.take(told(1, 3, 7.0), at(11.0)));
-  EXPECT_FALSE(roster.take(told(1, 3, 7.0), at(22.0))) << "a repeated word";
+  EXPECT_FALSE(roster.take(told(1, 3, 7.0), at(22.0))) << "a repeated message";
 }
 
 TEST(Roster, onlyWhoCanGoAndWasJustHeardIsGoing) {
@@ -117,20 +118,20 @@ TEST(Roster, allAreHomeWhenNobodyThatIsHeardIsOut) {
 
 TEST(Roster, whoWaitsAtHomeCanGoOutOfTheWayAndWhoStandsElsewhereForGoodCannot) {
   Roster roster;
-  Word word;
-  word.robot = 3;
-  word.sequence = 1;
-  word.duty = Duty::kOver;
-  word.T_map_base = {5.0, 0.0, 0.0};
-  (void)roster.take(word, at(0.0));
+  StatusMessage message;
+  message.robot = 3;
+  message.sequence = 1;
+  message.duty = Duty::kOver;
+  message.T_map_base = {5.0, 0.0, 0.0};
+  (void)roster.take(message, at(0.0));
   EXPECT_TRUE(roster.going_at(at(1.0)).empty());
-  ++word.sequence;
-  word.home = types::Vector2(0.0, 0.0);
-  (void)roster.take(word, at(1.0));
+  ++message.sequence;
+  message.home = types::Vector2(0.0, 0.0);
+  (void)roster.take(message, at(1.0));
   EXPECT_TRUE(roster.going_at(at(1.0)).empty()) << "over on its way";
-  ++word.sequence;
-  word.T_map_base = {0.3, 0.0, 0.0};
-  (void)roster.take(word, at(2.0));
+  ++message.sequence;
+  message.T_map_base = {0.3, 0.0, 0.0};
+  (void)roster.take(message, at(2.0));
   EXPECT_EQ(roster.going_at(at(2.5)).size(), 1U);
   EXPECT_TRUE(roster.going_at(at(5.0)).empty()) << "heard of too long ago";
 }

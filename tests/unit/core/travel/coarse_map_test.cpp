@@ -12,12 +12,12 @@ namespace {
 
 using grid::CellState;
 
-TEST(ClearMap, aCoarserMapHidesNoObstacleAndNarrowsNoWay) {
+TEST(CoarseMap, aCoarserMapHidesNoObstacleAndNarrowsNoWay) {
   EXPECT_TRUE(rc::check([] {
-    ClearMap fine;
+    CoarseMap fine;
     fine.map = grid::random_map(40);
     fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
-    const ClearMap coarse = coarser(fine.map, fine.clearance_m);
+    const CoarseMap coarse = coarser(fine.map, fine.clearance_m);
     RC_ASSERT(coarse.map.resolution_m == 2.0 * fine.map.resolution_m);
     for (std::size_t i = 0; i < fine.map.cells.size(); ++i) {
       const types::Vector2 centre = fine.map.centre_of(fine.map.cell(i));
@@ -38,11 +38,11 @@ TEST(ClearMap, aCoarserMapHidesNoObstacleAndNarrowsNoWay) {
   }));
 }
 
-TEST(ClearMap, aCoarserMapHasUnknownCellsAllAround) {
-  ClearMap fine;
+TEST(CoarseMap, aCoarserMapHasUnknownCellsAllAround) {
+  CoarseMap fine;
   fine.map = grid::filled_map(7, 5, CellState::kFree);
   fine.clearance_m.assign(fine.map.cells.size(), 1.0F);
-  const ClearMap coarse = coarser(fine.map, fine.clearance_m);
+  const CoarseMap coarse = coarser(fine.map, fine.clearance_m);
   for (std::size_t i = 0; i < coarse.map.cells.size(); ++i) {
     const grid::CellIndex at = coarse.map.cell(i);
     const bool outermost = at.x == coarse.map.box.min.x || at.x == coarse.map.box.max.x ||

@@ -18,9 +18,9 @@ using grid::CellState;
 
 /// Rooms of 4 by 4 m side by side and one above the other, in cells of 0.05 m, with doors of 1 m somewhere in
 /// most of the walls between them.
-ClearMap arbitrary_building() {
+CoarseMap arbitrary_building() {
   constexpr int kRooms = 4, kRoom = 80, kDoor = 20;
-  ClearMap building;
+  CoarseMap building;
   grid::DenseMap& map = building.map;
   map = grid::filled_map(kRooms * kRoom, kRooms * kRoom, CellState::kFree);
   const auto wall = [&](int x, int y) { map.cells[map.index({x, y})] = CellState::kOccupied; };
@@ -57,8 +57,8 @@ double length_cells(const std::vector<CellIndex>& route) {
 
 TEST(FarRoute, isAsShortAsThatOfASearchOfTheWholeBuilding) {
   EXPECT_TRUE(rc::check([] {
-    const ClearMap fine = arbitrary_building();
-    const ClearMap coarse = coarser(fine.map, fine.clearance_m, 2);
+    const CoarseMap fine = arbitrary_building();
+    const CoarseMap coarse = coarser(fine.map, fine.clearance_m, 2);
     const CellIndex start = arbitrary_cell(), target = arbitrary_cell();
     const auto coarse_field =
         grid::travel_field(coarse.map, coarse.clearance_m, coarse.map.cell_at(fine.map.centre_of(start)), {});
@@ -86,11 +86,11 @@ TEST(FarRoute, doesNotLeadThroughATightDoorBesideAWideOne) {
     }
   };
   for (const int wall_x : {200, 201, 202, 203}) {
-    ClearMap fine;
+    CoarseMap fine;
     fine.map = grid::filled_map(400, 300, CellState::kFree);
     add_wall(fine.map, wall_x);
     fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
-    const ClearMap coarse = coarser(fine.map, fine.clearance_m, 2);
+    const CoarseMap coarse = coarser(fine.map, fine.clearance_m, 2);
     const CellIndex start{150, 100}, target{250, 100};
     const auto coarse_field = grid::travel_field(coarse.map, coarse.clearance_m,
                                                  coarse.map.cell_at(fine.map.centre_of(start)), rules);
@@ -101,11 +101,11 @@ TEST(FarRoute, doesNotLeadThroughATightDoorBesideAWideOne) {
 }
 
 TEST(FarRoute, isNoneWhereTheCoarseMapHasNone) {
-  ClearMap fine;
+  CoarseMap fine;
   fine.map = grid::filled_map(100, 60, CellState::kFree);
   for (int y = 0; y < 60; ++y) fine.map.cells[fine.map.index({50, y})] = CellState::kOccupied;
   fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
-  const ClearMap coarse = coarser(fine.map, fine.clearance_m, 2);
+  const CoarseMap coarse = coarser(fine.map, fine.clearance_m, 2);
   const auto coarse_field = grid::travel_field(coarse.map, coarse.clearance_m, {5, 7}, {});
   FarRoute far;
   EXPECT_TRUE(far.find(fine.map, fine.clearance_m, coarse, coarse_field, {20, 30}, {80, 30}, {}).empty());

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "daemon/recording/replay.hpp"
-#include "drivers/hokuyo/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
 #include "drivers/io/tap.hpp"
 #include "tests/unit/daemon/recording/recording_samples.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
@@ -54,8 +54,9 @@ std::vector<Seen> record(const std::string& path, int scans) {
   std::vector<Seen> all;
   {
     HandTap tap(made, line.now);
-    hokuyo::Session session({.name = "front"}, std::make_unique<io::TappedConnector>(
-                                                   std::make_unique<mocks::ScriptedConnector>(line), &tap));
+    hokuyo::Connection session(
+        {.name = "front"},
+        std::make_unique<io::TappedConnector>(std::make_unique<mocks::ScriptedConnector>(line), &tap));
     types::Scan scan;
     const Stamp limit = line.now + 60s;
     while (static_cast<int>(all.size()) < scans && line.now < limit) {
@@ -78,7 +79,7 @@ TEST(SessionReplay, GivesTheScansOfTheRecordingAtTheirDistances) {
   ASSERT_TRUE(replay.has_value()) << replay.error().message;
   auto connector = Replay::connector(*replay, "front", false);
   ASSERT_TRUE(connector.has_value());
-  hokuyo::Session session({.name = "front"}, std::move(*connector));
+  hokuyo::Connection session({.name = "front"}, std::move(*connector));
   std::vector<Seen> replayed;
   types::Scan scan;
   const Stamp limit = io::monotonic_now() + 30s;

@@ -29,8 +29,8 @@ TEST(ScanWorker, CountsTheScansThatAFullRingRefusedAndNothingElse) {
     if (line.now - silent_since > 300ms) hand_overs->devices_closing = true;
   };
   ScanWorker worker(*hand_overs, hand_overs->front, true,
-                    std::make_unique<hokuyo::Session>(hokuyo::SessionConfig{},
-                                                      std::make_unique<mocks::ScriptedConnector>(line)),
+                    std::make_unique<hokuyo::Connection>(hokuyo::ConnectionConfig{},
+                                                         std::make_unique<mocks::ScriptedConnector>(line)),
                     vitals);
   worker.run();
   const std::uint64_t scans = vitals.run.summary().count;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Nothing is allocated while streaming: every allocation of this program is counted.
+#include "tests/unit/drivers/hokuyo/connection_fixture.hpp"
 #include "tests/unit/drivers/hokuyo/scip_text.hpp"
-#include "tests/unit/drivers/hokuyo/session_fixture.hpp"
 #include "tests/unit/support/allocation_counter.hpp"
 
 namespace topo::hokuyo {
@@ -27,11 +27,12 @@ TEST_F(SessionAllocation, StreamingAllocatesNothing) {
   line.max_read = 1460;
   const std::uint64_t before = test::allocations();
   int got = 0;
-  for (int i = 0; i < 2000 && got < 392; ++i) got += session->step(scan, 10ms) == StepOutcome::kScan ? 1 : 0;
+  for (int i = 0; i < 2000 && got < 392; ++i)
+    got += connection->step(scan, 10ms) == StepOutcome::kScan ? 1 : 0;
   const std::uint64_t after = test::allocations();
   EXPECT_EQ(got, 392);
   EXPECT_EQ(after - before, 0U);
-  EXPECT_EQ(session->counters().checksum_errors, 8U);
+  EXPECT_EQ(connection->counters().checksum_errors, 8U);
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(ArcosOnAFloodedBus, ReadReturnsAtItsDeadline) {
   EXPECT_LE(stream.now() - before, milliseconds(21));
 }
 
-// A session that slept judges the robot's silence after a read, however short.
+// A connection that slept judges the robot's silence after a read, however short.
 TEST_F(ArcosOnCan, WhatCameBeforeTheDeadlineIsReadEvenWhenThereIsNoTimeLeft) {
   robot_sends(kStatusPacket);
   bus.now += std::chrono::seconds(1);

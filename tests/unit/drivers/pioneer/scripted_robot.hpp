@@ -43,7 +43,7 @@ class ScriptedRobot {
   bool cut = false;  ///< reads and writes fail: unplugged
   bool has_baud = false;
   int baud = 9600;      ///< of the robot's line
-  bool open = false;    ///< of the session: true at the start is a stale one
+  bool open = false;    ///< of the connection: true at the start is a stale one
   bool echoes = false;  ///< a loop-back plug
   std::string chatter;  ///< sent on every write instead of ARCOS: another device
   bool deaf_to_close = false;

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> kept_one_by_one(const DenseMap& map, const std::vecto
   const auto take = [&](std::uint32_t i) {
     unsigned pattern = 0;
     for (std::size_t k = 0; k < 8; ++k) pattern |= (on[beside(i, k)] ? 1U : 0U) << k;
-    if ((erosion.fates[i] & Erosion::kRidge) == 0 && is_simple(pattern)) {
+    if ((erosion.states[i] & Erosion::kRidge) == 0 && is_simple(pattern)) {
       on[i] = false;
     } else {
       is_kept[i] = true;
@@ -107,7 +107,7 @@ TEST(Erosion, AgainIsThatOfTheWholeMap) {
       erosion = erode_again(map, update.clearance_m(), erosion, *update.changed());
       const Erosion whole = erode(map, update.clearance_m());
       RC_ASSERT(erosion.box == whole.box);
-      RC_ASSERT(erosion.fates == whole.fates);
+      RC_ASSERT(erosion.states == whole.states);
       RC_ASSERT(erosion.kept == whole.kept);
     }
   }));
@@ -126,14 +126,14 @@ TEST(Erosion, NeverLooksBeyondTheArray) {
   erosion = erode_again(map, clearance_of(map), erosion, all);
   for (std::uint32_t i = 0; i < map.cells.size(); ++i) {
     if (map.is_on_border(map.cell(i))) {
-      EXPECT_EQ(erosion.fates[i], 0);
+      EXPECT_EQ(erosion.states[i], 0);
     }
   }
 }
 
 TEST(Erosion, OfNothingIsNothing) {
-  EXPECT_TRUE(erode(DenseMap{}, {}).fates.empty());
-  EXPECT_TRUE(erode_again(DenseMap{}, {}, {}, {}).fates.empty());
+  EXPECT_TRUE(erode(DenseMap{}, {}).states.empty());
+  EXPECT_TRUE(erode_again(DenseMap{}, {}, {}, {}).states.empty());
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <array>
 #include <numbers>
 
-#include "drivers/hokuyo/session_impl.hpp"
+#include "drivers/hokuyo/connection_impl.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -28,7 +28,7 @@ bool is_good(std::string_view status) { return status == "00" || status == "02";
 
 }  // namespace
 
-void Session::Impl::start_finding() {
+void Connection::Impl::start_finding() {
   baud_index = 0;
   find_index = 0;
   tries = 0;
@@ -39,7 +39,7 @@ void Session::Impl::start_finding() {
   find_step();
 }
 
-void Session::Impl::find_step() {
+void Connection::Impl::find_step() {
   if (find_index == 0 && line.stream().has_baud()) {
     if (auto set = line.stream().set_baud(kBauds[baud_index]); !set)
       return lose(Health::kDisconnected, set.error().message);
@@ -47,7 +47,7 @@ void Session::Impl::find_step() {
   enter(Phase::kFind, kFindRequests[find_index], kFindLimit);
 }
 
-void Session::Impl::find_next() {
+void Connection::Impl::find_next() {
   if (++find_index == kFindRequests.size()) {
     find_index = 0;
     if (!line.stream().has_baud() || ++baud_index == kBauds.size()) return not_found();
@@ -55,7 +55,7 @@ void Session::Impl::find_next() {
   find_step();
 }
 
-void Session::Impl::not_found() {
+void Connection::Impl::not_found() {
   const std::string expected = "; expected a Hokuyo sensor that speaks SCIP 2.0";
   if (line.heard_arcos()) {
     return lose(Health::kWrongDevice, place() + ": a Pioneer base answers here (ARCOS packets)" + expected +
@@ -70,7 +70,7 @@ void Session::Impl::not_found() {
                             ": is it powered?");
 }
 
-void Session::Impl::on_find_reply() {
+void Connection::Impl::on_find_reply() {
   const Reply& reply = line.reply();
   if (sent.view() != "QT") return find_next();
   if (reply.scip1()) {
@@ -88,9 +88,9 @@ void Session::Impl::on_find_reply() {
   enter_version();
 }
 
-void Session::Impl::enter_version() { enter(Phase::kVersion, "VV", kAskLimit); }
+void Connection::Impl::enter_version() { enter(Phase::kVersion, "VV", kAskLimit); }
 
-void Session::Impl::retry_version() {
+void Connection::Impl::retry_version() {
   if (++tries >= kMaxTries) {
     return lose(Health::kSilent, place() +
                                      ": the sensor stopped answering while it was asked for its identity (" +
@@ -100,7 +100,7 @@ void Session::Impl::retry_version() {
   enter(phase, again.view(), kAskLimit);
 }
 
-void Session::Impl::on_version() {
+void Connection::Impl::on_version() {
   if (auto read = read_version(line.reply(), found); !read) {
     if (++tries < kMaxTries) return enter_version();
     return lose(Health::kFault, place() + ": " + read.error().message);
@@ -114,7 +114,7 @@ void Session::Impl::on_version() {
   enter(Phase::kParameters, "PP", kAskLimit);
 }
 
-void Session::Impl::on_parameters() {
+void Connection::Impl::on_parameters() {
   if (auto read = read_parameters(line.reply(), found); !read) {
     if (++tries < kMaxTries) return enter(Phase::kParameters, "PP", kAskLimit);
     return lose(Health::kFault, place() + ": " + read.error().message);
@@ -123,7 +123,7 @@ void Session::Impl::on_parameters() {
   enter(Phase::kState, "II", kAskLimit);
 }
 
-StreamRequest Session::Impl::make_request() const {
+StreamRequest Connection::Impl::make_request() const {
   StreamRequest made;
   made.kind = intensity ? StreamRequest::Kind::kRangeIntensity : StreamRequest::Kind::kRange;
   made.start = static_cast<std::uint16_t>(found.step_min);
@@ -136,7 +136,7 @@ StreamRequest Session::Impl::make_request() const {
 }
 
 /// Everything that streaming needs, computed once from validated parameters.
-void Session::Impl::prepare_stream() {
+void Connection::Impl::prepare_stream() {
   info = found;
   family = family_of(found.product);
   intensity = config.intensity && has_intensity(family);
@@ -162,7 +162,7 @@ void Session::Impl::prepare_stream() {
 }
 
 /// The clock first: TM is refused while the sensor measures.
-void Session::Impl::restart_stream() {
+void Connection::Impl::restart_stream() {
   // The data leave when the last step is measured (section 12).
   clock.reset(turn * found.step_max / found.steps_per_turn);
   has_last = false;
@@ -176,31 +176,31 @@ void Session::Impl::restart_stream() {
   enter(Phase::kAdjust, "TM0", 300ms);
 }
 
-void Session::Impl::on_adjust_reply() {
+void Connection::Impl::on_adjust_reply() {
   if (is_good(line.reply().status())) return enter(Phase::kSample, "TM1", 300ms);
   enter(Phase::kAdjusted, "TM2", 300ms);  // no clock by TM: the assumed latency serves
 }
 
-void Session::Impl::on_sample() {
+void Connection::Impl::on_sample() {
   const auto time = read_time(line.reply());
   if (time) clock.add_round_trip(*time, asked, line.arrival());
   if (++samples < kSamples) return enter(Phase::kSample, "TM1", 300ms);
   enter(Phase::kAdjusted, "TM2", 300ms);
 }
 
-void Session::Impl::enter_laser() {
+void Connection::Impl::enter_laser() {
   tries = 0;
   laser_deadline = now() + kSpinUpLimit;
   enter(Phase::kLaser, "BM", 500ms);
 }
 
-void Session::Impl::on_laser_reply() {
+void Connection::Impl::on_laser_reply() {
   if (!is_good(line.reply().status())) return retry_laser();
   enter(Phase::kStart, encode(request).view(), silence_limit);
 }
 
 /// The first BM after power-up fails while the motor spins up (section 13).
-void Session::Impl::retry_laser() {
+void Connection::Impl::retry_laser() {
   if (now() < laser_deadline) {
     phase = Phase::kLaserPause;
     deadline = now() + kLaserPause;
@@ -217,7 +217,7 @@ void Session::Impl::retry_laser() {
   lose(Health::kFault, why + "; the sensor says \"" + found.status + "\"): switch its power off and on");
 }
 
-void Session::Impl::on_start_reply() {
+void Connection::Impl::on_start_reply() {
   const std::string_view status = line.reply().status();
   if (status == "00") {
     phase = Phase::kStreaming;

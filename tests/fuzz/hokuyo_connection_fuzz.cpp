@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A hostile sensor behind a whole session: whatever it answers to the requests, a step ends in time and no
+// A hostile sensor behind a whole connection: whatever it answers to the requests, a step ends in time and no
 // scan is given that breaks its own bounds. The input is cut at zero bytes into one answer a request.
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
 
-#include "drivers/hokuyo/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
 #include "tests/mocks/scripted_stream.hpp"
 
 namespace {
@@ -44,19 +44,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     line.send(expand(input.substr(at, end == std::string::npos ? end : end - at), request));
     at = end == std::string::npos ? input.size() : end + 1;
   };
-  hokuyo::SessionConfig config;
+  hokuyo::ConnectionConfig config;
   config.name = "fuzz";
   config.intensity = size % 2 == 0;
-  hokuyo::Session session(config, std::make_unique<mocks::ScriptedConnector>(line));
+  hokuyo::Connection connection(config, std::make_unique<mocks::ScriptedConnector>(line));
   const auto scan = std::make_unique<types::Scan>();
   for (int i = 0; i < 300; ++i) {
     const types::Stamp before = line.now;
-    const auto outcome = session.step(*scan, 50ms);
+    const auto outcome = connection.step(*scan, 50ms);
     require(line.now - before <= 52ms);
     if (outcome == hokuyo::StepOutcome::kScan)
       require(scan->beams > 0 && scan->beams <= types::Scan::kMaxBeams);
-    require(!session.message().empty());
+    require(!connection.message().empty());
   }
-  session.close(50ms);
+  connection.close(50ms);
   return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A hostile robot behind a whole session: whatever it answers, a step ends in time and every state that it
+// A hostile robot behind a whole connection: whatever it answers, a step ends in time and every state that it
 // gives is finite and later than the one before. The input is a list of answers, one a write: a length byte,
 // then as many bytes of payload, which are framed here so that short inputs get past the checksum. Length 0
 // stands for the request itself, 255 for five raw bytes.
@@ -15,7 +15,7 @@
 #include <tuple>
 
 #include "drivers/pioneer/arcos_codec.hpp"
-#include "drivers/pioneer/session.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "tests/mocks/scripted_stream.hpp"
 
 namespace {
@@ -69,19 +69,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   line.has_baud = size % 2 == 1;
   Answers answers(input);
   line.on_write = [&](std::string_view request) { line.send(answers.next(request)); };
-  pioneer::Session session({}, std::make_unique<mocks::ScriptedConnector>(line));
+  pioneer::Connection connection({}, std::make_unique<mocks::ScriptedConnector>(line));
   types::BaseState state;
   types::Stamp last{};
   for (int i = 0; i < 200; ++i) {
     const types::Stamp before = line.now;
-    const auto outcome = session.step(state, 50ms);
+    const auto outcome = connection.step(state, 50ms);
     require(line.now - before <= 52ms);
-    require(!session.message().empty());
-    std::ignore = session.command({.twist = {0.1, 0.1}, .enable_motors = true, .estop = false});
+    require(!connection.message().empty());
+    std::ignore = connection.command({.twist = {0.1, 0.1}, .enable_motors = true, .estop = false});
     if (outcome != pioneer::StepOutcome::kState) continue;
     require(is_finite(state) && state.odometry.stamp > last && state.odometry.stamp <= line.now + 1ms);
     last = state.odometry.stamp;
   }
-  session.close(50ms);
+  connection.close(50ms);
   return 0;
 }

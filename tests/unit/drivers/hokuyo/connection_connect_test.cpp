@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/types/se2.hpp"
-#include "tests/unit/drivers/hokuyo/session_fixture.hpp"
+#include "tests/unit/drivers/hokuyo/connection_fixture.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -24,9 +24,9 @@ TEST_F(SessionConnect, EveryModelStreams) {
     scans = 0;
     line.has_baud = sample.family == Family::kUtm || sample.family == Family::kUrg;
     start(sample);
-    ASSERT_TRUE(run_scans(20, 5s)) << session->message();
-    EXPECT_EQ(session->health(), Health::kStreaming);
-    EXPECT_EQ(session->info()->serial_number, sample.serial);
+    ASSERT_TRUE(run_scans(20, 5s)) << connection->message();
+    EXPECT_EQ(connection->health(), Health::kStreaming);
+    EXPECT_EQ(connection->info()->serial_number, sample.serial);
     EXPECT_EQ(scan.beams, sample.amax - sample.amin + 1);
     EXPECT_NEAR(scan.geometry.period_s, 60.0 / sample.rpm, 1e-6);
     EXPECT_NEAR(scan.geometry.angle_increment_rad, 2 * std::numbers::pi / sample.ares, 1e-7);
@@ -39,10 +39,10 @@ TEST_F(SessionConnect, EveryModelStreams) {
     // Stamp of the first beam: within the counter's millisecond of the truth.
     const types::Duration first = types::from_seconds(sample.amin * 60.0 / sample.rpm / sample.ares);
     EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back() - first)), 1.3e-3);
-    EXPECT_EQ(session->counters().scans, 20U);
-    EXPECT_EQ(session->counters().lost_scans, 0U);
+    EXPECT_EQ(connection->counters().scans, 20U);
+    EXPECT_EQ(connection->counters().lost_scans, 0U);
     EXPECT_EQ(scan.sequence, 20U);
-    EXPECT_EQ(session->counters().checksum_errors, 0U);
+    EXPECT_EQ(connection->counters().checksum_errors, 0U);
   }
 }
 
@@ -58,7 +58,7 @@ TEST_F(SessionConnect, SwitchesAUrgFromScip1) {
   line.has_baud = true;
   start(urg());
   sensor->scip1 = true;
-  ASSERT_TRUE(run_scans(3, 5s)) << session->message();
+  ASSERT_TRUE(run_scans(3, 5s)) << connection->message();
   EXPECT_EQ(sensor->count("SCIP2.0"), 1);
 }
 
@@ -67,7 +67,7 @@ TEST_F(SessionConnect, NeverTriesIntensityOnAUrg) {
   ASSERT_TRUE(run_scans(3, 5s));
   EXPECT_EQ(sensor->count("ME"), 0);
   EXPECT_FALSE(scan.has_intensity);
-  EXPECT_THAT(session->message(), HasSubstr("no intensities"));
+  EXPECT_THAT(connection->message(), HasSubstr("no intensities"));
 }
 
 TEST_F(SessionConnect, StreamsIntensity) {
@@ -92,23 +92,23 @@ TEST_F(SessionConnect, SkipsScansAsConfigured) {
   ASSERT_TRUE(run_scans(10, 5s));
   EXPECT_THAT(sensor->heard, Contains("MD0000108001100"));
   EXPECT_NEAR(scan.geometry.period_s, 0.05, 1e-6);
-  EXPECT_EQ(session->counters().lost_scans, 0U);
+  EXPECT_EQ(connection->counters().lost_scans, 0U);
 }
 
 TEST_F(SessionConnect, FindsTheLineSpeed) {
   line.has_baud = true;
   start(urg());
   sensor->baud = 115200;
-  ASSERT_TRUE(run_scans(1, 20s)) << session->message();
+  ASSERT_TRUE(run_scans(1, 20s)) << connection->message();
   EXPECT_EQ(line.baud, 115200);
 }
 
 TEST_F(SessionConnect, WrongSerialNumberIsTold) {
   start(utm_ew(), {.serial_number = "H0902680"});
   ASSERT_TRUE(run_health(Health::kWrongDevice, 5s));
-  EXPECT_THAT(session->message(), HasSubstr("H0123456"));
-  EXPECT_THAT(session->message(), HasSubstr("H0902680"));
-  EXPECT_THAT(session->message(), HasSubstr("/dev/scripted"));
+  EXPECT_THAT(connection->message(), HasSubstr("H0123456"));
+  EXPECT_THAT(connection->message(), HasSubstr("H0902680"));
+  EXPECT_THAT(connection->message(), HasSubstr("/dev/scripted"));
   run_for(60s);
   EXPECT_EQ(scans, 0);
   // Told once, however often it is tried again.
@@ -125,14 +125,14 @@ TEST_F(SessionConnect, APioneerOnThePortIsNamed) {
   sensor->mute = true;
   line.on_write = [&](std::string_view) { line.send(std::string("\xfa\xfb\x03\x00\x00\x00", 6)); };
   ASSERT_TRUE(run_health(Health::kWrongDevice, 10s));
-  EXPECT_THAT(session->message(), HasSubstr("Pioneer"));
+  EXPECT_THAT(connection->message(), HasSubstr("Pioneer"));
 }
 
 TEST_F(SessionConnect, GarbageOnThePortIsShown) {
   start(utm_ew());
   line.on_write = [&](std::string_view) { line.send("$GPGGA,123519,4807.038,N\r\n"); };
   ASSERT_TRUE(run_health(Health::kWrongDevice, 10s));
-  EXPECT_THAT(session->message(), HasSubstr("24 47 50 47"));
+  EXPECT_THAT(connection->message(), HasSubstr("24 47 50 47"));
 }
 
 TEST_F(SessionConnect, SilenceOnThePortIsTold) {
@@ -140,16 +140,16 @@ TEST_F(SessionConnect, SilenceOnThePortIsTold) {
   start(utm_ew());
   sensor->mute = true;
   ASSERT_TRUE(run_health(Health::kSilent, 20s));
-  EXPECT_THAT(session->message(), HasSubstr("no answer"));
-  EXPECT_THAT(session->message(), HasSubstr("115200"));
+  EXPECT_THAT(connection->message(), HasSubstr("no answer"));
+  EXPECT_THAT(connection->message(), HasSubstr("115200"));
 }
 
 TEST_F(SessionConnect, MissingDeviceBacksOffToFiveSeconds) {
   line.refuse = true;
   start(utm_ew());
   run_for(60s);
-  EXPECT_EQ(session->health(), Health::kDisconnected);
-  EXPECT_THAT(session->message(), HasSubstr("no such device"));
+  EXPECT_EQ(connection->health(), Health::kDisconnected);
+  EXPECT_THAT(connection->message(), HasSubstr("no such device"));
   EXPECT_EQ(changes.size(), 1U);
   ASSERT_GE(line.connect_stamps.size(), 6U);
   std::vector<double> waits;
@@ -168,36 +168,36 @@ TEST_F(SessionConnect, MissingDeviceBacksOffToFiveSeconds) {
 TEST_F(SessionConnect, LeavesAdjustModeFromBefore) {
   start(utm_ew());
   sensor->adjust = true;
-  EXPECT_TRUE(run_scans(1, 5s)) << session->message();
+  EXPECT_TRUE(run_scans(1, 5s)) << connection->message();
 }
 
 TEST_F(SessionConnect, ASensorThatStillStreamsIsQuietedFirst) {
   start(utm_ew());
   ASSERT_TRUE(run_scans(5, 5s));
   // The daemon dies without a word; the next one finds the stream running.
-  session = std::make_unique<Session>(SessionConfig{.name = "front"},
-                                      std::make_unique<mocks::ScriptedConnector>(line));
-  ASSERT_TRUE(run_scans(5, 5s)) << session->message();
+  connection = std::make_unique<Connection>(ConnectionConfig{.name = "front"},
+                                            std::make_unique<mocks::ScriptedConnector>(line));
+  ASSERT_TRUE(run_scans(5, 5s)) << connection->message();
 }
 
 TEST_F(SessionConnect, WaitsForTheLaserToSpinUp) {
   start(utm_ew());
   sensor->laser_failures = 5;
-  EXPECT_TRUE(run_scans(1, 10s)) << session->message();
+  EXPECT_TRUE(run_scans(1, 10s)) << connection->message();
 }
 
 TEST_F(SessionConnect, ALaserThatNeverStartsIsAFault) {
   start(utm_ew());
   sensor->laser_failures = -1;
   ASSERT_TRUE(run_health(Health::kFault, 20s));
-  EXPECT_THAT(session->message(), HasSubstr("status 01"));
-  EXPECT_THAT(session->message(), HasSubstr("Stable 000 no error."));
+  EXPECT_THAT(connection->message(), HasSubstr("status 01"));
+  EXPECT_THAT(connection->message(), HasSubstr("Stable 000 no error."));
 }
 
 TEST_F(SessionConnect, StreamsWithoutClockAdjustment) {
   start(utm_ew());
   sensor->adjust_status = "0E";
-  ASSERT_TRUE(run_scans(20, 5s)) << session->message();
+  ASSERT_TRUE(run_scans(20, 5s)) << connection->message();
   EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back())), 2e-3);
 }
 
@@ -205,7 +205,7 @@ TEST_F(SessionConnect, HarmfulParametersAreRefused) {
   start(utm_ew());
   sensor->pp = "MODL:UTM-30LX-EW;I\n";
   ASSERT_TRUE(run_health(Health::kFault, 5s));
-  EXPECT_THAT(session->message(), HasSubstr("DMIN"));
+  EXPECT_THAT(connection->message(), HasSubstr("DMIN"));
 }
 
 TEST_F(SessionConnect, OneLostReplyIsAskedForAgain) {
@@ -213,7 +213,7 @@ TEST_F(SessionConnect, OneLostReplyIsAskedForAgain) {
   sensor->mute_commands = "PP";
   (void)run([&] { return sensor->count("PP") == 1; }, 5s);
   sensor->mute_commands.clear();
-  EXPECT_TRUE(run_scans(1, 5s)) << session->message();
+  EXPECT_TRUE(run_scans(1, 5s)) << connection->message();
   EXPECT_EQ(sensor->count("PP"), 2);
 }
 
@@ -225,7 +225,7 @@ TEST_F(SessionConnect, AsymmetricDelaysAreHalvedByTheSmallestRoundTrip) {
   ASSERT_TRUE(run_scans(200, 10s));
   // (3 - 0.5) / 2 = 1.25 ms of asymmetry and one millisecond of the counter
   EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back())), 2.3e-3);
-  EXPECT_EQ(session->counters().lost_scans, 0U);
+  EXPECT_EQ(connection->counters().lost_scans, 0U);
 }
 
 TEST_F(SessionConnect, StampOffsetIsAdded) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "drivers/hokuyo/session_impl.hpp"
+#include "drivers/hokuyo/connection_impl.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -21,7 +21,7 @@ constexpr Duration kProbeLimit = 500ms;
 
 }  // namespace
 
-bool Session::Impl::on_scan(types::Scan& out) {
+bool Connection::Impl::on_scan(types::Scan& out) {
   if (phase != Phase::kStreaming && phase != Phase::kStart) return false;  // left over from before
   if (!line.scan().echo.same_stream(request)) {
     on_garbage();
@@ -52,7 +52,7 @@ bool Session::Impl::on_scan(types::Scan& out) {
 
 /// On a line that is too slow the scans queue up, each fresh by its arrival and all of them of the past.
 /// Whoever brakes for what they show reckons with a second at most.
-bool Session::Impl::is_late(const SensorClock::Result& time) {
+bool Connection::Impl::is_late(const SensorClock::Result& time) {
   constexpr Duration kLatestMax = 1s;
   if (time.jumped || line.arrival() - time.host <= kLatestMax) return false;
   set_health(Health::kSilent,
@@ -62,7 +62,7 @@ bool Session::Impl::is_late(const SensorClock::Result& time) {
   return true;
 }
 
-void Session::Impl::count_gap(const SensorClock::Result& time) {
+void Connection::Impl::count_gap(const SensorClock::Result& time) {
   if (has_last && !time.jumped) {
     const double periods =
         static_cast<double>(time.device_ms - last_device_ms) * 1e-3 / static_cast<double>(geometry.period_s);
@@ -76,7 +76,7 @@ void Session::Impl::count_gap(const SensorClock::Result& time) {
   ++counters.scans;
 }
 
-void Session::Impl::fill(types::Scan& out, const SensorClock::Result& time) const {
+void Connection::Impl::fill(types::Scan& out, const SensorClock::Result& time) const {
   const RawScan& raw = line.scan();
   out.first_beam = time.host + first_offset;
   out.arrival = line.arrival();
@@ -91,7 +91,7 @@ void Session::Impl::fill(types::Scan& out, const SensorClock::Result& time) cons
   }
 }
 
-void Session::Impl::on_garbage() {
+void Connection::Impl::on_garbage() {
   if (phase != Phase::kStreaming) return;  // left over from before, or another language: kFind judges
   ++counters.checksum_errors;
   good_in_a_row = 0;
@@ -103,7 +103,7 @@ void Session::Impl::on_garbage() {
 
 /// A reply in the middle of the stream: the sensor reports trouble (section 10.1, number 8), or answers
 /// something from before.
-void Session::Impl::on_stream_status() {
+void Connection::Impl::on_stream_status() {
   const Reply& reply = line.reply();
   if (!parse_stream_echo(reply.echo()) || reply.status() == "00") return;
   const std::string status(reply.status());
@@ -116,7 +116,7 @@ void Session::Impl::on_stream_status() {
   probe();
 }
 
-void Session::Impl::on_silence() {
+void Connection::Impl::on_silence() {
   if (!faulty) {
     char limit[16];
     std::snprintf(limit, sizeof limit, "%.1f s", types::to_seconds(silence_limit));
@@ -128,12 +128,12 @@ void Session::Impl::on_silence() {
 }
 
 /// The gentlest thing first: end the stream, ask for the state, start again.
-void Session::Impl::probe() {
+void Connection::Impl::probe() {
   ladder = std::max(ladder, 1);  // the clock goes on: what is missed meanwhile counts as lost
   enter(Phase::kProbe, "QT", kProbeLimit);
 }
 
-void Session::Impl::after_probe() {
+void Connection::Impl::after_probe() {
   read_state(line.reply(), found);
   info = found;
   if (!faulty) return enter_laser();
@@ -141,14 +141,14 @@ void Session::Impl::after_probe() {
   reset_sensor();
 }
 
-void Session::Impl::reset_sensor() {
+void Connection::Impl::reset_sensor() {
   if (ladder >= 2) return reboot_or_reconnect();
   ladder = 2;
   has_last = false;
   enter(Phase::kReset, "RS", kProbeLimit);
 }
 
-void Session::Impl::reboot_or_reconnect() {
+void Connection::Impl::reboot_or_reconnect() {
   const bool rebooting = phase == Phase::kReboot;
   if (!line.stream().has_baud() && !rebooting && ladder < 3) {
     ladder = 3;
@@ -162,7 +162,7 @@ void Session::Impl::reboot_or_reconnect() {
   lose(last, message + (rebooting ? "; it was rebooted" : "; connecting again"));
 }
 
-std::string Session::Impl::streaming_text() const {
+std::string Connection::Impl::streaming_text() const {
   char text[160];
   std::snprintf(text, sizeof text, ": %s %s streams %zu beams at %.1f Hz", found.product.c_str(),
                 found.serial_number.c_str(), request.points(), 1.0 / static_cast<double>(geometry.period_s));

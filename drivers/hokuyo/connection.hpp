@@ -15,7 +15,7 @@
 namespace topo::hokuyo {
 
 /// What the configuration says of one scanner.
-struct SessionConfig {
+struct ConnectionConfig {
   std::string name{};           ///< "front", for messages
   std::string serial_number{};  ///< as VV reports it ("H0902680"); empty: any. A leading 0 equals H.
   bool intensity = false;       ///< stream ME instead of MD
@@ -23,7 +23,7 @@ struct SessionConfig {
   double stamp_offset_s = 0.0;  ///< added to every stamp (PROTOCOLS section 12: step 0 or rear mark)
 };
 
-/// Where the session is; every change is told once.
+/// Where the connection is; every change is told once.
 enum class Health { kDisconnected, kConnecting, kWrongDevice, kStarting, kStreaming, kSilent, kFault };
 
 /// Identity and measuring constants, from VV, PP and II.
@@ -47,12 +47,12 @@ enum class StepOutcome {
 
 /// One Hokuyo sensor from connect to reconnect: identify, synchronise clocks, stream, resynchronise, back
 /// off. Used by one thread. Allocates while connecting, never while streaming.
-class Session {
+class Connection {
  public:
-  Session(SessionConfig config, std::unique_ptr<io::Connector> connector);
-  ~Session();
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+  Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
 
   /// Does the next thing that is due and returns within about `timeout`; `out` is written only when the
   /// outcome is kScan (and may hold half a scan otherwise).

@@ -7,17 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/hokuyo/connection.hpp"
 #include "drivers/hokuyo/identity.hpp"
 #include "drivers/hokuyo/line.hpp"
 #include "drivers/hokuyo/range_decoder.hpp"
 #include "drivers/hokuyo/sensor_clock.hpp"
-#include "drivers/hokuyo/session.hpp"
 
 namespace topo::hokuyo {
 
 constexpr types::Duration kBackoffMin = std::chrono::milliseconds(500);  ///< again after each scan
 
-/// Where a session is between two losses of its stream.
+/// Where a connection is between two losses of its stream.
 enum class Phase : std::uint8_t {
   kBackoff,      ///< no stream; the next attempt is due at deadline
   kOpening,      ///< the connector is at work
@@ -39,12 +39,12 @@ enum class Phase : std::uint8_t {
   kReboot,      ///< RB, RB
 };
 
-/// The state machine behind Session. Every phase has sent one request and waits for its reply or its
+/// The state machine behind Connection. Every phase has sent one request and waits for its reply or its
 /// deadline; nothing waits inside a handler.
-struct Session::Impl {
-  Impl(SessionConfig config_in, std::unique_ptr<io::Connector> connector_in);
+struct Connection::Impl {
+  Impl(ConnectionConfig config_in, std::unique_ptr<io::Connector> connector_in);
 
-  // session.cpp: the loop, opening, losing
+  // connection.cpp: the loop, opening, losing
   StepOutcome step(types::Scan& out, types::Duration timeout);
   bool advance(types::Scan& out, types::Stamp until);  ///< true: out holds a scan
   void advance_closed(types::Stamp until);
@@ -58,7 +58,7 @@ struct Session::Impl {
   [[nodiscard]] types::Stamp now() const;
   [[nodiscard]] std::string place() const;
 
-  // session_connect.cpp: from an open port to the first scan
+  // connection_connect.cpp: from an open port to the first scan
   void start_finding();
   void find_next();
   void find_step();
@@ -77,7 +77,7 @@ struct Session::Impl {
   void retry_version();
   [[nodiscard]] StreamRequest make_request() const;
 
-  // session_stream.cpp: scans, silence, faults
+  // connection_stream.cpp: scans, silence, faults
   bool on_scan(types::Scan& out);
   void fill(types::Scan& out, const SensorClock::Result& time) const;
   bool is_late(const SensorClock::Result& time);
@@ -92,7 +92,7 @@ struct Session::Impl {
   void restart_stream();
   [[nodiscard]] std::string streaming_text() const;
 
-  SessionConfig config;
+  ConnectionConfig config;
   std::unique_ptr<io::Connector> connector;
   Line line;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/pioneer/session.hpp"
+#include "drivers/pioneer/connection.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -27,9 +27,9 @@ constexpr int kSilentCycles = 5;
 
 }  // namespace
 
-struct Session::Impl {
-  Impl(SessionConfig session_config, std::unique_ptr<io::Connector> session_connector)
-      : config(std::move(session_config)), connector(std::move(session_connector)) {}
+struct Connection::Impl {
+  Impl(ConnectionConfig connection_config, std::unique_ptr<io::Connector> connection_connector)
+      : config(std::move(connection_config)), connector(std::move(connection_connector)) {}
 
   StepOutcome step(types::BaseState& out, Duration timeout);
   types::Status command(const types::BaseCommand& command);
@@ -49,7 +49,7 @@ struct Session::Impl {
   bool exchange(Stamp until);
   void drain(Stamp until, bool until_standstill);
 
-  SessionConfig config;
+  ConnectionConfig config;
   std::unique_ptr<io::Connector> connector;
   Health health = Health::kDisconnected;
   std::string message = "not connected yet";
@@ -60,7 +60,7 @@ struct Session::Impl {
   Counters counters;
   Duration back_off = kBackOffMin;
   Stamp retry_at{};
-  Stamp may_drive_until{};  ///< by a setpoint of the session that was lost, until the watchdog bites
+  Stamp may_drive_until{};  ///< by a setpoint of the connection that was lost, until the watchdog bites
   int good_baud = 0;
 
   std::optional<Link> link;
@@ -73,7 +73,7 @@ struct Session::Impl {
   Stamp last_status{};  ///< arrival, or the start of running
 };
 
-void Session::Impl::set_health(Health value, std::string text) {
+void Connection::Impl::set_health(Health value, std::string text) {
   if (health == value && message == text) return;
   health = value;
   message = std::move(text);
@@ -81,7 +81,7 @@ void Session::Impl::set_health(Health value, std::string text) {
 }
 
 /// Gives the line up and waits before the next attempt; a last E_STOP goes out if it still can.
-void Session::Impl::lose(Health value, std::string text) {
+void Connection::Impl::lose(Health value, std::string text) {
   const Stamp time = now();
   if (link && drive) {
     std::ignore = link->send_at_once(encode(Command::kEStop));
@@ -97,7 +97,7 @@ void Session::Impl::lose(Health value, std::string text) {
   set_health(value, std::move(text));
 }
 
-void Session::Impl::open(Duration timeout) {
+void Connection::Impl::open(Duration timeout) {
   auto stream = connector->connect(timeout);
   if (!stream && stream.error().code == types::Errc::kTimeout) {
     // The attempt goes on in the connector; the next call takes it up where it is.
@@ -120,14 +120,14 @@ void Session::Impl::open(Duration timeout) {
 }
 
 /// Sends what is due and reads once, not beyond `until`. False when the line is lost.
-bool Session::Impl::exchange(Stamp until) {
+bool Connection::Impl::exchange(Stamp until) {
   auto sent = link->pump();
   if (sent) sent = link->receive(std::min(until, link->next_send()) - link->now());
   if (!sent) lose(Health::kDisconnected, device() + ": " + sent.error().message);
   return sent.has_value();
 }
 
-void Session::Impl::connect_further(Stamp deadline) {
+void Connection::Impl::connect_further(Stamp deadline) {
   if (const auto packet = link->next_packet()) {
     advance(handshake->on_packet(*packet));
     return;
@@ -137,7 +137,7 @@ void Session::Impl::connect_further(Stamp deadline) {
   exchange(std::min(deadline, handshake->deadline()));
 }
 
-void Session::Impl::advance(Handshake::Progress progress) {
+void Connection::Impl::advance(Handshake::Progress progress) {
   if (progress == Handshake::Progress::kFailed) {
     // The robot may have been synced or opened: nothing stays behind.
     if (handshake->heard_robot()) std::ignore = link->send_at_once(encode(Command::kClose, 1));
@@ -148,7 +148,7 @@ void Session::Impl::advance(Handshake::Progress progress) {
   if (progress == Handshake::Progress::kDone) start_running();
 }
 
-void Session::Impl::start_running() {
+void Connection::Impl::start_running() {
   const std::optional<ConfigPacket> packet = handshake->config();
   model = handshake->model();
   if (info) ++counters.reconnects;
@@ -172,7 +172,7 @@ void Session::Impl::start_running() {
     set_health(Health::kUnsafe, who + ": " + fault);
 }
 
-bool Session::Impl::on_status(const PacketView& packet, types::BaseState& out) {
+bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out) {
   const auto status = decode_status(packet.payload);
   if (!status) {
     ++counters.bad_packets;
@@ -195,7 +195,7 @@ bool Session::Impl::on_status(const PacketView& packet, types::BaseState& out) {
   return true;
 }
 
-bool Session::Impl::on_packet(const PacketView& packet, types::BaseState& out) {
+bool Connection::Impl::on_packet(const PacketView& packet, types::BaseState& out) {
   if (packet.is(PacketType::kReset) || packet.is(PacketType::kResetWithDiagnosis)) {
     lose(Health::kReset, device() + ": the robot's controller was reset; connecting again");
     return false;
@@ -204,7 +204,7 @@ bool Session::Impl::on_packet(const PacketView& packet, types::BaseState& out) {
 }
 
 /// One packet, or one exchange of bytes. True when `out` is new.
-bool Session::Impl::run(types::BaseState& out, Stamp deadline) {
+bool Connection::Impl::run(types::BaseState& out, Stamp deadline) {
   if (const auto packet = link->next_packet()) return on_packet(*packet, out);
   // Judged only after a read that began later than the limit: a thread that slept finds its packets waiting.
   const Stamp silent_at = last_status + kSilentCycles * milliseconds(info->sip_cycle_ms);
@@ -218,7 +218,7 @@ bool Session::Impl::run(types::BaseState& out, Stamp deadline) {
   return false;
 }
 
-StepOutcome Session::Impl::step(types::BaseState& out, Duration timeout) {
+StepOutcome Connection::Impl::step(types::BaseState& out, Duration timeout) {
   const Stamp deadline = now() + timeout;
   do {
     if (std::exchange(changed, false)) return StepOutcome::kChanged;
@@ -236,7 +236,7 @@ StepOutcome Session::Impl::step(types::BaseState& out, Duration timeout) {
   return std::exchange(changed, false) ? StepOutcome::kChanged : StepOutcome::kNothing;
 }
 
-types::Status Session::Impl::command(const types::BaseCommand& command) {
+types::Status Connection::Impl::command(const types::BaseCommand& command) {
   if (!drive) return types::fail(types::Errc::kClosed, "not connected");  // short: no allocation
   auto result = drive->command(command, link->now());
   // An error of the line shows in step(), which gives the line up.
@@ -244,7 +244,7 @@ types::Status Session::Impl::command(const types::BaseCommand& command) {
   return result;
 }
 
-void Session::Impl::drain(Stamp until, bool until_standstill) {
+void Connection::Impl::drain(Stamp until, bool until_standstill) {
   types::BaseState ignored;
   while (link && drive && now() < until) {
     if (link->all_sent() && (!until_standstill || drive->stands())) return;
@@ -255,7 +255,7 @@ void Session::Impl::drain(Stamp until, bool until_standstill) {
   }
 }
 
-void Session::Impl::close(Duration timeout) {
+void Connection::Impl::close(Duration timeout) {
   if (closed) return;
   const Stamp end = now() + timeout;
   if (link && drive) {
@@ -281,18 +281,18 @@ void Session::Impl::close(Duration timeout) {
   set_health(Health::kDisconnected, device() + ": closed");
 }
 
-Session::Session(SessionConfig config, std::unique_ptr<io::Connector> connector)
+Connection::Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector)
     : impl_(std::make_unique<Impl>(std::move(config), std::move(connector))) {}
-Session::~Session() { close(milliseconds(300)); }
+Connection::~Connection() { close(milliseconds(300)); }
 
-StepOutcome Session::step(types::BaseState& out, types::Duration timeout) {
+StepOutcome Connection::step(types::BaseState& out, types::Duration timeout) {
   return impl_->step(out, timeout);
 }
-types::Status Session::command(const types::BaseCommand& command) { return impl_->command(command); }
-void Session::close(types::Duration timeout) { impl_->close(timeout); }
-Health Session::health() const { return impl_->health; }
-const std::string& Session::message() const { return impl_->message; }
-const std::optional<RobotInfo>& Session::info() const { return impl_->info; }
-const Counters& Session::counters() const { return impl_->counters; }
+types::Status Connection::command(const types::BaseCommand& command) { return impl_->command(command); }
+void Connection::close(types::Duration timeout) { impl_->close(timeout); }
+Health Connection::health() const { return impl_->health; }
+const std::string& Connection::message() const { return impl_->message; }
+const std::optional<RobotInfo>& Connection::info() const { return impl_->info; }
+const Counters& Connection::counters() const { return impl_->counters; }
 
 }  // namespace topo::pioneer

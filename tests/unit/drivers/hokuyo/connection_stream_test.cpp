@@ -3,7 +3,7 @@
 // Scans, losses, silence, faults, unplugging.
 #include <cmath>
 
-#include "tests/unit/drivers/hokuyo/session_fixture.hpp"
+#include "tests/unit/drivers/hokuyo/connection_fixture.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -16,7 +16,7 @@ class SessionStream : public SessionTest {
  protected:
   void SetUp() override {
     start(utm_ew());
-    ASSERT_TRUE(run_scans(50, 5s)) << session->message();
+    ASSERT_TRUE(run_scans(50, 5s)) << connection->message();
     sensor->heard.clear();
     changes.clear();
   }
@@ -25,10 +25,10 @@ class SessionStream : public SessionTest {
 TEST_F(SessionStream, ABadScanIsDroppedAndCounted) {
   sensor->corrupt_scans = 1;
   ASSERT_TRUE(run_scans(10, 5s));
-  EXPECT_EQ(session->counters().checksum_errors, 1U);
-  EXPECT_EQ(session->counters().lost_scans, 1U);
-  EXPECT_EQ(session->counters().resyncs, 0U);
-  EXPECT_EQ(session->counters().scans, 60U);
+  EXPECT_EQ(connection->counters().checksum_errors, 1U);
+  EXPECT_EQ(connection->counters().lost_scans, 1U);
+  EXPECT_EQ(connection->counters().resyncs, 0U);
+  EXPECT_EQ(connection->counters().scans, 60U);
   EXPECT_EQ(scan.sequence, 61U);  // counts the lost one
   EXPECT_TRUE(sensor->heard.empty());
   EXPECT_TRUE(changes.empty());
@@ -36,8 +36,8 @@ TEST_F(SessionStream, ABadScanIsDroppedAndCounted) {
 
 TEST_F(SessionStream, ThreeBadScansInARowAreResynchronised) {
   sensor->corrupt_scans = 3;
-  ASSERT_TRUE(run_scans(10, 5s)) << session->message();
-  EXPECT_EQ(session->counters().resyncs, 1U);
+  ASSERT_TRUE(run_scans(10, 5s)) << connection->message();
+  EXPECT_EQ(connection->counters().resyncs, 1U);
   EXPECT_EQ(sensor->count("QT"), 1);
   EXPECT_EQ(sensor->resets, 0);
   EXPECT_EQ(line.connections, 1);
@@ -46,7 +46,7 @@ TEST_F(SessionStream, ThreeBadScansInARowAreResynchronised) {
 TEST_F(SessionStream, SwallowedScansAreFoundByTheStamps) {
   sensor->swallow_scans = 7;
   ASSERT_TRUE(run_scans(10, 5s));
-  EXPECT_EQ(session->counters().lost_scans, 7U);
+  EXPECT_EQ(connection->counters().lost_scans, 7U);
   EXPECT_EQ(scan.sequence, 67U);
 }
 
@@ -55,9 +55,9 @@ TEST_F(SessionStream, SilenceIsToldAndAPoliteRestartCures) {
   const types::Stamp before = line.now;
   ASSERT_TRUE(run_health(Health::kSilent, 2s));
   EXPECT_NEAR(types::to_seconds(line.now - before), 0.5, 0.05);
-  EXPECT_THAT(session->message(), HasSubstr("no scan"));
+  EXPECT_THAT(connection->message(), HasSubstr("no scan"));
   ASSERT_TRUE(run_scans(1, 2s));
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  EXPECT_EQ(connection->health(), Health::kStreaming);
   EXPECT_EQ(sensor->count("QT"), 1);
   EXPECT_EQ(sensor->count("II"), 1);
   EXPECT_EQ(sensor->resets, 0);
@@ -75,19 +75,19 @@ TEST_F(SessionStream, TheLadderGoesFromQtToRsToRbToANewConnection) {
   EXPECT_LT(first("QT"), first("RS"));
   EXPECT_LT(first("RS"), first("RB"));
   sensor->mute_scans = false;
-  EXPECT_TRUE(run_scans(1, 10s)) << session->message();
+  EXPECT_TRUE(run_scans(1, 10s)) << connection->message();
 }
 
 TEST_F(SessionStream, ADeadSensorIsTriedForEver) {
   sensor->mute = true;
   sensor->streaming = false;
   run_for(120s);
-  EXPECT_EQ(session->health(), Health::kSilent);
+  EXPECT_EQ(connection->health(), Health::kSilent);
   EXPECT_LT(changes.size(), 6U);
   EXPECT_GE(line.connections, 10);
   sensor->mute = false;
-  EXPECT_TRUE(run_scans(1, 10s)) << session->message();
-  EXPECT_GE(session->counters().reconnects, 10U);
+  EXPECT_TRUE(run_scans(1, 10s)) << connection->message();
+  EXPECT_GE(connection->counters().reconnects, 10U);
 }
 
 TEST_F(SessionStream, UnpluggingIsToldAndReconnected) {
@@ -95,12 +95,12 @@ TEST_F(SessionStream, UnpluggingIsToldAndReconnected) {
   line.refuse = true;
   sensor->power_cycle();
   ASSERT_TRUE(run_health(Health::kDisconnected, 1s));
-  EXPECT_THAT(session->message(), HasSubstr("unplugged"));
+  EXPECT_THAT(connection->message(), HasSubstr("unplugged"));
   run_for(30s);
   line.refuse = false;
-  ASSERT_TRUE(run_scans(50, 10s)) << session->message();
-  EXPECT_EQ(session->counters().reconnects, 1U);
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  ASSERT_TRUE(run_scans(50, 10s)) << connection->message();
+  EXPECT_EQ(connection->counters().reconnects, 1U);
+  EXPECT_EQ(connection->health(), Health::kStreaming);
   EXPECT_EQ(scan.sequence, 100U);
   // After good scans the back-off begins anew.
   line.connect_stamps.clear();
@@ -115,12 +115,12 @@ TEST_F(SessionStream, HardwareTroubleIsToldWithTheSensorsWords) {
                std::string(1, checksum("STAT:Trouble!! Error No. =[00->33]")) + "\n";
   sensor->inject_status = "55";
   ASSERT_TRUE(run_health(Health::kFault, 1s));
-  EXPECT_THAT(session->message(), HasSubstr("status 55"));
-  EXPECT_THAT(session->message(), HasSubstr("hardware"));
-  ASSERT_TRUE(run([&] { return session->message().find("Trouble!!") != std::string::npos; }, 1s));
+  EXPECT_THAT(connection->message(), HasSubstr("status 55"));
+  EXPECT_THAT(connection->message(), HasSubstr("hardware"));
+  ASSERT_TRUE(run([&] { return connection->message().find("Trouble!!") != std::string::npos; }, 1s));
   ASSERT_TRUE(run_scans(1, 5s));
   EXPECT_EQ(sensor->resets, 1);
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  EXPECT_EQ(connection->health(), Health::kStreaming);
 }
 
 TEST_F(SessionStream, AShortErrorCheckIsToldAndPasses) {
@@ -128,7 +128,7 @@ TEST_F(SessionStream, AShortErrorCheckIsToldAndPasses) {
   ASSERT_TRUE(run_health(Health::kFault, 1s));
   sensor->inject_status = "98";
   ASSERT_TRUE(run_scans(1, 1s));
-  EXPECT_EQ(session->health(), Health::kStreaming);
+  EXPECT_EQ(connection->health(), Health::kStreaming);
   EXPECT_TRUE(sensor->heard.empty());
 }
 
@@ -136,7 +136,7 @@ TEST_F(SessionStream, AFrozenClockIsAFaultAndCuredByAReset) {
   sensor->counter_start_ms = 60000.0;
   sensor->frozen = true;
   ASSERT_TRUE(run_health(Health::kFault, 1s));
-  EXPECT_THAT(session->message(), HasSubstr("stands still"));
+  EXPECT_THAT(connection->message(), HasSubstr("stands still"));
   sensor->frozen = false;
   ASSERT_TRUE(run_scans(5, 5s));
   EXPECT_EQ(sensor->resets, 1);
@@ -144,17 +144,17 @@ TEST_F(SessionStream, AFrozenClockIsAFaultAndCuredByAReset) {
 
 TEST_F(SessionStream, ScansThatComeTooLateAreNotHandedOut) {
   types::Duration oldest{};
-  for (int i = 0; i < 40 && session->health() == Health::kStreaming; ++i) {
+  for (int i = 0; i < 40 && connection->health() == Health::kStreaming; ++i) {
     sensor->latency += 50ms;  // a queue on the line grows
     if (run_scans(1, 300ms)) oldest = std::max(oldest, scan.arrival - scan.first_beam);
   }
-  EXPECT_EQ(session->health(), Health::kSilent);
-  EXPECT_THAT(session->message(), HasSubstr("late"));
+  EXPECT_EQ(connection->health(), Health::kSilent);
+  EXPECT_THAT(connection->message(), HasSubstr("late"));
   EXPECT_GT(oldest, 800ms);  // late scans are better than none
   EXPECT_LE(oldest, 1s);
   EXPECT_GE(sensor->count("QT"), 1);
   sensor->latency = 500us;
-  ASSERT_TRUE(run_scans(50, 20s)) << session->message();
+  ASSERT_TRUE(run_scans(50, 20s)) << connection->message();
   EXPECT_LT(scan.arrival - scan.first_beam, 50ms);
 }
 
@@ -166,28 +166,28 @@ TEST_F(SessionStream, StampsFollowADriftingSensor) {
     worst_s = std::max(worst_s, std::abs(types::to_seconds(scan.first_beam - sensor->measured.back())));
   }
   EXPECT_LT(worst_s, 2.5e-3);
-  EXPECT_EQ(session->counters().lost_scans, 0U);
+  EXPECT_EQ(connection->counters().lost_scans, 0U);
 }
 
 TEST_F(SessionStream, CloseSendsQtAndLeavesTheLaserOff) {
-  session->close(1s);
+  connection->close(1s);
   EXPECT_EQ(sensor->count("QT"), 1);
   EXPECT_FALSE(sensor->laser);
   EXPECT_FALSE(line.connected());
-  EXPECT_EQ(session->health(), Health::kDisconnected);
+  EXPECT_EQ(connection->health(), Health::kDisconnected);
 }
 
 TEST_F(SessionStream, CloseIsBoundedWhenTheSensorIsDead) {
   sensor->mute = true;
   const types::Stamp before = line.now;
-  session->close(200ms);
+  connection->close(200ms);
   EXPECT_LE(line.now - before, 210ms);
 }
 
 TEST_F(SessionStream, BytesInSmallPiecesGiveTheSameScans) {
   line.max_read = 7;
   ASSERT_TRUE(run_scans(20, 5s));
-  EXPECT_EQ(session->counters().lost_scans, 0U);
+  EXPECT_EQ(connection->counters().lost_scans, 0U);
   EXPECT_FLOAT_EQ(scan.range_m[17], 1.017F);
 }
 

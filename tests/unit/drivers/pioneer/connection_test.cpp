@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a session does with commands and status; session_connect_test.cpp has how it comes about and ends.
-#include "tests/unit/drivers/pioneer/session_fixture.hpp"
+// What a connection does with commands and status; session_connect_test.cpp has how it comes about and ends.
+#include "tests/unit/drivers/pioneer/connection_fixture.hpp"
 
 #include <gmock/gmock.h>
 
@@ -43,7 +43,7 @@ TEST_F(PioneerSession, DrivesAndReportsInSi) {
   EXPECT_GT(state.odometry.T_odom_base.x_m(), 0.3);
   EXPECT_FLOAT_EQ(state.sonar[2].range_m, 1.234F);
   EXPECT_FLOAT_EQ(state.battery_v, 12.7F);
-  EXPECT_EQ(state.sequence, session->counters().status_packets);
+  EXPECT_EQ(state.sequence, connection->counters().status_packets);
   EXPECT_LE(state.odometry.stamp, state.arrival);
 }
 
@@ -85,7 +85,7 @@ TEST_F(PioneerSession, ASilentCallerStopsTheRobot) {
   robot.forget();
   run(milliseconds(3000));  // and keeps the connection alive
   EXPECT_GE(robot.count(kPulse), 4);
-  EXPECT_EQ(session->health(), Health::kReady);
+  EXPECT_EQ(connection->health(), Health::kReady);
 }
 
 TEST_F(PioneerSession, AThreadThatSleptSendsAStopBeforeAPulse) {
@@ -99,7 +99,7 @@ TEST_F(PioneerSession, AThreadThatSleptSendsAStopBeforeAPulse) {
   EXPECT_EQ(robot.received[0].command, kVel);
   EXPECT_EQ(robot.received[0].argument, 0);
   EXPECT_EQ(robot.largest_motion_mmps, 0);
-  EXPECT_EQ(session->health(), Health::kReady);  // its packets were waiting: nobody was silent
+  EXPECT_EQ(connection->health(), Health::kReady);  // its packets were waiting: nobody was silent
 }
 
 TEST_F(PioneerSession, EStopGoesFirstAndThenTheSetpointsAreZero) {
@@ -122,26 +122,26 @@ TEST_F(PioneerSession, AWatchdogThatIsOffMissingOrSlowForbidsDriving) {
     robot.config.watchdog_ms = watchdog_ms >= 0 ? static_cast<unsigned>(watchdog_ms) : 2000U;
     start();
     ASSERT_TRUE(run_until(Health::kUnsafe)) << watchdog_ms;
-    EXPECT_THAT(session->message(), HasSubstr("driving is refused"));
+    EXPECT_THAT(connection->message(), HasSubstr("driving is refused"));
     robot.forget();
     states = 0;
-    const auto status = session->command(move(0.3));
+    const auto status = connection->command(move(0.3));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, types::Errc::kUnsupported);
-    EXPECT_TRUE(session->command(BaseCommand{}));
+    EXPECT_TRUE(connection->command(BaseCommand{}));
     drive(move(0.3), milliseconds(1000));
     EXPECT_EQ(robot.count(kEnable), 0);
     EXPECT_EQ(robot.largest_motion_mmps, 0);
     for (const Received& r : robot.received) EXPECT_FALSE(r.command == kVel && r.argument != 0);
     EXPECT_GE(states, 9);  // what it sees is still worth having
-    session.reset();
+    connection.reset();
   }
 }
 
 TEST_F(PioneerSession, AWatchdogOfTwoSecondsIsAllowed) {
   robot.config.watchdog_ms = 2000;
   connect();
-  EXPECT_TRUE(session->command(move(0.1)));
+  EXPECT_TRUE(connection->command(move(0.1)));
 }
 
 TEST_F(PioneerSession, TheStopButtonNeedsANewRequestForTheMotors) {
@@ -177,8 +177,8 @@ TEST_F(PioneerSession, GarbageBetweenPacketsIsCountedAndSurvived) {
     robot.send_raw(from_hex("fa fb 06 33 01 02 03 04 05 fa fa fb 01 ff"));
     run(milliseconds(100));
   }
-  EXPECT_EQ(session->health(), Health::kReady);
-  EXPECT_GT(session->counters().bad_packets, 0U);
+  EXPECT_EQ(connection->health(), Health::kReady);
+  EXPECT_GT(connection->counters().bad_packets, 0U);
   EXPECT_GE(states, 20);
 }
 
@@ -187,8 +187,8 @@ TEST_F(PioneerSession, AllocatesNothingWhileRunning) {
   drive(move(0.2), milliseconds(1000));
   const auto before = test::allocations();
   for (int i = 0; i < 200; ++i) {
-    std::ignore = session->command(move(0.2, 0.1 * (i % 7)));
-    for (int k = 0; k < 5; ++k) std::ignore = session->step(state, milliseconds(10));
+    std::ignore = connection->command(move(0.2, 0.1 * (i % 7)));
+    for (int k = 0; k < 5; ++k) std::ignore = connection->step(state, milliseconds(10));
   }
   run(milliseconds(2000));  // caller silent
   EXPECT_EQ(test::allocations() - before, 0U);

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drivers/hokuyo/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "drivers/hokuyo/session_impl.hpp"
+#include "drivers/hokuyo/connection_impl.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -20,21 +20,21 @@ constexpr Duration kOpenLimit = 3s;
 
 }  // namespace
 
-Session::Impl::Impl(SessionConfig config_in, std::unique_ptr<io::Connector> connector_in)
+Connection::Impl::Impl(ConnectionConfig config_in, std::unique_ptr<io::Connector> connector_in)
     : config(std::move(config_in)), connector(std::move(connector_in)) {
   message = place() + ": not connected yet";
   deadline = connector->now();
 }
 
-Stamp Session::Impl::now() const { return line.is_open() ? line.now() : connector->now(); }
+Stamp Connection::Impl::now() const { return line.is_open() ? line.now() : connector->now(); }
 
-std::string Session::Impl::place() const {
+std::string Connection::Impl::place() const {
   std::string text = "laser " + config.name + " (";
   text.append(connector->name());
   return text + ")";
 }
 
-StepOutcome Session::Impl::step(types::Scan& out, Duration timeout) {
+StepOutcome Connection::Impl::step(types::Scan& out, Duration timeout) {
   const Stamp until = now() + timeout;
   for (;;) {
     if (std::exchange(changed, false)) return StepOutcome::kChanged;
@@ -43,7 +43,7 @@ StepOutcome Session::Impl::step(types::Scan& out, Duration timeout) {
   }
 }
 
-bool Session::Impl::advance(types::Scan& out, Stamp until) {
+bool Connection::Impl::advance(types::Scan& out, Stamp until) {
   if (!line.is_open()) {
     advance_closed(until);
     return false;
@@ -59,7 +59,7 @@ bool Session::Impl::advance(types::Scan& out, Stamp until) {
   return scan;
 }
 
-void Session::Impl::advance_closed(Stamp until) {
+void Connection::Impl::advance_closed(Stamp until) {
   if (phase == Phase::kBackoff) {
     if (now() < deadline) {
       connector->pause(std::min(until, deadline) - now());
@@ -81,7 +81,7 @@ void Session::Impl::advance_closed(Stamp until) {
   start_finding();
 }
 
-bool Session::Impl::on_event(ScipParser::Event event, types::Scan& out) {
+bool Connection::Impl::on_event(ScipParser::Event event, types::Scan& out) {
   switch (event) {
     case ScipParser::Event::kNone:
       return false;
@@ -97,7 +97,7 @@ bool Session::Impl::on_event(ScipParser::Event event, types::Scan& out) {
   return false;
 }
 
-void Session::Impl::on_reply() {
+void Connection::Impl::on_reply() {
   if (phase == Phase::kStreaming) return on_stream_status();
   // Replies to earlier requests may come behind: only the one that was asked for counts.
   if (line.reply().echo() != sent.view()) return;
@@ -139,7 +139,7 @@ void Session::Impl::on_reply() {
   }
 }
 
-void Session::Impl::on_timeout() {
+void Connection::Impl::on_timeout() {
   switch (phase) {
     case Phase::kFind:
       return find_next();
@@ -175,7 +175,7 @@ void Session::Impl::on_timeout() {
 }
 
 /// Sends the phase's request and waits for its reply for `limit`.
-void Session::Impl::enter(Phase next, std::string_view text, Duration limit) {
+void Connection::Impl::enter(Phase next, std::string_view text, Duration limit) {
   phase = next;
   sent = RequestText{};
   sent.append(text);
@@ -184,7 +184,7 @@ void Session::Impl::enter(Phase next, std::string_view text, Duration limit) {
   if (auto written = line.send(text); !written) lose(Health::kDisconnected, written.error().message);
 }
 
-void Session::Impl::lose(Health state, const std::string& why) {
+void Connection::Impl::lose(Health state, const std::string& why) {
   line.close();
   has_last = false;
   good_in_a_row = 0;
@@ -195,14 +195,14 @@ void Session::Impl::lose(Health state, const std::string& why) {
   set_health(state, why);
 }
 
-void Session::Impl::set_health(Health state, std::string text) {
+void Connection::Impl::set_health(Health state, std::string text) {
   if (state == health && text == message) return;
   health = state;
   message = std::move(text);
   changed = true;
 }
 
-void Session::Impl::close(Duration timeout) {
+void Connection::Impl::close(Duration timeout) {
   if (!line.is_open()) return;
   const Stamp until = now() + timeout;
   const bool adjusting = phase == Phase::kAdjust || phase == Phase::kSample;
@@ -219,14 +219,14 @@ void Session::Impl::close(Duration timeout) {
   message = place() + ": closed";
 }
 
-Session::Session(SessionConfig config, std::unique_ptr<io::Connector> connector)
+Connection::Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector)
     : impl_(std::make_unique<Impl>(std::move(config), std::move(connector))) {}
-Session::~Session() = default;
-StepOutcome Session::step(types::Scan& out, Duration timeout) { return impl_->step(out, timeout); }
-void Session::close(Duration timeout) { impl_->close(timeout); }
-Health Session::health() const { return impl_->health; }
-const std::string& Session::message() const { return impl_->message; }
-const std::optional<SensorInfo>& Session::info() const { return impl_->info; }
-const Counters& Session::counters() const { return impl_->counters; }
+Connection::~Connection() = default;
+StepOutcome Connection::step(types::Scan& out, Duration timeout) { return impl_->step(out, timeout); }
+void Connection::close(Duration timeout) { impl_->close(timeout); }
+Health Connection::health() const { return impl_->health; }
+const std::string& Connection::message() const { return impl_->message; }
+const std::optional<SensorInfo>& Connection::info() const { return impl_->info; }
+const Counters& Connection::counters() const { return impl_->counters; }
 
 }  // namespace topo::hokuyo

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "drivers/pioneer/session.hpp"
+#include "drivers/pioneer/connection.hpp"
 #include "tests/unit/drivers/pioneer/scripted_robot.hpp"
 
 namespace topo::pioneer {
@@ -20,39 +20,42 @@ inline constexpr int kSync0 = 0, kOpen = 1, kClose = 2, kEnable = 4, kSetV = 6, 
 class PioneerSession : public testing::Test {
  protected:
   ScriptedRobot robot;
-  SessionConfig config;
-  std::unique_ptr<Session> session;
+  ConnectionConfig config;
+  std::unique_ptr<Connection> connection;
   types::BaseState state;
   std::vector<Health> changes;
   int states = 0;
 
-  void start() { session = std::make_unique<Session>(config, std::make_unique<ScriptedConnector>(robot)); }
+  void start() {
+    connection = std::make_unique<Connection>(config, std::make_unique<ScriptedConnector>(robot));
+  }
 
   void step(types::Duration timeout = std::chrono::milliseconds(20)) {
     const types::Stamp before = robot.now;
-    const auto outcome = session->step(state, timeout);
+    const auto outcome = connection->step(state, timeout);
     EXPECT_LE(robot.now - before, timeout + std::chrono::milliseconds(1));
-    if (outcome == StepOutcome::kChanged) changes.push_back(session->health());
+    if (outcome == StepOutcome::kChanged) changes.push_back(connection->health());
     if (outcome == StepOutcome::kState) ++states;
   }
   void run(types::Duration duration) {
     for (const types::Stamp end = robot.now + duration; robot.now < end;) step();
   }
   bool run_until(Health wanted, types::Duration limit = std::chrono::milliseconds(20000)) {
-    for (const types::Stamp end = robot.now + limit; robot.now < end && session->health() != wanted;) step();
-    return session->health() == wanted;
+    for (const types::Stamp end = robot.now + limit; robot.now < end && connection->health() != wanted;)
+      step();
+    return connection->health() == wanted;
   }
   /// As the base thread: a command every 50 ms.
   void drive(const types::BaseCommand& command, types::Duration duration) {
     for (const types::Stamp end = robot.now + duration; robot.now < end;) {
-      std::ignore = session->command(command);
+      std::ignore = connection->command(command);
       for (const types::Stamp period = robot.now + std::chrono::milliseconds(50); robot.now < period;)
         step(period - robot.now);
     }
   }
   void connect() {
     start();
-    ASSERT_TRUE(run_until(Health::kReady)) << session->message();
+    ASSERT_TRUE(run_until(Health::kReady)) << connection->message();
     run(std::chrono::milliseconds(200));
   }
   static types::BaseCommand move(double v_mps, double omega_radps = 0.0) {

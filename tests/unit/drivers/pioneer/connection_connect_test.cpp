@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a session comes about, is lost, healed and closed; session_test.cpp has the driving.
-#include "tests/unit/drivers/pioneer/session_fixture.hpp"
+// How a connection comes about, is lost, healed and closed; session_test.cpp has the driving.
+#include "tests/unit/drivers/pioneer/connection_fixture.hpp"
 
 #include <gmock/gmock.h>
 
@@ -27,15 +27,15 @@ TEST_F(PioneerSession, ConnectsInTheOrderOfTheProtocol) {
   EXPECT_EQ(robot.received[15].argument, -500);
   EXPECT_EQ(robot.received[19].argument, 1);
   EXPECT_THAT(changes, ElementsAre(Health::kConnecting, Health::kReady));
-  ASSERT_TRUE(session->info());
-  EXPECT_EQ(session->info()->subclass, "p3dx-sh");
-  EXPECT_EQ(session->info()->watchdog_ms, 2000);
-  EXPECT_EQ(session->info()->serial_number, "SN123");
-  EXPECT_DOUBLE_EQ(session->info()->low_battery_v, 11.0);
-  EXPECT_DOUBLE_EQ(session->info()->v_top_mps, 1.2);
-  EXPECT_NEAR(session->info()->track_m, 0.357, 1e-3);
-  EXPECT_EQ(session->info()->sonars, 16U);
-  EXPECT_THAT(session->message(), HasSubstr("/dev/scripted"));
+  ASSERT_TRUE(connection->info());
+  EXPECT_EQ(connection->info()->subclass, "p3dx-sh");
+  EXPECT_EQ(connection->info()->watchdog_ms, 2000);
+  EXPECT_EQ(connection->info()->serial_number, "SN123");
+  EXPECT_DOUBLE_EQ(connection->info()->low_battery_v, 11.0);
+  EXPECT_DOUBLE_EQ(connection->info()->v_top_mps, 1.2);
+  EXPECT_NEAR(connection->info()->track_m, 0.357, 1e-3);
+  EXPECT_EQ(connection->info()->sonars, 16U);
+  EXPECT_THAT(connection->message(), HasSubstr("/dev/scripted"));
 }
 
 TEST_F(PioneerSession, AStaleSessionIsClosedFirst) {
@@ -52,7 +52,7 @@ TEST_F(PioneerSession, AStaleSessionThatIgnoresCloseIsNamed) {
   robot.deaf_to_close = true;
   start();
   EXPECT_TRUE(run_until(Health::kSilent));
-  EXPECT_THAT(session->message(), HasSubstr("CLOSE"));
+  EXPECT_THAT(connection->message(), HasSubstr("CLOSE"));
   EXPECT_EQ(robot.count(kSync0), 0);
 }
 
@@ -89,7 +89,7 @@ TEST_F(PioneerSession, FindsEveryBaudRateAndTriesItFirstTheNextTime) {
     run(milliseconds(100));
     ASSERT_TRUE(run_until(Health::kReady));
     EXPECT_LT(robot.now - lost, milliseconds(1800)) << baud;
-    session.reset();
+    connection.reset();
   }
 }
 
@@ -102,13 +102,13 @@ TEST_F(PioneerSession, AResetLeadsToANewConnection) {
   robot.x_mm = 0.0;
   changes.clear();
   run(milliseconds(100));
-  EXPECT_EQ(session->health(), Health::kReset);
-  EXPECT_FALSE(session->command(move(0.1)));
+  EXPECT_EQ(connection->health(), Health::kReset);
+  EXPECT_FALSE(connection->command(move(0.1)));
   robot.forget();
-  ASSERT_TRUE(run_until(Health::kReady)) << session->message();
+  ASSERT_TRUE(run_until(Health::kReady)) << connection->message();
   EXPECT_THAT(changes, ElementsAre(Health::kReset, Health::kConnecting, Health::kReady));
   EXPECT_EQ(robot.received[0].command, kEStop);
-  EXPECT_EQ(session->counters().reconnects, 1U);
+  EXPECT_EQ(connection->counters().reconnects, 1U);
   run(milliseconds(300));
   EXPECT_NEAR(state.odometry.T_odom_base.x_m(), x_m, 0.05);  // the pose goes on
 }
@@ -121,7 +121,7 @@ TEST_F(PioneerSession, SilenceIsNoticedAfterFiveCyclesAndHealed) {
   EXPECT_LT(robot.now - silent, milliseconds(650));
   EXPECT_EQ(robot.last(kEStop), &robot.received.back());
   robot.sends_status = true;
-  EXPECT_TRUE(run_until(Health::kReady)) << session->message();
+  EXPECT_TRUE(run_until(Health::kReady)) << connection->message();
 }
 
 TEST_F(PioneerSession, ARobotThatIsNotHeardHearsNothingButTheStop) {
@@ -149,7 +149,7 @@ TEST_F(PioneerSession, ARobotThatIsNotHeardHearsNothingButTheStop) {
 }
 
 TEST_F(PioneerSession, TheFirstThatArrivesOnALossyLineIsTheStop) {
-  // A session whose host died, the robot at rest since; what is sent first, SYNC0 included, is lost.
+  // A connection whose host died, the robot at rest since; what is sent first, SYNC0 included, is lost.
   robot.open = robot.motors = true;
   robot.setpoint_mmps = 600;
   robot.sends_status = false;
@@ -170,7 +170,7 @@ TEST_F(PioneerSession, ARobotThatIsHeardToStandIsTakenUpAtOnce) {
   robot.forget();
   robot.cut = true;  // until the port is opened again
   run(milliseconds(100));
-  ASSERT_TRUE(run_until(Health::kReady)) << session->message();
+  ASSERT_TRUE(run_until(Health::kReady)) << connection->message();
   EXPECT_EQ(robot.received.front().command, kEStop);
   EXPECT_LT(robot.now - lost, milliseconds(1800)) << "waited for the watchdog of a robot that was heard";
 }
@@ -179,8 +179,8 @@ TEST_F(PioneerSession, BacksOffWhileThereIsNoPort) {
   robot.port_exists = false;
   start();
   run(milliseconds(100));
-  EXPECT_EQ(session->health(), Health::kDisconnected);
-  EXPECT_THAT(session->message(), HasSubstr("no such device"));
+  EXPECT_EQ(connection->health(), Health::kDisconnected);
+  EXPECT_THAT(connection->message(), HasSubstr("no such device"));
   changes.clear();
   run(milliseconds(30000));
   EXPECT_THAT(changes, ElementsAre());  // told once
@@ -206,7 +206,7 @@ TEST_F(PioneerSession, BackOffGrowsFromHalfASecondToFive) {
   EXPECT_NEAR(opened[2] - opened[1], attempt_s + 1.0, 0.15);
   EXPECT_NEAR(opened[3] - opened[2], attempt_s + 2.0, 0.15);
   EXPECT_NEAR(opened[5] - opened[4], attempt_s + 5.0, 0.15);
-  EXPECT_THAT(session->message(), HasSubstr("nothing answers"));
+  EXPECT_THAT(connection->message(), HasSubstr("nothing answers"));
   EXPECT_THAT(changes, ElementsAre(Health::kConnecting, Health::kSilent));
 }
 
@@ -215,8 +215,8 @@ TEST_F(PioneerSession, AnUnpluggedLineIsNamedAndHealed) {
   robot.cut = true;
   robot.port_exists = false;
   ASSERT_TRUE(run_until(Health::kDisconnected));
-  EXPECT_THAT(session->message(), HasSubstr("/dev/scripted"));
-  EXPECT_FALSE(session->command(move(0.1)));
+  EXPECT_THAT(connection->message(), HasSubstr("/dev/scripted"));
+  EXPECT_FALSE(connection->command(move(0.1)));
   robot.port_exists = true;
   EXPECT_TRUE(run_until(Health::kReady));
 }
@@ -225,49 +225,49 @@ TEST_F(PioneerSession, AnotherDeviceIsNamedByWhatItSays) {
   robot.chatter = "00P\n\n";
   start();
   ASSERT_TRUE(run_until(Health::kWrongDevice));
-  EXPECT_THAT(session->message(), HasSubstr("00P"));
-  EXPECT_THAT(session->message(), HasSubstr("expected a Pioneer"));
+  EXPECT_THAT(connection->message(), HasSubstr("00P"));
+  EXPECT_THAT(connection->message(), HasSubstr("expected a Pioneer"));
 }
 
 TEST_F(PioneerSession, ALoopBackPlugIsNoRobot) {
   robot.echoes = true;
   start();
   ASSERT_TRUE(run_until(Health::kWrongDevice));
-  EXPECT_THAT(session->message(), HasSubstr("echoes"));
+  EXPECT_THAT(connection->message(), HasSubstr("echoes"));
 }
 
 TEST_F(PioneerSession, AnotherRobotIsNamed) {
   robot.subclass = "peoplebot-sh";
   start();
   ASSERT_TRUE(run_until(Health::kWrongDevice));
-  EXPECT_THAT(session->message(), HasSubstr("peoplebot-sh"));
-  EXPECT_THAT(session->message(), HasSubstr("p3at-sh"));
-  session.reset();
+  EXPECT_THAT(connection->message(), HasSubstr("peoplebot-sh"));
+  EXPECT_THAT(connection->message(), HasSubstr("p3at-sh"));
+  connection.reset();
   robot.subclass = "p3at-sh";
   config.expected_subclass = "p3dx-sh";
   start();
   ASSERT_TRUE(run_until(Health::kWrongDevice));
-  EXPECT_THAT(session->message(), HasSubstr("expected subclass \"p3dx-sh\""));
+  EXPECT_THAT(connection->message(), HasSubstr("expected subclass \"p3dx-sh\""));
 }
 
 TEST_F(PioneerSession, TheP3AtHasItsOwnNumbers) {
   robot.subclass = "p3at-sh";
   config.expected_subclass = "p3at-sh";
   connect();
-  EXPECT_NEAR(session->info()->track_m, 0.588, 1e-3);
-  EXPECT_DOUBLE_EQ(session->info()->v_top_mps, 0.7);
-  EXPECT_DOUBLE_EQ(session->info()->T_base_sonar[3].x_m, 0.245);
+  EXPECT_NEAR(connection->info()->track_m, 0.588, 1e-3);
+  EXPECT_DOUBLE_EQ(connection->info()->v_top_mps, 0.7);
+  EXPECT_DOUBLE_EQ(connection->info()->T_base_sonar[3].x_m, 0.245);
 }
 
 TEST_F(PioneerSession, CloseStopsAndLeavesNothingOpen) {
   connect();
   drive(move(0.3), milliseconds(500));
   robot.forget();
-  session->close(milliseconds(1000));
+  connection->close(milliseconds(1000));
   EXPECT_THAT(robot.commands(), ElementsAre(kEStop, kVel, kRvel, kEnable, kClose));
   EXPECT_EQ(robot.received[3].argument, 0);
   EXPECT_FALSE(robot.open);
-  EXPECT_EQ(session->health(), Health::kDisconnected);
+  EXPECT_EQ(connection->health(), Health::kDisconnected);
   robot.forget();
   run(milliseconds(2000));
   EXPECT_TRUE(robot.received.empty());
@@ -278,7 +278,7 @@ TEST_F(PioneerSession, CloseIsBoundedWhenTheLineIsDead) {
   drive(move(0.3), milliseconds(500));
   robot.powered = false;
   const Stamp before = robot.now;
-  session->close(milliseconds(300));
+  connection->close(milliseconds(300));
   EXPECT_LE(robot.now - before, milliseconds(320));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "daemon/session/maker.hpp"
+#include "daemon/session/origin.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace topo::daemon {
 
-slam::Maker new_maker(int robot) {
+slam::Origin new_maker(int robot) {
   std::random_device system;
   // Without 0, which is the run of the sessions from before runs were told apart.
   std::uniform_int_distribution<std::uint32_t> any(1);

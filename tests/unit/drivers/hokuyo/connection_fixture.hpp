@@ -9,18 +9,19 @@
 #include <utility>
 #include <vector>
 
-#include "drivers/hokuyo/session.hpp"
+#include "drivers/hokuyo/connection.hpp"
 #include "tests/unit/drivers/hokuyo/fake_sensor.hpp"
 
 namespace topo::hokuyo::testing_scip {
 
-/// A session and a fake sensor on one scripted line and one clock.
+/// A connection and a fake sensor on one scripted line and one clock.
 class SessionTest : public testing::Test {
  protected:
-  void start(const Sample& sample, SessionConfig config = {}) {
+  void start(const Sample& sample, ConnectionConfig config = {}) {
     sensor = std::make_unique<FakeSensor>(line, sample);
     if (config.name.empty()) config.name = "front";
-    session = std::make_unique<Session>(std::move(config), std::make_unique<mocks::ScriptedConnector>(line));
+    connection =
+        std::make_unique<Connection>(std::move(config), std::make_unique<mocks::ScriptedConnector>(line));
   }
 
   /// Steps until `done` or until `limit` of the line's time has passed.
@@ -29,11 +30,11 @@ class SessionTest : public testing::Test {
     const types::Stamp until = line.now + limit;
     while (line.now < until) {
       const types::Stamp before = line.now;
-      const StepOutcome outcome = session->step(scan, kStep);
+      const StepOutcome outcome = connection->step(scan, kStep);
       // Never longer than about the time-out: the whole point of a state machine.
       EXPECT_LE(line.now - before, kStep + std::chrono::milliseconds(2));
       if (outcome == StepOutcome::kScan) ++scans;
-      if (outcome == StepOutcome::kChanged) changes.emplace_back(session->health(), session->message());
+      if (outcome == StepOutcome::kChanged) changes.emplace_back(connection->health(), connection->message());
       if (done()) return true;
     }
     return false;
@@ -43,7 +44,7 @@ class SessionTest : public testing::Test {
     return run([&] { return scans >= target; }, limit);
   }
   bool run_health(Health health, types::Duration limit) {
-    return run([&] { return session->health() == health; }, limit);
+    return run([&] { return connection->health() == health; }, limit);
   }
   void run_for(types::Duration duration) {
     (void)run([] { return false; }, duration);
@@ -52,7 +53,7 @@ class SessionTest : public testing::Test {
   static constexpr types::Duration kStep = std::chrono::milliseconds(10);
   mocks::ScriptedLine line;
   std::unique_ptr<FakeSensor> sensor;
-  std::unique_ptr<Session> session;
+  std::unique_ptr<Connection> connection;
   types::Scan scan;
   int scans = 0;
   std::vector<std::pair<Health, std::string>> changes;

@@ -16,7 +16,7 @@
 namespace topo::pioneer {
 
 /// What the configuration says of the base.
-struct SessionConfig {
+struct ConnectionConfig {
   std::string expected_subclass;  ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
   double v_max_mps = 0.7;         ///< clamped to the model's and the firmware's limits
   double omega_max_radps = 1.4;
@@ -59,18 +59,18 @@ enum class StepOutcome {
 
 /// One Pioneer from connect to controlled close. The first bytes on every opened port are E_STOP, VEL 0,
 /// RVEL 0, CLOSE, then SYNC0. Used by one thread. Allocates while connecting, never while running.
-class Session {
+class Connection {
  public:
-  Session(SessionConfig config, std::unique_ptr<io::Connector> connector);
-  ~Session();
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+  Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
 
   /// Reads what came, keeps the connection alive, and returns at a new state, a change, or after `timeout`.
   StepOutcome step(types::BaseState& out, types::Duration timeout);
 
   /// Sends setpoints now (clamped, rate limited to what the firmware takes), feeding the firmware's watchdog.
-  /// A command that is not finite becomes a stop. Without a call within 200 ms the session itself sends a
+  /// A command that is not finite becomes a stop. Without a call within 200 ms the connection itself sends a
   /// stop.
   types::Status command(const types::BaseCommand& command);
 
