@@ -5,9 +5,34 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/analysis/incremental_analysis.hpp"
+#include "core/compass/occupied_points.hpp"
+#include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
+#include "core/places/segmentation/furniture.hpp"
+#include "core/places/skeleton/erosion.hpp"
 
 namespace topo::analysis {
+
+/// What finding the walls of one map leaves to that of the next.
+struct WallSearchMemory {
+  compass::CompassMemory compass;
+  std::vector<types::Vector2> wall_points;  ///< of the wall store; none: walls are of what is occupied
+  walls::WallMemory walls;
+};
+
+/// What one analysis leaves to the next.
+struct IncrementalAnalysis::Memory {
+  compass::OccupiedPoints occupied;
+  WallSearchMemory walls;
+  places::FurnitureUpdate furniture;
+  grid::ClearanceUpdate open;  ///< of the map without furniture
+  places::Erosion erosion;
+  bool is_own = false;  ///< erosion and labels are by the distances of `open`
+  places::FirstLabels first;
+  places::ReductionMemory reduction;
+};
+
 namespace {
 
 /// The map without furniture, with its distances.
@@ -31,7 +56,7 @@ class Stages {
 
   [[nodiscard]] const grid::DenseMap& map() const { return a_.map; }
 
-  void find_walls(const compass::PointsChange& occupied, AnalysisMemory& memory) {
+  void find_walls(const compass::PointsChange& occupied, WallSearchMemory& memory) {
     compass::CompassParams compass = params_.compass;
     compass.cell_m = a_.map.resolution_m;
     a_.compass = compass::entropy_compass(occupied, compass, memory.compass);
@@ -48,7 +73,7 @@ class Stages {
   }
   void find_walls() {
     const std::vector<types::Vector2> occupied = compass::occupied_points(a_.map);
-    AnalysisMemory none;
+    WallSearchMemory none;
     find_walls({occupied, {}, {}}, none);
   }
   [[nodiscard]] grid::DenseMap without_furniture() const {
@@ -127,11 +152,15 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
   return stages.take();
 }
 
-Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
-                 const StageWatch& done) {
+IncrementalAnalysis::IncrementalAnalysis() : memory_(std::make_unique<Memory>()) {}
+IncrementalAnalysis::~IncrementalAnalysis() = default;
+
+Analysis IncrementalAnalysis::take(AnalysisInput input, const AnalysisParams& params,
+                                   const StageWatch& done) {
+  Memory& memory = *memory_;
   const std::span<const float> given_m = input.clearance_m;
   Stages stages(std::move(input), params, done);
-  stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory);
+  stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory.walls);
   const grid::DenseMap& map = stages.without_furniture(memory.furniture);
   memory.open.take(map, memory.furniture.others());
   // A coarse map's distances are not its own: they count where there is no furniture.

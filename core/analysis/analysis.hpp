@@ -8,14 +8,10 @@
 #include <vector>
 
 #include "core/compass/compass.hpp"
-#include "core/compass/occupied_points.hpp"
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
-#include "core/grid/clearance_update.hpp"
 #include "core/grid/dense_map.hpp"
-#include "core/places/segmentation/furniture.hpp"
 #include "core/places/segmentation/place_map.hpp"
-#include "core/places/skeleton/erosion.hpp"
 #include "core/walls/wall_extraction.hpp"
 
 namespace topo::analysis {
@@ -60,27 +56,5 @@ struct AnalysisInput {
 
 /// All stages on one map.
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done = {});
-
-/// What one analysis leaves to the next.
-struct AnalysisMemory {
-  compass::OccupiedPoints occupied;
-  compass::CompassMemory compass;
-  std::vector<types::Vector2> wall_points;  ///< of the wall store; none: walls are of what is occupied
-  walls::WallMemory walls;
-  places::FurnitureUpdate furniture;
-  grid::ClearanceUpdate open;  ///< of the map without furniture
-  places::Erosion erosion;
-  bool is_own = false;  ///< erosion and labels are by the distances of `open`
-  places::FirstLabels first;
-  places::ReductionMemory reduction;
-};
-
-/// The same, equal to the bit, from what the analysis of another map left, and leaves it of this one: of a
-/// map that has grown or was corrected, distances and thinning are redone where something has changed; first
-/// labels, too, while the box stays the same, and the compass's histograms while its walls' box does; walls
-/// and regions while, too, the compass does not turn. Regions are always merged anew.
-/// Empty: of no map.
-Analysis analyse(AnalysisInput input, const AnalysisParams& params, AnalysisMemory& memory,
-                 const StageWatch& done = {});
 
 }  // namespace topo::analysis

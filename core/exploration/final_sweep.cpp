@@ -15,6 +15,15 @@ bool is_same_opening(const types::Vector2& a, const types::Vector2& b) {
   return (a - b).norm() < kSameLook_m;
 }
 
+/// Several openings may have one viewpoint: the centre of one cell.
+bool is_same_stand(const types::Vector2& a, const types::Vector2& b) {
+  constexpr double kRounding_m = 1e-3;
+  return (a - b).norm() < kRounding_m;
+}
+
+/// Cells of a frontier that did not change have the same centroid but for rounding.
+bool is_same_frontier(const types::Vector2& a, const types::Vector2& b) { return is_same_stand(a, b); }
+
 }  // namespace
 
 void FinalSweep::begin(types::Stamp now) {
@@ -40,15 +49,27 @@ void FinalSweep::settle(const grid::DenseMap& map, types::Stamp now) {
                 [&](const Open& o) { return map.state(map.cell_at(o.sight)) != grid::CellState::kUnknown; });
 }
 
-bool FinalSweep::arrive(const types::Vector2& p_map) {
+bool FinalSweep::arrive(std::uint64_t number) {
+  const auto at = find_number(number);
+  if (at == open_.end()) return false;
   for (const Open& o : open_) {
-    if (o.goal.p_map == p_map) looked_.push_back(o.goal.opening);
+    if (is_same_stand(o.goal.p_map, at->goal.p_map)) looked_.push_back(o.goal.opening);
   }
-  return leave(p_map);
+  return leave(number);
 }
 
-bool FinalSweep::leave(const types::Vector2& p_map) {
-  return std::erase_if(open_, [&](const Open& o) { return o.goal.p_map == p_map; }) > 0;
+bool FinalSweep::leave(std::uint64_t number) {
+  const auto at = find_number(number);
+  if (at == open_.end()) return false;
+  const types::Vector2 stand = at->goal.p_map;
+  std::erase_if(open_, [&](const Open& o) { return is_same_stand(o.goal.p_map, stand); });
+  return true;
+}
+
+bool FinalSweep::has(std::uint64_t number) const { return find_number(number) != open_.end(); }
+
+std::vector<FinalSweep::Open>::const_iterator FinalSweep::find_number(std::uint64_t number) const {
+  return std::find_if(open_.begin(), open_.end(), [&](const Open& o) { return o.number == number; });
 }
 
 void FinalSweep::share(std::span<const types::Vector2> looked) {
@@ -56,12 +77,6 @@ void FinalSweep::share(std::span<const types::Vector2> looked) {
     std::erase_if(open_, [&](const Open& o) { return is_same_opening(o.goal.opening, opening); });
     if (!was_offered(opening)) offered_.push_back(opening);
   }
-}
-
-std::optional<double> FinalSweep::reached_m(const types::Vector2& p_map) const {
-  const bool is_look =
-      std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.goal.p_map == p_map; });
-  return is_look ? std::optional(params_.reached_m) : std::nullopt;
 }
 
 bool FinalSweep::was_offered(const types::Vector2& opening) const {
@@ -73,7 +88,7 @@ bool FinalSweep::was_offered(const types::Vector2& opening) const {
 std::optional<exploration::Viewpoint> FinalSweep::viewpoint_into(const goals::Frontier& frontier,
                                                                  const LookedAt& in, types::Stamp now) {
   const auto holds = [&](const Answer& a) {
-    return a.opening == frontier.centroid && a.cells == frontier.cells.size() &&
+    return is_same_frontier(a.opening, frontier.centroid) && a.cells == frontier.cells.size() &&
            (!a.look || (in.map.contains(a.look->from) && in.field.can_stay_at(in.map.index(a.look->from))));
   };
   const auto known = std::find_if(answers_.begin(), answers_.end(), holds);
@@ -102,12 +117,18 @@ void FinalSweep::find(const LookedAt& in, types::Stamp now, types::Duration agai
     goal.opening = frontier.centroid;
     goal.opening_m = frontier.width_m;
     goal.behind_m2 = look->gain_m2;
-    open_.push_back({goal, map.centre_of(look->sight)});
+    open_.push_back({goal, ++numbered_, map.centre_of(look->sight)});
     promise_m2 += look->gain_m2;
   }
   if (promise_m2 < params_.promise_min * known_m2) open_.clear();
   for (const Open& o : open_) offered_.push_back(o.goal.opening);
   if (!open_.empty()) sweeps_since_ = now;
+}
+
+std::vector<std::uint64_t> FinalSweep::numbers() const {
+  std::vector<std::uint64_t> all;
+  for (const Open& o : open_) all.push_back(o.number);
+  return all;
 }
 
 std::vector<goals::Goal> FinalSweep::goals() const {

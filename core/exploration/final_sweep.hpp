@@ -39,7 +39,7 @@ struct LookedAt {
 /// looked into, once by one robot of the team, if all of them together promise enough.
 class FinalSweep {
  public:
-  explicit FinalSweep(const FinalSweepParams& params) : params_(params) {}
+  explicit FinalSweep(const FinalSweepParams& params = {}) : params_(params) {}
 
   /// Another mission.
   void begin(types::Stamp now);
@@ -51,25 +51,29 @@ class FinalSweep {
   void interrupt(types::Stamp now);
   /// Takes away those whose sight is known by now; all, when the time is over.
   void settle(const grid::DenseMap& map, types::Stamp now);
-  /// The robot was there. False: what is there is no look.
-  bool arrive(const types::Vector2& p_map);
+  /// The robot was at a viewpoint. False when the sweep has none of that number.
+  bool arrive(std::uint64_t number);
   /// It could not get there; the same.
-  bool leave(const types::Vector2& p_map);
+  bool leave(std::uint64_t number);
   /// A mate has looked into these openings.
   void share(std::span<const types::Vector2> looked);
   /// Openings that this robot has looked into.
   [[nodiscard]] const std::vector<types::Vector2>& looked() const { return looked_; }
-  /// How near the robot has to come to a goal that is a look; nothing for other goals.
-  [[nodiscard]] std::optional<double> reached_m(const types::Vector2& p_map) const;
+  [[nodiscard]] bool has(std::uint64_t number) const;
+  /// How near the robot has to come to a viewpoint.
   [[nodiscard]] double reached_m() const { return params_.reached_m; }
   [[nodiscard]] bool empty() const { return open_.empty(); }
+  /// The open viewpoints as goals, and their numbers, in the same order.
   [[nodiscard]] std::vector<goals::Goal> goals() const;
+  [[nodiscard]] std::vector<std::uint64_t> numbers() const;
 
  private:
   struct Open {
     goals::Goal goal;
+    std::uint64_t number = 0;
     types::Vector2 sight{0.0, 0.0};  ///< unknown, and in sight from the goal
   };
+  [[nodiscard]] std::vector<Open>::const_iterator find_number(std::uint64_t number) const;
   [[nodiscard]] bool is_over(types::Stamp now) const;
   struct Answer {
     types::Vector2 opening{0.0, 0.0};
@@ -83,6 +87,7 @@ class FinalSweep {
 
   FinalSweepParams params_;
   std::vector<Open> open_;
+  std::uint64_t numbered_ = 0;           ///< the newest viewpoint's number
   std::vector<types::Vector2> offered_;  ///< openings, here or to a mate; each is looked into once
   std::vector<types::Vector2> looked_;
   std::vector<Answer> answers_;

@@ -35,12 +35,18 @@ double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, gri
   return way_m + kTurnCost_m_per_rad * std::abs(turn_rad);
 }
 
-std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
+std::vector<ProposedGoal> proposed_by(Source source, std::span<const goals::Goal> goals) {
+  std::vector<ProposedGoal> proposed;
+  for (const goals::Goal& goal : goals) proposed.push_back({goal, {source, 0}});
+  return proposed;
+}
+
+std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const Reach& reach,
                                      const DeferredGoals& deferred, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off) {
   const auto& [map, clearance_m, field, radius_m] = reach;
   std::vector<Candidate> candidates;
-  for (const goals::Goal& goal : goals) {
+  for (const auto& [goal, id] : goals) {
     if (deferred.hold(goal.p_map, now)) continue;
     const grid::CellIndex at = map.cell_at(goal.p_map);
     auto cell = grid::nearest_to_stay_at(map, field, at, kGoalReach_m);
@@ -50,7 +56,7 @@ std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const R
       cut_off = true;
       continue;
     }
-    candidates.push_back({goal, *cell, way_cost_m(map, field, *cell, T_map_base)});
+    candidates.push_back({goal, id, *cell, way_cost_m(map, field, *cell, T_map_base)});
   }
   return candidates;
 }

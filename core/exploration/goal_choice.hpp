@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,9 +14,33 @@
 
 namespace topo::exploration {
 
-/// A goal, the cell from which it is seen to, and what going there costs: the way, and turning into it.
+/// What proposes goals.
+enum class Source : std::uint8_t {
+  kEssential,  ///< the analysis: where the building goes on
+  kGap,        ///< a frontier beside the essential goals
+  kFrontier,   ///< a frontier strategy
+  kViewpoint,  ///< the final sweep
+  kPlace,      ///< an order, a home, a place of last contact
+};
+
+/// Which goal it is: kept from period to period while it is the same opening.
+struct GoalId {
+  Source source = Source::kPlace;
+  std::uint64_t number = 0;  ///< within the source; 0: not numbered yet
+  friend bool operator==(const GoalId&, const GoalId&) = default;
+};
+
+struct ProposedGoal {
+  goals::Goal goal;
+  GoalId id;
+};
+/// Goals of one source, not numbered.
+std::vector<ProposedGoal> proposed_by(Source source, std::span<const goals::Goal> goals);
+
+/// A goal, the cell from which it is seen to, and what going there costs: the route, and turning into it.
 struct Candidate {
   goals::Goal goal;
+  GoalId id;
   grid::CellIndex cell;
   double cost_m = 0.0;
 };
@@ -36,7 +61,7 @@ struct Reach {
 /// Goals that can be reached and are not put off, in the order given; with those that only what is unknown
 /// keeps the robot from, to be looked at from where the way ends (grid/end_of_way.hpp). `cut_off` becomes
 /// true when one is left out because no way leads there now.
-std::vector<Candidate> candidates_of(std::span<const goals::Goal> goals, const Reach& reach,
+std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const Reach& reach,
                                      const DeferredGoals& deferred, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off);
 

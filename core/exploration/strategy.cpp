@@ -4,31 +4,40 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace topo::exploration {
 namespace {
 
-constexpr std::array<std::pair<Strategy, std::string_view>, 5> kStrategies{
-    {{Strategy::kTopometric, "topometric"},
-     {Strategy::kNearestFrontier, "nearest_frontier"},
-     {Strategy::kGreedyFrontier, "greedy_frontier"},
-     {Strategy::kUtilityFrontier, "utility_frontier"},
-     {Strategy::kMinPos, "min_pos"}}};
+using std::chrono::milliseconds;
+using team::Rule;
+
+constexpr milliseconds kOften{3200}, kSeldom{5000};
+constexpr std::array<StrategyRow, 5> kStrategies{{
+    {Strategy::kTopometric, "topometric", true, Rule::kClusters, Rule::kNoClusters, kOften},
+    {Strategy::kNearestFrontier, "nearest_frontier", false, Rule::kAlone, Rule::kAlone, kSeldom},
+    {Strategy::kGreedyFrontier, "greedy_frontier", false, Rule::kInTurn, Rule::kInTurn, kSeldom},
+    {Strategy::kUtilityFrontier, "utility_frontier", false, Rule::kUtility, Rule::kUtility, kSeldom},
+    {Strategy::kMinPos, "min_pos", false, Rule::kMinPos, Rule::kMinPos, kSeldom},
+}};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kStrategies.size(); ++i)
+    if (static_cast<std::size_t>(kStrategies[i].strategy) != i) return false;
+  return true;
+}
+static_assert(in_order(), "row_of takes the enumerator for the row's number");
 
 }  // namespace
 
-std::string_view to_text(Strategy strategy) {
-  const auto* const at = std::find_if(kStrategies.begin(), kStrategies.end(),
-                                      [&](const auto& entry) { return entry.first == strategy; });
-  return at != kStrategies.end() ? at->second : "unknown";
-}
+const StrategyRow& row_of(Strategy strategy) { return kStrategies.at(static_cast<std::size_t>(strategy)); }
+
+std::string_view to_text(Strategy strategy) { return row_of(strategy).name; }
 
 std::optional<Strategy> strategy_of(std::string_view text) {
   const auto* const at = std::find_if(kStrategies.begin(), kStrategies.end(),
-                                      [&](const auto& entry) { return entry.second == text; });
+                                      [&](const StrategyRow& row) { return row.name == text; });
   if (at == kStrategies.end()) return std::nullopt;
-  return at->first;
+  return at->strategy;
 }
 
 }  // namespace topo::exploration

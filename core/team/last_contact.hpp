@@ -14,7 +14,7 @@ namespace topo::team {
 class LastContact {
  public:
   /// `lost_s`: out of contact for longer is lost; 0: never.
-  explicit LastContact(double lost_s) : lost_s_(lost_s) {}
+  explicit LastContact(double lost_s = 0.0) : lost_s_(lost_s) {}
 
   void heard(const types::Vector2& here, types::Stamp now);
   /// It makes no sense to look for the others: they are home, or there were never any.

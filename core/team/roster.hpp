@@ -33,6 +33,8 @@ class Roster {
   /// False: old or repeated.
   bool take(const StatusMessage& message, types::Stamp now);
 
+  /// True when no team-mate was ever heard.
+  [[nodiscard]] bool empty() const { return mates_.empty(); }
   /// Those heard of lately, by id: where they are is known. Good until the next take().
   [[nodiscard]] std::vector<const StatusMessage*> heard(types::Stamp now) const;
   /// How long ago one of those was heard of.

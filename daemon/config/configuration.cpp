@@ -29,8 +29,8 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
                hull.half_width_m + m.margin_m);
   const grid::TravelRules usual;
   pipeline::PlannerParams params;
-  params.strategy = e.strategy;
-  params.finish = e.finish;
+  params.explore.strategy = e.strategy;
+  params.explore.finish = e.finish;
   params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : disc_m;
   // Straight on through a door that is too narrow to turn in. In the map a door is up to a cell narrower than
   // it is: what looks half a centimetre too tight is tried, and the scanner has the last word.
@@ -41,12 +41,12 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   params.analysis.goals.robot_radius_m = params.travel.radius_m;
   params.area = configuration.area;
   params.T_base_laser = mapper_params(configuration).T_base_laser;
-  params.frontier_min_m = e.frontier_min_m;
-  params.goal_reached_m = e.goal_reached_m;
-  params.home_reached_m = e.home_reached_m;
-  params.give_up_s = e.goal_give_up_s;
-  params.battery_home_v = e.battery_home_v;
-  params.charge_home = e.charge_home;
+  params.explore.frontier_min_m = e.frontier_min_m;
+  params.explore.pursuit.goal_reached_m = e.goal_reached_m;
+  params.explore.homing.home_reached_m = e.home_reached_m;
+  params.explore.pursuit.give_up_s = e.goal_give_up_s;
+  params.battery.home_v = e.battery_home_v;
+  params.battery.charge_home = e.charge_home;
   return params;
 }
 

@@ -57,15 +57,15 @@ struct ScannerConfig {
 
 /// What the planner is told. Defaults that the planner has too are taken from there.
 struct ExplorationConfig {
-  exploration::Strategy strategy = pipeline::PlannerParams{}.strategy;
-  pipeline::Finish finish = pipeline::PlannerParams{}.finish;
+  exploration::Strategy strategy = pipeline::PlannerParams{}.explore.strategy;
+  pipeline::Finish finish = pipeline::PlannerParams{}.explore.finish;
   double planning_period_s = 0.4;
-  double frontier_min_m = pipeline::PlannerParams{}.frontier_min_m;
-  double goal_reached_m = pipeline::PlannerParams{}.goal_reached_m;
-  double home_reached_m = pipeline::PlannerParams{}.home_reached_m;
-  double goal_give_up_s = pipeline::PlannerParams{}.give_up_s;
-  double battery_home_v = pipeline::PlannerParams{}.battery_home_v;
-  double charge_home = pipeline::PlannerParams{}.charge_home;
+  double frontier_min_m = pipeline::PlannerParams{}.explore.frontier_min_m;
+  double goal_reached_m = pipeline::PlannerParams{}.explore.pursuit.goal_reached_m;
+  double home_reached_m = pipeline::PlannerParams{}.explore.homing.home_reached_m;
+  double goal_give_up_s = pipeline::PlannerParams{}.explore.pursuit.give_up_s;
+  double battery_home_v = pipeline::PlannerParams{}.battery.home_v;
+  double charge_home = pipeline::PlannerParams{}.battery.charge_home;
   [[nodiscard]] types::BatteryLimits battery_limits() const { return {battery_home_v, charge_home}; }
   std::string save_folder;  ///< empty: nothing is saved by itself
 };

@@ -114,7 +114,7 @@ TEST_P(SameReadings, GiveTheSameDecisionsWhateverTheTruthIs) {
   sim::World course = load("course.toml"), office = load("office.toml");
   RunSetup setup = default_setup(course.start_poses().front(), 1, GetParam().fidelity);
   setup.limit_s = GetParam().seconds;
-  setup.mind.planner.strategy = GetParam().strategy;
+  setup.mind.planner.explore.strategy = GetParam().strategy;
   const auto& structure = course.structure();
   const sim::Raster nothing(structure.resolution_m, structure.origin, structure.width, structure.height);
 

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/analysis/analysis.hpp"
+#include "core/analysis/incremental_analysis.hpp"
 #include "core/compass/compass.hpp"
 #include "core/compass/occupied_points.hpp"
 #include "core/goals/essential_goals.hpp"
@@ -196,7 +197,7 @@ void BM_Again(benchmark::State& state) {
     }
   }
   grid::ClearanceUpdate clearance;
-  analysis::AnalysisMemory memory;
+  analysis::IncrementalAnalysis incremental;
   bool is_before = false;
   std::array<double, kStageNames.size()> stage_s{};
   measure(state, [&](const Stages&) {
@@ -210,8 +211,8 @@ void BM_Again(benchmark::State& state) {
     clearance.take(map);
     analysis::AnalysisInput input{1, map, clearance.clearance_m(), {}, {}};
     note(0);
-    return analysis::analyse(std::move(input), {}, memory,
-                             [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
+    return incremental.take(std::move(input), {},
+                            [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
   });
   for (std::size_t i = 0; i < stage_s.size(); ++i)
     state.counters[kStageNames[i]] = benchmark::Counter(1e3 * stage_s[i], benchmark::Counter::kAvgIterations);

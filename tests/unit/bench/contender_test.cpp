@@ -19,7 +19,7 @@ pipeline::PlannerParams planner_of(const std::string& name) {
 TEST(Contender, hasEveryNameThatIsListed) {
   for (const std::string& name : contender_names()) {
     const bool topometric = name.starts_with("topometric");
-    EXPECT_EQ(planner_of(name).strategy == exploration::Strategy::kTopometric, topometric) << name;
+    EXPECT_EQ(planner_of(name).explore.strategy == exploration::Strategy::kTopometric, topometric) << name;
   }
   EXPECT_EQ(contender_names().size(), 8U);
 }
@@ -27,20 +27,20 @@ TEST(Contender, hasEveryNameThatIsListed) {
 TEST(Contender, isWholeUnlessAPartIsTakenAway) {
   const pipeline::PlannerParams whole = planner_of("topometric");
   EXPECT_TRUE(whole.analysis.wall_store);
-  EXPECT_TRUE(whole.k_means);
+  EXPECT_TRUE(whole.explore.k_means);
   EXPECT_TRUE(std::isfinite(whole.analysis.places.width_ratio_max));
 }
 
 TEST(Contender, isWithoutOnePartAndNoOther) {
   const pipeline::PlannerParams no_walls = planner_of("topometric_no_walls");
   EXPECT_FALSE(no_walls.analysis.wall_store);
-  EXPECT_TRUE(no_walls.k_means);
+  EXPECT_TRUE(no_walls.explore.k_means);
   const pipeline::PlannerParams no_k_means = planner_of("topometric_no_kmeans");
-  EXPECT_FALSE(no_k_means.k_means);
+  EXPECT_FALSE(no_k_means.explore.k_means);
   EXPECT_TRUE(no_k_means.analysis.wall_store);
   const pipeline::PlannerParams no_places = planner_of("topometric_no_places");
   EXPECT_TRUE(std::isinf(no_places.analysis.places.width_ratio_max));
-  EXPECT_TRUE(no_places.k_means);
+  EXPECT_TRUE(no_places.explore.k_means);
   EXPECT_TRUE(no_places.analysis.wall_store);
 }
 

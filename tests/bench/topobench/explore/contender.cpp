@@ -15,7 +15,7 @@ using exploration::Strategy;
 using pipeline::PlannerParams;
 
 void drop_walls(PlannerParams& planner) { planner.analysis.wall_store = false; }
-void drop_k_means(PlannerParams& planner) { planner.k_means = false; }
+void drop_k_means(PlannerParams& planner) { planner.explore.k_means = false; }
 
 /// No reason is left against any merge, so that the reduction ends with one place for what hangs together.
 void drop_places(PlannerParams& planner) {
@@ -49,7 +49,7 @@ std::vector<std::string> contender_names() {
 types::Status set_contender(std::string_view name, PlannerParams& planner) {
   for (const Ablation& ablation : kAblations) {
     if (ablation.name != name) continue;
-    planner.strategy = Strategy::kTopometric;
+    planner.explore.strategy = Strategy::kTopometric;
     ablation.drop(planner);
     return {};
   }
@@ -57,7 +57,7 @@ types::Status set_contender(std::string_view name, PlannerParams& planner) {
   if (!strategy)
     return types::fail(types::Errc::kInvalidInput, fmt::format("strategy: found '{}', expected one of {}",
                                                                name, fmt::join(contender_names(), ", ")));
-  planner.strategy = *strategy;
+  planner.explore.strategy = *strategy;
   return {};
 }
 

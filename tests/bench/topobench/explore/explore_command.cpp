@@ -66,7 +66,7 @@ types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World
   if (auto set = set_contender(command.strategy, setup.mind.planner); !set)
     return tl::unexpected(set.error());
   setup.mind.planner.contact_lost_s = command.contact_lost_s;
-  setup.mind.planner.finish =
+  setup.mind.planner.explore.finish =
       command.finish == "complete" ? pipeline::Finish::kComplete : pipeline::Finish::kEssential;
   return setup;
 }

@@ -33,7 +33,7 @@ const pipeline::ControlOutput& RobotMind::control(types::Stamp now) {
 }
 
 const pipeline::PlanningOutput& RobotMind::plan(types::Stamp now, const pipeline::Mission& mission,
-                                                const pipeline::TeamInput* team,
+                                                const pipeline::TeamInput& team,
                                                 pipeline::PlanningWatch done) {
   pipeline::PlanningInput input;
   input.now = now;

@@ -35,7 +35,7 @@ class RobotMind {
 
   /// One period of the planning thread. The base gets the plan with its next period.
   const pipeline::PlanningOutput& plan(types::Stamp now, const pipeline::Mission& mission,
-                                       const pipeline::TeamInput* team = nullptr,
+                                       const pipeline::TeamInput& team = {},
                                        pipeline::PlanningWatch done = {});
 
   [[nodiscard]] const MapSource& source() const { return *source_; }

@@ -77,8 +77,8 @@ void RobotRun::plan(types::Stamp now) {
     if (stage == pipeline::PlanningStage::kRoute) result_.planning_ms.push_back((now_s - begin_s) * 1e3);
     stage_s = now_s;
   };
-  const pipeline::PlanningOutput& output = mind_.plan(now, mission, node_ != nullptr ? &team : nullptr, done);
-  if (output.message) node_->say(*output.message);
+  const pipeline::PlanningOutput& output = mind_.plan(now, mission, team, done);
+  if (node_ != nullptr) node_->say(output.message);
   note(*output.report, output.plan);
   hooks_.planned(output);
 }

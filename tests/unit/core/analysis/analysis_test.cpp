@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/analysis/analysis.hpp"
+#include "core/analysis/incremental_analysis.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -126,7 +127,7 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
   EXPECT_TRUE(rc::check([&] {
     std::optional<double> last_rad;
     Exploration exploration(building());
-    AnalysisMemory memory;
+    IncrementalAnalysis incremental;
     // Of a map that does not get larger more is kept.
     if (*rc::gen::inRange(0, 2) == 0)
       for (const auto& [x, y] : {std::pair(1, 1), {198, 118}})
@@ -141,10 +142,10 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
                            state);
       }
       AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
-      if (*rc::gen::inRange(0, 8) == 0) (void)analyse(AnalysisInput{}, {}, memory);  // of no map
+      if (*rc::gen::inRange(0, 8) == 0) (void)incremental.take(AnalysisInput{}, {});  // of no map
       if (*rc::gen::inRange(0, 3) == 0) input.wall_points = some_occupied(input.map);
-      if (*rc::gen::inRange(0, 4) == 0) (void)analyse(input, {}, memory);  // the same twice
-      const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+      if (*rc::gen::inRange(0, 4) == 0) (void)incremental.take(input, {});  // the same twice
+      const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
       RC_ASSERT(again.revision == whole.revision);
       RC_ASSERT(again.map.cells == whole.map.cells);
       RC_ASSERT(again.compass.angle_rad == whole.compass.angle_rad);
@@ -167,7 +168,7 @@ TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
 TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
   EXPECT_TRUE(rc::check([] {
     Exploration exploration(building());
-    AnalysisMemory memory;
+    IncrementalAnalysis incremental;
     for (int step = 0; step < 4; ++step) {
       exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
                               *rc::gen::inRange(10, 60));
@@ -177,7 +178,7 @@ TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
         input.map = std::move(wide.map);
         input.clearance_m = wide.clearance_m;
       }
-      const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+      const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
       check_skeleton(again.skeleton, whole.skeleton);
       check_places(again.places, whole.places);
       check_goals(again.goals.goals, whole.goals.goals);
@@ -187,13 +188,13 @@ TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
 
 TEST(Analysis, AnotherMapIsAnotherMap) {
   EXPECT_TRUE(rc::check([] {
-    AnalysisMemory memory;
+    IncrementalAnalysis incremental;
     Exploration one(building()), other(building());
     one.look_around(100, 60, 90);
     other.look_around(40, 30, 30);
-    (void)analyse(one.input(1), {}, memory);
+    (void)incremental.take(one.input(1), {});
     const AnalysisInput input = other.input(2);
-    const Analysis again = analyse(input, {}, memory), whole = analyse(input, {});
+    const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
     check_skeleton(again.skeleton, whole.skeleton);
     check_places(again.places, whole.places);
   }));

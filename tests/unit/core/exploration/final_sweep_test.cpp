@@ -74,12 +74,11 @@ TEST_F(TwoGaps, AreNotLookedIntoFromWhereNoWayLeadsAnyMore) {
 
 TEST_F(TwoGaps, AreOfferedOnce) {
   find(1);
-  const auto first = looks.goals().front().p_map;
-  looks.leave(first);
+  looks.leave(looks.numbers().front());
   EXPECT_EQ(looks.goals().size(), 1U);
   find(2);
   EXPECT_EQ(looks.goals().size(), 1U) << "as long as one is left nothing is looked for";
-  looks.leave(looks.goals().front().p_map);
+  looks.leave(looks.numbers().front());
   find(3);
   EXPECT_TRUE(looks.empty());
   looks.begin(now);
@@ -109,9 +108,9 @@ TEST_F(TwoGaps, AreNotFoundWhenAMateHasLookedIntoThem) {
 TEST_F(TwoGaps, AreToldToMatesWhenTheRobotWasThereNotWhenItCouldNotGetThere) {
   find(1);
   const goals::Goal first = looks.goals().front();
-  EXPECT_FALSE(looks.arrive({1.0, 1.0}));
-  EXPECT_TRUE(looks.arrive(first.p_map));
-  EXPECT_TRUE(looks.leave(looks.goals().front().p_map));
+  EXPECT_FALSE(looks.arrive(0));
+  EXPECT_TRUE(looks.arrive(looks.numbers().front()));
+  EXPECT_TRUE(looks.leave(looks.numbers().front()));
   EXPECT_EQ(looks.looked(), std::vector{first.opening});
 }
 
@@ -127,7 +126,7 @@ TEST_F(TwoGaps, AreLookedIntoForThreeQuartersOfTheTimeBeforeAndNoLonger) {
   find(1);
   looks.settle(map, at(174.0));
   EXPECT_EQ(looks.goals().size(), 2U);
-  looks.leave(looks.goals().front().p_map);
+  looks.leave(looks.numbers().front());
   looks.settle(map, at(176.0));
   EXPECT_TRUE(looks.empty());
   now = at(177.0);
@@ -163,8 +162,8 @@ TEST_F(TwoGaps, AtOnceAfterTheBeginningAreLookedInto) {
 
 TEST_F(TwoGaps, AreToldFromOtherGoals) {
   find(1);
-  EXPECT_FALSE(looks.leave({1.0, 1.0}));
-  EXPECT_TRUE(looks.leave(looks.goals().front().p_map));
+  EXPECT_FALSE(looks.leave(0));
+  EXPECT_TRUE(looks.leave(looks.numbers().front()));
 }
 
 TEST_F(TwoGaps, AreNotAskedForTooOften) {

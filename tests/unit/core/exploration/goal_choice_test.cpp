@@ -57,7 +57,7 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   DeferredGoals deferred;
   const types::Se2 robot{0.7, 1.0, 0.0};
   bool cut_off = false;
-  const std::vector<goals::Goal> one{here}, both{here, beyond};
+  const std::vector<ProposedGoal> one{{here, {}}}, both{{here, {}}, {beyond, {}}};
   EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
             1U);
   EXPECT_FALSE(cut_off);
@@ -82,7 +82,7 @@ TEST(CandidatesOf, anEssentialGoalBehindADoorSeenInPartIsLookedAtFromBeforeIt) {
   beyond.p_map = {2.55, 1.05};
   beyond.side = goals::Side::kEast;
   const auto candidates_now = [&](bool& cut_off) {
-    const std::vector<goals::Goal> goals{beyond};
+    const std::vector<ProposedGoal> goals{{beyond, {}}};
     return candidates_of(goals, {map, clearance, field, kRadius_m}, {}, {0.7, 1.0, 0.0}, kNow, cut_off);
   };
   bool cut_off = false;

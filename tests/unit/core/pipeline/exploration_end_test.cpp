@@ -71,9 +71,9 @@ class Door : public ::testing::Test {
 /// Without a single essential goal; how much of the floor is known in the end.
 double known_in_the_end(ToyBuilding& building, double overlooked_m2) {
   PlannerParams params;
-  params.finish = Finish::kEssential;
+  params.explore.finish = Finish::kEssential;
   params.analysis.goals.opening_min_m = 100.0;
-  params.tour.overlooked_m2 = overlooked_m2;
+  params.explore.tour.overlooked_m2 = overlooked_m2;
   PlanningState state(params);
   PlanningOutput out;
   do {

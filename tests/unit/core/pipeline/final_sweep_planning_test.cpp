@@ -43,19 +43,19 @@ End end_of_exploration(const PlannerParams& params, std::vector<types::Vector2> 
     out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
   } while (!out.report->mission_ended && building.now() < types::stamp_from_seconds(900.0));
   EXPECT_EQ(out.report->activity, Activity::kDone) << out.report->reason;
-  return {building.coverage(), out.message->looked};
+  return {building.coverage(), out.message.looked};
 }
 
 TEST(FinalSweep, ShowMoreOfAChamberThatNobodyCanDriveInto) {
   PlannerParams complete;
   PlannerParams without = complete;
-  without.final_sweep.promise_min = 1e9;
+  without.explore.final_sweep.promise_min = 1e9;
   const double with = end_of_exploration(complete).known, without_them = end_of_exploration(without).known;
   EXPECT_GT(with, without_them + 0.05);
   PlannerParams essential = complete;
-  essential.finish = Finish::kEssential;
+  essential.explore.finish = Finish::kEssential;
   PlannerParams essential_without = essential;
-  essential_without.final_sweep.promise_min = 1e9;
+  essential_without.explore.final_sweep.promise_min = 1e9;
   const End end = end_of_exploration(essential);
   EXPECT_EQ(end.known, end_of_exploration(essential_without).known) << "whatever there would be to see";
   EXPECT_TRUE(end.looked.empty());
@@ -63,7 +63,7 @@ TEST(FinalSweep, ShowMoreOfAChamberThatNobodyCanDriveInto) {
 
 TEST(FinalSweep, OfARobotAreNoneForItsMates) {
   PlannerParams params;
-  params.final_sweep.promise_min = 0.04;  // the chamber's other corners alone do not promise so much
+  params.explore.final_sweep.promise_min = 0.04;  // the chamber's other corners alone do not promise so much
   const End looks = end_of_exploration(params);
   ASSERT_FALSE(looks.looked.empty());
   const End leaves = end_of_exploration(params, looks.looked);

@@ -46,8 +46,8 @@ const std::vector<std::string> kFloor = {
 
 PlannerParams params_of(exploration::Strategy strategy, Finish finish) {
   PlannerParams params;
-  params.strategy = strategy;
-  params.finish = finish;
+  params.explore.strategy = strategy;
+  params.explore.finish = finish;
   return params;
 }
 
@@ -332,7 +332,7 @@ TEST(PlanningStep, aQuietDecisionHoldsUntilEnoughChangedOrTheGoalWasLookedAt) {
   using std::chrono::seconds;
   ToyBuilding building(kFloor);
   PlannerParams params;
-  params.quiet_decision_holds = seconds(8);
+  params.hold.quiet_decision_holds = seconds(8);
   PlanningState state(params);
   const Mission mission{1, Order::kExplore, false, kNowhere};
   PlanningOutput out;

@@ -78,7 +78,7 @@ class WithAMate : public ::testing::Test {
 
 PlannerParams params_of(exploration::Strategy strategy) {
   PlannerParams params;
-  params.strategy = strategy;
+  params.explore.strategy = strategy;
   return params;
 }
 
@@ -101,32 +101,31 @@ TEST_F(UncoordinatedWithAMate, goesWhereTheMateWas) {
 
 TEST_F(WithAMate, claimsOneOfItsBids) {
   for (int i = 0; i < 4; ++i) (void)period();
-  ASSERT_TRUE(out_.message.has_value());
-  EXPECT_EQ(out_.message->robot, 5);
-  EXPECT_EQ(out_.message->duty, team::Duty::kAble);
-  ASSERT_TRUE(out_.message->claim.has_value());
-  EXPECT_GE(out_.message->bids.size(), 2U) << "a room at either end";
-  EXPECT_TRUE(std::any_of(out_.message->bids.begin(), out_.message->bids.end(),
-                          [&](const team::Bid& bid) { return bid.p_map == out_.message->claim->p_map; }));
-  EXPECT_FALSE(out_.message->way_map.empty());
+  EXPECT_EQ(out_.message.robot, 5);
+  EXPECT_EQ(out_.message.duty, team::Duty::kAble);
+  ASSERT_TRUE(out_.message.claim.has_value());
+  EXPECT_GE(out_.message.bids.size(), 2U) << "a room at either end";
+  EXPECT_TRUE(std::any_of(out_.message.bids.begin(), out_.message.bids.end(),
+                          [&](const team::Bid& bid) { return bid.p_map == out_.message.claim->p_map; }));
+  EXPECT_FALSE(out_.message.way_map.empty());
 }
 
 TEST_F(WithAMate, leavesAGoalToWhoIsNearerTakesTheOtherThenWaitsUntilTheMateIsSilent) {
   for (int i = 0; i < 2; ++i) (void)period();
-  const Vector2 first = out_.message->claim->p_map;
+  const Vector2 first = out_.message.claim->p_map;
   mate_.claim = team::Bid{first, 0.5};
   mate_.bids = {
       team::Bid{first, 4.0}};  // the way is longer than it was thought: it is no sooner at the other end
   for (int i = 0; i < 2; ++i) (void)period();
-  ASSERT_TRUE(out_.message->claim.has_value());
-  EXPECT_GT((out_.message->claim->p_map - first).norm(), 3.0) << "the other end of the corridor";
+  ASSERT_TRUE(out_.message.claim.has_value());
+  EXPECT_GT((out_.message.claim->p_map - first).norm(), 3.0) << "the other end of the corridor";
 
   const auto waits = [&] { return out_.report->reason == "waits: others are nearer to every goal"; };
   for (int i = 0; i < 20 && !waits(); ++i) (void)period();
   ASSERT_TRUE(waits()) << out_.report->reason;
   EXPECT_FALSE(out_.plan.moving);
-  EXPECT_FALSE(out_.message->claim.has_value());
-  EXPECT_FALSE(out_.message->bids.empty()) << "it would go";
+  EXPECT_FALSE(out_.message.claim.has_value());
+  EXPECT_FALSE(out_.message.bids.empty()) << "it would go";
 
   int silent = 0;
   std::set<std::uint64_t> analysed;
@@ -135,13 +134,13 @@ TEST_F(WithAMate, leavesAGoalToWhoIsNearerTakesTheOtherThenWaitsUntilTheMateIsSi
   EXPECT_GE(silent, 18) << "not after the first message that is missing";
   EXPECT_LE(silent, 24) << "ten seconds";
   EXPECT_TRUE(out_.plan.moving);
-  ASSERT_TRUE(out_.message->claim.has_value());
-  EXPECT_LT((out_.message->claim->p_map - first).norm(), 1.5) << "the goal that was the mate's";
+  ASSERT_TRUE(out_.message.claim.has_value());
+  EXPECT_LT((out_.message.claim->p_map - first).norm(), 1.5) << "the goal that was the mate's";
 }
 
 TEST_F(WithAMate, aMateThatIsLostFreesItsGoal) {
   for (int i = 0; i < 2; ++i) (void)period();
-  const Vector2 first = out_.message->claim->p_map;
+  const Vector2 first = out_.message.claim->p_map;
   mate_.claim = team::Bid{first, 0.5};
   mate_.bids = {*mate_.claim};
   (void)period();
@@ -149,7 +148,7 @@ TEST_F(WithAMate, aMateThatIsLostFreesItsGoal) {
   bool taken = false;
   for (int i = 0; i < 60 && !taken; ++i) {
     (void)period();
-    taken = out_.message->claim && (out_.message->claim->p_map - first).norm() < 2.5;  // the room behind it
+    taken = out_.message.claim && (out_.message.claim->p_map - first).norm() < 2.5;  // the room behind it
     EXPECT_TRUE(i >= 16 || !taken) << "lost for " << i << " periods only";
   }
   EXPECT_TRUE(taken) << out_.report->reason;
@@ -157,17 +156,17 @@ TEST_F(WithAMate, aMateThatIsLostFreesItsGoal) {
 
 TEST_F(WithAMate, whoIsPausedSaysOnWhatItClaims) {
   for (int i = 0; i < 2; ++i) (void)period();
-  ASSERT_TRUE(out_.message->claim.has_value());
-  const Vector2 claimed = out_.message->claim->p_map;
+  ASSERT_TRUE(out_.message.claim.has_value());
+  const Vector2 claimed = out_.message.claim->p_map;
   Mission paused = kExplore;
   paused.paused = true;
   for (int i = 0; i < 3; ++i) out_ = building_.run_period(state_, paused);
-  EXPECT_EQ(out_.message->duty, team::Duty::kUnable) << "the others judge by that, and by for how long";
-  ASSERT_TRUE(out_.message->claim.has_value());
-  EXPECT_EQ(out_.message->claim->p_map, claimed);
-  EXPECT_FALSE(out_.message->bids.empty());
+  EXPECT_EQ(out_.message.duty, team::Duty::kUnable) << "the others judge by that, and by for how long";
+  ASSERT_TRUE(out_.message.claim.has_value());
+  EXPECT_EQ(out_.message.claim->p_map, claimed);
+  EXPECT_FALSE(out_.message.bids.empty());
   out_ = building_.run_period(state_, {2, Order::kHome, false, {0.0, 0.0}});
-  EXPECT_FALSE(out_.message->claim.has_value()) << "home is no goal that another could want";
+  EXPECT_FALSE(out_.message.claim.has_value()) << "home is no goal that another could want";
 }
 
 TEST_F(WithAMate, comesToItsOwnStartWhenTheOperatorSendsItHome) {
@@ -195,7 +194,7 @@ TEST_F(WithAMate, comesHomeOnALowBatteryToOnePlace) {
   ASSERT_EQ(out_.report->reason, "the battery is low");
   const std::uint64_t goal_id = out_.plan.goal_id;
   for (int i = 0; i < 5; ++i) EXPECT_EQ(period().plan.goal_id, goal_id) << "control begins anew with each";
-  for (int i = 0; i < 100 && out_.message->duty != team::Duty::kOver; ++i) (void)period();
+  for (int i = 0; i < 100 && out_.message.duty != team::Duty::kOver; ++i) (void)period();
   EXPECT_LT((building_.robot() - mate_.start).norm(), 0.5) << "the nearer of the two";
 }
 
@@ -218,8 +217,8 @@ TEST_F(WithAMate, comesHomeOnlyWhenNobodyHasAGoalLeftAndEndsWhenAllAreHome) {
   EXPECT_LT((building_.robot() - waits_at).norm(), 0.5) << out_.report->reason;
   mate_.bids.clear();
   mate_.claim.reset();
-  for (int i = 0; i < 200 && out_.message->duty != team::Duty::kOver; ++i) (void)period();
-  EXPECT_EQ(out_.message->duty, team::Duty::kOver) << out_.report->reason;
+  for (int i = 0; i < 200 && out_.message.duty != team::Duty::kOver; ++i) (void)period();
+  EXPECT_EQ(out_.message.duty, team::Duty::kOver) << out_.report->reason;
   EXPECT_LT((building_.robot() - start).norm(), 0.3);
   EXPECT_FALSE(out_.report->mission_ended) << "the mate is still out";
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(period().plan.moving);
@@ -260,11 +259,11 @@ TEST_F(OutOfContact, goesBackToWhereItLastHeardOfAMateThenOn) {
   lose_contact();
   ASSERT_TRUE(goes_back()) << out_.report->reason;
   EXPECT_GT((building_.robot() - heard_at).norm(), 2.0);
-  EXPECT_FALSE(out_.message->claim.has_value()) << "that place is no goal that another could want";
+  EXPECT_FALSE(out_.message.claim.has_value()) << "that place is no goal that another could want";
   for (int i = 0; i < 60 && goes_back(); ++i) (void)explore(false);
   EXPECT_LT((building_.robot() - heard_at).norm(), 1.4) << "half a metre, and a plan further";
   EXPECT_EQ(out_.report->activity, Activity::kExploring) << out_.report->reason;
-  EXPECT_TRUE(out_.message->claim.has_value());
+  EXPECT_TRUE(out_.message.claim.has_value());
   for (int i = 0; i < 14; ++i) EXPECT_FALSE((explore(false), goes_back())) << "in vain is not again soon";
 }
 
@@ -274,7 +273,7 @@ TEST_F(OutOfContact, goesOnAsSoonAsItHearsOfOne) {
   ASSERT_TRUE(goes_back()) << out_.report->reason;
   for (int i = 0; i < 2; ++i) (void)explore(true);
   EXPECT_FALSE(goes_back());
-  EXPECT_TRUE(out_.message->claim.has_value()) << out_.report->reason;
+  EXPECT_TRUE(out_.message.claim.has_value()) << out_.report->reason;
 }
 
 TEST_F(OutOfContact, nobodyLooksForWhoIsHome) {
@@ -287,11 +286,11 @@ TEST_F(OutOfContact, nobodyLooksForWhoIsHome) {
 
 TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
   for (int i = 0; i < 3; ++i) (void)period();
-  ASSERT_TRUE(out_.message->claim.has_value());
-  const Vector2 bound_to = out_.message->claim->p_map;
+  ASSERT_TRUE(out_.message.claim.has_value());
+  const Vector2 bound_to = out_.message.claim->p_map;
   // Head on, in the middle of the corridor, from where the robot is bound to.
   const Vector2 here = building_.robot();
-  const Vector2 there = out_.message->way_map[std::min<std::size_t>(6, out_.message->way_map.size() - 1)];
+  const Vector2 there = out_.message.way_map[std::min<std::size_t>(6, out_.message.way_map.size() - 1)];
   mate_.T_map_base = {there.x(), there.y(), 0.0};
   mate_.way_map.clear();
   for (int i = 0; i <= 20; ++i) mate_.way_map.push_back(there + (here - there) * (i / 10.0));
@@ -308,9 +307,9 @@ TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
   for (int i = 0; i < 4; ++i) (void)period();
   EXPECT_EQ(out_.report->activity, Activity::kExploring) << out_.report->reason;
   EXPECT_TRUE(out_.plan.moving);
-  EXPECT_TRUE(out_.message->visited.empty()) << "being in the room is not being at the goal";
-  ASSERT_TRUE(out_.message->claim.has_value());
-  EXPECT_TRUE(team::is_same_goal(out_.message->claim->p_map, bound_to));
+  EXPECT_TRUE(out_.message.visited.empty()) << "being in the room is not being at the goal";
+  ASSERT_TRUE(out_.message.claim.has_value());
+  EXPECT_TRUE(team::is_same_goal(out_.message.claim->p_map, bound_to));
 }
 
 TEST_F(WithAMate, doesNotBackOffIntoAMateNorPassOneAtFullSpeed) {
@@ -372,7 +371,7 @@ TEST(TwoRobots, thatHearOfEachOtherAPeriodLateDoNotBothKeepTheOnlyGoal) {
       building[r].hear(&input);
       const PlanningOutput out = building[r].run_period(state[r], kExplore);
       building[r].hear(nullptr);
-      says[r] = {*out.message};
+      says[r] = {out.message};
     }
     said = says;
     if (i < 4) continue;
@@ -380,9 +379,11 @@ TEST(TwoRobots, thatHearOfEachOtherAPeriodLateDoNotBothKeepTheOnlyGoal) {
   }
 }
 
-TEST_F(WithAMate, aRobotAloneSaysNothing) {
+TEST_F(WithAMate, aRobotAloneIsATeamOfOne) {
   building_.hear(nullptr);
-  EXPECT_FALSE(period().message.has_value());
+  const team::StatusMessage message = period().message;
+  EXPECT_EQ(message.duty, team::Duty::kAble);
+  EXPECT_FALSE(message.home.has_value());
 }
 
 }  // namespace

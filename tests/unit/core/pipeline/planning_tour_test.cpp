@@ -66,8 +66,8 @@ class HallAndPassage {
 bool leaves_for_the_passage(std::size_t ahead, double range_m, double switch_share,
                             double leads_on_m2 = 4.0) {
   PlannerParams params;
-  params.tour.switch_share = switch_share;
-  params.tour.leads_on_m2 = leads_on_m2;
+  params.explore.tour.switch_share = switch_share;
+  params.explore.tour.leads_on_m2 = leads_on_m2;
   HallAndPassage scene(ahead, range_m, params);
   for (int i = 0; i < 4; ++i) {
     scene.period();
@@ -81,14 +81,14 @@ bool leaves_for_the_passage(std::size_t ahead, double range_m, double switch_sha
 
 // The way to the end of the hall costs 9.6 m; the tour that begins with the passage is 3 to 4 m cheaper.
 TEST(SwitchShare, aGoalIsLeftForATourThatSavesThatShareOfTheWayToIt) {
-  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, TourParams{}.switch_share));
+  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, exploration::TourParams{}.switch_share));
   EXPECT_TRUE(leaves_for_the_passage(4, 6.0, 0.31));
   EXPECT_FALSE(leaves_for_the_passage(4, 6.0, 0.45));
 }
 
 // Here it is about as much of 15.9 m, a smaller share.
 TEST(SwitchShare, theFartherTheGoalTheMoreMetresAnotherTourHasToSave) {
-  EXPECT_TRUE(leaves_for_the_passage(32, 12.0, TourParams{}.switch_share));
+  EXPECT_TRUE(leaves_for_the_passage(32, 12.0, exploration::TourParams{}.switch_share));
   EXPECT_FALSE(leaves_for_the_passage(32, 12.0, 0.31));
 }
 
@@ -112,8 +112,9 @@ TEST(GapChance, isByTheWidthAndTheDistanceFromWhereRobotsWere) {
 
 TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
   PlannerParams params;
-  params.goal_reached_m = 20.0;  // the passage and the end of the hall from where the robot stands
-  params.final_sweep.promise_min = 1.0;
+  params.explore.pursuit.goal_reached_m =
+      20.0;  // the passage and the end of the hall from where the robot stands
+  params.explore.final_sweep.promise_min = 1.0;
   HallAndPassage scene(4, 6.0, params);
   scene.open_the_door();
   const types::Stamp begun = scene.now();
@@ -131,10 +132,10 @@ TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
 TEST(VisitedGoals, withoutLastLooksWhereTheRobotWasIsAGoalAgainWhenThatTimeIsOver) {
   using std::chrono::seconds;
   PlannerParams params;
-  params.strategy = exploration::Strategy::kNearestFrontier;
-  params.visited_s = 10.0;
-  params.give_up_s = 1000.0;
-  params.goal_reached_m = 4.0;  // in front of the passage, and not at the end of the hall
+  params.explore.strategy = exploration::Strategy::kNearestFrontier;
+  params.explore.pursuit.visited_s = 10.0;
+  params.explore.pursuit.give_up_s = 1000.0;
+  params.explore.pursuit.goal_reached_m = 4.0;  // in front of the passage, and not at the end of the hall
   HallAndPassage scene(4, 6.0, params);
   scene.open_the_door();
   types::Stamp visited = scene.now();

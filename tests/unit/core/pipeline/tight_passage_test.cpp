@@ -29,7 +29,7 @@ std::vector<std::string> two_rooms() {
 PlannerParams params_with(double tight_m) {
   PlannerParams params;
   params.travel.tight_m = tight_m;
-  params.final_sweep.promise_min = 1e9;
+  params.explore.final_sweep.promise_min = 1e9;
   return params;
 }
 

@@ -109,7 +109,7 @@ PlanningOutput ToyBuilding::run_period(PlanningState& state, const Mission& miss
   input.map = &snapshot_;
   input.tracked = &tracked_;
   input.control = &control_;
-  input.team = team_;
+  if (team_ != nullptr) input.team = *team_;
   input.front = front_;
   input.mission = mission;
   PlanningOutput out = planning_step(state, input);

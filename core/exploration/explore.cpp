@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "core/exploration/choice.hpp"
+#include "core/exploration/intent.hpp"
+#include "core/exploration/sources.hpp"
+#include "core/exploration/stuck.hpp"
+
+namespace topo::exploration {
+namespace {
+
+std::string metres(double value) {
+  std::array<char, 24> text{};
+  const int n = std::snprintf(text.data(), text.size(), "%.1f m", value);
+  return {text.data(), std::min(static_cast<std::size_t>(std::max(n, 0)), text.size() - 1)};
+}
+
+std::string description(const goals::Goal& goal) {
+  std::string text;
+  if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
+  text += goal.place != 0 ? "place " + std::to_string(goal.place) : "frontier";
+  return text + ", opening " + metres(goal.opening_m);
+}
+
+bool is_viewpoint(const Pursuit& pursuit) { return pursuit.id.source == Source::kViewpoint; }
+
+/// A viewpoint that is left says nothing of a goal beside it.
+Intent give_up(const Situation& situation, const PursuitParams& params, std::string why, Intent intent) {
+  const types::Vector2 p_map = intent.pursuit.goal->p_map;
+  intent.log.note(situation.now, p_map, "given up: " + why);
+  if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.leave(intent.pursuit.id.number))
+    intent.deferred.give_up(p_map, situation.now + types::from_seconds(params.give_up_s), std::move(why));
+  intent.pursuit = without_goal(std::move(intent.pursuit));
+  return intent;
+}
+
+/// A robot that is stuck finds goals and loses them again where it stands. Those did not open the building,
+/// and once it is free the exploration goes on: they do not count among the times that it turned round.
+Intent give_up_stuck(const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params,
+                     std::string why, Intent intent) {
+  intent = block_ahead(situation, map, params.pursuit, std::move(intent));
+  Attempts& attempts = intent.attempts;
+  if (attempts.resumed > 0 && attempts.stuck < params.ending.stuck_max) {
+    --attempts.resumed;
+    ++attempts.stuck;
+  }
+  return give_up(situation, params.pursuit, std::move(why), std::move(intent));
+}
+
+/// What is still open after a visit cannot be seen from there. The final sweep finds viewpoints from where it
+/// can; without it a second visit is all that is left to do.
+Intent reach(const Situation& situation, const ExplorationParams& params, Intent intent) {
+  const types::Vector2 p_map = intent.pursuit.goal->p_map;
+  if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.arrive(intent.pursuit.id.number)) {
+    const types::Stamp again = situation.now + types::from_seconds(params.pursuit.visited_s);
+    intent.deferred.visit(p_map, has_final_sweep(params) ? std::nullopt : std::optional(again));
+  }
+  intent.log.note(situation.now, p_map, "reached");
+  intent.pursuit = without_goal(std::move(intent.pursuit));
+  return intent;
+}
+
+/// The intent after the present goal was reached, given up, or neither.
+Intent settle(const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params,
+              Intent intent) {
+  if (!intent.pursuit.goal) return intent;
+  intent.pursuit = with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
+  const Pursuit& pursuit = intent.pursuit;
+  const bool looks = is_viewpoint(pursuit) && intent.sweep.sweep.has(pursuit.id.number);
+  const double reached_m = looks ? intent.sweep.sweep.reached_m() : params.pursuit.goal_reached_m;
+  switch (settled(pursuit, situation.feedback, situation.here(), map.map().centre_of(pursuit.target),
+                  reached_m, situation.now, params.pursuit)) {
+    case Settled::kUnderWay:
+      return intent;
+    case Settled::kReached:
+      return reach(situation, params, std::move(intent));
+    case Settled::kStuck:
+      return give_up_stuck(situation, map, params, "stuck on the way", std::move(intent));
+    case Settled::kNoProgress:
+      return give_up_stuck(situation, map, params, "no progress", std::move(intent));
+    case Settled::kTooLong:
+      return give_up(situation, params.pursuit, "not reached in four minutes", std::move(intent));
+  }
+  return intent;
+}
+
+Intent wait_for_goal(const Situation& situation, std::string why, Intent intent) {
+  if (intent.pursuit.goal) intent.log.note(situation.now, intent.pursuit.goal->p_map, "left to another");
+  intent.pursuit = without_goal(std::move(intent.pursuit));
+  intent.pursuit.has_target = false;
+  intent.pursuit.last_progress = situation.now;
+  intent.reason = std::move(why);
+  return intent;
+}
+
+/// No goal is in reach. That is not at once the end: a person may stand in a doorway.
+Intent run_dry(const Situation& situation, Searches searches, const ExplorationParams& params, bool cut_off,
+               Intent intent) {
+  intent.pursuit.has_target = false;
+  types::Stamp& since = intent.attempts.nothing_since;
+  if (since == types::Stamp{}) since = situation.now;
+  const bool is_patient = situation.now - since < params.ending.patience;
+  const bool coordinated = row_of(params.strategy).rule != team::Rule::kAlone;
+  if (cut_off && intent.obstacles.forget(situation.now)) {
+    intent.reason = "no way to the goals left: what only sonar heard is forgotten";
+  } else if (cut_off && is_patient) {
+    intent.reason = "no way to the goals left just now";
+  } else if (cut_off && !intent.sweep.meanwhile && has_final_sweep(params)) {
+    intent.sweep.meanwhile = true;
+    intent.reason = "no way to the goals left: looks into corners meanwhile";
+  } else if (intent.deferred.call_back(situation.now)) {
+    intent.reason = "only goals given up before are left: they are tried again";
+  } else if (situation.team.has_mates() &&
+             ((coordinated && mates_have_goals(situation.team.roster, situation.now)) || is_patient)) {
+    return wait_for_goal(situation, "waits: no goal is in reach, but others have some", std::move(intent));
+  } else {
+    intent.phase = next(std::move(intent.phase), event::GoalsExhausted{});
+    intent.log.note(situation.now, situation.start, std::get<Returning>(intent.phase).why);
+    return go_home(situation, searches, params, std::move(intent));
+  }
+  return intent;
+}
+
+/// True when a candidate is worth turning round for on the way home, and this robot would get it.
+bool is_worth_resuming(std::span<const Candidate> candidates, const Situation& situation, Searches searches,
+                       const ExplorationParams& params, const Attempts& attempts) {
+  const bool is_wide = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+    return c.goal.opening_m >= params.ending.resume_for_m;
+  });
+  return is_wide && attempts.resumed != params.ending.resumes_max &&
+         choose(candidates, nullptr, 0.0, situation, searches, params).best != nullptr;
+}
+
+/// The chosen candidate as the goal: the present one, which recedes as the map grows, or another.
+Intent take(const Situation& situation, const ExplorationParams& params, const Candidate& best,
+            bool is_present, Intent intent) {
+  Pursuit& pursuit = intent.pursuit;
+  if (is_present) {
+    pursuit.goal = best.goal;
+    pursuit.id = best.id.number != 0 ? best.id : GoalId{best.id.source, pursuit.number};
+  } else {
+    if (pursuit.goal) intent.log.note(situation.now, pursuit.goal->p_map, "left for a nearer one");
+    const GoalId id = best.id.number != 0 ? best.id : GoalId{best.id.source, pursuit.number + 1};
+    pursuit = set_out(std::move(pursuit), best.goal, id, situation.now, situation.here());
+    intent.offer.claimed_m = weighed_cost_m(best, &best, params.switch_gain);
+    ++intent.log.goals_issued;
+    intent.log.note(situation.now, best.goal.p_map,
+                    "taken: " + description(best.goal) + ", " + metres(best.cost_m) + " to go");
+  }
+  pursuit.target = best.cell;
+  pursuit.has_target = true;
+  intent.reason = description(best.goal);
+  return intent;
+}
+
+}  // namespace
+
+Intent explore(const Situation& situation, Searches searches, const ExplorationParams& params,
+               Intent intent) {
+  const bool homing = is_homing(intent.phase);
+  if (!homing) {
+    intent = keep_contact(situation, searches, params, std::move(intent));
+    if (std::holds_alternative<SeekingContact>(intent.phase)) return intent;
+    intent = settle(situation, searches.map, params, std::move(intent));
+  }
+  Proposal proposal = propose(situation, searches, params, homing, intent.deferred, std::move(intent.sweep));
+  const std::vector<Candidate>& candidates = proposal.candidates;
+  intent.sweep = std::move(proposal.sweep);
+  intent.outlook = {{}, proposal.only_gaps, proposal.clusters};
+  for (const Candidate& c : candidates) intent.outlook.open_goals.push_back(c.goal);
+  if (homing) {
+    if (!is_worth_resuming(candidates, situation, searches, params, intent.attempts))
+      return go_home(situation, searches, params, std::move(intent));
+    ++intent.attempts.resumed;
+    intent.phase = next(std::move(intent.phase), event::GoalFound{});
+    intent.pursuit = without_goal(std::move(intent.pursuit));
+  }
+  const Candidate* present = intent.pursuit.goal ? successor_of(*intent.pursuit.goal, candidates) : nullptr;
+  Choice choice = choose(candidates, present, intent.offer.claimed_m, situation, searches, params);
+  intent.offer.bids = std::move(choice.bids);
+  if (intent.pursuit.goal && present == nullptr) {
+    intent.log.note(situation.now, intent.pursuit.goal->p_map, "dropped: seen, or no longer a goal");
+    intent.pursuit = without_goal(std::move(intent.pursuit));
+  }
+  if (choice.best == nullptr && candidates.empty())
+    return run_dry(situation, searches, params, proposal.cut_off, std::move(intent));
+  intent.attempts.nothing_since = {};
+  if (choice.best == nullptr)
+    return wait_for_goal(situation, "waits: others are nearer to every goal", std::move(intent));
+  ++intent.log.decisions_made;
+  intent.log.clusters_sum += static_cast<std::uint64_t>(proposal.clusters);
+  intent.log.goals_sum += candidates.size();
+  return take(situation, params, *choice.best, choice.best == present, std::move(intent));
+}
+
+}  // namespace topo::exploration

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "core/exploration/sources.hpp"
+#include "core/goals/opening_chance.hpp"
+#include "core/goals/opening_check.hpp"
+
+namespace topo::exploration {
+namespace {
+
+/// Label of the place that a point is in; 0: none. The places may be those of an older map.
+std::uint16_t place_at(const analysis::Analysis& analysis, const types::Vector2& p_map) {
+  const grid::CellIndex cell = analysis.map.cell_at(p_map);
+  if (!analysis.map.contains(cell) || analysis.places.labels.empty()) return 0;
+  return analysis.places.labels[analysis.map.index(cell)];
+}
+
+std::vector<ProposedGoal> goals_at(std::span<const goals::Frontier> frontiers, Source source,
+                                   double behind_min_m2, const Situation& situation,
+                                   const travel::RouteMap& map) {
+  std::vector<goals::Goal> openings = frontier_goals(map.map(), map.field(), frontiers, behind_min_m2);
+  for (goals::Goal& opening : openings) opening.place = place_at(situation.analysis, opening.p_map);
+  return proposed_by(source, openings);
+}
+
+/// True when one of the candidates has `member` within some distance of a point.
+bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidates,
+               types::Vector2 goals::Goal::*member, double within_m) {
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [&](const Candidate& c) { return (c.goal.*member - p_map).norm() < within_m; });
+}
+
+}  // namespace
+
+Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<const Candidate> beside,
+                         const Situation& situation, const travel::RouteMap& map,
+                         const DeferredGoals& deferred, const ExplorationParams& params) {
+  std::vector<goals::Frontier> others;
+  for (const goals::Frontier& frontier : frontiers) {
+    if (!is_beside(frontier.centroid, beside, &goals::Goal::opening, params.tour.same_opening_m))
+      others.push_back(frontier);
+  }
+  Reachable gaps = reachable(goals_at(others, Source::kGap, params.tour.pocket_m2, situation, map), situation,
+                             map, deferred, params);
+  std::erase_if(gaps.candidates, [&](const Candidate& gap) {
+    return is_beside(gap.goal.p_map, beside, &goals::Goal::p_map, params.tour.same_stand_m);
+  });
+  for (Candidate& gap : gaps.candidates) {
+    if (!std::isinf(gap.goal.behind_m2)) continue;
+    const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, situation.paths);
+    gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m);
+  }
+  return gaps;
+}
+
+std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, const travel::RouteMap& map,
+                                        const goals::GoalParams& essential, const TourParams& params) {
+  goals::GoalParams onto_much = essential;
+  onto_much.behind_m2 = params.overlooked_m2;
+  std::erase_if(frontiers, [&](const goals::Frontier& frontier) {
+    return !goals::leads_to_unknown(map.map(), frontier.cells, onto_much);
+  });
+  return frontiers;
+}
+
+Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,
+                              travel::RouteMap& map, const DeferredGoals& deferred,
+                              const ExplorationParams& params) {
+  // The nearest frontier is mostly near, and the building large. In a team it may be a team-mate's.
+  const double first_m = situation.team.has_mates() ? HUGE_VAL : params.ending.frontier_search_m;
+  for (double bound_m = first_m;; bound_m *= 2.0) {
+    map.settle(bound_m);
+    Reachable found = reachable(goals_at(frontiers, Source::kFrontier, 0.0, situation, map), situation, map,
+                                deferred, params);
+    const double settled_m = map.settled_m();
+    const bool is_enough =
+        std::any_of(found.candidates.begin(), found.candidates.end(),
+                    [&](const Candidate& c) { return c.cost_m < params.switch_gain * settled_m; });
+    if (std::isinf(settled_m) || is_enough) return found;
+  }
+}
+
+}  // namespace topo::exploration

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/exploration/intent.hpp"
+#include "core/exploration/stuck.hpp"
+#include "core/grid/nearest_reachable.hpp"
+
+namespace topo::exploration {
+namespace {
+
+using types::Vector2;
+
+/// At the end of a team's exploration; not when the operator orders this robot home.
+bool comes_home_with_mates(const Situation& situation) {
+  return situation.team.has_mates() && situation.mission.order == Order::kExplore;
+}
+
+enum class Outcome : std::uint8_t { kUnderWay, kArrived, kNoProgress };
+struct Headed {
+  Intent intent;
+  Outcome outcome = Outcome::kUnderWay;
+};
+
+Intent without_target(Intent intent) {
+  intent.pursuit = without_goal(std::move(intent.pursuit));
+  intent.pursuit.has_target = false;
+  return intent;
+}
+
+/// One decision on the way to a place.
+Headed head_for(const Vector2& p_map, double reached_m, const Situation& situation, travel::RouteMap& map,
+                const ExplorationParams& params, Intent intent) {
+  if (!intent.pursuit.goal) {
+    goals::Goal place;
+    place.p_map = p_map;
+    intent.pursuit = set_out(std::move(intent.pursuit), place, {}, situation.now, situation.here());
+  }
+  const bool about_this = situation.is_about(intent.pursuit);
+  const double away_m = (p_map - situation.here()).norm();
+  const double ended_m = 2.0 * reached_m + params.homing.arrived_slack_m;
+  if (away_m <= reached_m || (about_this && situation.feedback.arrived && away_m <= ended_m))
+    return {without_target(std::move(intent)), Outcome::kArrived};
+  if (about_this && situation.feedback.stuck) {
+    intent = block_ahead(situation, map, params.pursuit, std::move(intent));
+    ++intent.pursuit.number;  // another route, and control begins anew
+  }
+  intent.pursuit = with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
+  if (situation.now - intent.pursuit.last_progress >
+      params.homing.standstills_max * params.pursuit.standstill)
+    return {without_target(std::move(intent)), Outcome::kNoProgress};
+  intent.pursuit = aimed_at(p_map, map, std::move(intent.pursuit));
+  if (intent.pursuit.has_target) return {std::move(intent), Outcome::kUnderWay};
+  intent.reason = "no way there just now";
+  (void)intent.obstacles.forget(situation.now);
+  intent.obstacles.open_passages();  // what was too tight to explore may be the only way home
+  return {std::move(intent), Outcome::kUnderWay};
+}
+
+struct Destination {
+  std::optional<team::Home> home;    ///< a start, its own or a team-mate's
+  std::optional<team::Home> before;  ///< the one so far, if a route leads there
+  Vector2 p_map{0.0, 0.0};
+};
+
+/// The start, or with team-mates one of all robots' starts.
+Destination destination(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
+                        const Pursuit& pursuit, const Offer& offer) {
+  if (!comes_home_with_mates(situation)) return {offer.home, offer.home, situation.start};
+  team::StatusMessage self;
+  self.robot = situation.team.robot;
+  self.start = situation.start;
+  self.T_map_base = situation.T_map_base;
+  const auto cell_at = [&](const Vector2& p) {
+    return grid::nearest_reachable(map.map(), map.field(), map.map().cell_at(p),
+                                   params.homing.home_reached_m);
+  };
+  const auto cost_m = [&](const Vector2& p) {
+    map.settle(HUGE_VAL);
+    const auto cell = cell_at(p);
+    return cell ? static_cast<double>(map.field().cost_m[map.map().index(*cell)]) : HUGE_VAL;
+  };
+  std::optional<team::Home> present = offer.home;
+  if (present) map.settle(params.homing.home_reached_m);
+  if (present && !cell_at(present->p_map)) present.reset();
+  const team::StatusMessage* passing = nullptr;
+  if (situation.now >= offer.ignore_passing_until) {
+    const std::vector<Vector2> way =
+        pursuit.has_target ? beginning_of(situation.route) : std::vector<Vector2>{};
+    passing = who_has_to_pass(situation.team, situation.T_map_base, way, situation.now);
+  }
+  const auto home =
+      team::choose_home(self, situation.team.roster.heard(situation.now), present, passing, cost_m);
+  return {home, present, home ? home->p_map : situation.start};
+}
+
+/// The other home's route is another one: what control reports of the old one is not about it.
+Intent bound_for(const std::optional<team::Home>& home, const std::optional<team::Home>& before,
+                 Intent intent) {
+  const bool same = home && before ? home->robot == before->robot : !home && !before;
+  if (!same && intent.pursuit.goal) {
+    intent.pursuit = without_goal(std::move(intent.pursuit));
+    intent.is_outdated = true;
+  }
+  intent.offer.home = home;
+  return intent;
+}
+
+/// The reason that an ended mission is left with.
+std::string reason_at_home(const Phase& phase, Order order) {
+  const auto& way = std::get<Returning>(phase);
+  if (way.cut_short) return way.why + ": came home";
+  return order == Order::kExplore ? way.why : "arrived";
+}
+
+Intent arrive_home(const Situation& situation, Intent intent) {
+  if (comes_home_with_mates(situation) && !situation.team.roster.all_home(situation.now)) {
+    intent.phase = next(std::move(intent.phase), event::MatesOut{});
+    intent.reason = "home, waits for the others";
+    return intent;
+  }
+  intent.reason = reason_at_home(intent.phase, situation.mission.order);
+  intent.phase = next(std::move(intent.phase), event::Arrived{});
+  return intent;
+}
+
+Intent fail(Intent intent) {
+  intent.phase = next(std::move(intent.phase), event::NoProgress{});
+  intent.reason = "no progress for 100 s";
+  return intent;
+}
+
+}  // namespace
+
+Intent go_home(const Situation& situation, Searches searches, const ExplorationParams& params,
+               Intent intent) {
+  intent.reason = std::get<Returning>(intent.phase).why;
+  const HomingParams& homing = params.homing;
+  const double usual_m =
+      comes_home_with_mates(situation) ? homing.team_home_reached_m : homing.home_reached_m;
+  const bool stuck = situation.is_about(intent.pursuit) && situation.feedback.stuck;
+  const double reached_m = stuck ? std::max(usual_m, homing.stuck_reached_m) : usual_m;
+  const Destination to = destination(situation, searches.map, params, intent.pursuit, intent.offer);
+  intent = bound_for(to.home, to.before, std::move(intent));
+  Headed headed = head_for(to.p_map, reached_m, situation, searches.map, params, std::move(intent));
+  switch (headed.outcome) {
+    case Outcome::kUnderWay:
+      return std::move(headed.intent);
+    case Outcome::kArrived:
+      return arrive_home(situation, std::move(headed.intent));
+    case Outcome::kNoProgress:
+      return fail(std::move(headed.intent));
+  }
+  return std::move(headed.intent);
+}
+
+Intent go_to_target(const Situation& situation, Searches searches, const ExplorationParams& params,
+                    Intent intent) {
+  intent.reason = "on the operator's order";
+  Headed headed = head_for(situation.mission.target, params.homing.home_reached_m, situation, searches.map,
+                           params, std::move(intent));
+  if (headed.outcome == Outcome::kNoProgress) return fail(std::move(headed.intent));
+  if (headed.outcome == Outcome::kArrived) {
+    headed.intent.phase = next(std::move(headed.intent.phase), event::Arrived{});
+    headed.intent.reason = "arrived";
+  }
+  return std::move(headed.intent);
+}
+
+}  // namespace topo::exploration

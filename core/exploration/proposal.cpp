@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/exploration/sources.hpp"
+#include "core/grid/nearest_reachable.hpp"
+
+namespace topo::exploration {
+namespace {
+
+/// Candidates that the fine search has not come to get the costs of the coarse map.
+void estimate_far_ones(std::vector<Candidate>& candidates, const types::Se2& T_map_base,
+                       travel::RouteMap& map, double reach_m) {
+  struct FarOne {
+    Candidate* candidate;
+    std::optional<grid::CellIndex> coarse_cell;
+  };
+  std::vector<FarOne> far;
+  for (Candidate& c : candidates) {
+    if (static_cast<double>(map.field().cost_m[map.map().index(c.cell)]) >= map.settled_m())
+      far.push_back({&c, {}});
+  }
+  if (far.empty()) return;
+  const travel::CoarseMap& coarse = map.coarse();
+  const grid::TravelField& coarse_field = map.coarse_field();
+  for (FarOne& one : far) {
+    const grid::CellIndex beside = coarse.map.cell_at(map.map().centre_of(one.candidate->cell));
+    one.coarse_cell = grid::nearest_reachable(coarse.map, coarse_field, beside, reach_m);
+  }
+  // Where one has a route on the fine map alone, the costs of all are taken from that map.
+  const bool has_all =
+      std::all_of(far.begin(), far.end(), [](const FarOne& one) { return one.coarse_cell.has_value(); });
+  if (!has_all) map.settle(HUGE_VAL);
+  for (const auto& [candidate, coarse_cell] : far)
+    candidate->cost_m = has_all ? way_cost_m(coarse.map, coarse_field, *coarse_cell, T_map_base)
+                                : way_cost_m(map.map(), map.field(), candidate->cell, T_map_base);
+}
+
+Proposal propose_frontiers(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
+                           const DeferredGoals& deferred, SweepState sweep) {
+  Proposal proposal;
+  const std::vector<goals::Frontier> frontiers = goals::find_frontiers(map.map(), params.frontier_min_m);
+  Reachable found = frontier_candidates(frontiers, situation, map, deferred, params);
+  proposal.candidates = std::move(found.candidates);
+  proposal.cut_off = found.cut_off;
+  proposal.clusters = static_cast<int>(frontiers.size());
+  proposal.sweep = std::move(sweep);
+  return proposal;
+}
+
+void append(std::vector<Candidate>& candidates, const std::vector<Candidate>& more) {
+  candidates.insert(candidates.end(), more.begin(), more.end());
+}
+
+/// Essential goals and gaps: all gaps when the exploration is to be complete; else, when no essential goal is
+/// left, those through which the building goes on all the same. With viewpoints when neither is left. A sweep
+/// that has begun goes on in one tour with what comes up, else the robot would leave a corner that is at
+/// hand.
+Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
+                      bool homing, const DeferredGoals& deferred, SweepState sweep) {
+  Proposal proposal;
+  map.settle(params.tour.exact_m);
+  std::vector<goals::Frontier> frontiers = goals::find_frontiers(map.map(), params.frontier_min_m);
+  proposal.clusters = static_cast<int>(frontiers.size());
+  Reachable found = essential_candidates(situation, map, deferred, params, homing);
+  proposal.only_gaps = found.candidates.empty();
+  const bool complete = params.finish == Finish::kComplete;
+  if (complete || proposal.only_gaps) {
+    if (!complete) frontiers = overlooked(std::move(frontiers), map, situation.essential, params.tour);
+    const Reachable gaps = gap_candidates(frontiers, found.candidates, situation, map, deferred, params);
+    append(found.candidates, gaps.candidates);
+    found.cut_off = found.cut_off || gaps.cut_off;
+  }
+  const bool sweeps = has_final_sweep(params) && !homing;
+  if (sweeps) sweep = swept(std::move(sweep), found.candidates, found.cut_off, situation, map, params);
+  if (!found.candidates.empty()) {
+    sweep.sweep.interrupt(situation.now);
+    sweep.meanwhile = false;
+  }
+  if (sweeps) {
+    const Reachable viewpoints = viewpoint_candidates(sweep.sweep, situation, map);
+    append(found.candidates, viewpoints.candidates);
+    found.cut_off = found.cut_off || viewpoints.cut_off;
+  }
+  estimate_far_ones(found.candidates, situation.T_map_base, map, params.tour.far_reach_m);
+  proposal.candidates = std::move(found.candidates);
+  proposal.cut_off = found.cut_off;
+  proposal.sweep = std::move(sweep);
+  return proposal;
+}
+
+}  // namespace
+
+Proposal propose(const Situation& situation, Searches searches, const ExplorationParams& params, bool homing,
+                 const DeferredGoals& deferred, SweepState sweep) {
+  return row_of(params.strategy).tours
+             ? propose_tour(situation, searches.map, params, homing, deferred, std::move(sweep))
+             : propose_frontiers(situation, searches.map, params, deferred, std::move(sweep));
+}
+
+}  // namespace topo::exploration

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/exploration/goal_choice.hpp"
+#include "core/exploration/params.hpp"
+#include "core/goals/goal.hpp"
+#include "core/grid/dense_map.hpp"
+#include "core/types/se2.hpp"
+#include "core/types/stamp.hpp"
+
+namespace topo::exploration {
+
+/// The goal that the robot is on its way to, and how it gets on. A value.
+struct Pursuit {
+  /// Counts goals and new attempts at one; control's report names the number that it is about.
+  std::uint64_t number = 0;
+  std::optional<goals::Goal> goal;
+  GoalId id;  ///< of the goal
+  grid::CellIndex target;
+  bool has_target = false;  ///< a route is wanted to `target`
+  types::Stamp taken{}, last_progress{};
+  types::Vector2 progress_at{0.0, 0.0};
+};
+
+/// What control reports of a pursuit, as far as planning needs it.
+struct Feedback {
+  std::uint64_t number = 0;  ///< of the pursuit that it is about
+  bool arrived = false;      ///< at the end of a path that ends at the goal
+  bool stuck = false;        ///< recovery did not help
+};
+
+/// The pursuit of another goal.
+Pursuit set_out(Pursuit pursuit, const goals::Goal& goal, GoalId id, types::Stamp now,
+                const types::Vector2& here);
+/// The pursuit after the robot was seen at `here`.
+Pursuit with_progress(Pursuit pursuit, const types::Vector2& here, types::Stamp now,
+                      const PursuitParams& params);
+/// Without a goal. The target stays.
+Pursuit without_goal(Pursuit pursuit);
+
+enum class Settled : std::uint8_t { kUnderWay, kReached, kStuck, kNoProgress, kTooLong };
+/// What became of a pursuit with a goal. `target_map`: centre of its target. `reached_m`: how near counts as
+/// visited.
+Settled settled(const Pursuit& pursuit, const Feedback& feedback, const types::Vector2& here,
+                const types::Vector2& target_map, double reached_m, types::Stamp now,
+                const PursuitParams& params);
+
+}  // namespace topo::exploration

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/exploration/goal_choice.hpp"
+#include "core/exploration/intent.hpp"
+#include "core/exploration/params.hpp"
+#include "core/goals/frontiers.hpp"
+
+// Sources of candidates, each in a file of its own. None changes anything but the searches of the map.
+namespace topo::exploration {
+
+/// Goals that can be reached and are not deferred.
+struct Reachable {
+  std::vector<Candidate> candidates;
+  bool cut_off = false;  ///< one was left out because no route leads there now
+};
+
+/// Of goals of any source: what is reachable, not deferred, and not visited by a team-mate that counts.
+Reachable reachable(std::span<const ProposedGoal> goals, const Situation& situation,
+                    const travel::RouteMap& map, const DeferredGoals& deferred,
+                    const ExplorationParams& params);
+
+/// Essential goals of the analysis (essential_source.cpp). Cut off also when one that the analysis held
+/// unlikely has no route now: it is worth a moment's patience. `homing`: not then.
+Reachable essential_candidates(const Situation& situation, const travel::RouteMap& map,
+                               const DeferredGoals& deferred, const ExplorationParams& params, bool homing);
+
+/// Gaps: frontiers that no candidate in `beside` covers (gap_source.cpp).
+Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<const Candidate> beside,
+                         const Situation& situation, const travel::RouteMap& map,
+                         const DeferredGoals& deferred, const ExplorationParams& params);
+
+/// Frontiers behind which more than a room is unknown: what Finish::kEssential inspects before going home.
+std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, const travel::RouteMap& map,
+                                        const goals::GoalParams& essential, const TourParams& params);
+
+/// All frontiers, as the goals of a frontier strategy (frontier_source.cpp). Searches the map only as far as
+/// the cheapest goal is certain. `clusters`: how many frontiers there are.
+Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,
+                              travel::RouteMap& map, const DeferredGoals& deferred,
+                              const ExplorationParams& params);
+
+/// The final sweep after this period (sweep_source.cpp): it begins or goes on when `others` is empty, and
+/// stands still otherwise. `cut_off`: goals are left that no route leads to.
+SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_off,
+                 const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params);
+/// Its open viewpoints.
+Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
+                               const travel::RouteMap& map);
+
+/// True when a final sweep follows an exploration.
+bool has_final_sweep(const ExplorationParams& params);
+
+/// Everything there is to choose among now.
+struct Proposal {
+  std::vector<Candidate> candidates;
+  bool cut_off = false;
+  bool only_gaps = false;
+  int clusters = 0;  ///< frontiers
+  SweepState sweep;
+};
+/// By the sources of the strategy (proposal.cpp). `homing`: the robot is on its way home.
+Proposal propose(const Situation& situation, Searches searches, const ExplorationParams& params, bool homing,
+                 const DeferredGoals& deferred, SweepState sweep);
+
+}  // namespace topo::exploration

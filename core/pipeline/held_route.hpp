@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/exploration/intent.hpp"
+#include "core/pipeline/newest_keyframe.hpp"
+#include "core/pipeline/planning_step.hpp"
+#include "core/pipeline/whereabouts.hpp"
+
+namespace topo::pipeline {
+
+/// The route of the last decision, and what it was decided by. A value.
+struct HeldRoute {
+  std::vector<types::Vector2> points;  ///< to the target, in map
+  types::Stamp decided{};              ///< zero: the next period decides anew
+  std::uint64_t changed_cells = 0;     ///< MapSnapshot::changed_cells of the map then
+  NewestKeyframe newest;               ///< of the map then
+  exploration::Claims claims;          ///< of team-mates then
+};
+
+/// True when the last decision is still good: nothing happened, and nothing in `seen_now` stands in the way.
+bool holds(const HeldRoute& route, const exploration::Intent& intent, const exploration::TeamView& team,
+           const Whereabouts& place, const PlanningInput& in, const travel::RouteMap& map, bool battery_low,
+           std::span<const types::Vector2> seen_now, const PlannerParams& params);
+
+/// Without the part that lies behind the robot.
+HeldRoute trimmed(HeldRoute route, const types::Vector2& here);
+
+}  // namespace topo::pipeline

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/exploration/intent.hpp"
+#include "core/pipeline/planning_step.hpp"
+#include "core/pipeline/whereabouts.hpp"
+
+// What a planning step hands on: to the base, to whoever displays it, and to team-mates.
+namespace topo::pipeline {
+
+/// What an operator reads of a phase. `moves`: the robot has a goal.
+Activity activity_of(const exploration::Phase& phase, bool has_goal, bool is_hindered);
+
+Plan make_plan(std::uint64_t sequence, const PlanningInput& in, const exploration::Intent& intent,
+               const Whereabouts& place, std::span<const types::Vector2> route,
+               const exploration::TeamView& team, const PlannerParams& params);
+
+/// Without what the map and the analysis add.
+std::unique_ptr<PlanningReport> make_report(const PlanningInput& in, const exploration::Intent& intent,
+                                            const Whereabouts& place, std::span<const types::Vector2> route);
+
+team::StatusMessage make_message(const PlanningInput& in, const exploration::Intent& intent,
+                                 const Whereabouts& place, std::span<const types::Vector2> route);
+
+}  // namespace topo::pipeline

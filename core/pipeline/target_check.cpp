@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/grid/nearest_reachable.hpp"
+#include "core/pipeline/planning_step.hpp"
+
+namespace topo::pipeline {
+
+types::Status check_target(const analysis::Analysis& analysis, const PlannerParams& params,
+                           const types::Vector2& from, const types::Vector2& target) {
+  using types::Errc;
+  if (!types::allows(params.area, target))
+    return types::fail(Errc::kInvalidInput, "the target is outside of the configured area");
+  const grid::DenseMap& map = analysis.map;
+  const grid::CellIndex cell = map.cell_at(target);
+  switch (map.state(cell)) {
+    case grid::CellState::kUnknown:
+      return types::fail(Errc::kInvalidInput, "the target is in unknown space");
+    case grid::CellState::kOccupied:
+      return types::fail(Errc::kInvalidInput, "something stands at the target");
+    case grid::CellState::kFree:
+      break;
+  }
+  const std::vector<float> clearance_m = analysis::clearance_of(analysis);
+  const grid::TravelField field = grid::travel_field(map, clearance_m, map.cell_at(from), params.travel);
+  if (!grid::nearest_to_stay_at(map, field, cell, 0.25))
+    return types::fail(Errc::kInvalidInput, "no way that is wide enough for the robot leads to the target");
+  return {};
+}
+
+}  // namespace topo::pipeline

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/travel/obstacle_memory.hpp"
+
+#include <gtest/gtest.h>
+
+namespace topo::travel {
+namespace {
+
+using std::chrono::minutes;
+using std::chrono::seconds;
+using types::Vector2;
+
+const types::Stamp kStart = types::stamp_from_seconds(1000.0);
+const Vector2 kPlace{2.0, 3.0};
+
+TEST(ObstacleMemory, AnEchoCountsWhenItIsHeardThreeTimes) {
+  ObstacleMemory memory;
+  memory.note_echo(kPlace, kStart);
+  memory.note_echo(kPlace + Vector2(0.1, 0.0), kStart);
+  EXPECT_TRUE(memory.echoed().empty()) << "two may be a reflection";
+  memory.note_echo(kPlace + Vector2(0.0, 0.1), kStart);
+  ASSERT_EQ(memory.echoed().size(), 1U);
+  EXPECT_EQ(memory.echoed().front(), kPlace);
+}
+
+TEST(ObstacleMemory, EchoesApartAreDifferentOnes) {
+  ObstacleMemory memory;
+  for (int i = 0; i < 3; ++i) memory.note_echo(kPlace + Vector2(0.2 * i, 0.0), kStart);
+  EXPECT_TRUE(memory.echoed().empty());
+}
+
+TEST(ObstacleMemory, ATouchCountsAtOnce) {
+  ObstacleMemory memory;
+  memory.note_touch(kPlace, kStart);
+  EXPECT_EQ(memory.echoed().size(), 1U);
+}
+
+TEST(ObstacleMemory, EverythingExpiresInItsTime) {
+  ObstacleMemory memory;
+  memory.note_touch(kPlace, kStart);
+  memory.block(kPlace, kStart);
+  memory.expire(kStart + minutes(5));
+  EXPECT_EQ(memory.echoed().size(), 1U);
+  EXPECT_TRUE(memory.stuck_on().empty());
+  memory.expire(kStart + minutes(10));
+  EXPECT_TRUE(memory.echoed().empty());
+}
+
+TEST(ObstacleMemory, APlaceWhereTheRobotGotStuckIsADisc) {
+  ObstacleMemory memory;
+  memory.block(kPlace, kStart);
+  ASSERT_EQ(memory.stuck_on().size(), 5U);
+  for (const Vector2& p : memory.stuck_on()) EXPECT_LE((p - kPlace).norm(), 0.25 + 1e-9);
+}
+
+TEST(ObstacleMemory, AClosedPassageStaysUntilItIsOpened) {
+  ObstacleMemory memory;
+  memory.close_passage(kPlace);
+  memory.expire(kStart + minutes(600));
+  EXPECT_FALSE(memory.forget(kStart)) << "neither an echo nor a place where it got stuck";
+  EXPECT_EQ(memory.stuck_on().size(), 1U);
+  memory.open_passages();
+  EXPECT_TRUE(memory.stuck_on().empty());
+}
+
+TEST(ObstacleMemory, IsForgottenOnceAMinute) {
+  ObstacleMemory memory;
+  EXPECT_FALSE(memory.forget(kStart)) << "there is nothing";
+  memory.block(kPlace, kStart);
+  EXPECT_TRUE(memory.forget(kStart));
+  EXPECT_TRUE(memory.stuck_on().empty());
+  memory.note_touch(kPlace, kStart + seconds(30));
+  EXPECT_FALSE(memory.forget(kStart + seconds(59)));
+  EXPECT_TRUE(memory.forget(kStart + seconds(60)));
+}
+
+TEST(ObstacleMemory, KeepsSoManyEchoesAndNoMore) {
+  ObstacleMemoryParams params;
+  params.echoes_max = 2;
+  ObstacleMemory memory(params);
+  for (int i = 0; i < 5; ++i) memory.note_touch(kPlace + Vector2(1.0 * i, 0.0), kStart);
+  EXPECT_EQ(memory.echoed().size(), 2U);
+}
+
+}  // namespace
+}  // namespace topo::travel
