@@ -11,6 +11,7 @@
 
 #include "core/grid/distance.hpp"
 #include "core/grid/near_squares.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::grid {
 
@@ -78,6 +79,7 @@ class RunEnvelope {
       }
       --size_;
     }
+    types::require(size_ < sites_.size(), "grid::RunEnvelope: more sites than columns");
     sites_[size_++] = site;
   }
 

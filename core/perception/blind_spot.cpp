@@ -7,6 +7,7 @@
 
 #include "core/perception/footprint_sweep.hpp"
 #include "core/perception/moving_obstacles.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::perception {
 namespace {
@@ -108,6 +109,7 @@ void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::sp
 }
 
 void BlindSpot::put_points(const Se2& T_odom_base, std::span<ScanPoint> out) const {
+  types::require(out.size() <= size_, "perception::BlindSpot: more points asked for than are kept");
   const Se2 T_base_odom = T_odom_base.inverse();
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = {T_base_odom * seen_[i].p_odom, false, true};
 }

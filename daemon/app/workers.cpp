@@ -90,7 +90,7 @@ ThreadSettings Workers::real_time(std::string name, int priority) const {
 
 template <class Worker>
 Status Workers::launch(Thread& thread, const ThreadSettings& settings, Worker& worker) {
-  auto& refusals = refusals_[launched_++];
+  auto& refusals = refusals_.at(launched_++);
   return thread.start(settings, [settings, &worker, &refusals] {
     for (const std::string& refusal : apply_settings(settings)) {
       if (auto* slot = refusals.try_acquire(); slot != nullptr) {

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 #include <cstring>
+
+#include "core/types/invariant.hpp"
 
 namespace topo::daemon {
 
 ByteRing::ByteRing(std::size_t capacity) : bytes_(capacity) {
-  if (!std::has_single_bit(capacity)) std::abort();
+  types::require(std::has_single_bit(capacity), "daemon::ByteRing: a capacity that is no power of two");
 }
 
 void ByteRing::put(std::uint64_t at, std::span<const std::byte> data) noexcept {
@@ -37,6 +38,7 @@ std::size_t ByteRing::size() const noexcept {
 }
 
 void ByteRing::peek(std::span<std::byte> out) const noexcept {
+  types::require(out.size() <= size(), "daemon::ByteRing: more bytes asked for than are there");
   if (out.empty()) return;
   const auto begin = static_cast<std::size_t>(tail_.load(std::memory_order_relaxed) & (bytes_.size() - 1));
   const std::size_t first = std::min(out.size(), bytes_.size() - begin);
@@ -45,6 +47,7 @@ void ByteRing::peek(std::span<std::byte> out) const noexcept {
 }
 
 void ByteRing::drop(std::size_t n) noexcept {
+  types::require(n <= size(), "daemon::ByteRing: more bytes dropped than are there");
   tail_.store(tail_.load(std::memory_order_relaxed) + n, std::memory_order_release);
 }
 

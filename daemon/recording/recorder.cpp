@@ -8,6 +8,7 @@
 #include <bit>
 #include <chrono>
 
+#include "core/types/invariant.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -121,7 +122,7 @@ void Recorder::drain(ChannelTap& tap) {
     std::array<std::byte, RecordHead::kSize> bytes{};
     tap.ring().peek(bytes);
     const auto head = decode_record_head(bytes);
-    if (!head.has_value()) std::abort();  // our own tap wrote it
+    types::require(head.has_value(), "daemon::Recorder: a record head that its own tap did not write");
     const std::size_t n = RecordHead::kSize + head->length;
     if (frame_.size() + n > kFrameTarget) flush();
     if (frame_.empty()) frame_started_ = io::monotonic_now();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/types/invariant.hpp"
+
 #include "drivers/hokuyo/connection_impl.hpp"
 
 namespace topo::hokuyo {
@@ -82,6 +84,7 @@ void Connection::Impl::fill(types::Scan& out, const SensorClock::Result& time) c
   out.arrival = line.arrival();
   out.sequence = sequence;
   out.geometry = geometry;
+  types::require(raw.points <= types::Scan::kMaxBeams, "hokuyo: more points than a scan holds");
   out.beams = static_cast<std::uint16_t>(raw.points);
   out.has_intensity = intensity;
   for (std::size_t i = 0; i < raw.points; ++i) out.range_m[i] = decode(raw.range_mm[i]);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/types/invariant.hpp"
+
 namespace topo::pioneer {
 namespace {
 
@@ -37,7 +39,11 @@ bool CommandPacket::is_emergency_stop() const { return bytes_[3] == static_cast<
 class CommandWriter {
  public:
   explicit CommandWriter(Command command) { put(static_cast<std::byte>(command)); }
-  void put(std::byte b) { packet_.bytes_[kPayload + used_++] = b; }
+  void put(std::byte b) {
+    types::require(kPayload + used_ + kChecksum < kMaxPacket,
+                   "pioneer::CommandWriter: a command longer than a packet");
+    packet_.bytes_[kPayload + used_++] = b;
+  }
   void put_word(unsigned v) {
     put(low_byte(v));
     put(low_byte(v >> 8U));
@@ -54,7 +60,7 @@ class CommandWriter {
   }
 
  private:
-  static constexpr std::size_t kPayload = 3;
+  static constexpr std::size_t kPayload = 3, kChecksum = 2;  // bytes before the payload, and behind it
   CommandPacket packet_;
   std::size_t used_ = 0;
 };
@@ -148,8 +154,10 @@ void PacketParser::abandon_incomplete() {
   drop_to_next_sync();
 }
 
-/// Never takes a byte beyond the candidate, so that the buffer cannot overflow.
+/// Never takes a byte beyond the candidate, whose count was judged before: the buffer cannot overflow.
 void PacketParser::append(std::span<const std::byte>& input, types::Stamp stamp) {
+  types::require(size_ <= wanted() && wanted() <= bytes_.size(),
+                 "pioneer::PacketParser: a packet longer than allowed");
   const std::size_t taken = std::min(wanted() - size_, input.size());
   std::copy_n(input.begin(), taken, bytes_.begin() + static_cast<std::ptrdiff_t>(size_));
   std::fill_n(stamps_.begin() + static_cast<std::ptrdiff_t>(size_), taken, stamp);

@@ -3,6 +3,7 @@
 #include "drivers/pioneer/handshake.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "drivers/pioneer/byte_reader.hpp"
@@ -42,6 +43,8 @@ Handshake::Handshake(Link& link, std::string expected_subclass, std::string_view
       expected_subclass_(std::move(expected_subclass)),
       device_(device),
       may_drive_until_(may_drive_until) {
+  static_assert(kBaudOrder.size() + 1 == std::tuple_size_v<decltype(bauds_)>,
+                "every rate, and the first one");
   if (!link.has_baud()) return;
   if (first_baud != 0) bauds_[baud_count_++] = first_baud;
   for (const int baud : kBaudOrder)
