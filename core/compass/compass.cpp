@@ -15,26 +15,27 @@ namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
-/// Fewer points than a metre and a half of wall have say nothing of a building.
+/// Minimum number of points: those of 1.5 m of wall. Fewer carry no information about a building.
 constexpr std::size_t kPointsMin = 30;
 
-/// Of them the coarse curve is made: its dip is a degree wide and needs no more.
+/// Points for the coarse curve: its minimum is a degree wide and needs no more.
 constexpr std::size_t kCoarsePoints = 6000;
 
-/// So many of the coarse curve's minima are looked at with all points.
+/// Minima of the coarse curve that are evaluated with all points.
 constexpr std::size_t kDips = 3;
 
-/// The lowest of 90 values of noise is 2.5 sigma below their median.
+/// Least depth of a minimum, in multiples of the jitter. The lowest of 90 values of noise is 2.5 sigma below
+/// their median.
 constexpr double kJitters = 6.0;
 
-/// Bins get wider where a few points far out would ask for more.
+/// Maximum number of half bins along the radius: a few distant points widen the bins instead.
 constexpr double kHalfBinsMax = 30000.0;
 
-/// Angles that a compass answers with, evenly over a quarter turn: 0.05 degrees apart. A few points more then
-/// do not turn it by a hair, and all that lies in its frame may stay.
+/// Number of result angles over a quarter turn, 0.05 degrees apart: a few more points then leave the angle,
+/// and all data in its frame, unchanged.
 constexpr long kAnswers = 1800;
 
-/// Entropy at an angle.
+/// Entropy as a function of the angle in radians.
 using Curve = std::function<double(double)>;
 
 double median_of(std::vector<double> values) {
@@ -43,21 +44,21 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// How much the curve jumps from step to step: of a set of points without a direction that is all it does.
-/// From its second differences, so that the slopes of a building's curve do not count; a median, so that the
-/// dip does not.
+/// Noise of the curve from step to step, which is all that a set of points without a direction has. Second
+/// differences exclude the slopes of a building's curve; the median excludes the minimum.
 double jitter_of(const std::vector<double>& curve) {
   std::vector<double> bends(curve.size());
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double before = curve[(i + curve.size() - 1) % curve.size()], after = curve[(i + 1) % curve.size()];
     bends[i] = std::abs(before - 2.0 * curve[i] + after);
   }
-  // For normally distributed values: a median of 0.6745 sigma, and sigma of the second difference is sqrt(6).
+  // For normally distributed values: the median is 0.6745 sigma, and sigma of the second difference is
+  // sqrt(6).
   return median_of(std::move(bends)) / (0.6745 * std::sqrt(6.0));
 }
 
-/// Middle of the dip around the lowest of the values, in steps: each counts as it lies below the ends, and
-/// less with its distance from the middle, up to `reach`; so the middle is looked for again until it stays.
+/// Centre of the minimum around the lowest of the values, in steps. Weights grow with the depth below the
+/// ends and fall to 0 at `reach` from the centre, which is why the centre is iterated.
 double dip_middle(const std::vector<double>& values, double lowest, double reach) {
   const double edge = std::min(values.front(), values.back());
   double middle = lowest;
@@ -75,7 +76,7 @@ double dip_middle(const std::vector<double>& values, double lowest, double reach
   return middle;
 }
 
-/// Numbers of the curve's local minima, lowest first, at most `count`.
+/// Indices of the curve's local minima, lowest first, at most `count`.
 std::vector<std::size_t> lowest_dips(const std::vector<double>& curve, std::size_t count) {
   std::vector<std::size_t> dips;
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -96,7 +97,8 @@ class Refinement {
         step_(2.0 * params.fine_step_rad),
         reach_(static_cast<int>(std::ceil(params.coarse_step_rad / step_))) {}
 
-  /// Of the dips the one that is lowest at half steps: what few points said is not the last word.
+  /// Angle of the lowest entropy of all points, at the minima and half a coarse step beside them: the ranking
+  /// by few points may be wrong.
   [[nodiscard]] double lowest_of(const std::vector<double>& dips_rad) {
     double best = HUGE_VAL, best_rad = 0.0;
     for (const double dip_rad : dips_rad) {
@@ -110,8 +112,8 @@ class Refinement {
     return best_rad;
   }
 
-  /// By steps to the lowest value, then to the middle of the dip around it: a building with wings has a wide
-  /// one.
+  /// Finds the lowest value in steps, then the centre of the minimum around it, which is wide for a building
+  /// with wings.
   [[nodiscard]] double refined(double angle_rad) {
     std::vector<double> values;
     for (int i = -2 * reach_; i <= 2 * reach_; ++i) {
@@ -124,17 +126,17 @@ class Refinement {
 
  private:
   const Curve& entropy_;
-  double step_;  ///< the middle of a dip is known to less than half of it
-  int reach_;    ///< a coarse step in these
+  double step_;  ///< the centre of a minimum is found to less than half of this
+  int reach_;    ///< a coarse step in units of step_
 };
 
-/// The nearest of the answers, in [0, pi/2).
+/// The nearest result angle, in [0, pi/2).
 double answer_near(double angle_rad) {
   const long nearest = std::lround(angle_rad / kQuarterTurn * kAnswers) % kAnswers;
   return static_cast<double>(nearest < 0 ? nearest + kAnswers : nearest) * kQuarterTurn / kAnswers;
 }
 
-/// `few`: of the points for the coarse curve; `all`: of all that count.
+/// `few`: curve of the points for the coarse curve; `all`: curve of all points that count.
 Compass compass_of(const Curve& few, const Curve& all, const CompassParams& params) {
   Compass compass;
   const auto steps = std::max(4, static_cast<int>(std::lround(kQuarterTurn / params.coarse_step_rad)));
@@ -154,11 +156,11 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
   return compass;
 }
 
-/// Points that come to a curve and that go from it.
+/// Points that are added to a curve and points that are removed from it.
 struct Change {
   Cloud come, gone;
 
-  /// Those between two limits of their hashes.
+  /// The points between two limits of their hashes.
   Change(const Samples& samples, std::uint64_t was, std::uint64_t is, const Placing& placing) {
     if (was == is) return;
     Cloud& cloud = was < is ? come : gone;
@@ -173,7 +175,7 @@ struct Change {
   }
 };
 
-/// Makes of the curves those by these points.
+/// Updates the curves to these points.
 void renew(CompassMemory& memory, const PointsChange& points, std::uint64_t few_limit,
            std::uint64_t all_limit) {
   const Placing& placing = memory.placing;
@@ -236,7 +238,7 @@ Compass entropy_compass(const PointsChange& change, const CompassParams& params,
   for (KeptCurve* const kept : {&memory.few, &memory.all})
     for (auto& [angle_rad, at] : kept->at) ++at.unused;
   Compass compass = compass_of(curve(memory.few), curve(memory.all), params);
-  // What looks best may change to and fro.
+  // Angles are kept for a while, because the best minimum may alternate between runs.
   for (KeptCurve* const kept : {&memory.few, &memory.all})
     std::erase_if(kept->at, [](const auto& entry) { return entry.second.unused > 2; });
   return compass;

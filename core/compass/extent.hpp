@@ -10,7 +10,7 @@
 
 namespace topo::compass {
 
-/// From the least to the greatest of the values that points have; of no points the other way round.
+/// From the least to the greatest of the values of points; low > high for no points.
 struct Extent {
   double low = HUGE_VAL, high = -HUGE_VAL;
 
@@ -28,7 +28,7 @@ Extent extent_of(std::span<const types::Vector2> points, F&& value) {
   return extent;
 }
 
-/// The same from that of the points before. Costs what has changed, unless one goes that was at an end.
+/// Updates the extent of the previous points. Costs only the difference, unless a point at an end is removed.
 template <class F>
 Extent renewed(Extent extent, const PointsChange& points, F&& value) {
   const auto was_at_end = [&](const types::Vector2& p) {

@@ -11,7 +11,8 @@
 namespace topo::compass {
 namespace {
 
-/// Of an occupied cell that is not on the map's border.
+/// True when a straight neighbour of an occupied cell is not occupied. Precondition: the cell is not on the
+/// map's border.
 bool on_surface(const grid::CellState* at, std::ptrdiff_t up) {
   const auto is_occupied = [at](std::ptrdiff_t by) { return at[by] == grid::CellState::kOccupied; };
   return !(is_occupied(1) && is_occupied(-1) && is_occupied(up) && is_occupied(-up));
@@ -30,12 +31,12 @@ void append_row(const grid::DenseMap& map, std::size_t number, std::vector<types
   const double y_m = middle_of_row(map, number);
   for (const grid::CellState* at = row; at != end; ++at) {
     if (*at != grid::CellState::kOccupied) {
-      // Most cells are not occupied: the library looks at many at once.
+      // Most cells are not occupied: memchr tests many at once.
       at = static_cast<const grid::CellState*>(
           std::memchr(at, static_cast<int>(grid::CellState::kOccupied), static_cast<std::size_t>(end - at)));
       if (at == nullptr) break;
     }
-    // All is unknown outside of the map.
+    // All cells outside the map are unknown.
     if (is_outermost || at == row || at + 1 == end || on_surface(at, map.width()))
       points.emplace_back(
           map.centre_of({map.box.min.x + static_cast<std::int32_t>(at - row), map.box.min.y}).x(), y_m);
@@ -61,7 +62,7 @@ PointsChange OccupiedPoints::take(const grid::DenseMap& map, grid::Rows others) 
   auto first = points_.begin(), end = points_.end();
   if (others != all) {
     if (others.empty()) return {points_, {}, {}};
-    // Whether a cell is on the surface those in the rows beside it say.
+    // Whether a cell is on the surface depends on the rows beside it as well.
     others = {std::max<std::size_t>(others.first, 1) - 1, std::min(others.end + 1, all.end)};
     const double low_m = middle_of_row(map, others.first), high_m = middle_of_row(map, others.end - 1);
     first = std::partition_point(first, end, [=](const types::Vector2& p) { return p.y() < low_m; });

@@ -11,15 +11,15 @@
 
 namespace topo::compass {
 
-/// Centres of the occupied cells on the surface of what is occupied, row by row: a side of theirs is not. The
-/// inside of a solid mass, as drawn maps have it, says nothing of walls, and can be most of the map.
+/// Centres of the occupied cells with a straight neighbour that is not occupied, row by row. The inside of a
+/// solid mass, as in drawn maps, carries no information about walls and can be most of the map.
 std::vector<types::Vector2> occupied_points(const grid::DenseMap& map);
 
-/// The same of one map after the other. A value.
+/// The same for successive maps. Value type.
 class OccupiedPoints {
  public:
-  /// `others`: the rows that are not as on the map taken before; all of them when that had another box or
-  /// resolution. Costs those rows. Good until the next call.
+  /// `others`: the rows that differ from the previous map; all rows when that had another box or resolution.
+  /// The cost is that of those rows. The result is valid until the next call.
   PointsChange take(const grid::DenseMap& map, grid::Rows others);
 
  private:

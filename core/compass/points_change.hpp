@@ -9,18 +9,18 @@
 
 namespace topo::compass {
 
-/// Row by row, as cells go over a map.
+/// Row by row, as the cells of a map.
 inline bool comes_before(const types::Vector2& a, const types::Vector2& b) {
   return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
 }
 
-/// Points, and how they differ from those before.
+/// Points and their difference from the previous points.
 struct PointsChange {
   std::span<const types::Vector2> now;
   std::vector<types::Vector2> come, gone;
 };
 
-/// Costs a pass over both when they go row by row; of points in other orders more come and go than need be.
+/// One pass over both when they are row by row; for other orders the difference is larger than necessary.
 PointsChange points_change(std::span<const types::Vector2> before, std::span<const types::Vector2> now);
 
 }  // namespace topo::compass

@@ -11,7 +11,7 @@
 namespace topo::compass {
 namespace {
 
-/// n log n of small whole numbers: most bins hold few points, and a logarithm costs as much as ten of them.
+/// n log n of small integers: most bins hold few points, and one logarithm costs as much as ten of these.
 class WeightedLog {
  public:
   WeightedLog() {
@@ -19,7 +19,7 @@ class WeightedLog {
     for (std::uint32_t n = 0; n < rises_.size(); ++n) rises_[n] = rise_of(n);
   }
   [[nodiscard]] float operator()(std::uint32_t n) const { return n < table_.size() ? table_[n] : of(n); }
-  /// From n to n + 1; exact.
+  /// Difference from n to n + 1; exact.
   [[nodiscard]] double rise(std::uint32_t n) const { return n < rises_.size() ? rises_[n] : rise_of(n); }
 
  private:
@@ -39,11 +39,12 @@ const WeightedLog& weighted_log() {
   return log;
 }
 
-/// Several sums at once: each waits for its own last term only.
+/// Number of parallel sums: each addition waits only for the last one of its own sum.
 constexpr std::size_t kAtOnce = 4;
 
-/// Of n log n over pairs of neighbours, a multiple of those, n the points in both. Exact whatever the order,
-/// as are sums of these: 24 bits a term, and less than 2 to the power of 30 in all.
+/// Sum of n log n over pairs of neighbours, with n the points in both. The number of pairs is a multiple of
+/// kAtOnce. Exact in any order, as are sums of these: 24 bits per term, and less than 2 to the power of 30 in
+/// all.
 double sum_over_pairs(std::span<const std::uint16_t> half_bins, const WeightedLog& log) {
   std::array<double, kAtOnce> sums{};
   for (std::size_t i = 0; i + 1 < half_bins.size(); i += kAtOnce)
@@ -90,7 +91,7 @@ Projection::Projection(float radius, double angle_rad)
       along_(static_cast<std::size_t>(2.0F * middle_) + 2),
       across_(along_) {}
 
-/// A block of points after the other, in vector instructions.
+/// Processes one block of points after the other, in vector instructions.
 void Projection::change(const Cloud& cloud, int by) {
   constexpr std::size_t kBlock = 256;
   const bool are_few = cloud.x.size() < along_.few();

@@ -8,7 +8,7 @@
 
 namespace topo::compass {
 
-/// Puts others, not as many perhaps, in the place of some elements [first, end): what is before them is not
+/// Replaces the elements [first, end) by `others`, which may differ in number. Elements before them are not
 /// touched.
 template <class T>
 void replace_part(std::vector<T>& all, typename std::vector<T>::iterator first,
@@ -20,7 +20,7 @@ void replace_part(std::vector<T>& all, typename std::vector<T>::iterator first,
     return;
   }
   const std::ptrdiff_t at = rest - all.begin();
-  all.reserve(all.size() + others.size() - static_cast<std::size_t>(common));  // and no more
+  all.reserve(all.size() + others.size() - static_cast<std::size_t>(common));  // exactly
   all.insert(all.begin() + at, others.begin() + common, others.end());
 }
 

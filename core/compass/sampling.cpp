@@ -9,8 +9,7 @@
 namespace topo::compass {
 namespace {
 
-/// Mixes the bits of a point's place in millimetres: which points are left out must not depend on their
-/// order.
+/// Hash of a point's position in millimetres: which points are left out must not depend on their order.
 std::uint64_t hash_of(const types::Vector2& p) {
   const auto mm = [](double v_m) {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(v_m * 1000.0));
@@ -21,7 +20,7 @@ std::uint64_t hash_of(const types::Vector2& p) {
   return h ^ (h >> 32U);
 }
 
-/// Points of a bucket, more or less: few enough to look for one among them.
+/// Approximate number of points in a bucket: few enough for a linear search.
 constexpr std::size_t kInBucket = 64;
 
 }  // namespace
@@ -46,7 +45,7 @@ Samples::Samples(std::span<const types::Vector2> points)
     : shift_(32U - static_cast<unsigned>(std::bit_width(points.size() / kInBucket))),
       buckets_(std::size_t{1} << (32U - shift_)) {
   const std::size_t even = points.size() / buckets_.size();
-  for (auto& bucket : buckets_) bucket.reserve(even + even / 4);  // mostly enough
+  for (auto& bucket : buckets_) bucket.reserve(even + even / 4);  // mostly sufficient
   for (const types::Vector2& p : points) add(p);
 }
 

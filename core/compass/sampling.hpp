@@ -12,16 +12,17 @@
 
 namespace topo::compass {
 
-/// How points become a cloud.
+/// Parameters of the conversion of points to a cloud.
 struct Placing {
-  types::Vector2 middle{0.0, 0.0};  ///< of the points
+  types::Vector2 middle{0.0, 0.0};  ///< centre of the points
   double half_bin_m = 0.0;
   double cell_m = 0.0;
   friend bool operator==(const Placing&, const Placing&) = default;
 };
 
-/// A point with what decides whether it is left out and where in its cell it is put: rows of cell centres
-/// would be a direction of their own, that of the raster. Neither depends on other points.
+/// A point with its hash, which decides whether the point is left out and where in its cell it is placed:
+/// rows of cell centres would have a direction of their own, that of the raster. Neither depends on other
+/// points.
 struct Sample {
   explicit Sample(const types::Vector2& p);
   void append_to(Cloud& cloud, const Placing& placing) const;
@@ -30,29 +31,29 @@ struct Sample {
   std::uint64_t hash;
 };
 
-/// About `size` of so many points have a hash of no more than this.
+/// About `size` of `points` points have a hash of no more than this.
 std::uint64_t hash_limit(std::size_t points, std::size_t size);
 
-/// Points by their hashes: those up to a limit, or between two, are found without a look at the others. A
-/// value.
+/// Points by hash: the points up to a limit, or between two limits, are found without a search of the others.
+/// Value type.
 class Samples {
  public:
   Samples() = default;
   explicit Samples(std::span<const types::Vector2> points);
 
   void add(const types::Vector2& p);
-  /// One that is there.
+  /// Precondition: the point is present.
   void remove(const types::Vector2& p);
 
-  /// Calls f(sample) for those with a hash in [least, most].
+  /// Calls f(sample) for the samples with a hash in [least, most].
   template <class F>
   void for_each_within(std::uint64_t least, std::uint64_t most, F&& f) const {
     for (std::size_t b = bucket_of(least); b <= bucket_of(most); ++b)
       for (const Sample& sample : buckets_[b])
         if (sample.hash >= least && sample.hash <= most) f(sample);
   }
-  /// Those with a hash up to a limit. Neighbours are far from each other, as they are by their hashes: what
-  /// falls into one bin is then not counted one after the other, and no count waits for the one before it.
+  /// Points with a hash up to a limit. The order of hashes separates neighbours: consecutive points rarely
+  /// fall into one bin, and no count waits for the one before it.
   [[nodiscard]] Cloud up_to(std::uint64_t limit, const Placing& placing) const;
 
  private:

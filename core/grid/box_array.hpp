@@ -10,7 +10,7 @@
 
 namespace topo::grid {
 
-/// An array over the cells of `box`, by rows, as one over the greater box `to`; T{} in what is new.
+/// Copies a row-major array over `box` to one over the larger box `to`; new cells are T{}.
 template <class T>
 std::vector<T> over_box(const std::vector<T>& from, const CellBox& box, const CellBox& to) {
   std::vector<T> out(static_cast<std::size_t>(to.width()) * static_cast<std::size_t>(to.height()), T{});

@@ -10,9 +10,9 @@
 
 namespace topo::grid {
 
-/// Cells in the order of their cost, to within one bucket. No step costs less than a bucket is wide, so the
-/// cells of one bucket cannot make each other cheaper, and each is final when its bucket's turn comes (Dial
-/// 1969; Denardo and Fox 1979). No step costs more than the ring is long.
+/// Queue of cells in the order of their cost, to within one bucket. No step costs less than the width of a
+/// bucket, so the cells of one bucket cannot reduce each other's cost, and each cost is final when its bucket
+/// is processed (Dial 1969; Denardo and Fox 1979). No step costs more than the length of the ring.
 class BucketQueue {
  public:
   struct Entry {
@@ -20,7 +20,7 @@ class BucketQueue {
     float cost_m;
   };
 
-  /// For another search; what was allocated stays.
+  /// Prepares another search; keeps the allocated memory.
   void reset(float step_min_m, float step_max_m) {
     for (auto& bucket : ring_) bucket.clear();
     turn_ = empty_ = 0;
@@ -29,32 +29,32 @@ class BucketQueue {
   }
 
   void push(std::uint32_t index, float cost_m) {
-    // To a signed number first: that is one instruction.
+    // Conversion to a signed number is one instruction.
     const auto bucket = static_cast<std::size_t>(static_cast<std::int64_t>(cost_m * buckets_per_m_));
     ring_[bucket & (ring_.size() - 1)].push_back({index, cost_m});
   }
 
-  /// Calls f(Entry) until the queue is empty or what comes costs at least `bound_m`; f may push. True when it
-  /// was seen to be empty below the bound. May be called again to go on.
+  /// Calls f(Entry) until the queue is empty or the next entries cost at least `bound_m`; f may push. True
+  /// when the queue was found empty below the bound. Another call continues.
   template <class F>
   bool drain(float bound_m, F&& f) {
     for (; empty_ < ring_.size() && next_m() < bound_m; ++turn_) {
       std::vector<Entry>& bucket = ring_[turn_ & (ring_.size() - 1)];
       empty_ = bucket.empty() ? empty_ + 1 : 0;
-      // Rounding may put a new entry into the bucket at hand: it grows while it is read.
+      // Rounding may put a new entry into the current bucket, which then grows while it is read.
       for (std::size_t i = 0; i < bucket.size(); ++i) f(Entry(bucket[i]));
       bucket.clear();
     }
     return empty_ >= ring_.size();
   }
-  /// Whatever costs less has been called.
+  /// All entries that cost less have been passed to f.
   [[nodiscard]] float next_m() const { return static_cast<float>(turn_) / buckets_per_m_; }
 
  private:
   float buckets_per_m_ = 1.0F;
   std::vector<std::vector<Entry>> ring_;
-  std::size_t turn_ = 0;   ///< number of the bucket whose turn it is
-  std::size_t empty_ = 0;  ///< how many before it had nothing
+  std::size_t turn_ = 0;   ///< number of the current bucket
+  std::size_t empty_ = 0;  ///< number of empty buckets just before it
 };
 
 }  // namespace topo::grid

@@ -6,8 +6,8 @@
 
 namespace topo::grid {
 
-/// Cells side by side that a pass over a row looks at together: a loop of at most so many over arrays of that
-/// size is one of which compilers make vector instructions.
+/// Number of adjacent cells that a pass over a row processes together: compilers vectorise a loop with this
+/// bound over arrays of this size.
 inline constexpr std::size_t kCellBlock = 64;
 
 }  // namespace topo::grid

@@ -12,20 +12,19 @@
 
 namespace topo::grid {
 
-/// Cells in blocks, so that those with something in them are found again in rising order.
+/// Set of cells at the resolution of blocks; iterates over the marked blocks in ascending order.
 class CellBlocks {
  public:
   explicit CellBlocks(std::size_t cells) : cells_(cells), holds_((cells >> kShift) + 1, 0) {}
 
   void add(std::uint32_t cell) { holds_[cell >> kShift] = 1; }
-  /// All of them; at least one.
+  /// Adds all cells of a run that is not empty.
   void add(CellRun run) {
     std::fill(holds_.begin() + (run.first >> kShift), holds_.begin() + ((run.end - 1) >> kShift) + 1,
               std::uint8_t{1});
   }
 
-  /// Calls f(first, end) for the cells of blocks to which one was added, those of neighbouring blocks at
-  /// once.
+  /// Calls f(first, end) for the cells of the marked blocks; adjacent marked blocks share one call.
   template <class F>
   void for_each(F&& f) const {
     for (std::size_t b = 0; (b = next(b)) < holds_.size();) {
@@ -36,7 +35,7 @@ class CellBlocks {
   }
 
  private:
-  /// From a block on the first that holds one; most hold none, and the library looks at many at once.
+  /// The first marked block from `block` on. Most blocks are unmarked, and memchr tests many at once.
   [[nodiscard]] std::size_t next(std::size_t block) const {
     const void* const found =
         block < holds_.size() ? std::memchr(&holds_[block], 1, holds_.size() - block) : nullptr;

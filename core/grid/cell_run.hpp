@@ -6,7 +6,7 @@
 
 namespace topo::grid {
 
-/// Cells side by side in one row of a map, by their indices: [first, end).
+/// Adjacent cells in one row of a map, by index: [first, end).
 struct CellRun {
   std::uint32_t first = 0;
   std::uint32_t end = 0;

@@ -22,7 +22,7 @@ bool are_same(const T* a, const T* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(T)) == 0;
 }
 
-/// Columns that are measured together: a row of them is a cache line.
+/// Columns that are measured together: a row of them fills a cache line.
 constexpr std::size_t kStripWidth = 32;
 
 /// Cells [from, end) of a row.
@@ -30,7 +30,8 @@ struct Cells {
   int from, end;
 };
 
-/// Adds cells to disjoint ones; both come in rising order of where they begin, all but.
+/// Adds an interval to disjoint intervals and merges those that touch. Intervals arrive almost in ascending
+/// order of their begin.
 void unite(Cells more, std::vector<Cells>& cells) {
   while (!cells.empty() && more.from <= cells.back().end) {
     more = {std::min(more.from, cells.back().from), std::max(more.end, cells.back().end)};
@@ -39,8 +40,8 @@ void unite(Cells more, std::vector<Cells>& cells) {
   cells.push_back(more);
 }
 
-/// Appends `first` + x for those of a row's cells that were not as they are: without a branch, because they
-/// come and go.
+/// Appends `first` + x for those of a row's cells whose value changed. Branch-free, because changed and
+/// unchanged cells alternate irregularly.
 void append_others(const float* was, const float* is, Cells cells, std::uint32_t first,
                    std::vector<std::uint32_t>& others) {
   std::size_t size = others.size();
@@ -52,7 +53,7 @@ void append_others(const float* was, const float* is, Cells cells, std::uint32_t
   others.resize(size);
 }
 
-/// What it takes to renew rows, one after the other.
+/// Buffers for the renewal of rows, one after the other.
 struct RowRenewal {
   RowRenewal(std::size_t width, double resolution_m) : pass(width, resolution_m, false), now_m(width) {}
 
@@ -61,7 +62,7 @@ struct RowRenewal {
   std::vector<Cells> others, reached;
 };
 
-/// Distances along some columns side by side, in the rows [low, high).
+/// Distances along adjacent columns, in the rows [low, high).
 struct Strip {
   std::size_t first = 0, width = 0;
   std::size_t low = SIZE_MAX, high = 0;
@@ -72,7 +73,7 @@ struct Strip {
   [[nodiscard]] const Steps* row(std::size_t y) const { return &steps[(y - low) * width]; }
 };
 
-/// In which of a strip's columns boundary was met on the way through its rows.
+/// The columns of a strip in which a walk through its rows has met a boundary cell.
 class MetBoundary {
  public:
   void look(const CellState* cells, std::size_t width) {
@@ -87,8 +88,8 @@ class MetBoundary {
 
 }  // namespace
 
-/// The map taken last, and its distances with what they were made of. Outside of it all is unknown, and so it
-/// is where the box grows: boundary, at distance 0.
+/// The last map and its distances, with the column distances behind them. Cells outside it, also where the
+/// box grows, are unknown: boundary, at distance 0.
 struct ClearanceUpdate::Impl {
   CellBox box;
   double resolution_m = 0.0;
@@ -107,7 +108,7 @@ struct ClearanceUpdate::Impl {
   [[nodiscard]] Cells reached_from(Cells there, const float* row_m) const;
 };
 
-/// For the map; true when it has the box of the one before.
+/// Resizes the arrays to the map. True when its box is that of the previous map.
 bool ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   const bool is_same =
       resolution_m == map.resolution_m && !box.empty() && map.contains(box.min) && map.contains(box.max);
@@ -123,8 +124,8 @@ bool ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
   return false;
 }
 
-/// Takes the map's cells; returns the strips of columns in which one is another, from the first row with one
-/// to the last, not measured yet. `others`: null when any cell may be another.
+/// Takes the map's cells. Returns the strips that contain changed cells, from the first changed row to the
+/// last, not measured yet. `others`: the cells that may have changed; null: any cell.
 std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map, const CellBlocks* others) {
   const auto width = static_cast<std::size_t>(map.width());
   std::vector<Strip> strips((width - 1) / kStripWidth + 1);
@@ -150,8 +151,8 @@ void ClearanceUpdate::Impl::take_cells(const DenseMap& map, std::size_t first, s
   }
 }
 
-/// By the rows to both sides in which distances may be others: up to where boundary was met in each column,
-/// because what lies beyond has none nearer than that.
+/// Extends the strip by the rows on both sides in which distances may have changed: until a boundary cell was
+/// met in each column. Cells beyond that boundary cell have no nearer one within the strip.
 void ClearanceUpdate::Impl::widen(Strip& strip) const {
   const auto width = static_cast<std::size_t>(box.width()), height = static_cast<std::size_t>(box.height());
   for (MetBoundary met; strip.low > 0 && !met.in_all(strip.width);)
@@ -160,8 +161,9 @@ void ClearanceUpdate::Impl::widen(Strip& strip) const {
     met.look(&cells[strip.high++ * width + strip.first], strip.width);
 }
 
-/// From below first, then from above. What was measured beside the strip's ends holds: at the worst it is the
-/// distance to boundary that is met within the strip, and then that is nearer.
+/// Measures from below first, then from above. The old distances beside the strip's ends remain usable: at
+/// worst such a distance leads to a boundary cell within the strip, and the measured distance to that cell is
+/// smaller.
 void ClearanceUpdate::Impl::measure(Strip& strip) const {
   const auto width = static_cast<std::size_t>(box.width()), height = static_cast<std::size_t>(box.height());
   const std::array<Steps, kStripWidth> outside{};
@@ -180,7 +182,7 @@ void ClearanceUpdate::Impl::measure(Strip& strip) const {
   }
 }
 
-/// Takes what was measured along the columns, and with it the distances of the row.
+/// Stores the measured column distances of the row and updates the row's clearance.
 void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal) {
   const std::size_t at = y * static_cast<std::size_t>(box.width());
   float* const row_m = &clearance_m[at];
@@ -207,12 +209,13 @@ void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> stri
   }
 }
 
-/// Cells of a row whose distances may be others when those along the columns are others there.
+/// Cells of a row whose clearance may change when the column distances of the cells `there` change.
 Cells ClearanceUpdate::Impl::reached_from(Cells there, const float* row_m) const {
   const auto cell_m = static_cast<float>(resolution_m);
   const int width = static_cast<int>(box.width());
-  // What is no farther from its nearest boundary than from there has none nearer there, and had none; beyond
-  // it the less so, because distance rises by a cell a cell at most. Half a cell for rounding.
+  // A cell whose clearance is at most its distance to `there` neither has nor had its nearest boundary there.
+  // Cells beyond it are not affected either, because clearance rises by at most one cell per cell. Half a
+  // cell allows for rounding.
   const auto reaches = [&](int x, int away) { return row_m[x] > (static_cast<float>(away) - 0.5F) * cell_m; };
   Cells other = there;
   while (other.from > 0 && reaches(other.from - 1, there.from - other.from + 1)) --other.from;

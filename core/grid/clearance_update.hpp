@@ -12,14 +12,14 @@
 
 namespace topo::grid {
 
-/// Cells that are occupied on one map and not on another.
+/// Cells that became occupied (`come`) and cells that are no longer occupied (`gone`) between two maps.
 struct OccupiedChange {
   std::vector<std::uint32_t> come, gone;
 };
 
-/// clearance_m with kOccupiedOrUnknown (distance.hpp) of one map after the other: a map that has grown or was
-/// corrected costs a comparison of its cells, and the transform around those that have changed.
-/// Always equal to the transform of the whole map.
+/// Incremental clearance_m with kOccupiedOrUnknown (distance.hpp) for successive maps: a map that has grown
+/// or was corrected costs a comparison of its cells and the transform around the changed cells. Always equal
+/// to the transform of the whole map.
 class ClearanceUpdate {
  public:
   ClearanceUpdate();
@@ -28,19 +28,19 @@ class ClearanceUpdate {
   ClearanceUpdate& operator=(const ClearanceUpdate&) = delete;
 
   void take(const DenseMap& map);
-  /// The same without the comparison: `others` has all cells that are not as on the map taken before. Of no
-  /// meaning when that had another box.
+  /// The same without the comparison: `others` contains all cells that differ from the previous map. Ignored
+  /// when that map had another box.
   void take(const DenseMap& map, const CellBlocks& others);
 
-  /// Of the map taken last; as long as its cells. Good until the next take().
+  /// Clearance of each cell of the last map. Valid until the next take().
   [[nodiscard]] const std::vector<float>& clearance_m() const;
 
-  /// Cells of the map taken last whose clearance is not what it was on the map before it, ascending; what was
-  /// outside of that map had none. Nothing when it was another map: of another resolution, or with a box that
-  /// is not inside this one's. Good until the next take().
+  /// Cells of the last map whose clearance differs from that on the previous map, ascending; cells outside
+  /// the previous map had clearance 0. nullopt when the previous map had another resolution or a box that is
+  /// not inside this one's. Valid until the next take().
   [[nodiscard]] const std::optional<std::vector<std::uint32_t>>& changed() const;
 
-  /// Of the map taken last, as against the one before it; of no meaning when that had another box. Good until
+  /// Difference between the last map and the previous one; meaningless when that had another box. Valid until
   /// the next take().
   [[nodiscard]] const OccupiedChange& occupied() const;
 

@@ -24,7 +24,7 @@ std::vector<PlacedTile> placed_tiles(const OccupancyGrid& grid) {
   return tiles;
 }
 
-/// state_of without a branch, so that a row of a tile is a few vector instructions.
+/// Branch-free state_of, so that a row of a tile is a few vector instructions.
 CellState branchless_state(const CellCounts& counts) {
   const unsigned hits = counts.hits, misses = counts.misses;
   const unsigned known = (hits | misses) != 0U ? 1U : 0U;
@@ -49,7 +49,7 @@ void extend(CellBox& box, const PlacedTile& placed) {
   }
 }
 
-/// Tiles inside the box so far cannot extend it: in the tree's order most need no look.
+/// Tiles inside the current box cannot extend it; in the tree's order, most tiles are skipped.
 CellBox known_box(std::span<const PlacedTile> tiles) {
   CellBox box;
   for (const PlacedTile& placed : tiles) {
@@ -61,7 +61,7 @@ CellBox known_box(std::span<const PlacedTile> tiles) {
   return box;
 }
 
-/// Copies the part of a tile that lies in the map: known cells all do.
+/// Copies the part of a tile that lies in the map; it contains all known cells.
 void copy_tile(const PlacedTile& placed, DenseMap& map) {
   const int x0 = std::max(placed.corner.x, map.box.min.x);
   const int x1 = std::min(placed.corner.x + Tile::kSide - 1, map.box.max.x);

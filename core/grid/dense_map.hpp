@@ -9,15 +9,16 @@
 
 namespace topo::grid {
 
-/// Towards minus infinity; std::floor is a call where the machine need not have an instruction for it.
+/// Rounds towards minus infinity. std::floor is a function call on targets that may lack an instruction for
+/// it.
 inline std::int32_t floor_of(double value) {
   const auto towards_zero = static_cast<std::int32_t>(value);
   return towards_zero - (static_cast<double>(towards_zero) > value ? 1 : 0);
 }
 
-/// A rectangle of the occupancy grid as one array, row by row from below (y up), with at least one unknown
-/// cell on every side of what is known: the analysis and the route search run over it without asking for
-/// borders. A value; independent of the grid it was made from.
+/// Rectangle of the occupancy grid as one array, row by row from below (y up). At least one unknown cell
+/// surrounds the known cells, so that analysis and route search need no border tests. Value type, independent
+/// of the source grid.
 struct DenseMap {
   CellBox box;  ///< of the cells in the array; empty for an empty grid
   double resolution_m = 0.05;
@@ -28,7 +29,7 @@ struct DenseMap {
   [[nodiscard]] bool contains(CellIndex c) const {
     return c.x >= box.min.x && c.x <= box.max.x && c.y >= box.min.y && c.y <= box.max.y;
   }
-  /// Of the array's first and last rows and columns, which are to be unknown.
+  /// True for cells of the array's first and last rows and columns, which must be unknown.
   [[nodiscard]] bool is_on_border(CellIndex c) const {
     return c.x == box.min.x || c.x == box.max.x || c.y == box.min.y || c.y == box.max.y;
   }
@@ -54,8 +55,8 @@ struct DenseMap {
   }
 };
 
-/// The known part of the grid with `margin` (at least 1) unknown cells around it. Costs the known tiles and
-/// the array.
+/// The known part of the grid with `margin` (at least 1) unknown cells around it. Linear in the known tiles
+/// and the array.
 DenseMap dense_map(const OccupancyGrid& grid, int margin = 1);
 
 }  // namespace topo::grid

@@ -9,7 +9,7 @@
 namespace topo::grid {
 namespace {
 
-/// Of a disc: half the width of each row, from the middle one on, where it has any.
+/// Half the width of each row of a disc, from the middle row outwards, without empty rows.
 std::vector<std::int32_t> half_widths(double radius) {
   std::vector<std::int32_t> half;
   for (double v = 0.0; radius * radius - v * v > 0.0; v += 1.0)

@@ -11,13 +11,13 @@
 
 namespace topo::grid {
 
-/// The cells of a small box in which the middle of a disc may be without touching anything occupied; what is
-/// unknown, or outside the map, is taken for free. A search that closes what it has seen may use it as its
-/// list of open cells.
+/// Cells of a small box at which the centre of a disc can be without the disc touching an occupied cell.
+/// Unknown cells and cells outside the map count as free. A search that closes visited cells may use it as
+/// its set of open cells.
 class DiscRoom {
  public:
-  /// `radius_m` of the disc, between the middles of cells. Costs the box and the discs around what is
-  /// occupied.
+  /// `radius_m`: radius of the disc, between cell centres. Linear in the box and the discs around occupied
+  /// cells.
   DiscRoom(const DenseMap& map, const CellBox& box, double radius_m);
 
   /// False outside the box.
@@ -26,7 +26,7 @@ class DiscRoom {
   void close(CellIndex cell) { closed_[index(cell)] = 1; }
 
  private:
-  /// Closes the discs around cells [first, last] of row `y`; `half` the widths of a disc's rows.
+  /// Closes the discs around cells [first, last] of row `y`; `half`: the half widths of a disc's rows.
   void close_around(std::int32_t y, std::int32_t first, std::int32_t last,
                     std::span<const std::int32_t> half);
   [[nodiscard]] bool contains(CellIndex c) const {

@@ -7,7 +7,7 @@
 namespace topo::grid {
 namespace {
 
-/// Distances along the columns into `steps`: from below first, then from above.
+/// Writes the distances along the columns to `steps`: from below first, then from above.
 void column_pass(const DenseMap& map, bool open_outside, std::vector<Steps>& steps) {
   const auto width = static_cast<std::size_t>(map.width()), height = static_cast<std::size_t>(map.height());
   const std::vector<Steps> outside(width, open_outside ? kNone : Steps{0});

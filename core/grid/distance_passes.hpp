@@ -15,13 +15,13 @@
 
 namespace topo::grid {
 
-// First distances along the columns, then along the rows the lower envelope of parabolas over them (Meijster
-// et al. 2000). The first goes over whole rows, cell by cell in vector instructions; the second only where
-// there are cells that are not boundary, and only over runs of those that are far from it: no boundary cell
-// sees past another one in its row.
+// The first pass computes distances along the columns, for whole rows in vector instructions; the second
+// computes, along the rows, the lower envelope of parabolas over them (Meijster et al. 2000). It skips blocks
+// of boundary cells, and builds the envelope only for runs with cells far from boundary: columns beyond a
+// boundary cell of the row are farther away than that cell.
 
-/// Distance to the next boundary on one side along the column: one row from the row beside it. A mask in
-/// place of a branch, so that the compiler makes vector instructions of it.
+/// Distance along the column to the next boundary cell on one side, for one row from the row beside it. A
+/// mask replaces the branch, so that the compiler vectorises the loop.
 template <Boundary kBoundary>
 void steps_on(const CellState* cells, const Steps* beside, Steps* out, std::size_t width) {
   for (std::size_t x = 0; x < width; ++x) {
@@ -33,17 +33,18 @@ void steps_on(const CellState* cells, const Steps* beside, Steps* out, std::size
   }
 }
 
-/// To the nearest one: `row` has the distance on one side, `beside` is the row on the other, done already.
+/// Distance to the nearest boundary cell on either side: `row` has the distance on one side, `beside` is the
+/// finished row on the other.
 inline void steps_back(const Steps* beside, Steps* row, std::size_t width) {
   for (std::size_t x = 0; x < width; ++x) row[x] = std::min(row[x], static_cast<Steps>(beside[x] + 1));
 }
 
-/// Lower envelope of the parabolas over one run, whose ends may have a boundary cell just outside.
+/// Lower envelope of the parabolas over one run. A boundary cell may lie just outside each end.
 class RunEnvelope {
  public:
   explicit RunEnvelope(std::size_t width) : sites_(width + 2) {}
 
-  /// Squared distances of the cells [first, end) of a row to out.
+  /// Writes the squared distances of the cells [first, end) of a row to `out`.
   void run(const Steps* row, int first, int end, bool wall_before, bool wall_after, std::int32_t* out) {
     size_ = 0;
     if (wall_before) add(first - 1, 0, first, end);
@@ -56,21 +57,21 @@ class RunEnvelope {
  private:
   struct Site {
     int x;
-    std::int32_t square;  ///< of its distance along the column
-    int from;             ///< first cell of the run for which it is the nearest
+    std::int32_t square;  ///< of the distance along the column
+    int from;             ///< first cell of the run to which this site is nearest
   };
 
   static std::int32_t square_at(const Site& site, int x) { return (x - site.x) * (x - site.x) + site.square; }
 
-  /// A site to the right of all before it.
+  /// Adds a site to the right of all sites before it.
   void add(int x, int steps, int first, int end) {
     Site site{x, steps * steps, first};
     while (size_ > 0) {
       const Site& top = sites_[size_ - 1];
       const std::int32_t farther = square_at(site, top.from) - square_at(top, top.from);
       if (farther >= 0) {
-        // With every cell to the right the difference falls by twice the distance of the sites; mostly they
-        // are neighbours, and a division costs more than the rest of the loop.
+        // With every cell to the right the difference falls by twice the distance between the sites. Most
+        // sites are adjacent, and a division costs more than the rest of the loop.
         const int apart = site.x - top.x;
         const std::int32_t cells = (apart == 1 ? farther >> 1 : farther / (2 * apart)) + 1;
         if (cells >= end - top.from) return;
@@ -99,7 +100,7 @@ class RunEnvelope {
   std::size_t size_ = 0;
 };
 
-/// Distances of one row from those along the columns.
+/// Computes the distances of one row from the column distances.
 class RowPass {
  public:
   RowPass(std::size_t width, double resolution_m, bool open_outside)
@@ -110,13 +111,13 @@ class RowPass {
         envelope_(width),
         squares_(width) {}
 
-  /// Of the cells [from, end) of a row; `out` is zero so far.
+  /// Writes the distances of the cells [from, end) of a row. Precondition: `out` is zero there.
   void cells(const Steps* row, int from, int end, float* out) {
     far_end_ = 0;
     bool is_taken = false;
     for (int x = from; x < end; x += kBlock) {
       const int block_end = std::min(x + kBlock, end);
-      if (is_boundary(row, x, block_end)) continue;  // most of a map is
+      if (is_boundary(row, x, block_end)) continue;  // as most blocks of a map are
       if (!is_taken) near_.take(row, static_cast<std::size_t>(x), static_cast<std::size_t>(end));
       is_taken = true;
       const NearSquares::Block squares = near_.of_block(static_cast<std::size_t>(x));
@@ -135,7 +136,8 @@ class RowPass {
     for (int x = from; x < end; ++x) any |= row[x];
     return any == 0;
   }
-  /// What is far from all boundary, by its run: far cells come in rising order.
+  /// Distance of a cell far from all boundary, from the envelope of its run. Far cells come in ascending
+  /// order.
   void far_cell(const Steps* row, int x, float* out) {
     if (x >= far_end_) {
       int first = x;
@@ -152,7 +154,7 @@ class RowPass {
   }
   template <class T>
   void metres(const T* squares, int count, float* out) const {
-    const float resolution_m = resolution_m_;  // a copy, which writing to out cannot change
+    const float resolution_m = resolution_m_;  // local copy: writes to `out` cannot change it
     for (int i = 0; i < count; ++i) out[i] = resolution_m * std::sqrt(static_cast<float>(squares[i]));
   }
 
@@ -161,8 +163,8 @@ class RowPass {
   bool open_outside_;
   NearSquares near_;
   RunEnvelope envelope_;
-  std::vector<std::int32_t> squares_;  ///< of the run of far cells looked at last
-  int far_end_ = 0;                    ///< its end
+  std::vector<std::int32_t> squares_;  ///< of the last run of far cells
+  int far_end_ = 0;                    ///< end of that run
 };
 
 }  // namespace topo::grid

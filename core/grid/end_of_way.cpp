@@ -16,7 +16,7 @@ std::optional<CellIndex> end_of_way(const DenseMap& map, std::span<const float> 
   DiscRoom room(map, {{goal.x - reach, goal.y - reach}, {goal.x + reach, goal.y + reach}}, radius_m);
   struct Step {
     CellIndex cell;
-    bool past_unknown;  // so near to it that the robot may not fit through
+    bool past_unknown;  // the chain passes so near to unknown cells that the robot may not fit through
   };
   std::vector<Step> queue;
   const auto enter = [&](CellIndex cell, bool past_unknown) {

@@ -11,14 +11,14 @@
 
 namespace topo::grid {
 
-/// Free cells side by side, by their indices.
+/// Adjacent free cells [first, end), by index.
 struct FreeRun {
   CellIndex cell;  ///< the first
   std::size_t first = 0;
   std::size_t end = 0;
 };
 
-/// The first of the cells from `i` on that is not free, or `end`: eight at once.
+/// The first cell from `i` on that is not free, or `end`. Tests eight cells at once.
 inline std::size_t end_of_free(std::span<const CellState> cells, std::size_t i, std::size_t end) {
   static_assert(sizeof(CellState) == 1);
   constexpr std::uint64_t kAllFree = 0x0101010101010101U * static_cast<std::uint64_t>(CellState::kFree);
@@ -30,8 +30,8 @@ inline std::size_t end_of_free(std::span<const CellState> cells, std::size_t i, 
   return i;
 }
 
-/// Calls f(first, end) for the free ones among the cells [from, to), in rising order. What is not free costs
-/// next to nothing: the library looks at many cells at once.
+/// Calls f(first, end) for each run of free cells within [from, to), in ascending order. Other cells cost
+/// next to nothing: memchr tests many at once.
 template <class F>
 void for_each_free_run(std::span<const CellState> cells, std::size_t from, std::size_t to, F&& f) {
   while (from < to) {
@@ -43,7 +43,7 @@ void for_each_free_run(std::span<const CellState> cells, std::size_t from, std::
   }
 }
 
-/// Calls f(FreeRun) for all free cells of a map, row by row.
+/// Calls f(FreeRun) for each run of free cells of a map, row by row.
 template <class F>
 void for_each_free_run(const DenseMap& map, F&& f) {
   const auto width = static_cast<std::size_t>(map.width());

@@ -24,7 +24,7 @@ void JoinedRuns::add(CellRun run) {
   runs_.push_back(run);
   root_.push_back(number);
   if (beside_ == in_row_) return;
-  // Where the run would be in the row below; at a corner they touch as well.
+  // The run shifted to the row below; runs that meet at a corner are connected as well.
   const std::uint32_t first = run.first - width_, last = run.end - width_;
   while (beside_ < in_row_ && runs_[beside_].end < first) ++beside_;
   for (std::uint32_t touching = beside_; touching < in_row_ && runs_[touching].first <= last; ++touching) {

@@ -11,15 +11,15 @@
 
 namespace topo::grid {
 
-/// Cells [first, end) by their indices; none when first == end.
+/// Cells [first, end), by index; empty when first == end.
 struct CellSpan {
   std::size_t first = 0;
   std::size_t end = 0;
   [[nodiscard]] bool empty() const { return first == end; }
 };
 
-/// From the first to the last of the cells [from, to) that is not unknown: eight cells at once. Rows of a map
-/// of corridors are half unknown, and a pass need not look there.
+/// Span from the first to the last known cell within [from, to). Tests eight cells at once. Rows of a map of
+/// corridors are half unknown, and a pass can skip that part.
 inline CellSpan known_span(std::span<const CellState> cells, std::size_t from, std::size_t to) {
   static_assert(sizeof(CellState) == 1 && static_cast<int>(CellState::kUnknown) == 0);
   std::uint64_t eight = 0;

@@ -7,7 +7,7 @@
 namespace topo::grid {
 namespace {
 
-/// Unlike std::min without references, which keep the compiler from vector instructions.
+/// By value: the references of std::min keep the compiler from vectorising.
 constexpr std::int16_t lesser(std::int16_t a, std::int16_t b) { return b < a ? b : a; }
 
 }  // namespace
@@ -35,7 +35,7 @@ NearSquares::Block NearSquares::of_block(std::size_t first) const {
   Block best;
   std::copy_n(at, kBlock, best.begin());
   int most = greatest(best);
-  constexpr int kTries = 4;  // between two looks at what is still far
+  constexpr int kTries = 4;  // steps between two updates of the maximum
   for (int k = 1; k <= static_cast<int>(kReach) && k * k < most; ++k) {
     const auto square = static_cast<std::int16_t>(k * k);
     const std::int16_t *const left = at - k, *const right = at + k;

@@ -22,13 +22,13 @@ void for_ring(CellIndex c, int distance, F&& f) {
   }
 }
 
-/// How far a cell is from the box, along x or y; a double holds what 32 bits may not.
+/// Distance of a cell from the box, along x or y; a double, because 32 bits may overflow.
 double cells_outside(const CellBox& box, CellIndex c) {
   const auto outside = [](double v, double low, double high) { return std::max({0.0, low - v, v - high}); };
   return std::max(outside(c.x, box.min.x, box.max.x), outside(c.y, box.min.y, box.max.y));
 }
 
-/// Of the cells that `is_meant`(index).
+/// Nearest cell for which is_meant(index) is true; ties go to the lowest travel cost.
 template <class IsMeant>
 std::optional<CellIndex> nearest_of(const DenseMap& map, const TravelField& field, CellIndex goal,
                                     double within_m, IsMeant is_meant) {

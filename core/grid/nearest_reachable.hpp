@@ -12,7 +12,7 @@ namespace topo::grid {
 std::optional<CellIndex> nearest_reachable(const DenseMap& map, const TravelField& field, CellIndex goal,
                                            double within_m);
 
-/// The same of the cells at which the robot can stay.
+/// The same among the cells at which the robot can stay (TravelField::can_stay_at).
 std::optional<CellIndex> nearest_to_stay_at(const DenseMap& map, const TravelField& field, CellIndex goal,
                                             double within_m);
 

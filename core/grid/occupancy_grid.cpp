@@ -10,7 +10,7 @@ namespace {
 constexpr std::int32_t tile_of(std::int32_t cell) { return cell >> 5; }
 static_assert(Tile::kSide == 1 << 5);
 
-/// Null: a tile of which nothing is known.
+/// Null: a tile of unknown cells.
 std::size_t differing_cells(const TileRef* one, const TileRef* other) {
   static constexpr Tile kUnknown;
   const Tile& a = one != nullptr ? one->read() : kUnknown;

@@ -12,7 +12,7 @@
 
 namespace topo::grid {
 
-/// Index of a cell: cell (0, 0) has its lower left corner at the origin of map.
+/// Index of a cell: cell (0, 0) has its lower left corner at the origin of the map frame.
 struct CellIndex {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -33,8 +33,8 @@ struct CellBox {
   friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// Unbounded occupancy grid: tiles in a persistent Patricia tree. Copying one is a snapshot and costs O(1);
-/// the copy never changes. Reading is safe from any thread while the copy is alive; changing, copying and
+/// Unbounded occupancy grid: tiles in a persistent Patricia tree. A copy is a snapshot in O(1) and does not
+/// change with the original. Reading is safe on any thread while the copy is alive; changing, copying and
 /// destroying belong to the thread that owns the arena.
 class OccupancyGrid {
  public:
@@ -51,11 +51,12 @@ class OccupancyGrid {
     return {(cell.x + 0.5) * resolution_m_, (cell.y + 0.5) * resolution_m_};
   }
 
-  /// Evidence of one cell; zero where nothing was seen.
+  /// Evidence of one cell; zero where nothing was observed.
   [[nodiscard]] CellCounts counts(CellIndex cell) const;
   [[nodiscard]] CellState state(CellIndex cell) const { return state_of(counts(cell)); }
 
-  /// The tile with the given tile index (cell index divided by Tile::kSide, rounded down), to be changed.
+  /// Returns the tile with the given tile index (cell index divided by Tile::kSide, rounded down) for
+  /// modification.
   [[nodiscard]] Tile& tile_to_change(std::int32_t tile_x, std::int32_t tile_y) {
     return tiles_.update(patricia::cell_key(tile_x, tile_y)).write();
   }
@@ -85,8 +86,8 @@ class OccupancyGrid {
   double resolution_m_;
 };
 
-/// How many cells are in another state in the one version of a grid than in the other. Costs the tiles that
-/// they do not share. Any thread.
+/// Number of cells whose state differs between two versions of a grid. Linear in the tiles that they do not
+/// share. Any thread.
 std::size_t differing_cells(const OccupancyGrid& one, const OccupancyGrid& other);
 
 }  // namespace topo::grid

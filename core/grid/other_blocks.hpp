@@ -12,9 +12,9 @@
 
 namespace topo::grid {
 
-/// Calls f(y, x, count) for the parts of rows, of at most `block` cells side by side, in which two maps'
-/// cells are not the same, row by row. Both have rows of `width` cells, and as many; what is the same costs
-/// next to nothing: the library looks at many cells at once.
+/// Calls f(y, x, count), row by row, for each block of at most `block` adjacent cells in which two maps
+/// differ. Both maps have the same number of rows of `width` cells. Equal cells cost next to nothing: memcmp
+/// compares many at once.
 template <class F>
 void for_each_other_block(std::span<const CellState> a, std::span<const CellState> b, std::size_t width,
                           std::size_t block, F&& f) {
@@ -28,7 +28,7 @@ void for_each_other_block(std::span<const CellState> a, std::span<const CellStat
   }
 }
 
-/// The same where only cells in some blocks can be others; looks at no others, or hardly.
+/// The same when only cells of the blocks `within` can differ; reads few other cells.
 template <class F>
 void for_each_other_block(std::span<const CellState> a, std::span<const CellState> b, std::size_t width,
                           std::size_t block, const CellBlocks& within, F&& f) {

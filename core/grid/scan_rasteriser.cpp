@@ -13,7 +13,7 @@ namespace {
 using Row = std::array<std::uint8_t, Tile::kSide>;
 constexpr Row kBlank{};
 
-/// Bresenham's line without its last cell. `stride`: from a cell to the one above it.
+/// Bresenham's line without its last cell. `stride`: offset from a cell to the one above it.
 void trace(std::uint8_t* from, CellIndex begin, CellIndex end, std::ptrdiff_t stride, std::uint8_t mark) {
   const std::int32_t dx = std::abs(end.x - begin.x), dy = -std::abs(end.y - begin.y);
   const std::int32_t step_x = begin.x < end.x ? 1 : -1;
@@ -99,7 +99,7 @@ void ScanRasteriser::fill(Sketch& sketch, const CellBox& box) {
   for (const CellIndex& end : sketch.ends) sketch.marks[place_in(box, end)] = kHit;
 }
 
-/// Null: nothing was, or will be, drawn.
+/// `before` is null when nothing was drawn before, `after` when nothing is drawn now.
 void ScanRasteriser::apply(OccupancyGrid& grid, const CellBox& box, const Sketch* before,
                            const Sketch* after) {
   const auto row_of = [&](const Sketch* sketch, CellIndex cell) {

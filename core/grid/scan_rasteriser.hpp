@@ -11,8 +11,8 @@
 
 namespace topo::grid {
 
-/// Draws what one keyframe saw into a grid: each cell counts at most once a keyframe, as hit if any ray ended
-/// in it, as miss if rays only passed. Keeps scratch buffers; one thread.
+/// Draws the rays of one keyframe into a grid. Each cell counts at most once per keyframe: as a hit when any
+/// ray ends in it, as a miss when rays only pass through it. Keeps scratch buffers. Single-threaded.
 class ScanRasteriser {
  public:
   /// `sensor` and `hits` in base_link, metres; rays run from the sensor to each hit. `T_map_base` is the
@@ -20,15 +20,15 @@ class ScanRasteriser {
   void draw(OccupancyGrid& grid, const types::Se2& T_map_base, const Eigen::Vector2f& sensor,
             std::span<const Eigen::Vector2f> hits);
 
-  /// Takes exactly back what was drawn at `before` and draws it at `after`. Tiles that say the same of the
-  /// keyframe before and after are left alone, and so stay shared with other versions of the grid.
+  /// Removes exactly what was drawn at `before` and draws it at `after`. Tiles with the same marks before and
+  /// after are not touched, and so stay shared with other versions of the grid.
   void move(OccupancyGrid& grid, const types::Se2& before, const types::Se2& after,
             const Eigen::Vector2f& sensor, std::span<const Eigen::Vector2f> hits);
 
  private:
   enum Mark : std::uint8_t { kNothing, kMiss, kHit };
 
-  /// One drawing: the cells where rays begin and end, and what they mark within a box of cells.
+  /// One drawing: the cells where rays begin and end, and their marks within a box of cells.
   struct Sketch {
     CellIndex from;
     std::vector<CellIndex> ends;

@@ -12,24 +12,25 @@ namespace topo::grid {
 
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
-/// What keyframes say of one cell: how many saw something in it, how many saw through it. Whole numbers, so
-/// that the sum over a set of keyframes does not depend on the order, and a keyframe can be taken back
-/// exactly.
+/// Evidence of one cell: the number of keyframes with a ray that ends in it, and of keyframes with rays that
+/// only pass through it. Integers, so that the sum does not depend on the order of keyframes, and a keyframe
+/// can be removed exactly.
 struct CellCounts {
   std::uint16_t hits = 0;
   std::uint16_t misses = 0;
   friend bool operator==(const CellCounts&, const CellCounts&) = default;
 };
 
-/// Occupied from a quarter of the evidence on: a thin wall is seen through by beams that graze it. Hits and
-/// misses weigh as log-odds of 1.1 and -0.37 would (Thrun et al., section 9.2), without saturation.
+/// Occupied when at least a quarter of the evidence is hits: beams that graze a thin wall pass through its
+/// cells. Hits and misses have the weights of log-odds of 1.1 and -0.37 (Thrun et al., section 9.2), without
+/// saturation.
 constexpr CellState state_of(const CellCounts& counts) {
   const unsigned hits = counts.hits, all = hits + counts.misses;
   if (all == 0) return CellState::kUnknown;
   return 4 * hits >= all ? CellState::kOccupied : CellState::kFree;
 }
 
-/// A square block of cells, the unit of copying: 4 KiB, one page.
+/// Square block of cells, the unit of copying: 4 KiB, one page.
 struct Tile {
   static constexpr int kSide = 32;
   std::array<CellCounts, static_cast<std::size_t>(kSide) * kSide> cells{};

@@ -18,7 +18,7 @@
 namespace topo::grid {
 namespace {
 
-/// A cell's three neighbours in one row and a fourth cell, in the vector instructions of any machine.
+/// A cell's three neighbours in one row and a fourth cell, in vector instructions of every machine.
 using Row = float __attribute__((vector_size(16)));
 using Flags = std::int32_t __attribute__((vector_size(16)));
 
@@ -28,12 +28,12 @@ Row row_at(const float* from) {
   return row;
 }
 
-/// The rows below, beside and above a cell. The fourth cell is the one after the three, above the one before
-/// them: so no row reaches beyond the array, as long as the cell is not on its border.
+/// The rows below, beside and above a cell. The fourth cell follows the three; in the row above it precedes
+/// them. No row then reaches beyond the array, provided that the cell is not on its border.
 struct RowShape {
   int dy;
   int first_dx;
-  Flags directions;  ///< the bit of each neighbour's number in kNeighbours
+  Flags directions;  ///< the bit of each neighbour's index in kNeighbours
 };
 constexpr std::array<RowShape, 3> kRows{{{-1, -1, {1 << 5, 1 << 6, 1 << 7, 0}},
                                          {0, -1, {1 << 4, 0, 1 << 0, 0}},
@@ -46,8 +46,7 @@ double distance_m(const DenseMap& map, CellIndex a, CellIndex b) {
   return std::hypot(a.x - b.x, a.y - b.y) * map.resolution_m;
 }
 
-/// The cells around the start that the robot may use in order to leave, though they are too near to
-/// something.
+/// Cells around the start that the robot may use to leave it, although their clearance is too small.
 class StartRegion {
  public:
   StartRegion(const DenseMap& map, std::span<const float> clearance_m, CellIndex start,
@@ -66,7 +65,7 @@ class StartRegion {
     return away_m <= rules_.start_m && clearance_m_[i] >= clearance_min_m_;
   }
 
-  /// In cells to each side.
+  /// Extent of the region in cells to each side.
   [[nodiscard]] int reach() const {
     return static_cast<int>(std::max(rules_.radius_m, rules_.start_m) / map_.resolution_m) + 1;
   }
@@ -118,10 +117,10 @@ class TravelSearch::Impl {
   [[nodiscard]] float settled_m() const { return complete_ ? kUnreached : queue_.next_m(); }
 
  private:
-  /// Straight neighbours of a cell with more clearance than that are not occupied, to within rounding.
+  /// A cell with more clearance than this has no occupied straight neighbour, to within rounding.
   static constexpr float kNearCells = 1.01F;
 
-  /// What a metre costs by clearance.
+  /// Inflation: the cost of a metre as a function of the clearance.
   class Crowding {
    public:
     explicit Crowding(const TravelRules& rules)
@@ -134,7 +133,7 @@ class TravelSearch::Impl {
     [[nodiscard]] float at(float clearance_m) const {
       return leaving_at(clearance_m) + (clearance_m < radius_m_ ? tightness_ : 0.0F);
     }
-    /// For a robot that stands there already.
+    /// For a robot that already stands there.
     [[nodiscard]] float leaving_at(float clearance_m) const {
       return 1.0F + per_m_ * std::max(0.0F, preferred_m_ - clearance_m);
     }
@@ -162,15 +161,16 @@ class TravelSearch::Impl {
     const bool leaves =
         metre_cost_[first] == kUnreached || clearance_m_[first] < static_cast<float>(rules.radius_m);
     if (leaves) open_start_region(StartRegion(*map_, clearance_m_, start, rules));
-    metre_cost_[first] = crowding_.leaving_at(clearance_m_[first]);  // whatever stands there, the robot does
+    metre_cost_[first] = crowding_.leaving_at(clearance_m_[first]);  // the robot stands there
     field_->written = priced_;
-    // Elsewhere the robot is too far from everything to get to a corner: mark_later need not ask.
+    // When a pause is allowed, no connection depends on a cut corner, and mark_later() need not check for
+    // them.
     may_pause_ = !is_near_something(tight_m) && !(leaves && meets_at_corners());
     queue_.push(first, 0.0F);
     complete_ = false;
   }
 
-  /// Of a search before, only what it wrote.
+  /// Clears only what the previous search wrote.
   void clear_field() {
     for (const CellRun& run : field_->written) {
       std::fill(field_->cost_m.begin() + run.first, field_->cost_m.begin() + run.end, kUnreached);
@@ -181,8 +181,9 @@ class TravelSearch::Impl {
     field_->step.resize(map_->cells.size(), kNoStep);
   }
 
-  /// What a metre costs in every cell, so that a step asks one array. Most of a map is not free: that costs
-  /// nothing here. The outermost cells are never entered: neighbours of all others are in the array.
+  /// Computes the cost of a metre for every free cell, so that a step reads one array. Most of a map is not
+  /// free and costs nothing here. The outermost cells are never entered: the neighbours of all others are in
+  /// the array.
   void price_cells(float tight_m) {
     for (const CellRun& run : priced_)
       std::fill(metre_cost_.begin() + run.first, metre_cost_.begin() + run.end, kUnreached);
@@ -220,7 +221,7 @@ class TravelSearch::Impl {
     count_as_priced(leaving_);
   }
 
-  /// The runs of the box join those that are priced.
+  /// Merges the rows of the box into the priced runs.
   void count_as_priced(const CellBox& box) {
     for (int y = box.min.y; y <= box.max.y; ++y) {
       const auto first = static_cast<std::uint32_t>(map_->index({box.min.x, y}));
@@ -239,7 +240,7 @@ class TravelSearch::Impl {
     priced_.resize(kept);
   }
 
-  /// Do open cells of the start region hang together at corners alone, one of which is cut?
+  /// True when open cells of the start region are connected only across a corner that an occupied cell cuts.
   [[nodiscard]] bool meets_at_corners() const {
     const auto is_open = [&](std::size_t i) { return metre_cost_[i] != kUnreached; };
     for (int y = leaving_.min.y; y <= leaving_.max.y; ++y) {
@@ -257,7 +258,7 @@ class TravelSearch::Impl {
     return false;
   }
 
-  /// Straight neighbours are one cell away: farther from everything, none of them is occupied.
+  /// False when the clearance exceeds one cell: no straight neighbour is occupied then.
   [[nodiscard]] bool is_near_something(float clearance_m) const {
     return clearance_m <= kNearCells * resolution_m_;
   }
@@ -266,7 +267,7 @@ class TravelSearch::Impl {
     return from + static_cast<std::size_t>(offset_[direction]);
   }
 
-  /// The directions, a bit each, in which a step slips between something occupied and the cell.
+  /// Directions, as a bit mask, in which a step would cut the corner of an occupied cell.
   [[nodiscard]] unsigned cut_corners(std::size_t from) const {
     unsigned cut = 0;
     for (std::size_t d = 0; d < kNeighbours.size(); d += 2) {
@@ -275,7 +276,7 @@ class TravelSearch::Impl {
     return cut;
   }
 
-  /// All eight neighbours at once, three of a row in one vector: that one of them gets cheaper is rare.
+  /// Relaxes all eight neighbours at once, three of a row in one vector: a lower cost is rare.
   void expand(BucketQueue::Entry entry) {
     const float* const metre = metre_cost_.data() + entry.index;
     const std::ptrdiff_t width = offset_[2];
@@ -303,8 +304,8 @@ class TravelSearch::Impl {
     }
   }
 
-  /// Marks what will be reached. The runs are short and far from one another: who waits for each of them in
-  /// turn waits longer than for the whole map.
+  /// Marks the cells that will be reached. The runs are short and scattered: without prefetching, waiting for
+  /// each of them would take longer than a pass over the whole map.
   void mark_later() {
     if (marked_) return;
     marked_ = true;
@@ -324,7 +325,7 @@ class TravelSearch::Impl {
     }
   }
 
-  /// The cells of a run that can be entered.
+  /// Adds the cells of a run that can be entered.
   void add_open(const CellRun& run) {
     is_open_.resize(run.end - run.first);
     const float* const cost = metre_cost_.data() + run.first;
@@ -333,7 +334,7 @@ class TravelSearch::Impl {
     runs_.add_marked(run.first, is_open_);
   }
 
-  /// Asks for what will be looked at soon.
+  /// Prefetches a run.
   static void fetch(const std::vector<float>& values, const CellRun& run) {
     constexpr std::uint32_t kLine = 64 / sizeof(float);
     for (std::uint32_t i = run.first; i < run.end; i += kLine) __builtin_prefetch(&values[i]);
@@ -343,16 +344,16 @@ class TravelSearch::Impl {
   const DenseMap* map_ = nullptr;
   std::span<const float> clearance_m_;
   Crowding crowding_{TravelRules{}};
-  float near_cost_ = 0.0F;  ///< what a metre costs where something is beside the cell
+  float near_cost_ = 0.0F;  ///< cost of a metre at a clearance of kNearCells
   float resolution_m_ = 0.0F;
   BucketQueue queue_;
   std::vector<float> metre_cost_;  ///< of every cell; infinity where the robot cannot be
-  std::vector<CellRun> priced_;    ///< in rising order: elsewhere it is infinity
+  std::vector<CellRun> priced_;    ///< ascending; elsewhere the cost is infinity
   TravelField* field_ = nullptr;
   std::array<std::ptrdiff_t, 8> offset_{};
-  std::array<Row, kRows.size()> half_step_m_{};  ///< from the cell to its neighbours' borders
-  CellBox leaving_;                    ///< of the cells opened for a start with too little clearance
-  JoinedRuns runs_;                    ///< of what can be entered
+  std::array<Row, kRows.size()> half_step_m_{};  ///< half the step from a cell to its neighbours
+  CellBox leaving_;                    ///< box of the cells opened for a start with too little clearance
+  JoinedRuns runs_;                    ///< of the cells that can be entered
   std::vector<std::uint8_t> is_open_;  ///< of one run
   bool complete_ = true, may_pause_ = false, marked_ = false;
 };

@@ -6,13 +6,13 @@
 
 namespace topo::motion {
 
-/// What a motion backwards rests on, which whoever asks for it vouches for: the rear is blind.
+/// Justification of a reverse motion, for which the requester is responsible: the rear is blind.
 enum class Backing : std::uint8_t {
   kNone,
-  /// The way the robot came. It may leave a pressed front bumper or a stall.
+  /// Along the breadcrumb path. Allowed with a pressed front bumper or a stall.
   kAlongTrail,
-  /// Straight, over ground that the scanner looked over lately (SeenGround), so that BlindSpot has what
-  /// stands beside it.
+  /// Straight, over ground that the scanner observed recently (SeenGround), so that BlindSpot has the
+  /// obstacles beside it.
   kOverSeenGround,
 };
 

@@ -14,7 +14,7 @@ using types::Vector2;
 
 constexpr double kJump_m = 0.25;
 
-/// From straight behind to a point.
+/// Angle from straight behind the robot to a point.
 double aside_rad(const Vector2& p_base) {
   return types::wrap_angle(std::atan2(p_base.y(), p_base.x()) - std::numbers::pi);
 }
@@ -75,8 +75,8 @@ Vector2 BreadcrumbPath::point_base(double away_m) const {
   return pose_.inverse() * points_[i];
 }
 
-/// Where the robot turned on the spot the trail has a corner: a nearer point may lie behind when a farther
-/// one does not.
+/// The path has a corner where the robot turned on the spot: a nearer point may lie behind when a farther one
+/// does not.
 Vector2 BreadcrumbPath::target_base() const {
   constexpr std::array kAims_m{0.2, 0.15, 0.1};
   for (const double aim_m : kAims_m) {

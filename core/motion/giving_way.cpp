@@ -15,11 +15,11 @@ using types::Twist2;
 using types::Vector2;
 
 constexpr double kStep_s = 0.05;
-constexpr double kReserve = 0.8;     // of the deceleration: the next periods have to keep to it as well
-constexpr double kUnsure_mps = 0.1;  // of a velocity, of how a person goes on
+constexpr double kReserve = 0.8;     // of the deceleration: later periods must be able to keep to it as well
+constexpr double kUnsure_mps = 0.1;  // uncertainty of a velocity, and of a person's next motion
 constexpr double kClearFor_s = 1.0;
 
-/// Where the base is step by step, driving on for a while and then braking on the same arc.
+/// Poses of the base, step by step, when it drives on for a while and then brakes on the same arc.
 class Course {
  public:
   Course(const Twist2& twist, double alive_s, double braking_s, double until_s)
@@ -32,9 +32,9 @@ class Course {
   [[nodiscard]] const Twist2& twist() const { return twist_; }
   [[nodiscard]] double until_s() const { return until_s_; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Of a step, after now.
+  /// Time of a step, from now.
   [[nodiscard]] static double at_s(std::size_t i) { return static_cast<double>(i + 1) * kStep_s; }
-  /// A point from where the base is now, seen from where it is at a step.
+  /// A point of the current base frame, in the base frame at a step.
   [[nodiscard]] Vector2 seen(std::size_t i, const Vector2& p) const {
     const Step& s = steps_[i];
     const Vector2 off = p - s.at;
@@ -67,7 +67,7 @@ double braking_s(const Twist2& twist, const types::RobotLimits& l) {
                   std::abs(twist.omega_radps) / (kReserve * l.angular_acceleration_radps2));
 }
 
-/// Can they meet at all until the course ends?
+/// True when the obstacle and the robot can meet before the course ends.
 bool is_in_reach(const perception::MovingObstacle& one, const Course& course, double margin_m,
                  const types::Footprint& footprint) {
   const double closing_mps = one.velocity_mps.norm() + std::abs(course.twist().v_mps) + kUnsure_mps;

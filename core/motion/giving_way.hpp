@@ -10,14 +10,14 @@
 
 namespace topo::motion {
 
-/// When the robot drives for `alive_s` at a twist and then brakes: does it stand before what moves touches it
-/// (with `margin_m` between, and more the farther ahead that is)? What is nearer than that already counts
-/// when it gets nearer still. Who stands has done what it can.
+/// True when a robot that drives for `alive_s` at a twist and then brakes stands before a moving obstacle
+/// touches it, with `margin_m` between them, and more the farther ahead in time. An obstacle that is already
+/// nearer counts only when it comes nearer still. Contact after the robot has come to rest does not count.
 bool stands_in_time(const types::Twist2& twist, std::span<const perception::MovingObstacle> moving,
                     double alive_s, double margin_m, const types::RobotLimits& limits);
 
-/// The largest part of a twist, in twentieths, at which it stands in time and is not in the way: it is clear
-/// of what moves for another second, standing or by going on. 0 when there is none.
+/// The largest scale of a twist, in twentieths, at which the robot stands in time and stays clear of moving
+/// obstacles for another second, standing or driving on. 0 when there is none.
 double giving_way_scale(const types::Twist2& twist, std::span<const perception::MovingObstacle> moving,
                         double alive_s, const types::RobotLimits& limits);
 

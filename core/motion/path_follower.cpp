@@ -16,10 +16,10 @@ using types::Vector2;
 
 constexpr std::array kCurvatures{0.0, 0.1,  -0.1, 0.22, -0.22, 0.36, -0.36, 0.55, -0.55, 0.8, -0.8,
                                  1.1, -1.1, 1.5,  -1.5, 2.0,   -2.0, 2.7,   -2.7, 3.6,   -3.6};
-constexpr double kBehind_m = 0.3, kAhead_m = 1.5;  // where along the path the robot is looked for
+constexpr double kBehind_m = 0.3, kAhead_m = 1.5;  // range of the search for the robot along the path
 constexpr double kSlow_mps = 0.3;
-constexpr double kStopToTurn = 0.1, kPerRadian = 0.3;  // what a turn costs, as scores of arcs
-constexpr double kBlindSlack = 1.05;  // slower than the gate would, so that it need not brake
+constexpr double kStopToTurn = 0.1, kPerRadian = 0.3;  // cost of a turn, in units of the arcs' scores
+constexpr double kBlindSlack = 1.05;  // slower than the gate allows, so that it need not brake
 
 Se2 along(double curvature, double way_m) {
   const double half = 0.5 * curvature * way_m;
@@ -27,14 +27,14 @@ Se2 along(double curvature, double way_m) {
   return {chord * std::cos(half), chord * std::sin(half), 2.0 * half};
 }
 
-/// Speed from which the robot stands within `free_m`: v blind + v^2 / 2a = free.
+/// Speed from which the robot can stop within `free_m`: v blind + v^2 / 2a = free.
 double stoppable_mps(double free_m, double blind_s, double deceleration) {
   if (!(free_m > 0.0)) return 0.0;
   const double b = blind_s * deceleration;
   return 2.0 * free_m * deceleration / (b + std::sqrt(b * b + 2.0 * deceleration * free_m));
 }
 
-/// Way in `time_s` when speeding up from `v0` to `v1`, or at once at the lower of the two.
+/// Distance in `time_s` when accelerating from `v0` to `v1`; at `v1` throughout when that is lower.
 double way_m(double v0, double v1, double acceleration, double time_s) {
   if (v0 >= v1) return v1 * time_s;
   const double ramp_s = std::min(time_s, (v1 - v0) / acceleration);
@@ -104,14 +104,14 @@ double PathFollower::speed_on(double curvature, double margin_m, const FollowInp
     v_mps = std::min(v_mps, std::min(rules_.omega_max_radps, l.omega_max_radps) / std::abs(curvature));
   const double blind_s = kBlindSlack * in.blind_s;
   const double enough_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);
-  const Twist2 arc{1.0, curvature};  // seconds are metres
+  const Twist2 arc{1.0, curvature};  // at 1 m/s, seconds are metres
   perception::FirstContact first(arc, types::reach_m(types::grown(l.footprint, margin_m)), enough_m);
   for (const Vector2& p : in.obstacles_base)
     first.offer(p, [&] { return perception::contact_time_with_margin_s(p, arc, l.footprint, margin_m); });
   return std::min(v_mps, stoppable_mps(first.seconds(), blind_s, l.deceleration_mps2));
 }
 
-/// What the gate leaves because a wheel may slip, on arcs as the last one.
+/// Speed that the gate allows in view of wheel slip, on arcs with the last curvature.
 double PathFollower::slip_speed_mps(const FollowInput& in) const {
   const types::RobotLimits& l = *in.limits;
   double free_m = perception::kNever_s;
@@ -155,7 +155,7 @@ PathFollower::Arc PathFollower::best_with_margin(double margin_m, double v_cap_m
   return best;
 }
 
-/// With as much room as there is.
+/// Best arc with the extra margin, or without it when clearance is too small for a good speed.
 PathFollower::Arc PathFollower::best_arc(double v_cap_mps, const FollowInput& in) const {
   const double margin_m = in.limits->margin_m;
   const Arc roomy = best_with_margin(margin_m + rules_.extra_margin_m, v_cap_mps, in);
@@ -163,12 +163,12 @@ PathFollower::Arc PathFollower::best_arc(double v_cap_mps, const FollowInput& in
                                                             : roomy;
 }
 
-/// How far to turn before driving on, when that gets on better than driving on as the robot stands; 0: it
-/// does not. In a doorway the nose has to point past the jamb before it points along the way.
+/// Angle to turn before driving on, when that scores better than driving on at the current heading; 0
+/// otherwise. In a doorway the robot's heading must pass the jamb before it follows the path.
 double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
                                      const FollowInput& in) const {
   constexpr std::array kTurns{0.25, -0.25, 0.5, -0.5, 0.75, -0.75};
-  constexpr double kSlowEnds_m = 1.2;  // an arc that is slow ends nearer than this
+  constexpr double kSlowEnds_m = 1.2;  // a slow arc ends nearer than this
   std::array<Vector2, kMaxObstacles> near, turned;
   std::size_t count = 0;
   for (const Vector2& p : in.obstacles_base)

@@ -13,21 +13,21 @@
 namespace topo::motion {
 
 struct FollowerRules {
-  double lookahead_m = 0.5;      ///< where on the path "the way" is
-  double turn_begin_rad = 0.9;   ///< further off the nose: turn on the spot
-  double turn_end_rad = 0.2;     ///< until so near
-  double horizon_s = 1.5;        ///< arcs are compared by where they lead in this time
+  double lookahead_m = 0.5;      ///< distance along the path of the target point
+  double turn_begin_rad = 0.9;   ///< greater heading error: turn on the spot
+  double turn_end_rad = 0.2;     ///< heading error that ends the turn
+  double horizon_s = 1.5;        ///< arcs are compared at this time
   double extra_margin_m = 0.04;  ///< more than the gate keeps free, so that noise does not make it brake
   double omega_max_radps = 1.0;  ///< while driving
-  double crawl_mps = 0.05;       ///< an arc that allows less leads nowhere
+  double crawl_mps = 0.05;       ///< an arc that allows less counts as blocked
   double arrived_m = 0.04;
 };
 
 struct FollowInput {
   types::Se2 T_odom_base;  ///< now
-  types::Twist2 twist;     ///< given out last
+  types::Twist2 twist;     ///< last output
   std::span<const types::Vector2> path_odom;
-  std::uint64_t path_number = 0;  ///< another number: another path
+  std::uint64_t path_number = 0;  ///< changes with the path
   bool ends_at_goal = false;
   std::span<const types::Vector2> obstacles_base;  ///< at most PathFollower::kMaxObstacles
   double blind_s = 0.0;                            ///< as the gate's blind_time_s()
@@ -38,14 +38,14 @@ struct FollowInput {
 struct FollowOutput {
   types::Twist2 twist;
   bool arrived = false;
-  bool blocked = false;   ///< no arc and no turn leads on
-  double turn_rad = 0.0;  ///< from the nose to the way
+  bool blocked = false;   ///< no arc and no turn is possible
+  double turn_rad = 0.0;  ///< from the heading to the path
 };
 
-/// Follows a path in odom: compares a fan of arcs by how far they get along the path, each as fast as the
-/// gate would let it pass (its rule counts the free way on the arc, so the arcs with much room are the fast
-/// ones: dynamic window approach, Fox, Burgard and Thrun 1997), and turns on the spot when the way is far off
-/// the nose, or when from another heading an arc gets on better: in a doorway the nose has to point past the
+/// Follows a path in odom. Compares a fan of arcs by their progress along the path, each as fast as the gate
+/// would allow; the gate's rule counts the free distance on the arc, so that arcs with much clearance are
+/// fast (dynamic window approach, Fox, Burgard and Thrun 1997). Turns on the spot when the path is far off
+/// the heading, or when an arc from another heading scores better: in a doorway the heading must pass the
 /// jamb first. Allocates nothing.
 class PathFollower {
  public:
@@ -59,8 +59,8 @@ class PathFollower {
 
  private:
   struct Station {
-    double s_m = 0.0;         ///< along the path
-    double distance_m = 0.0;  ///< from it
+    double s_m = 0.0;         ///< position along the path
+    double distance_m = 0.0;  ///< from the path
     double heading_rad = 0.0;
   };
   struct Arc {

@@ -13,18 +13,18 @@ using std::chrono::milliseconds;
 using types::Stamp;
 
 constexpr types::Duration kBlink = milliseconds(300);    // shorter is noise
-constexpr types::Duration kRefused = milliseconds(700);  // then this motion will not do
+constexpr types::Duration kRefused = milliseconds(700);  // then this motion is given up
 constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
-constexpr types::Duration kTryMax = 3 * kPhaseMax;  // what is left of it is for leaving
+constexpr types::Duration kTryMax = 3 * kPhaseMax;  // the rest of it is for kLeaving
 constexpr double kAligned_rad = 0.25;
-// The tail of a P3-DX swings 2 cm aside: less than the margin that it came with.
+// The tail of a P3-DX swings 2 cm aside: less than the margin kept on the way in.
 constexpr double kStraightBehind_rad = 0.1;
 constexpr double kBackedSlack_m = 0.05;
 constexpr double kCreep_mps = 0.03;
 constexpr double kEase_mps = 0.05;
 constexpr double kEaseLeast_mps = 0.02;
-constexpr double kRoomAhead_m = 0.25;    // less is soon used up, and the robot nearer to what holds it
-constexpr double kBackedEnough_m = 0.2;  // the shortest that changes what the way ahead looks like
+constexpr double kRoomAhead_m = 0.25;    // less is used up soon, with the robot nearer to the obstacle
+constexpr double kBackedEnough_m = 0.2;  // the shortest distance that changes the view of the path ahead
 
 Stamp since(bool is, Stamp before, Stamp now) {
   if (!is) return Stamp{};
@@ -98,14 +98,14 @@ void Recovery::watch(const RecoveryInput& in) {
 types::Twist2 Recovery::back_twist(const RecoveryInput& in) const {
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
   if (backed_m >= rules_.back_m) return {};
-  // If the host dies the robot rolls on until the watchdog bites: that has to be on the trail as well. Near
-  // its end it creeps: two centimetres more may be what it needs to turn.
+  // If the host fails, the robot rolls on until the watchdog fires, and must still be on the breadcrumb path.
+  // Near the path's end it creeps: two more centimetres may give it the clearance to turn.
   const double most_mps = in.blind_s > 0.0 ? in.trail->behind_m() / in.blind_s : HUGE_VAL;
   if (most_mps <= kCreep_mps) return {};
   return in.trail->back_twist(std::min(most_mps, in.limits->v_reverse_max_mps));
 }
 
-/// A robot may have no room to turn on the shorter way, and come round by the one on which it came here.
+/// The shorter turn may lack clearance when the other one, by which the robot arrived, does not.
 void Recovery::turn_other_way_when_refused(double angle_rad, const RecoveryInput& in) {
   if (sense_ != 0 || !lasts(refused_, in.now, kRefused)) return;
   sense_ = angle_rad > 0.0 ? -1 : 1;
@@ -115,7 +115,7 @@ void Recovery::turn_other_way_when_refused(double angle_rad, const RecoveryInput
 RecoveryOutput Recovery::back(const RecoveryInput& in) {
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
   refused_ = since(in.refused, refused_, in.now);
-  // What did not help the last time will not help this time: from farther off the way ahead looks different.
+  // Each try backs off farther than the last: the path ahead looks different from farther away.
   const double enough_m = std::min(kBackedEnough_m * tries_, rules_.back_m - kBackedSlack_m);
   const bool clear = !in.blocked && !in.touching && backed_m >= enough_m;
   if (clear) {
@@ -123,12 +123,14 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
     return {};
   }
   const double aside_rad = in.trail->turn_to_back_rad();
-  // The robot has turned since: first bring the trail behind it, or the tail sweeps where it never was.
+  // The robot has turned since: it first turns the breadcrumb path behind itself, or the tail would sweep
+  // ground that it never covered.
   bool aside = !in.touching && !backs_askew_ && backed_m < 0.05 &&
                std::abs(aside_rad) > kStraightBehind_rad &&
                in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s;
   if (aside && std::abs(aside_rad) <= BreadcrumbPath::kBehind_rad && lasts(refused_, in.now, kRefused)) {
-    // No room to turn even so little, as in a doorway: then back as it stands, as far as the gate lets it.
+    // No clearance even for this small turn, as in a doorway: back off at the current heading, as far as the
+    // gate allows.
     backs_askew_ = true;
     aside = false;
     refused_ = Stamp{};
@@ -149,8 +151,8 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   const bool aligned = std::abs(in.turn_rad) < kAligned_rad;
   if (over && !aligned && !in.touching && backed_m_ < kBackedEnough_m) {
-    // Straight on first where there is room, since there the scanner looks now; with the next tries the other
-    // way, and straight on where that is closed.
+    // The first try drives straight ahead where there is free space, because the scanner observes it. The
+    // later tries ease back first, and drive straight ahead when that fails.
     const bool on_first = tries_ == 1 && !eased_m_ && in.ahead_m >= kRoomAhead_m;
     if (!on_first && !eased_m_) {
       enter(RecoveryPhase::kEasing, in);
@@ -168,12 +170,12 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits)};
 }
 
-/// A jamb between its front corners, nearer than the circle that it turns in, holds a robot that has all the
-/// room behind it, and may come so near when a wheel slips in a turn. The farther the more it has tried.
+/// A jamb between the front corners, nearer than the turning circle, holds a robot with free space behind it;
+/// wheel slip in a turn can bring it that near. The distance grows with each try.
 RecoveryOutput Recovery::ease(const RecoveryInput& in) {
   refused_ = since(in.refused, refused_, in.now);
   const double eased_m = (in.T_odom_base.translation() - phase_at_).norm();
-  // If the host dies the robot rolls on until the watchdog bites: that has to be over seen ground as well.
+  // If the host fails, the robot rolls on until the watchdog fires, and must still be over seen ground.
   const double most_mps = in.blind_s > 0.0 ? in.seen_behind_m / in.blind_s : HUGE_VAL;
   const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
   if (over || eased_m >= rules_.ease_m * tries_ || in.touching || most_mps < kEaseLeast_mps) {

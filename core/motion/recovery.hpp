@@ -14,36 +14,36 @@ namespace topo::motion {
 
 enum class RecoveryPhase : std::uint8_t {
   kNone,
-  kWaiting,  ///< something appeared in the way and may go by itself, as people do
-  kBacking,  ///< along the way it came
-  kTurning,  ///< to where the path goes on
-  kEasing,   ///< a little straight back, where it can neither back off nor turn, to where it can
-  kLeaving,  ///< the same straight on
-  kStuck,    ///< nothing of it helped; until the goal is another one
+  kWaiting,  ///< an obstacle appeared and may leave by itself, as people do
+  kBacking,  ///< back along the breadcrumb path
+  kTurning,  ///< towards the continuation of the path
+  kEasing,   ///< a little straight back, when it can neither back off nor turn
+  kLeaving,  ///< the same straight ahead
+  kStuck,    ///< all tries failed; until the goal changes
 };
 
 struct RecoveryRules {
   types::Duration wait = std::chrono::milliseconds(2500);
-  types::Duration no_progress = std::chrono::seconds(8);  ///< as good as blocked
+  types::Duration no_progress = std::chrono::seconds(8);  ///< counts as blocked
   double progress_m = 0.15;
-  double back_m = 0.5;       ///< at most, with what the watchdog lets it roll
+  double back_m = 0.5;       ///< at most, without the roll until the watchdog fires
   double leave_m = 0.4;      ///< at most
-  double ease_m = 0.08;      ///< more with each try
+  double ease_m = 0.08;      ///< times the number of the try
   int tries = 3;             ///< then stuck
-  double forgotten_m = 1.0;  ///< so far from where it was, the tries begin anew
+  double forgotten_m = 1.0;  ///< distance from the first try at which the tries begin anew
 };
 
 struct RecoveryInput {
   types::Stamp now{};
   std::uint64_t goal_id = 0;
   types::Se2 T_odom_base;
-  bool blocked = false;        ///< no way leads on, or the gate let nothing through
+  bool blocked = false;        ///< no arc is possible, or the gate let nothing through
   bool touching = false;       ///< a bumper is pressed or a wheel stalls
-  bool refused = false;        ///< the gate let next to nothing of the recovery's own last motion through
-  double turn_rad = 0.0;       ///< from the nose to where the path goes on
-  double blind_s = 0.0;        ///< what the robot rolls on for when the host dies
-  double ahead_m = 0.0;        ///< free straight on
-  double seen_behind_m = 0.0;  ///< straight back, where the scanner looked lately, at most kSeenBehind_m
+  bool refused = false;        ///< the gate let next to nothing of recovery's last motion through
+  double turn_rad = 0.0;       ///< from the heading to the continuation of the path
+  double blind_s = 0.0;        ///< how long the robot rolls on when the host fails
+  double ahead_m = 0.0;        ///< free distance straight ahead
+  double seen_behind_m = 0.0;  ///< straight back over ground observed recently, at most kSeenBehind_m
   const BreadcrumbPath* trail = nullptr;
   const types::RobotLimits* limits = nullptr;
 };
@@ -54,17 +54,17 @@ struct RecoveryOutput {
   Backing backing = Backing::kNone;
 };
 
-/// What to do when the way is blocked: wait, back off, turn free, where neither can be done ease a little
-/// straight back over ground that the scanner saw, or go straight on, which it watches over, and after some
-/// tries say that it is stuck. Every phase ends after a bounded time.
+/// Recovery from a blocked path: wait, back off, turn free; when neither backing off nor turning is possible,
+/// ease a little straight back over ground that the scanner saw, or drive straight ahead in its view; after
+/// some tries report kStuck. Every other phase ends after a bounded time.
 class Recovery {
  public:
-  /// As far as it wants to know: more than it rolls on for when the host dies while it eases.
+  /// Greatest useful seen_behind_m: more than the robot rolls on when the host fails while it eases.
   static constexpr double kSeenBehind_m = 0.15;
 
   explicit Recovery(const RecoveryRules& rules = {}) : rules_(rules) {}
   RecoveryOutput step(const RecoveryInput& input);
-  /// Time in which nothing was to be done, or could be for another reason, is not held against the goal.
+  /// Time without a task, or with motion impossible for another reason, is not counted as a lack of progress.
   void pause(types::Stamp now);
   [[nodiscard]] std::uint32_t begun() const { return begun_; }
 
@@ -85,13 +85,13 @@ class Recovery {
   types::Stamp since_{};           ///< of the phase
   types::Stamp blocked_{};         ///< since when; zero: not
   types::Stamp refused_{};         ///< since when; zero: not
-  int sense_ = 0;                  ///< of a turn that was refused the shorter way: 1 left, -1 right
-  bool backs_askew_ = false;       ///< it had no room to bring the trail straight behind it
-  std::optional<double> eased_m_;  ///< how far in this try; nothing: not yet
-  types::Stamp progress_{};        ///< when it last got on
+  int sense_ = 0;                  ///< turn direction after a refusal: 1 left, -1 right; 0: the shorter turn
+  bool backs_askew_ = false;       ///< it lacked clearance to turn the breadcrumb path straight behind it
+  std::optional<double> eased_m_;  ///< distance in this try; nullopt: not yet
+  types::Stamp progress_{};        ///< time of the last progress
   types::Vector2 progress_at_{0.0, 0.0};
   types::Vector2 phase_at_{0.0, 0.0};
-  types::Vector2 first_at_{0.0, 0.0};  ///< of the first try
+  types::Vector2 first_at_{0.0, 0.0};  ///< position of the first try
   std::uint64_t goal_id_ = 0;
   types::Stamp tried_{};   ///< when this try began
   double backed_m_ = 0.0;  ///< in this try

@@ -23,8 +23,8 @@ constexpr Duration kScanAgeMax = milliseconds(150);
 constexpr Duration kPeriod = milliseconds(50);  // of the base thread
 constexpr double kScanPeriods = 2.5;
 constexpr double kValidFractionMin = 0.5;
-constexpr double kElapsedMax_s = 0.1;     // a late period may not become a jump in speed
-constexpr double kStandstill_mps = 0.01;  // slower than this is standing
+constexpr double kElapsedMax_s = 0.1;     // a late period must not cause a jump in speed
+constexpr double kStandstill_mps = 0.01;  // slower counts as standing
 constexpr double kStandstill_radps = 0.02;
 
 bool is_finite_twist(const Twist2& t) { return std::isfinite(t.v_mps) && std::isfinite(t.omega_radps); }
@@ -37,12 +37,13 @@ std::optional<GateReason> request_fault(const GateInput& in) {
   return std::nullopt;
 }
 
-/// The hull has just been there: a touch is left this way.
+/// True for a reverse motion along the breadcrumb path, where the hull has just been: it may leave a touch.
 bool backs_along_trail(const GateInput& in) {
   return in.backing == Backing::kAlongTrail && in.request.twist.v_mps <= 0.0;
 }
 
-/// Off what touches the rear bumper: forwards, with nothing touching in front, and an operator who sees it.
+/// True when the robot may creep off an obstacle at its rear bumper: forwards, without contact in front,
+/// under manual control.
 bool creeps_off(const GateInput& in) {
   return in.base->bumpers_rear != 0 && in.by_hand && in.request.twist.v_mps > 0.0 &&
          in.base->bumpers_front == 0;
@@ -62,7 +63,7 @@ std::optional<GateReason> base_fault(const GateInput& in) {
 std::optional<GateReason> scan_fault(const GateInput& in) {
   if (in.front_scan == nullptr || is_stale(in.front_scan->arrival, in.now, scan_age_max(*in.front_scan)))
     return GateReason::kStaleScan;
-  // Negated, so that a mount that is not finite is blind as well.
+  // Fails as well for a mount whose heading is not finite: it has no forward beams.
   if (!(perception::forward_valid_fraction(*in.front_scan, in.T_base_laser) >= kValidFractionMin))
     return GateReason::kBlindScan;
   const types::Se2& mount = in.T_base_laser;
@@ -79,7 +80,7 @@ std::optional<GateReason> area_fault(const GateInput& in) {
   return known ? std::nullopt : std::optional(GateReason::kNoPlace);
 }
 
-/// Why nothing may move, the gravest first.
+/// The reason that forbids motion, the gravest first.
 std::optional<GateReason> first_fault(const GateState& state, const GateInput& in) {
   if (state.estop_latched) return GateReason::kEmergencyStop;
   if (!types::is_valid(in.limits)) return GateReason::kInvalidLimits;
@@ -95,8 +96,8 @@ double elapsed_s(const GateState& state, Stamp now) {
   return std::min(types::to_seconds(now - state.last_stamp), kElapsedMax_s);
 }
 
-/// On the wanted arc from the start: turning gets up to speed long before driving does, and a robot that
-/// begins an arc by turning on the spot turns into what the arc passes.
+/// Stays on the requested arc from the start: rotation reaches its speed long before translation does, and a
+/// robot that begins an arc by turning on the spot turns into obstacles beside the arc.
 Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInput& in) {
   const double dt_s = elapsed_s(state, in.now);
   const types::RobotLimits& l = in.limits;
@@ -106,8 +107,8 @@ Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInpu
                         l.angular_acceleration_radps2, dt_s)};
 }
 
-/// As slow as it takes to brake when a wheel slips, by a daemon that is alive: with the watchdog's time as
-/// well nothing would move between walls.
+/// Slow enough to brake when a wheel slips, with a live daemon: with the watchdog's time included, the robot
+/// could not move between walls.
 double slip_scale(const Twist2& next, const GateInput& in) {
   if (!(next.v_mps > in.limits.v_beside_mps)) return 1.0;
   const double free_s = perception::slip_free_time_s(next, in.limits, surroundings(in));
@@ -115,8 +116,9 @@ double slip_scale(const Twist2& next, const GateInput& in) {
   return std::max(scale, in.limits.v_beside_mps / next.v_mps);
 }
 
-/// A wheel that slips while the robot turns on the spot moves it aside. What is ahead the scanner sees coming
-/// nearer; of what is behind, only the next match against the map tells. So much has to fit into the gap.
+/// A wheel that slips during a turn on the spot displaces the robot. The scanner observes an obstacle ahead
+/// coming nearer; behind, only the next match against the map shows it. The displacement until then must fit
+/// into the gap.
 double turn_slip_scale(const Twist2& next, const GateInput& in) {
   constexpr double kUnnoticed_s = 1.0;
   const double turn_radps = std::abs(next.omega_radps);
@@ -126,10 +128,10 @@ double turn_slip_scale(const Twist2& next, const GateInput& in) {
   return std::max(scale, in.limits.omega_beside_radps / turn_radps);
 }
 
-/// Something came into the way nearer than the usual braking: the firmware's emergency stop brakes several
-/// times as hard.
+/// True when an obstacle appeared nearer than the normal braking distance: the firmware's emergency stop
+/// brakes several times as hard.
 bool must_brake_hard(const GateInput& in) {
-  constexpr double kLate = 0.8;  // of the speed from which the usual braking would do
+  constexpr double kLate = 0.8;  // of the speed from which normal braking would suffice
   constexpr double kDriven_mps = 0.1;
   const Twist2& measured = in.base->odometry.twist;
   if (!(measured.v_mps > kDriven_mps)) return false;
@@ -149,14 +151,14 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   }
   const Twist2 wanted = within_limits(in.request.twist, in.limits);
   Twist2 next = ramped_twist(state, wanted, in);
-  // Straight, since a turn swings the rear into what touches it; and at once, without the ramp.
+  // Straight, because a turn swings the rear into the obstacle; the rotation stops at once, without the ramp.
   if (creeps_off(in)) next = {std::min(next.v_mps, in.limits.v_reverse_max_mps), 0.0};
   const double blind_s = blind_time_s(in);
   const double free_s = perception::free_time_s(next, in.limits, surroundings(in));
   out.free_distance_m = perception::free_distance_m(next, free_s);
   double scale = stopping_scale(next, free_s, blind_s, in.limits);
   scale = std::min({scale, slip_scale(next, in), turn_slip_scale(next, in)});
-  // By a daemon that is alive, as beside what may be touched when a wheel slips.
+  // With a live daemon, as for obstacles that wheel slip may touch.
   const double yielding = giving_way_scale(next, in.moving, alive_time_s(in), in.limits);
   const bool gives_way = yielding < scale;
   scale = std::min(scale, yielding);
@@ -193,14 +195,14 @@ bool is_stale(Stamp stamp, Stamp now, Duration age_max) {
 
 Duration scan_age_max(const types::Scan& scan) {
   const double period_s = static_cast<double>(scan.geometry.period_s);
-  constexpr double kPeriodMax_s = 0.2;  // slower than any of the scanners: a wrong period excuses nothing
+  constexpr double kPeriodMax_s = 0.2;  // longer than any scanner's: a wrong period must not extend the limit
   if (!(period_s > 0.0 && period_s <= kPeriodMax_s)) return kScanAgeMax;
   return std::max(kScanAgeMax, types::from_seconds(kScanPeriods * period_s));
 }
 
 double alive_time_s(const GateInput& in) {
   const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
-  // A first beam that is missing or lies in the future says nothing of the age.
+  // A stamp of the first beam that is missing or in the future does not give the age.
   const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
   return types::to_seconds(bounded + in.limits.reaction + kPeriod);
 }
@@ -251,11 +253,11 @@ double ramped(double last, double wanted, double acceleration, double decelerati
 
 double stopping_scale(const Twist2& twist, double free_s, double blind_s, const types::RobotLimits& limits) {
   if (!(free_s > 0.0)) return 0.0;
-  // Seconds of full speed that braking takes: v / 2a, in whichever part brakes longer.
+  // Braking distance in seconds of full speed: v / 2a, of the component that brakes longer.
   const double braking_s = std::max(std::abs(twist.v_mps) / (2.0 * limits.deceleration_mps2),
                                     std::abs(twist.omega_radps) / (2.0 * limits.angular_acceleration_radps2));
   if (blind_s + braking_s <= free_s) return 1.0;
-  // s (blind + s braking) = free, in the form that stays exact for short braking.
+  // Solves s (blind + s braking) = free, in the form that stays exact for short braking.
   const double root = std::sqrt(blind_s * blind_s + 4.0 * braking_s * free_s);
   return std::clamp(2.0 * free_s / (blind_s + root), 0.0, 1.0);
 }

@@ -6,7 +6,7 @@ namespace topo::motion {
 namespace {
 
 constexpr types::Duration kPatience = std::chrono::seconds(10);
-constexpr types::Duration kForgotten = std::chrono::seconds(3);  // not held up for so long: a new one
+constexpr types::Duration kForgotten = std::chrono::seconds(3);  // not held up for this long: a new encounter
 constexpr types::Duration kGoFirst = std::chrono::milliseconds(1500);
 
 }  // namespace

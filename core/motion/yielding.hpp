@@ -9,20 +9,20 @@
 
 namespace topo::motion {
 
-/// How a robot waits for what moves past it. While that is so there is nothing to recover from; but who is
-/// waited for may wait as well, so patience ends. And of two that both stood and would both go on at once,
-/// that one stands longer that has the other on its right.
+/// Waiting for a moving obstacle that passes. Recovery is not needed meanwhile; but the obstacle may wait as
+/// well, so patience ends. Right of way when two robots both stood and could both drive on: the one that has
+/// the other on its right stands longer.
 class Yielding {
  public:
-  /// Once a period. `held_up`: something that moves is in the way; `moving` in base.
+  /// Call once per period. `held_up`: a moving obstacle is in the way. `moving` is in base, nearest first.
   void update(types::Stamp now, bool held_up, std::span<const perception::MovingObstacle> moving);
-  /// Something that moves is what it waits for, and patience has not ended.
+  /// True while the robot waits for a moving obstacle and patience has not ended.
   [[nodiscard]] bool waits() const { return waits_; }
-  /// It lets the other one go first.
+  /// True while the other one has right of way.
   [[nodiscard]] bool lets_go_first() const { return lets_go_first_; }
 
  private:
-  types::Stamp since_{}, last_{};  ///< held up; zero: never
+  types::Stamp since_{}, last_{};  ///< first and last time held up; zero: never
   bool on_the_right_ = false;
   bool waits_ = false, lets_go_first_ = false;
 };

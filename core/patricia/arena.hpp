@@ -16,7 +16,7 @@
 namespace topo::patricia {
 
 namespace detail {
-// Its address names the thread: one load to compare, where std::this_thread::get_id() is a call.
+// Its address identifies the thread: comparing it costs one load, while std::this_thread::get_id() is a call.
 inline thread_local char thread_mark = 0;
 }  // namespace detail
 
@@ -24,12 +24,12 @@ inline thread_local char thread_mark = 0;
 struct ArenaCounts {
   std::size_t branches = 0;
   std::size_t leaves = 0;
-  std::size_t bytes_reserved = 0;  ///< taken from the system; grows with the peak, given back with the arena
+  std::size_t bytes_reserved = 0;  ///< allocated from the system; grows with the peak, freed with the arena
 };
 
-/// Storage and owner thread of all nodes of a family of maps. Whatever builds or frees nodes (insert, update,
-/// erase, merge, copying and dropping non-empty handles) runs on the owner thread and aborts elsewhere, in
-/// every build: reference counts are not atomic. Must outlive its maps.
+/// Storage and owner thread of all nodes of a family of maps. Operations that build or free nodes (insert,
+/// update, erase, merge, copying and destroying non-empty handles) run on the owner thread and abort on any
+/// other, in every build: reference counts are not atomic. Must outlive its maps.
 template <class V>
 class Arena {
  public:
@@ -39,8 +39,8 @@ class Arena {
   ~Arena() { check(branches_.live() == 0 && leaves_.live() == 0, "an arena was destroyed before its maps"); }
 
   /// Makes the calling thread the owner. Only while no other thread uses the arena, and after a hand-over
-  /// that orders the two threads: starting or joining a thread, or a release/acquire pair. (The origin of an
-  /// arena is its first owner.)
+  /// that orders the two threads: starting or joining a thread, or a release/acquire pair. (The thread that
+  /// constructs an arena is its first owner.)
   void adopt() { owner_ = &detail::thread_mark; }
 
   void check_owner() const {
@@ -52,13 +52,13 @@ class Arena {
     return {branches_.live(), leaves_.live(), branches_.bytes_reserved() + leaves_.bytes_reserved()};
   }
 
-  // For Map alone. All without owner check: Map checks once a call.
+  // For Map only. No owner check: Map checks once per call.
 
   [[nodiscard]] NodeRef<V> make_leaf(Key key, V value) {
     return NodeRef<V>(new (leaves_.allocate()) Leaf<V>{key, 1U, std::move(value)});
   }
 
-  /// Takes over one reference of each child. `leaves`: keys below both.
+  /// Takes over one reference to each child. `leaves`: number of keys below both.
   [[nodiscard]] NodeRef<V> make_branch(Key split, NodeRef<V> zero, NodeRef<V> one, std::uint32_t leaves) {
     return NodeRef<V>(new (branches_.allocate()) Branch<V>{split, {zero, one}, 1U, leaves});
   }
@@ -66,7 +66,7 @@ class Arena {
     return make_branch(split, zero, one, zero.size() + one.size());
   }
 
-  /// Branch over a node whose keys all lie on the other side of `key`'s bit. Takes over both references.
+  /// Branch over two nodes at the highest bit in which their keys differ. Takes over both references.
   [[nodiscard]] NodeRef<V> join(Key key, NodeRef<V> node, Key other_key, NodeRef<V> other) {
     const Key split = split_of(key, other_key);
     return side_of(key, split) == 0 ? make_branch(split, node, other) : make_branch(split, other, node);
@@ -77,7 +77,8 @@ class Arena {
     return node;
   }
 
-  /// Drops one reference; the last one frees the subtree. Recursion is at most 64 deep: one level a key bit.
+  /// Drops one reference; the last one frees the subtree. Recursion is at most 64 deep: one level per key
+  /// bit.
   void release(NodeRef<V> node) {
     if (node.is_leaf()) {
       release_leaf(node.leaf());
@@ -86,7 +87,7 @@ class Arena {
     }
   }
 
-  /// The way to the key that was updated last.
+  /// Path to the key that was updated last.
   [[nodiscard]] Path<V>& finger() { return finger_; }
 
  private:

@@ -6,9 +6,9 @@
 
 namespace topo::patricia {
 
-/// Name of a cell in a tree. Bits of x and y interleaved (Morton order), x in the even bits, both shifted so
-/// that negative coordinates come before positive ones. Keys that share their upper bits are a square block
-/// of cells (or two squares side by side), so a subtree is a block and a window query prunes whole subtrees.
+/// Key of a cell in a tree: the bits of x and y interleaved (Morton order), x in the even bits, both offset
+/// so that negative coordinates sort before positive ones. Keys with common upper bits form a square block of
+/// cells (or two squares side by side), so a subtree is a block and a window query prunes whole subtrees.
 using Key = std::uint64_t;
 
 struct Cell {
@@ -27,15 +27,15 @@ struct CellWindow {
   [[nodiscard]] constexpr bool empty() const { return min.x > max.x || min.y > max.y; }
 };
 
-/// Bits of a key that hold x, and those that hold y. Spreading keeps the order, so two keys masked with
-/// one of these compare as their coordinates do, without decoding.
+/// Bit masks of x and of y in a key. Interleaving preserves order: two keys under one mask compare as their
+/// coordinates do, without decoding.
 inline constexpr Key kKeyBitsX = 0x5555555555555555U;
 inline constexpr Key kKeyBitsY = kKeyBitsX << 1U;
 
 namespace detail {
 
-// Five shift-and-mask steps put a zero between neighbouring bits: no table, no BMI2 instruction, so that it
-// is the same on every machine.
+// Five shift-and-mask steps put a zero between neighbouring bits: without a table or a BMI2 instruction, the
+// code is the same on every machine.
 constexpr std::uint64_t spread_bits(std::uint32_t value) {
   std::uint64_t v = value;
   v = (v | (v << 16U)) & 0x0000FFFF0000FFFFU;

@@ -7,7 +7,7 @@
 
 namespace topo::patricia {
 
-/// A broken invariant is a bug and aborts in every build (DESIGN section 4); systemd starts the daemon again.
+/// A broken invariant is a bug and aborts in every build (DESIGN section 4); systemd restarts the daemon.
 inline void check(bool holds, const char* what) {
   if (holds) [[likely]] {
     return;

@@ -7,11 +7,10 @@
 
 namespace topo::patricia {
 
-/// Value that is shared until it is written: what a map of large values (occupancy tiles) has in its leaves.
-/// Intrusive reference count, not atomic: copying, dropping and write() belong to one thread, the arena's
-/// owner when the value lives in a Map (whose calls check that). read() is for any thread while somebody
-/// keeps the version alive. A default-made Cow holds nothing and reads as a value-initialised T, so an empty
-/// one costs nothing.
+/// Copy-on-write value, for maps of large values (occupancy tiles). The intrusive reference count is not
+/// atomic: copying, destroying and write() belong to one thread, which is the arena's owner when the value
+/// lives in a Map (whose calls check that). read() is safe on any thread while the version is kept alive. A
+/// default-constructed Cow allocates nothing and reads as a value-initialised T.
 template <class T>
 class Cow {
  public:
@@ -35,8 +34,8 @@ class Cow {
 
   [[nodiscard]] const T& read() const { return block_ != nullptr ? block_->value : kEmpty; }
 
-  /// The value for writing; clones it first when another Cow shares it. The reference is good until this Cow
-  /// is next copied: ask again after a snapshot.
+  /// Returns the value for writing, cloned first when another Cow shares it. The reference is valid until
+  /// this Cow is next copied: call write() again after a snapshot.
   [[nodiscard]] T& write() {
     if (block_ == nullptr) {
       block_ = new Block{T{}, 1U};
@@ -51,7 +50,7 @@ class Cow {
   [[nodiscard]] bool shared() const { return block_ != nullptr && block_->references != 1U; }
   void swap(Cow& other) noexcept { std::swap(block_, other.block_); }
 
-  /// Same object, not same contents: what a difference by pointers needs.
+  /// True for the same object, not for equal contents: a difference compares by pointer.
   friend bool operator==(const Cow& a, const Cow& b) { return a.block_ == b.block_; }
 
  private:

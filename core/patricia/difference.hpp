@@ -9,7 +9,7 @@
 
 namespace topo::patricia::detail {
 
-/// Walks two trees side by side and skips what they have in common, which is known by the pointer.
+/// Walks two trees in parallel and skips common subtrees, which it recognises by pointer.
 template <class V, class F>
 class Differ {
  public:
@@ -43,7 +43,7 @@ class Differ {
   static Key split_or_key(NodeRef<V> n) { return n.is_leaf() ? n.leaf()->key : n.branch()->split; }
   static Key height(NodeRef<V> n) { return n.is_leaf() ? 0 : parting_bit(n.branch()->split); }
 
-  /// Whether all keys of `low` could be below `high`.
+  /// True when all keys of `low` belong below `high`.
   static bool is_above(NodeRef<V> high, NodeRef<V> low) {
     return height(high) > height(low) && belongs_below(split_or_key(low), high.branch()->split);
   }
@@ -59,7 +59,7 @@ class Differ {
     f_(a.leaf()->key, &a.leaf()->value, &b.leaf()->value);
   }
 
-  /// No key in common; the smaller ones first.
+  /// Reports two trees without a common key, the smaller keys first.
   void apart(NodeRef<V> a, NodeRef<V> b) {
     const bool old_first = split_or_key(a) < split_or_key(b);
     if (old_first) only_old(a);

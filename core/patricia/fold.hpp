@@ -7,7 +7,7 @@
 
 namespace topo::patricia::detail {
 
-// Recursion is at most 64 deep in all of these: one level a key bit.
+// All of these recurse at most 64 deep: one level per key bit.
 
 template <class V, class F>
 void fold(NodeRef<V> node, F& f) {
@@ -20,14 +20,14 @@ void fold(NodeRef<V> node, F& f) {
   f(leaf->key, leaf->value);
 }
 
-/// A window of cells as four masked keys, to be compared with keys that are not decoded.
+/// Window of cells as two keys. Comparisons mask x and y, so that keys are not decoded.
 class KeyWindow {
  public:
   explicit KeyWindow(const CellWindow& w) : min_(cell_key(w.min)), max_(cell_key(w.max)) {}
 
   [[nodiscard]] bool contains(Key key) const { return overlaps(key, key); }
 
-  /// Whether the block of cells from key `first` to `last` has cells in the window.
+  /// True when the block of cells from key `first` to `last` intersects the window.
   [[nodiscard]] bool overlaps(Key first, Key last) const {
     return x(first) <= x(max_) && y(first) <= y(max_) && x(last) >= x(min_) && y(last) >= y(min_);
   }

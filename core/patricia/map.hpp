@@ -18,21 +18,21 @@
 namespace topo::patricia {
 
 /// Persistent big-endian Patricia tree (Okasaki and Gill, "Fast mergeable integer maps", 1998): a handle to
-/// one version of a map from keys to values. Copying the handle is O(1) and is a snapshot: later changes to
-/// either copy do not show in the other. One set of keys has one shape, whatever the order in which they
-/// came.
+/// one version of a map from keys to values. Copying the handle is O(1) and makes a snapshot: later changes
+/// to either copy do not affect the other. The shape depends only on the set of keys, not on their insertion
+/// order.
 ///
-/// Threads: "owner" below is the thread that owns the arena; other calls only read and may run on any
-/// thread while somebody keeps this version alive (a pinned sync::SnapshotCell value, a handle held by the
-/// owner) and nobody changes this very handle. Nothing blocks or locks.
+/// Threads: calls marked "owner" run on the thread that owns the arena. Other calls only read; they may run
+/// on any thread while this version is kept alive (by a pinned sync::SnapshotCell value or a handle held by
+/// the owner) and this handle itself is not changed. No call blocks or locks.
 ///
-/// Updates change a node in place when only this handle reaches it, and copy it otherwise: a batch of updates
-/// after a snapshot copies a node once. An update of a key near the one updated last, in the same map and
-/// without a snapshot between, walks only the lowest few branches. References and pointers that find and
-/// update give out are good until the handle is next changed.
+/// An update changes a node in place when only this handle reaches it, and copies it otherwise: a batch of
+/// updates after a snapshot copies a node once. An update of a key near the one updated last, in the same map
+/// and without a snapshot between, walks only the lowest few branches. References and pointers that find and
+/// update return are valid until the handle is next changed.
 ///
-/// When values can be compared (==), an update that leaves its value as it was changes and copies nothing,
-/// and difference reports real differences only.
+/// For values with ==, an insertion that does not change the value changes and copies nothing, and difference
+/// reports only values that differ.
 template <class V>
 class Map {
  public:
@@ -57,7 +57,7 @@ class Map {
     Map(std::move(other)).swap(*this);
     return *this;
   }
-  /// Owner (an empty map: any thread). Costs the nodes that only this version has.
+  /// Owner (an empty map: any thread). Linear in the nodes that only this version has.
   ~Map() { clear(); }
 
   void swap(Map& other) noexcept {
@@ -71,12 +71,12 @@ class Map {
   [[nodiscard]] std::size_t size() const { return root_.size(); }
   [[nodiscard]] bool empty() const { return !root_; }
 
-  /// Any thread. Null when the key is not there.
+  /// Any thread. Null when the key is absent.
   [[nodiscard]] const V* find(Key key) const {
     if (!root_) return nullptr;
     NodeRef<V> node = root_;
     while (!node.is_leaf()) {
-      // Whether the key fits the branch is not asked on the way: the leaf tells.
+      // Only the leaf's key is compared; the branches on the path are not checked against the key.
       const Branch<V>* branch = node.branch();
       node = branch->child[side_of(key, branch->split)];
     }
@@ -84,7 +84,7 @@ class Map {
     return leaf->key == key ? &leaf->value : nullptr;
   }
 
-  /// Owner. Puts `value` under a new key, or combine(present, value) in place of the present value.
+  /// Owner. Stores `value` under a new key, or replaces the present value with combine(present, value).
   template <class Combine>
   requires std::invocable<Combine&, const V&, const V&>
   void insert_with(Key key, V value, Combine combine) {
@@ -106,13 +106,13 @@ class Map {
     replace_value(path, std::move(combined));
   }
 
-  /// Owner. Puts `value` under the key, in place of what was there.
+  /// Owner. Stores `value` under the key and replaces any present value.
   void insert(Key key, V value) {
     insert_with(key, std::move(value), [](const V&, const V& given) { return given; });
   }
 
-  /// Owner. The value under the key, value-initialised when it was not there, to be changed in place: no
-  /// other version has it any more. The reference is good until this handle is next changed or copied.
+  /// Owner. Returns the value under the key, to be changed in place; value-initialised when the key was
+  /// absent. No other version shares it. The reference is valid until this handle is next changed or copied.
   [[nodiscard]] V& update(Key key) {
     writable().check_owner();
     if (!root_) {
@@ -126,7 +126,7 @@ class Map {
     return replace_value(path, V(path.end().leaf()->value));
   }
 
-  /// Owner. True when the key was there.
+  /// Owner. True when the key was present.
   bool erase(Key key) {
     if (!root_) return false;
     arena_->check_owner();
@@ -149,27 +149,27 @@ class Map {
     arena_->release(std::exchange(root_, NodeRef<V>()));
   }
 
-  /// Any thread. f(Key, const V&) for all, in ascending order of keys.
+  /// Any thread. Calls f(Key, const V&) for all keys in ascending order.
   template <class F>
   void for_each(F&& f) const {
     if (root_) detail::fold(root_, f);
   }
 
-  /// Any thread. f(Key, const V&) for the keys whose cells lie in the window, in ascending order of keys.
-  /// Subtrees outside are skipped whole, those inside are walked without a test.
+  /// Any thread. Calls f(Key, const V&) for the keys whose cells lie in the window, in ascending order.
+  /// Subtrees outside the window are skipped, subtrees inside are walked without a test.
   template <class F>
   void for_each_in(const CellWindow& window, F&& f) const {
     if (root_ && !window.empty()) detail::fold_window(root_, detail::KeyWindow(window), f);
   }
 
-  /// Owner of both, which are of one arena (or empty). All keys of both; combine(a's value, b's value) where
-  /// both have one. Subtrees that only one has are shared, not copied, and a side that the result equals is
-  /// given back itself.
+  /// Owner. Union of two maps of one arena (or empty ones); the value is combine(a's value, b's value) where
+  /// both have the key. Subtrees that only one map has are shared, not copied. When the result equals one of
+  /// the maps, it is that version.
   ///
-  /// `shared` decides what becomes of subtrees that a and b have in common (versions of one map): kCombine
-  /// combines each of their values with itself, which is right for every combine; kKeep takes them as they
-  /// are, in O(1), which is right when combine(v, v) == v (union of bits, maximum, newest) and makes the cost
-  /// that of the difference.
+  /// `shared` selects the treatment of subtrees that a and b have in common (versions of one map). kCombine
+  /// combines each value with itself, which is correct for every combine. kKeep keeps them in O(1), which is
+  /// correct when combine(v, v) == v (union of bits, maximum, newest) and makes the cost that of the
+  /// difference.
   template <class Combine>
   requires std::invocable<Combine&, const V&, const V&>
   [[nodiscard]] static Map merge(const Map& a, const Map& b, Combine combine,
@@ -184,18 +184,18 @@ class Map {
     return result;
   }
 
-  /// Any thread. f(Key, const V* old_value, const V* new_value), ascending, for every key whose value is not
-  /// the same; null where a version has no such key. Costs as much as the versions differ when one was made
-  /// from the other.
+  /// Any thread. Calls f(Key, const V* old_value, const V* new_value), in ascending order, for every key
+  /// whose value differs; null where a version has no such key. When one version was made from the other, the
+  /// cost is that of their difference.
   template <class F>
   static void difference(const Map& old_map, const Map& new_map, F&& f) {
     detail::Differ<V, F>(f).compare(old_map.root_, new_map.root_);
   }
 
-  /// Any thread. The tree itself, for what looks at its form. Empty when there is no key.
+  /// Any thread. Root of the tree, for code that inspects its structure. Empty when there is no key.
   [[nodiscard]] NodeRef<V> root() const { return root_; }
 
-  /// Any thread. True when both are the very same version: O(1), and may be false for equal contents.
+  /// Any thread. True when both are the same version. O(1); may be false for equal contents.
   [[nodiscard]] bool same_version(const Map& other) const { return root_ == other.root_; }
 
  private:
@@ -228,7 +228,7 @@ class Map {
     return leaf.leaf()->value;
   }
 
-  // The branch above the leaf goes too; the leaf's sibling takes its place.
+  // Removes the branch above the leaf as well; the leaf's sibling replaces that branch.
   void remove_leaf(Path<V>& path) {
     const unsigned parent_level = path.depth() - 1;
     path.make_exclusive(*arena_, parent_level);

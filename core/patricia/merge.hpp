@@ -12,14 +12,14 @@ namespace topo::patricia {
 
 /// What Map::merge does with subtrees that both maps have in common.
 enum class SharedSubtrees {
-  kCombine,  ///< each value is combined with itself: right for every combining function
-  kKeep,     ///< kept as they are, in O(1): right when combine(v, v) == v
+  kCombine,  ///< each value is combined with itself: correct for every combining function
+  kKeep,     ///< kept unchanged, in O(1): correct when combine(v, v) == v
 };
 
 namespace detail {
 
-/// Union of two trees (Okasaki and Gill, section 4). Results hold one reference for the caller; inputs are
-/// only read, but for reference counts.
+/// Union of two trees (Okasaki and Gill, section 4). Results hold one reference for the caller. Inputs change
+/// only in their reference counts.
 template <class V, class Combine>
 class Merger {
  public:
@@ -57,13 +57,13 @@ class Merger {
       if (has_children(b, zero, one)) return reuse(b, zero, one);
       return arena_.make_branch(split_a, zero, one);
     }
-    // A branch that parts at a higher bit may have the other one below it.
+    // Only the branch with the higher split bit can contain the other one.
     if (parting_bit(split_a) > parting_bit(split_b)) return merge_into(a, b, split_b, 0U);
     return merge_into(b, a, split_a, 1U);
   }
 
-  /// `high` is a branch above or beside `low`, which lies wholly on one side of it. `high_is_b` keeps the
-  /// order of the arguments of combine.
+  /// `high` is a branch above or beside `low`; all of `low` lies on one side of its split. `high_is_b`
+  /// preserves the argument order of combine.
   NodeRef<V> merge_into(NodeRef<V> high, NodeRef<V> low, Key low_key, unsigned high_is_b) {
     const Branch<V>* branch = high.branch();
     if (!belongs_below(low_key, branch->split)) {

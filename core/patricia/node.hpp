@@ -13,7 +13,7 @@ struct Branch;
 template <class V>
 struct Leaf;
 
-/// Pointer to a branch, to a leaf (lowest bit set) or to nothing. Does not own.
+/// Non-owning pointer to a branch or to a leaf (lowest bit set), or null.
 template <class V>
 class NodeRef {
  public:
@@ -36,14 +36,14 @@ class NodeRef {
   std::uintptr_t bits_ = 0;
 };
 
-/// Where two sets of keys part. 32 bytes, so that two lie in a cache line and none lies across two.
-/// Readers on other threads read `split` and `child` only; `references` is the owner thread's.
+/// Inner node at which two sets of keys diverge. 32 bytes: two fit in a cache line and none straddles two.
+/// Threads that only read access `split`, `child` and `leaves`; `references` belongs to the owner thread.
 template <class V>
 struct Branch {
-  Key split;  ///< upper bits common to all keys below, then a one at the bit where they part, then zeros
-  NodeRef<V> child[2];  ///< by the key's bit at the parting; both there
+  Key split;            ///< common upper bits of all keys below, then a one at the split bit, then zeros
+  NodeRef<V> child[2];  ///< indexed by the key's split bit; both are set
   std::uint32_t references;
-  std::uint32_t leaves;  ///< keys below
+  std::uint32_t leaves;  ///< number of keys below
 };
 
 /// One key with its value: 16 bytes for a 32-bit value.
@@ -65,18 +65,18 @@ std::uint32_t NodeRef<V>::size() const {
   return is_leaf() ? 1U : branch()->leaves;
 }
 
-/// The bit at which a branch parts: the lowest one that is set.
+/// Split bit of a branch: the lowest bit that is set.
 constexpr Key parting_bit(Key split) { return split & (~split + 1U); }
 
-/// Which child of a branch a key belongs to, when it belongs below it at all.
+/// Index of the child that a key belongs to, provided that the key belongs below the branch.
 constexpr unsigned side_of(Key key, Key split) { return (key & parting_bit(split)) != 0 ? 1U : 0U; }
 
-/// True when the key shares the branch's upper bits: all bits above the parting one.
+/// True when the key shares the branch's upper bits: all bits above the split bit.
 constexpr bool belongs_below(Key key, Key split) {
   return ((key ^ split) & ~(parting_bit(split) | (parting_bit(split) - 1U))) == 0;
 }
 
-/// The split of the branch under which two different keys part.
+/// Split of the branch at which two different keys diverge.
 constexpr Key split_of(Key a, Key b) {
   const Key highest = Key{1} << (63U - static_cast<unsigned>(__builtin_clzll(a ^ b)));
   return (a & ~(highest | (highest - 1U))) | highest;

@@ -10,13 +10,14 @@
 
 namespace topo::patricia {
 
-/// Way from a root towards a key: what an update changes. Remembers from where on nodes are reachable from
-/// another version too: such a node is copied before it changes, one that only this path reaches is changed
-/// in place. So a batch copies a node once, and a version that somebody holds never changes.
+/// Path from a root towards a key: the nodes that an update changes. Records the level from which nodes are
+/// reachable from another version too. Such a node is copied before it changes; a node that only this path
+/// reaches is changed in place. A batch of updates therefore copies a node once, and a version that is still
+/// held never changes.
 ///
 /// An arena keeps one path as a finger: the next key is mostly near the last one, and then only the lowest
-/// few branches are walked again. Whatever changes reference counts or structure otherwise than through the
-/// path (copying and dropping handles, erase, merge) must forget() it.
+/// few branches are walked again. Operations that change reference counts or structure without the path
+/// (copying and destroying handles, erase, merge) must call forget().
 template <class V>
 class Path {
  public:
@@ -27,8 +28,8 @@ class Path {
 
   void forget() { root_ = nullptr; }
 
-  /// Goes down from `root` (not empty) as far as branches fit the key; stops at a leaf or at a branch to
-  /// which the key does not belong.
+  /// Descends from `root` (not empty) while the key belongs below the branch; stops at a leaf or at a branch
+  /// that the key does not belong below.
   void seek(NodeRef<V>& root, Key key) {
     if (root_ == &root && root_seen_ == root) {
       rewind(key ^ key_);
@@ -50,7 +51,7 @@ class Path {
   /// True when the end is the key's leaf.
   [[nodiscard]] bool found() const { return end_.is_leaf() && end_.leaf()->key == key_; }
 
-  /// Puts another node in the place of the one at `level`; `depth()` is the end's.
+  /// Replaces the node at `level`; level depth() is the end.
   void set_link(unsigned level, NodeRef<V> node) {
     if (level == 0) {
       *root_ = node;
@@ -60,16 +61,16 @@ class Path {
     }
   }
 
-  /// True when another version reaches the end.
+  /// True when the end is reachable from another version.
   [[nodiscard]] bool end_shared() const { return first_shared_ <= depth_ || end_.references() != 1U; }
 
-  /// Copies what is shared of the first `levels` branches, so that their links may be written.
+  /// Copies the shared ones among the first `levels` branches, so that their links may be written.
   template <class Arena>
   void make_exclusive(Arena& arena, unsigned levels) {
     for (unsigned level = first_shared_; level < levels; ++level) {
       Branch<V>* old = steps_[level].branch;
-      // The copy has a reference to each child; the old branch loses the one from the link above, and as it
-      // is shared, or reachable from a branch that is, it does not lose its last one.
+      // The copy holds a reference to each child. The old branch loses the reference from the link above,
+      // which is not its last one: it is shared, or was reachable from a shared branch.
       const NodeRef<V> copy = arena.make_branch(old->split, Arena::retain(old->child[0]),
                                                 Arena::retain(old->child[1]), old->leaves);
       --old->references;
@@ -79,7 +80,7 @@ class Path {
     if (first_shared_ < levels) first_shared_ = levels;
   }
 
-  /// After a key was added (1) or taken (-1) below: corrects the counts of the first `levels` branches.
+  /// Corrects the key counts of the first `levels` branches after a key below was added (1) or removed (-1).
   void add_to_counts(unsigned levels, std::uint32_t delta) {
     for (unsigned level = 0; level < levels; ++level) steps_[level].branch->leaves += delta;
   }
@@ -91,7 +92,8 @@ class Path {
   };
   static constexpr unsigned kNothingShared = 65;
 
-  /// Back up to where a key that differs from the last one by `difference` takes the same way.
+  /// Shortens the path to the part that it shares with a key that differs from the last one in the bits of
+  /// `difference`.
   void rewind(Key difference) {
     while (depth_ > 0 && parting_bit(steps_[depth_ - 1].branch->split) <= difference) --depth_;
     if (first_shared_ >= depth_) first_shared_ = kNothingShared;
@@ -111,13 +113,13 @@ class Path {
     end_ = node;
   }
 
-  NodeRef<V>* root_ = nullptr;  ///< the handle's; null: nothing remembered
-  NodeRef<V> root_seen_;        ///< what it pointed to: a handle may have been given another tree since
+  NodeRef<V>* root_ = nullptr;  ///< the handle's root; null: no path is recorded
+  NodeRef<V> root_seen_;        ///< its last value; the handle may have been assigned another tree since
   NodeRef<V> end_;
   Key key_ = 0;
   unsigned depth_ = 0;
   unsigned first_shared_ = kNothingShared;
-  std::array<Step, 64> steps_{};  ///< one a key bit at most
+  std::array<Step, 64> steps_{};  ///< at most one per key bit
 };
 
 }  // namespace topo::patricia

@@ -14,8 +14,8 @@
 
 namespace topo::patricia {
 
-/// Raw storage for objects of one type: chunks that grow, and a list of what was freed. One thread.
-/// Construction and destruction are the caller's. AddressSanitizer sees freed slots as freed.
+/// Raw storage for objects of one type: chunks of growing size and a free list. Single-threaded. The caller
+/// constructs and destroys the objects. AddressSanitizer treats freed slots as freed memory.
 template <class T>
 class Pool {
  public:

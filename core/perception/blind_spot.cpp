@@ -15,19 +15,20 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-constexpr double kReach_m = 0.6;         // of the centre: more than any outline with its margin
-constexpr double kLeavesView_rad = 0.6;  // so near to the end of the view a point may be out of it next time
-constexpr double kSpacing_m = 0.02;      // of neighbours that are kept
-constexpr double kMoverRim_m = 0.15;     // around what moves: a leg beside the other
-constexpr double kJump_m = 0.25;         // between two scans: the reckoning began anew
-constexpr double kJump_rad = 1.0;        // the same, on the spot
+constexpr double kReach_m = 0.6;         // from the centre: more than any outline with its margin
+constexpr double kLeavesView_rad = 0.6;  // this near to its edge, a point may leave the view before the next
+                                         // scan
+constexpr double kSpacing_m = 0.02;      // between kept points
+constexpr double kMoverRim_m = 0.15;     // around a moving obstacle: a second leg beside the first
+constexpr double kJump_m = 0.25;         // between two scans: the odometry was reset
+constexpr double kJump_rad = 1.0;        // the same for a rotation
 
-/// Half of what the scanner sees. One that is mounted upside down has beams that come clockwise.
+/// Half of the scanner's field of view. A scanner that is mounted upside down has clockwise beams.
 double half_view_rad(const types::Scan& scan) {
   return 0.5 * std::abs(static_cast<double>(scan.geometry.angle_increment_rad)) * (scan.beams - 1);
 }
 
-/// From the middle of what it sees to a point.
+/// Angle from the middle of the field of view to a point.
 double off_middle_rad(const types::Scan& scan, const Vector2& p_laser) {
   const auto step_rad = static_cast<double>(scan.geometry.angle_increment_rad);
   const double middle_rad =
@@ -35,7 +36,7 @@ double off_middle_rad(const types::Scan& scan, const Vector2& p_laser) {
   return types::wrap_angle(std::atan2(p_laser.y(), p_laser.x()) - middle_rad);
 }
 
-/// Whether the scan says what is in a point's direction: not out of view, and not where nothing was measured.
+/// True when the scan has a measurement in a point's direction: false out of view and for invalid beams.
 bool tells(const types::Scan& scan, const Vector2& p_laser) {
   const double off_rad = off_middle_rad(scan, p_laser);
   if (!(std::abs(off_rad) < half_view_rad(scan))) return false;
@@ -68,7 +69,7 @@ void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
   size_ = static_cast<std::size_t>(end - seen_.begin());
 }
 
-/// One of each place: what leaves the view bit by bit has no room for the rest.
+/// Keeps one point per location; otherwise a surface that leaves the view gradually would fill the array.
 void BlindSpot::keep(const Vector2& p_odom, types::Stamp seen) {
   const auto end = seen_.begin() + static_cast<std::ptrdiff_t>(size_);
   const auto there = std::find_if(seen_.begin(), end, [&](const Seen& s) {

@@ -21,9 +21,9 @@ double straight_contact_s(const Vector2& p, double v_mps, const types::Footprint
   return gap_m < 0.0 ? kNever_s : gap_m / std::abs(v_mps);
 }
 
-/// Seen from the robot, the world turns about the centre of its arc, at (0, radius_m): a point keeps its
-/// distance rho from there, and meets the footprint where that circle crosses one of the four sides or the
-/// circle that cuts the corners.
+/// In the robot's frame the world turns about the centre of the robot's arc, at (0, radius_m). A point keeps
+/// its distance rho from that centre and meets the footprint where its circle crosses one of the four sides
+/// or the circle that cuts the corners.
 class Arc {
  public:
   Arc(const Vector2& p, const Twist2& twist, const types::Footprint& f)
@@ -44,7 +44,8 @@ class Arc {
   }
 
  private:
-  /// The footprint sweeps a ring around the arc's centre; most of what is near lies within or around it.
+  /// True when the point lies within or outside the ring that the footprint sweeps around the arc's centre,
+  /// as most near points do.
   [[nodiscard]] bool is_off_the_ring() const {
     constexpr double kRounding_m = 1e-6;
     const double centre_m = std::abs(radius_m_);
@@ -76,7 +77,7 @@ class Arc {
     for (const double x_m : {std::sqrt(square), -std::sqrt(square)})
       if (x_m <= footprint_.front_m && x_m >= -footprint_.rear_m) meet(x_m, from_base_m - radius_m_);
   }
-  /// `y_m` from the centre of the arc.
+  /// `y_m` is relative to the centre of the arc.
   [[nodiscard]] bool in_circle(double x_m, double y_m) const {
     const double from_base_m = y_m + radius_m_;
     return x_m * x_m + from_base_m * from_base_m <= footprint_.swing_radius_m * footprint_.swing_radius_m;
@@ -97,7 +98,7 @@ class Arc {
   double first_s_ = kNever_s;
 };
 
-/// Nearest point of the outline: of the rectangle, of the circle, or where the two cross.
+/// Nearest point of the outline: on the rectangle, on the circle, or where they intersect.
 Vector2 nearest_in(const types::Footprint& f, const Vector2& p) {
   Vector2 in_box{std::clamp(p.x(), -f.rear_m, f.front_m), std::clamp(p.y(), -f.half_width_m, f.half_width_m)};
   const double swing_m = f.swing_radius_m;
@@ -115,15 +116,15 @@ Vector2 nearest_in(const types::Footprint& f, const Vector2& p) {
   return end_reaches && (p - at_end).norm() < (p - at_side).norm() ? at_end : at_side;
 }
 
-/// Whether the gap to the footprint closes at more than `part` of the point's relative speed.
+/// True when the gap to the footprint closes at more than `part` of the point's relative speed.
 bool approaches(const Vector2& p, const Twist2& twist, const types::Footprint& f, double part) {
   const Vector2 gap = p - nearest_in(f, p);
   const Vector2 velocity{-twist.v_mps + twist.omega_radps * p.y(), -twist.omega_radps * p.x()};
   return gap.dot(velocity) < -part * gap.norm() * velocity.norm();
 }
 
-/// A point just within the outline: noise has it there, so it is next to the robot. Whatever does not come
-/// nearer to it may go on.
+/// Contact time for a point just within the outline, where noise puts a point next to the robot. A motion
+/// that does not approach the point may continue.
 double contact_time_at_rim_s(const Vector2& p, const Twist2& twist, const types::Footprint& f) {
   constexpr double kNoise_m = 0.03;
   constexpr double kNotAtAll = 1e-9;

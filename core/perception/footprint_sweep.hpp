@@ -11,27 +11,27 @@ namespace topo::perception {
 
 inline constexpr double kNever_s = HUGE_VAL;
 
-/// When a footprint that moves at a constant twist, on a straight line or an arc, first touches a point that
-/// is outside of it now. Seconds; 0 for a point inside; kNever_s when it does not within one full turn.
+/// Seconds until a footprint that moves at a constant twist, on a straight line or an arc, first touches a
+/// point; 0 for a point inside, kNever_s when it does not touch the point within one full turn.
 double contact_time_s(const types::Vector2& p_base, const types::Twist2& twist,
                       const types::Footprint& footprint);
 
-/// The same with a margin. A point already within the margin stops a motion towards it; a motion along it or
-/// away from it has until the footprint itself touches, so that a robot beside a wall can leave.
+/// The same with a margin. A point already within the margin stops a motion towards it. For a motion along it
+/// or away from it, only contact with the footprint itself counts, so that a robot beside a wall can leave.
 double contact_time_with_margin_s(const types::Vector2& p_base, const types::Twist2& twist,
                                   const types::Footprint& footprint, double margin_m);
 
-/// The first contact of one motion with any of many points. Most need no look: the robot's centre goes |v| a
-/// second, so what is farther off than that until the first contact known, plus the footprint's reach, cannot
-/// come sooner.
+/// First contact of one motion with any of many points. Most points are rejected by their distance: the
+/// robot's centre moves at |v|, so a point farther away than the path until the first known contact plus the
+/// footprint's reach cannot be touched sooner.
 class FirstContact {
  public:
-  /// `reach_m` of the footprint with its margin; nothing after `until_s` is looked for.
+  /// `reach_m`: reach of the footprint with its margin. Contacts after `until_s` are ignored.
   FirstContact(const types::Twist2& twist, double reach_m, double until_s = kNever_s)
       : speed_mps_(std::abs(twist.v_mps)), reach_m_(reach_m), first_s_(until_s) {
     look_as_far_as_needed();
   }
-  /// `contact_s()` is when the motion touches p_base; only called when it may matter.
+  /// `contact_s()` returns when the motion touches p_base; it is called only when it can matter.
   template <class Contact>
   void offer(const types::Vector2& p_base, Contact contact_s) {
     if (p_base.squaredNorm() > square_m2_) return;
@@ -56,7 +56,7 @@ class FirstContact {
 };
 
 bool contains(const types::Footprint& footprint, const types::Vector2& p_base);
-/// From the outline to a point outside of it; 0 inside.
+/// Distance from the outline to a point outside; 0 inside.
 double distance_m(const types::Vector2& p_base, const types::Footprint& footprint);
 
 }  // namespace topo::perception

@@ -15,12 +15,13 @@ using types::Vector2;
 constexpr std::size_t kCompared = 300;
 constexpr int kRounds = 10;
 constexpr double kFits_m = 0.1;
-constexpr double kScale_m = 0.05;  // residual from which a beam counts little, when all is nearly settled
-constexpr double kFar_m = 0.5;     // no correspondence
-constexpr double kGuess_m = 0.03;  // what a guess is worth: such an error weighs as much as one beam's scale
+constexpr double kScale_m = 0.05;  // residual above which a beam counts little, in the later rounds
+constexpr double kFar_m = 0.5;     // residual without a correspondence
+constexpr double kGuess_m = 0.03;  // accuracy of a guess: such an error weighs as much as one residual of
+                                   // kScale_m
 constexpr double kGuess_rad = 0.03;
 
-/// What a look saw in the direction of a point, as a line.
+/// The surface that a sweep measured in the direction of a point, as a line.
 struct Line {
   Vector2 on{0.0, 0.0}, normal{0.0, 0.0};
 };

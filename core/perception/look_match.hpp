@@ -6,16 +6,17 @@
 
 namespace topo::perception {
 
-/// How a sensor moved from one look to the next.
+/// Motion of a sensor between two sweeps.
 struct LookMatch {
   types::Se2 T_before_now;
-  double explained = 0.0;  ///< part of the compared beams that fits within 0.1 m
+  double explained = 0.0;  ///< fraction of the compared beams that fits within 0.1 m
 };
 
-/// From what stands: beams are laid onto the lines that the look before saw in their directions (point to
-/// line, Chen and Medioni 1992, with the beam as correspondence: Blais and Levine 1995), and what does not
-/// fit counts little. Wheels that slip have dead reckoning turn a whole room; where the room says nothing,
-/// along a corridor, the guess holds. About 300 beams are compared, at most ten times.
+/// Computed from static surroundings: beams are aligned with the lines that the sweep before measured in
+/// their directions (point to line, Chen and Medioni 1992, with the beam as correspondence: Blais and Levine
+/// 1995). Beams that do not fit have little weight. With slipping wheels, dead reckoning alone would make a
+/// whole room turn; where the room gives no constraint, along a corridor, the guess holds. About 300 beams
+/// are compared, at most ten times.
 LookMatch match_looks(const ScanLook& before, const ScanLook& now, const types::Se2& guess);
 
 }  // namespace topo::perception

@@ -6,7 +6,7 @@
 
 namespace topo::perception {
 
-/// A disc that moves on straight. What is of its size is what the scanner sees of it.
+/// Disc that moves in a straight line. Its size is that of the part visible to the scanner.
 struct MovingObstacle {
   types::Vector2 centre{0.0, 0.0};
   types::Vector2 velocity_mps{0.0, 0.0};

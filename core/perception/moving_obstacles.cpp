@@ -15,16 +15,16 @@ using types::Vector2;
 
 constexpr types::Duration kEvery = std::chrono::milliseconds(90);
 constexpr types::Duration kPause = std::chrono::milliseconds(450);
-constexpr double kCarried_m = 0.5;   // between looks: no wheel goes so fast
-constexpr double kExplained = 0.85;  // of the beams, or where the scanner is, is not known
+constexpr double kCarried_m = 0.5;   // between sweeps: more than any wheel can drive
+constexpr double kExplained = 0.85;  // least fraction of beams that fit; below, the scanner's pose is unknown
 constexpr double kMoves_mps = 0.2, kMovesAgain_mps = 0.1, kStill_mps = 0.1;
-constexpr double kStill_s = 0.4;  // so long slow: it stands
-constexpr double kGone_s = 0.5;   // so long unseen: it is gone
+constexpr double kStill_s = 0.4;  // slow for this long: it stands
+constexpr double kGone_s = 0.5;   // unseen for this long: it is gone
 constexpr double kGoneStill_s = 0.25;
-constexpr double kCovered_m = 0.06, kCoveredAgain_m = 0.02;  // beside noise, as much as a view shifts
+constexpr double kCovered_m = 0.06, kCoveredAgain_m = 0.02;  // on top of noise: what a change of view shifts
 constexpr double kFastest_mps = 2.0;
 constexpr double kWindow_s = 0.55;
-constexpr double kBefore_s = 0.25;  // so old is the look that may have seen the place free
+constexpr double kBefore_s = 0.25;  // least age of the sweep that may have seen the location free
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Se2 pose_at(const types::Odometry& odometry, types::Stamp when) {
   return odometry.T_odom_base.se2() * Se2{way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn};
 }
 
-/// Straight line through the newest sightings of the anchor that was seen longest.
+/// Straight line through the newest sightings of the anchor with the longest uninterrupted visibility.
 struct MovingObstacles::Fit {
   explicit Fit(const Track& track) {
     for (const std::size_t candidate : {kCentre, kBegin, kEnd}) {
@@ -50,7 +50,7 @@ struct MovingObstacles::Fit {
   std::size_t anchor = kCentre;
   std::size_t sightings = 0;
   Vector2 velocity_mps{0.0, 0.0};
-  double off_m = 0.0;  ///< of the sighting farthest off the line
+  double off_m = 0.0;  ///< distance of the farthest sighting from the line
   double span_s = 0.0;
 
  private:
@@ -99,7 +99,8 @@ void MovingObstacles::begin(const Se2& T_odom_laser) {
   poses_[newest_] = T_odom_laser;
 }
 
-/// Where the scanner is at the newest look: by the base from the look before, mended by what stands.
+/// Pose of the scanner at the newest sweep: predicted from odometry, corrected by a match with static
+/// surroundings.
 void MovingObstacles::reckon(const Se2& T_odom_laser) {
   const LookMatch match = match_looks(look(1), look(0), T_odom_laser_.inverse() * T_odom_laser);
   trusted_ = match.explained >= kExplained;
@@ -128,7 +129,7 @@ void MovingObstacles::update(const types::Scan& scan, const Se2& T_base_laser,
     doubt();
 }
 
-/// Where the scanner is is not known: places from before and from after are not to be compared.
+/// The scanner's pose is unknown: positions before and after are not comparable.
 void MovingObstacles::doubt() {
   const auto end = tracks_.begin() + static_cast<std::ptrdiff_t>(tracked_);
   const auto gone = [&](const Track& t) { return !t.moving || now_s() - t.newest().at_s > kGone_s; };
@@ -213,7 +214,7 @@ bool MovingObstacles::begins_to_move(const Track& track, const Fit& fit, const S
   return speed_mps > kMoves_mps && covered_m > kCovered_m + noise_m && was_clear(group);
 }
 
-/// Did the scanner, a while ago, see through a part of where the group is?
+/// True when the scanner recently saw through a part of the group's location.
 bool MovingObstacles::was_clear(const ScanGroup& group) const {
   constexpr double kThrough_m = 0.1, kBeside_m = 0.03, kPart = 0.25;
   std::size_t age = 1;
@@ -233,7 +234,7 @@ bool MovingObstacles::was_clear(const ScanGroup& group) const {
 std::size_t MovingObstacles::around(const types::Odometry& odometry, types::Stamp when,
                                     std::span<MovingObstacle, kMax> out) const {
   if (count_ == 0) return 0;
-  // In the looks' own frame the base is where the newest look had it, and has driven on since by its wheels.
+  // In the frame of the sweeps, the base is at its pose of the newest sweep, moved on since by odometry.
   const Se2 T_then_when = (T_odom_laser_ * T_base_laser_.inverse()).inverse() * pose_at(odometry, when);
   const Se2 T_base_local = (pose(0) * T_base_laser_.inverse() * T_then_when).inverse();
   const double when_s = types::to_seconds(when - origin_);

@@ -12,41 +12,41 @@
 
 namespace topo::perception {
 
-/// Where the base was or will be at a moment, by a reckoning and its twist; at most 0.3 s off it.
+/// Pose of the base at `when`, from the odometry and its twist; extrapolates by at most 0.3 s.
 types::Se2 pose_at(const types::Odometry& odometry, types::Stamp when);
 
-/// Which of what the front scanner sees moves, and how: groups of the scan followed over half a second, the
-/// robot's own motion taken out by what stands (match_looks). Moving is who covered ground on a line, and
-/// stands where half a second ago the scanner saw through: what a view uncovers as the robot drives was
-/// hidden, not free (Petrovskaya and Thrun 2009). Of what is half hidden only the free end counts. Who has
-/// moved once is believed sooner the next time. Moving ends with standing for a while, and goes on unseen as
-/// it went for half a second.
+/// Moving obstacles in the front scan: groups of hits are followed over half a second, with the robot's own
+/// motion removed by a match with static surroundings (match_looks). A group moves when it has covered
+/// distance on a line and is where the scanner saw through a quarter of a second ago: a location that a
+/// change of view uncovers was hidden, not free (Petrovskaya and Thrun 2009). Of a group that is half hidden
+/// only the free end counts. A group that has moved once is accepted sooner the next time. It stops moving
+/// after standing for a while; unseen, it is extrapolated for half a second.
 ///
-/// Slower than 0.2 m/s at first, larger than 0.9 m, farther than 6 m or hidden on both sides: it stands, as
-/// far as this says. Fixed size: allocates nothing.
+/// Groups that are slower than 0.2 m/s at first, larger than 0.9 m, farther than 6 m or hidden on both sides
+/// count as standing. Fixed size: allocates nothing.
 class MovingObstacles {
  public:
   static constexpr std::size_t kMax = 8;
 
-  /// The newest scan and reckoning; takes a scan every tenth of a second and forgets all after a pause or a
-  /// jump of the reckoning.
+  /// Processes the newest scan and odometry; uses a scan every tenth of a second and clears all tracks after
+  /// a pause or a jump of the odometry.
   void update(const types::Scan& scan, const types::Se2& T_base_laser, const types::Odometry& odometry);
   void forget();
-  /// What moves, nearest first, in the base's frame of `when`, the place at that moment. Returns how many
-  /// were written to `out`.
+  /// Writes the moving obstacles, nearest first, with their positions at `when` in the base frame of that
+  /// time. Returns how many were written to `out`.
   std::size_t around(const types::Odometry& odometry, types::Stamp when,
                      std::span<MovingObstacle, kMax> out) const;
 
  private:
   static constexpr std::size_t kLooks = 6, kTracks = 32, kGroups = 48;
-  /// What of a group is followed.
+  /// Tracked point of a group.
   enum Anchor : std::size_t { kCentre, kBegin, kEnd, kAnchors };
   struct Sighting {
-    double at_s = 0.0;  ///< after the first look
+    double at_s = 0.0;  ///< after the first sweep
     std::array<types::Vector2, kAnchors> p{};
     std::array<bool, kAnchors> known{};
   };
-  /// In a frame that stands still, with the looks' own reckoning.
+  /// In a fixed frame, with the scanner poses from the sweep matches.
   struct Track {
     std::array<Sighting, kLooks> seen{};  ///< oldest first
     std::size_t sightings = 0;
@@ -79,12 +79,12 @@ class MovingObstacles {
   [[nodiscard]] double now_s() const { return types::to_seconds(look(0).stamp - origin_); }
 
   std::array<ScanLook, kLooks> looks_;
-  std::array<types::Se2, kLooks> poses_;  ///< of the scanner where each look was
-  std::size_t newest_ = 0, count_ = 0;    ///< of the looks
+  std::array<types::Se2, kLooks> poses_;  ///< of the scanner at each sweep
+  std::size_t newest_ = 0, count_ = 0;    ///< of the sweeps
   types::Stamp origin_{};
-  types::Se2 T_odom_laser_;  ///< at the newest look, by the base
+  types::Se2 T_odom_laser_;  ///< at the newest sweep, from odometry
   types::Se2 T_base_laser_;
-  bool trusted_ = false;  ///< the newest look fits what stood before
+  bool trusted_ = false;  ///< the newest sweep fits the static surroundings
   std::array<Track, kTracks> tracks_{};
   std::size_t tracked_ = 0;
 };

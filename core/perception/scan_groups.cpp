@@ -12,13 +12,13 @@ namespace {
 using types::Vector2;
 
 constexpr std::size_t kSegmentsMax = 256;
-constexpr std::size_t kLeastHits = 3;  // fewer: a mixed pixel, or too little to say where it is
+constexpr std::size_t kLeastHits = 3;  // fewer: a mixed pixel, or too few to locate
 constexpr std::size_t kBridged = 3;
-// A surface that is seen at less than ten degrees breaks up (Borges and Aldon 2004).
+// A surface at a grazing angle of less than ten degrees breaks up (Borges and Aldon 2004).
 constexpr double kUneven_m = 0.09, kGrazing = 0.17;
-constexpr double kRadial = 0.8;     // of its extent: a piece of such a surface, which ends nowhere
-constexpr double kBehind_m = 0.12;  // so much farther is behind
-constexpr double kApart_m = 0.4;    // of two legs
+constexpr double kRadial = 0.8;     // of its extent: a piece of such a surface, which has no real end
+constexpr double kBehind_m = 0.12;  // farther by this much is behind
+constexpr double kApart_m = 0.4;    // between two legs
 constexpr double kFarthest_m = 6.0;
 
 struct Segment {
@@ -40,14 +40,15 @@ class Segments {
   }
   [[nodiscard]] double range_m(std::size_t beam) const { return static_cast<double>(look_.range_m[beam]); }
 
-  /// Neither hidden by what is beside it in the scan, nor one with it, nor cut off by the scan's end.
+  /// True when the segment's end is neither hidden by its neighbour in the scan, nor connected to it, nor cut
+  /// off by the scan's end.
   [[nodiscard]] bool ends_freely(std::size_t i, bool after) const {
     const Segment& s = segments_[i];
     const std::size_t own = after ? s.last : s.first;
     if (after ? own + kBridged >= look_.beams : own < kBridged) return false;
     if (after ? i + 1 == size_ : i == 0) return true;
     const std::size_t other = after ? segments_[i + 1].first : segments_[i - 1].last;
-    if ((after ? other - own : own - other) > 2 * kBridged) return true;  // nothing there
+    if ((after ? other - own : own - other) > 2 * kBridged) return true;  // no neighbour
     return range_m(other) > range_m(own) + kBehind_m;
   }
 
@@ -74,7 +75,7 @@ class Segments {
   std::size_t size_ = 0;
 };
 
-/// Index of the segment that ends what begins with the segment `i`.
+/// Index of the last segment of the group that begins with segment `i`.
 std::size_t end_of_group(const Segments& segments, std::size_t i) {
   std::size_t end = i;
   for (std::size_t next = i + 1; next < segments.size() && next <= end + 2; ++next) {

@@ -10,9 +10,9 @@
 
 namespace topo::perception {
 
-/// One sweep as if measured at one instant, in the sensor's frame at its middle beam: of a sensor that turns,
-/// the beams lie closer or wider. What it drives within half a sweep, below 1 cm, is left out. Fixed size;
-/// the arrays are filled up to `beams`.
+/// One sweep as if measured at one instant, in the sensor's frame at its middle beam: when the sensor turns,
+/// the beams lie closer or wider. Translation within half a sweep, below 1 cm for a sweep of 25 ms, is
+/// neglected. Fixed size; the arrays are filled up to `beams`.
 struct ScanLook {          // NOLINT(cppcoreguidelines-pro-type-member-init)
   types::Stamp stamp{};    ///< of the middle beam
   double first_rad = 0.0;  ///< bearing of beam 0
@@ -23,13 +23,14 @@ struct ScanLook {          // NOLINT(cppcoreguidelines-pro-type-member-init)
   std::array<types::Vector2, types::Scan::kMaxBeams> points;  ///< of hits; others are not set
 
   [[nodiscard]] bool is_hit(std::size_t beam) const { return types::is_hit(range_m[beam]); }
-  /// Beam nearest to a point's bearing; `beams` when it looks nowhere near.
+  /// Beam nearest to a point's bearing; `beams` when the point is out of view.
   [[nodiscard]] std::size_t beam_towards(const types::Vector2& p) const;
-  /// How far the beams towards a disc that small saw nothing, metres; 0 where one of them says nothing.
+  /// Free distance along the beams towards a disc of `radius_m` at `p`, metres; 0 when `p` is out of view or
+  /// one of the beams is invalid.
   [[nodiscard]] double clear_towards_m(const types::Vector2& p, double radius_m) const;
 };
 
-/// False, and `out` without meaning, for a scan that has no beams in order.
+/// False, with `out` undefined, for a scan with fewer than two beams or with clockwise beams.
 bool take_look(const types::Scan& scan, double omega_radps, ScanLook& out);
 
 }  // namespace topo::perception

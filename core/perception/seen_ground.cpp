@@ -15,14 +15,14 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-constexpr double kBeam_m = 0.7;    // of a beam: half the square is left for where the robot was before
-constexpr double kStep_m = 0.03;   // less than a cell: none is left out
-constexpr std::size_t kBeams = 4;  // one of so many: 1.2 cm apart at the reach
+constexpr double kBeam_m = 0.7;    // of a beam: half of the square is left for the robot's earlier positions
+constexpr double kStep_m = 0.03;   // less than a cell, so that none is skipped
+constexpr std::size_t kBeams = 4;  // one beam of so many is used: 1.2 cm apart at kBeam_m
 
 std::int32_t cell(double at_m, double cell_m) { return static_cast<std::int32_t>(std::floor(at_m / cell_m)); }
 
-/// Whether holds(point) for all points of a raster over the outline, in base; asks no further than the first
-/// for which it does not.
+/// True when holds(point) is true for all points of a raster over the outline, in base. Stops at the first
+/// point for which it is false.
 template <class Holds>
 bool holds_all_over(const types::Footprint& outline, Holds holds) {
   for (double x = -outline.rear_m; x <= outline.front_m; x += kStep_m) {
@@ -51,7 +51,7 @@ bool SeenGround::is_seen(const Vector2& p_odom, types::Stamp since) const {
 
 void SeenGround::update(const types::Scan& scan, const Se2& T_base_laser, const Se2& T_odom_base,
                         const types::Footprint& outline) {
-  // Only cells that lie within the outline as a whole: the rest of one at its edge nobody has seen.
+  // Only cells that lie completely within the outline: the rest of a cell at its edge has not been seen.
   const types::Footprint within = types::grown(outline, -std::numbers::sqrt2 * kCell_m);
   holds_all_over(within, [&](const Vector2& p) {
     see(T_odom_base * p, scan.arrival);

@@ -12,24 +12,25 @@
 
 namespace topo::perception {
 
-/// When beams last went through or the robot last stood where its blind rear may get. Cells of a square that
-/// goes along with the robot, in odom. Fixed size, allocates nothing.
+/// When a beam last passed over, or the robot last stood on, the ground that its blind rear may reach. The
+/// cells form a square in odom that moves with the robot. Fixed size, allocates nothing.
 class SeenGround {
  public:
   void clear() { cells_.fill({}); }
-  /// Takes a scan that was measured at T_odom_base.
+  /// Processes a scan that was measured at T_odom_base.
   void update(const types::Scan& scan, const types::Se2& T_base_laser, const types::Se2& T_odom_base,
               const types::Footprint& outline);
-  /// How far the outline may go straight back over ground only that was seen `since` then, at most `far_m`.
+  /// Distance that the outline can move straight back only over ground seen at `since` or later, at most
+  /// `far_m`.
   [[nodiscard]] double behind_m(const types::Se2& T_odom_base, const types::Footprint& outline,
                                 types::Stamp since, double far_m) const;
 
  private:
   static constexpr double kCell_m = 0.04;
-  static constexpr std::uint32_t kSide = 64;  ///< a power of two, or the square has a seam
+  static constexpr std::uint32_t kSide = 64;  ///< a power of two; otherwise the square has a seam
   struct Cell {
-    std::int32_t x = 0, y = 0;  ///< of all the plane's cells the one that it stands for
-    types::Stamp seen{};        ///< by arrival; zero: never
+    std::int32_t x = 0, y = 0;  ///< the cell of the plane that it stands for
+    types::Stamp seen{};        ///< arrival of the scan; zero: never
   };
   static std::size_t slot(std::int32_t x, std::int32_t y);
   void see(const types::Vector2& p_odom, types::Stamp now);

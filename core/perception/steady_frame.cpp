@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kMatchNoise_m = 0.02, kMatchNoise_rad = 0.02;
 constexpr double kHalfTrack_m = 0.18;
-constexpr double kLoss = 0.6;  // of its way a wheel turns in vain (as RobotLimits::slip_curvature_per_m)
+constexpr double kLoss = 0.6;  // of a wheel's travel is lost to slip (as RobotLimits::slip_curvature_per_m)
 
-/// Can slip have done it, and a wrong size of the wheels? Both wheels together leave the robot's middle
-/// behind by what they lose, one of them turns it by that over the track. Who turns on the spot rolls as
-/// well.
+/// True when wheel slip or a wrong wheel size can explain the correction. A loss on both wheels displaces the
+/// robot's centre by its length; a loss on one wheel turns the robot by its length over the track. A turn on
+/// the spot rolls the wheels as well.
 bool is_drift(const types::Se2& by, const types::Se2& way) {
   const double lost_m = kLoss * (way.translation().norm() + kHalfTrack_m * std::abs(way.theta_rad));
   return by.translation().norm() <= kMatchNoise_m + lost_m &&
@@ -29,7 +29,7 @@ void SteadyFrame::update(const types::Transform2<types::Map, types::Odom>& T_map
   const types::Se2& now = T_map_odom.se2();
   const types::Se2& T_odom_base = odometry.T_odom_base.se2();
   if (T_map_odom_) {
-    // The correction as the robot feels it: far from the origin a small turn of odom is a long way.
+    // The correction in the robot's frame: far from the origin a small turn of odom is a large displacement.
     const types::Se2 by = (*T_map_odom_ * T_odom_base).inverse() * (now * T_odom_base);
     const types::Se2 way = T_odom_base_.inverse() * T_odom_base;
     if (is_drift(by, way)) T_steady_odom_ = T_steady_odom_ * T_odom_base * by * T_odom_base.inverse();

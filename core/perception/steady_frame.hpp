@@ -11,19 +11,19 @@
 
 namespace topo::perception {
 
-/// Dead reckoning without its drift. A robot that turns about in a dead end has its odometry 0.3 rad off
-/// after one round, and what it remembers of its surroundings with it. What the mapper says of the drift, bit
-/// by bit, is followed, as far as what was driven since accounts for it; a correction that bends the map (a
-/// loop closure), or slides it under a robot that stands, is not.
+/// Dead reckoning without its drift. After one round of turning in a dead end, the odometry is off by 0.3
+/// rad, and the remembered surroundings with it. The mapper's drift corrections are followed as far as the
+/// motion since the last one explains them. A correction that bends the map (a loop closure) or slides it
+/// under a standing robot is not followed.
 class SteadyFrame {
  public:
-  /// Where the map has the reckoning's origin now, and how often it was bent. `odometry` is of about the same
-  /// time.
+  /// `T_map_odom`: current pose of odom in map. `bends`: how often the map was bent. `odometry` is of about
+  /// the same time.
   void update(const types::Transform2<types::Map, types::Odom>& T_map_odom, std::uint32_t bends,
               const types::Odometry& odometry);
-  /// The map does not know: until it does again the reckoning is believed.
+  /// The map pose is unknown: odometry is used uncorrected until it is known again.
   void lose() { T_map_odom_.reset(); }
-  /// The same motion in the steady frame, which takes the place of odom.
+  /// The same odometry in the steady frame, which takes the place of odom.
   [[nodiscard]] types::Odometry steady(const types::Odometry& odometry) const;
 
  private:

@@ -37,7 +37,7 @@ std::size_t gap_end(const Scan& scan, std::size_t beam) {
   return beam;
 }
 
-/// What an invalid beam in the gap [begin, end) is taken for.
+/// Range assumed for an invalid beam in the gap [begin, end).
 float gap_range_m(const Scan& scan, std::size_t begin, std::size_t end) {
   const float least_m = std::max(scan.geometry.range_min_m, kLeastRange_m);
   if (end - begin > kBridgedBeams || begin == 0 || end == scan.beams) return least_m;
@@ -45,8 +45,7 @@ float gap_range_m(const Scan& scan, std::size_t begin, std::size_t end) {
   return nearer_m < least_m ? least_m : nearer_m;
 }
 
-/// Nearest beam in a direction that measured a distance, at most three away; `beam` itself when there is
-/// none.
+/// Nearest beam to one side that measured a distance, at most three away; `beam` itself when there is none.
 std::size_t neighbour(const Scan& scan, std::size_t beam, bool after) {
   constexpr std::size_t kAway = 3;
   for (std::size_t away = 1; away <= kAway; ++away) {
@@ -77,7 +76,7 @@ bool is_mixed_pixel(const Scan& scan, std::size_t beam) {
   return apart(false) && apart(true);
 }
 
-/// Calls visit(point in base, in forward sector) for whatever the scan takes for an obstacle.
+/// Calls visit(point in base, in forward sector) for every obstacle point of the scan.
 template <class Visit>
 void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, Visit visit) {
   const float least_m = std::max(scan.geometry.range_min_m, kLeastRange_m);
@@ -109,7 +108,7 @@ void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, Visit v
   }
 }
 
-/// What a touch of the front is left from.
+/// True for a point in the front half of the outline while the robot backs off from a touch.
 bool is_left_behind(const Vector2& p, const types::RobotLimits& limits, const Surroundings& around) {
   return around.backing_off && p.x() > 0.0 && contains(limits.footprint, p);
 }
@@ -119,7 +118,7 @@ template <class Visit>
 void for_each_scan_point(const types::RobotLimits& limits, const Surroundings& around, Visit visit) {
   if (around.front_scan == nullptr) return;
   const auto look = [&](const Vector2& p, bool forward) {
-    // Beside and behind, a hit within the outline is the robot itself.
+    // Outside the forward sector, a hit within the outline is the robot itself.
     if (!forward && contains(limits.footprint, p)) return;
     if (!is_left_behind(p, limits, around)) visit(p);
   };
@@ -142,7 +141,7 @@ void for_each_echo(const types::RobotLimits& limits, const Surroundings& around,
   }
 }
 
-/// What is kept free at a twist: less while turning on the spot.
+/// Margin that is kept free at a twist: smaller for a turn on the spot.
 double margin_m(const types::Twist2& twist, const types::RobotLimits& limits) {
   return is_on_the_spot(twist) ? std::min(limits.turn_margin_m, limits.margin_m) : limits.margin_m;
 }
@@ -170,8 +169,8 @@ std::size_t scan_points(const Scan& scan, const types::Se2& T_base_laser, std::s
 double free_time_s(const types::Twist2& twist, const types::RobotLimits& limits, const Surroundings& around) {
   if (!std::isfinite(twist.v_mps) || !std::isfinite(twist.omega_radps)) return 0.0;
   const double keep_m = margin_m(twist, limits);
-  // Where the hull has just been nothing can be but newcomers: what is as near as the noise is no reason to
-  // stay.
+  // Where the hull has just been, only new arrivals can stand: a point within the noise must not stop the
+  // robot.
   constexpr double kNoise_m = 0.03;
   const bool along_trail = around.backing_off && twist.v_mps < 0.0;
   const types::Footprint slim = types::grown(limits.footprint, -kNoise_m);

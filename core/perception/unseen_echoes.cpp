@@ -14,11 +14,11 @@ namespace {
 
 using types::Vector2;
 
-constexpr types::Duration kEchoAgeMax = std::chrono::milliseconds(150);  // later the robot is elsewhere
-constexpr double kHalfCone_rad = 0.30;    // the beam's 12.5 degrees and what the pose is worth
-constexpr double kLooksAhead_rad = 1.75;  // the laser's 135 degrees less the cone
+constexpr types::Duration kEchoAgeMax = std::chrono::milliseconds(150);  // later the robot has moved on
+constexpr double kHalfCone_rad = 0.30;    // the beam's 12.5 degrees and the error of the pose
+constexpr double kLooksAhead_rad = 1.75;  // the laser's 135 degrees less the whole cone
 constexpr double kBehindEcho_m = 0.30;    // a laser point up to here explains the echo
-constexpr double kNearest_m = 0.15;       // nearer is ringing
+constexpr double kNearest_m = 0.15;       // nearer echoes are ringing
 
 bool is_usable(const types::SonarReading& echo, const Surroundings& around, double range_max_m) {
   const types::Duration age = around.now - echo.stamp;
@@ -27,8 +27,8 @@ bool is_usable(const types::SonarReading& echo, const Surroundings& around, doub
          range_m > kNearest_m && range_m < range_max_m;
 }
 
-/// Where a laser point explains the echo, in the sonar's frame: the beam's cone up to a little behind the
-/// echo.
+/// Region in which a laser point explains the echo, in the sonar's frame: the beam's cone up to kBehindEcho_m
+/// behind the echo.
 class Cone {
  public:
   explicit Cone(double range_m) : reach_m_(range_m + kBehindEcho_m), tan_(std::tan(kHalfCone_rad)) {}
@@ -36,11 +36,11 @@ class Cone {
     return p_sonar.x() > 0.0 && std::abs(p_sonar.y()) <= tan_ * p_sonar.x() &&
            p_sonar.squaredNorm() <= reach_m_ * reach_m_;
   }
-  /// Corners of a triangle around it, the tip first.
+  /// Corners of a triangle around the cone, the tip first.
   [[nodiscard]] std::array<Vector2, 3> corners() const {
     return {Vector2{0.0, 0.0}, {reach_m_, tan_ * reach_m_}, {reach_m_, -tan_ * reach_m_}};
   }
-  /// Is a point in that triangle, or nearly?
+  /// True when a point is in that triangle, to within a tolerance.
   [[nodiscard]] bool is_around(const Vector2& p_sonar) const {
     constexpr double kNearly_m = 1e-3;
     return p_sonar.x() > -kNearly_m && p_sonar.x() < reach_m_ + kNearly_m &&
@@ -57,8 +57,8 @@ struct Beams {
 
 double bearing_rad(const Vector2& p) { return std::atan2(p.y(), p.x()); }
 
-/// The beams that can meet the cone: between the bearings of its corners. All when the laser is within it, or
-/// when the bearings lie astride the scan's seam.
+/// The beams that can meet the cone: those between the bearings of its corners. All beams when the laser is
+/// within the cone, or when the bearings straddle the scan's seam.
 Beams beams_towards(const Cone& cone, const types::Se2& T_sonar_laser, const types::Scan& scan) {
   const Beams all{0, scan.beams};
   const double step_rad = static_cast<double>(scan.geometry.angle_increment_rad);

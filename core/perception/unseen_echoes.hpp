@@ -9,9 +9,9 @@
 
 namespace topo::perception {
 
-/// Sonar echoes nearer than `range_max_m` where the laser sees nothing: glass, and what is lower than the
-/// laser's plane. Points on the transducers' axes, in base. Only echoes of the last moments, and of
-/// transducers that look where the laser does. Returns how many were written to `out`. Allocates nothing.
+/// Sonar echoes nearer than `range_max_m` that no laser hit explains: glass, and obstacles lower than the
+/// laser's plane. Writes points on the transducers' axes, in base. Uses only recent echoes, of transducers
+/// that point into the laser's field of view. Returns how many were written to `out`. Allocates nothing.
 std::size_t unseen_echoes(const Surroundings& around, double range_max_m, std::span<types::Vector2> out);
 
 }  // namespace topo::perception

@@ -39,7 +39,7 @@ double distance_to_edges_m(const Polygon& polygon, const Vector2& p) {
   return nearest_m;
 }
 
-/// Even-odd rule; what an edge passes through is neither in nor out, and decided by the caller.
+/// Even-odd rule. The result for a point on an edge is arbitrary; the callers handle such points.
 bool is_inside(const Polygon& polygon, const Vector2& p) {
   bool inside = false;
   for_each_edge(polygon, [&](const Vector2& a, const Vector2& b) {
@@ -51,7 +51,7 @@ bool is_inside(const Polygon& polygon, const Vector2& p) {
 
 constexpr double kOnEdge_m = 1e-9;
 
-/// How far a point is on the wrong side, 0 on the right one.
+/// Greatest depth of a point inside a forbidden region, in metres; 0 for an allowed point.
 double depth_m(const AreaLimits& limits, const Vector2& p) {
   double depth = 0.0;
   if (limits.keep_in && !is_inside(*limits.keep_in, p))
@@ -67,9 +67,9 @@ bool is_near_an_edge(const AreaLimits& limits, const Vector2& p, double within_m
   return near;
 }
 
-constexpr std::size_t kOutlinePoints = 24;  // 9 cm apart at most on a P3-AT: no edge's corner slips between
+constexpr std::size_t kOutlinePoints = 24;  // at most 11 cm apart on a P3-AT with its margin
 
-/// Where rays from the centre leave the outline.
+/// Points at which rays from the centre leave the outline.
 std::array<Vector2, kOutlinePoints> outline(const Footprint& f) {
   std::array<Vector2, kOutlinePoints> points;
   for (std::size_t i = 0; i < kOutlinePoints; ++i) {
@@ -109,7 +109,7 @@ double intrusion_m(const AreaLimits& limits, const Se2& T_map_base, const Footpr
 double area_free_time_s(const AreaLimits& limits, const Se2& T_map_base, const types::Twist2& twist,
                         const Footprint& footprint, double until_s) {
   constexpr double kStep_m = 0.03;
-  constexpr double kSlack_m = 1e-4;  // rounding, and sliding along an edge
+  constexpr double kSlack_m = 1e-4;  // tolerance for rounding and for sliding along an edge
   const double rim_mps = std::abs(twist.v_mps) + std::abs(twist.omega_radps) * reach_m(footprint);
   if (!(rim_mps > 0.0) || limits.empty()) return HUGE_VAL;
   const double step_s = kStep_m / rim_mps;

@@ -11,27 +11,28 @@
 
 namespace topo::types {
 
-/// Corners in order, in map; the last is joined to the first.
+/// Corners in order, in the map frame; an edge joins the last to the first.
 using Polygon = std::vector<types::Vector2>;
 
-/// Where the robot may be (stairs and glass that no laser sees). In metres in map, whose origin is the start
-/// or that of a loaded map.
+/// Area in which the robot may be; keeps it away from stairs and glass, which no laser detects. Metres in the
+/// map frame, whose origin is the start pose or that of a loaded map.
 struct AreaLimits {
-  std::optional<Polygon> keep_in;  ///< must not be left; nothing: anywhere
+  std::optional<Polygon> keep_in;  ///< must not be left; nullopt: no limit
   std::vector<Polygon> keep_out;   ///< must not be entered
 
   [[nodiscard]] bool empty() const { return !keep_in && keep_out.empty(); }
 };
 
-/// May the point be visited? A point on an edge may not.
+/// True when the point may be visited; false for a point on an edge.
 bool allows(const AreaLimits& limits, const types::Vector2& p_map);
 
-/// How far the outline sticks out of what is allowed, metres; 0 when all of it is allowed.
+/// Greatest depth of the outline outside the allowed area, in metres; 0 when all of the outline is allowed.
 double intrusion_m(const AreaLimits& limits, const types::Se2& T_map_base, const Footprint& footprint);
 
-/// How long a robot may go on at `twist` until its outline leaves what is allowed; kNever_s (infinity) when
-/// it does not within `until_s`. Where it is out already (the map was corrected, or somebody carried it), the
-/// time until it would be further out than before: it may come in, and nothing else.
+/// Seconds for which the robot can continue at `twist` until its outline leaves the allowed area; kNever_s
+/// (infinity) when it does not within `until_s`. When the outline is already outside (the map was corrected,
+/// or the robot was carried), the time until the intrusion grows: only motion that does not deepen it is
+/// allowed.
 double area_free_time_s(const AreaLimits& limits, const types::Se2& T_map_base, const types::Twist2& twist,
                         const Footprint& footprint, double until_s);
 

@@ -12,23 +12,23 @@ namespace topo::types {
 
 /// Dead reckoning of the base at one instant.
 struct Odometry {
-  Stamp stamp{};  ///< when the pose was true (the wire's delay removed)
+  Stamp stamp{};  ///< when the pose was valid (transmission delay removed)
   Transform2<Odom, Base> T_odom_base;
   Twist2 twist;
 };
 
-/// One sonar echo, in the place of its transducer.
+/// One sonar echo, at the index of its transducer.
 struct SonarReading {
-  Stamp stamp{};         ///< of the packet that brought it; 0 = never heard
-  float range_m = 0.0F;  ///< at or beyond the sensor's reach: nothing seen
+  Stamp stamp{};         ///< of the packet that contained it; 0: never received
+  float range_m = 0.0F;  ///< at or beyond the maximum range: no echo
 };
 
-/// Everything one status packet of the base says, in SI units.
+/// Contents of one status packet of the base, in SI units.
 struct BaseState {
   static constexpr std::size_t kMaxSonars = 32;
 
   Odometry odometry;
-  Stamp arrival{};             ///< when its last byte was read: what staleness is judged by
+  Stamp arrival{};             ///< when its last byte was read; staleness is measured from it
   std::uint64_t sequence = 0;  ///< status packets since the daemon's start
   bool motors_enabled = false;
   bool stop_button = false;
@@ -42,11 +42,11 @@ struct BaseState {
   std::array<SonarReading, kMaxSonars> sonar{};
 };
 
-/// What the base is told every control period.
+/// Command to the base, sent every control period.
 struct BaseCommand {
   Twist2 twist;
   bool enable_motors = false;
-  bool estop = false;  ///< stop at maximum deceleration; wins over everything
+  bool estop = false;  ///< stop at maximum deceleration; overrides everything else
 };
 
 }  // namespace topo::types

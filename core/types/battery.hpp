@@ -6,17 +6,17 @@
 
 namespace topo::types {
 
-/// Below either the robot goes home.
+/// The robot returns home when either value falls below its limit.
 struct BatteryLimits {
   double home_v = 0.0;
   double charge_home = 0.0;  ///< 0..1, of the state of charge
 };
 
-/// Starting motors pull the voltage down for a moment: low is a battery that has been so for this long.
+/// A battery counts as low after this long below a limit: starting motors pull the voltage down for a moment.
 inline constexpr Duration kBatteryLowFor = std::chrono::seconds(10);
 
-/// Whether one reading is below a limit. 0 V or less, and a negative state of charge, are not reported and
-/// below nothing.
+/// True when one reading is below a limit. A voltage of 0 V or less and a negative state of charge count as
+/// not reported and are never low.
 [[nodiscard]] constexpr bool is_battery_low(float battery_v, float state_of_charge,
                                             const BatteryLimits& limits) {
   const bool low_v = battery_v > 0.0F && static_cast<double>(battery_v) < limits.home_v;

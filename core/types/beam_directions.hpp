@@ -10,9 +10,9 @@
 
 namespace topo::types {
 
-/// Unit vectors along a scan's beams, one after the other, in a frame in which the sensor's x axis has the
-/// heading `yaw_rad`. The next is the last one turned on: a beam costs no call of a sine. The error after all
-/// beams of a scan is below 1e-12.
+/// Unit vectors along a scan's beams, in order, in a frame in which the sensor's x axis has the heading
+/// `yaw_rad`. Each vector is the previous one rotated by the angle increment, which avoids a sine per beam.
+/// The error after all beams of a scan is below 1e-12.
 class BeamDirections {
  public:
   BeamDirections(const ScanGeometry& geometry, double yaw_rad, std::size_t first_beam = 0) {

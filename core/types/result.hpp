@@ -10,23 +10,23 @@ namespace topo::types {
 
 /// Why an operation on the environment (device, file, configuration, wire) failed.
 enum class Errc {
-  kInvalidInput,  ///< what a person or file gave is wrong: the user's fault
+  kInvalidInput,  ///< input from the user or from a file is wrong
   kNotFound,      ///< no such file, device or host
-  kPermission,    ///< it is there, but not for us
-  kBusy,          ///< somebody else holds it
-  kTimeout,       ///< nothing came in time
+  kPermission,    ///< it exists, but access is denied
+  kBusy,          ///< in use elsewhere
+  kTimeout,       ///< no response in time
   kClosed,        ///< the peer or the device went away
-  kProtocol,      ///< bytes came that the protocol does not allow
-  kWrongDevice,   ///< a device answers, but not the one that was asked for
+  kProtocol,      ///< the received bytes violate the protocol
+  kWrongDevice,   ///< a device responds, but not the expected one
   kUnsupported,   ///< understood and refused
   kIo,            ///< any other failure of the operating system
 };
 
-/// An error that a person can act on: what was found, where, and what would be right.
+/// Error that the user can act on: what was found, where, and what would be correct.
 struct Error {
   Errc code = Errc::kIo;
   std::string message;
-  int sys_errno = 0;  ///< 0 when the operating system had no part in it
+  int sys_errno = 0;  ///< 0 when no system call failed
 };
 
 /// Value or Error. Only has_value, *, ->, error, value_or, and_then and transform are used, so that

@@ -9,14 +9,14 @@
 
 namespace topo::types {
 
-/// The robot's outline seen from above, from its centre of rotation: a rectangle, cut to the circle that the
-/// robot needs to turn on the spot (PROTOCOLS section 6.2: a P3-DX has no corners outside of 0.267 m, though
-/// its rectangle has).
+/// The robot's outline from above, relative to its centre of rotation: a rectangle intersected with the
+/// circle that the robot needs to turn on the spot (PROTOCOLS section 6.2: a P3-DX has no corners beyond
+/// 0.267 m, although its rectangle has).
 struct Footprint {
   double front_m = 0.21;
   double rear_m = 0.301;
   double half_width_m = 0.2125;
-  double swing_radius_m = HUGE_VAL;  ///< unknown: the rectangle
+  double swing_radius_m = HUGE_VAL;  ///< infinity: unknown, the rectangle alone
 };
 
 /// Radius of the smallest circle about the centre of rotation that holds the outline.
@@ -24,12 +24,12 @@ inline double reach_m(const Footprint& f) {
   return std::min(f.swing_radius_m, std::hypot(std::max(f.front_m, f.rear_m), f.half_width_m));
 }
 
-/// Larger on every side.
+/// The outline enlarged by `by_m` on every side.
 inline Footprint grown(const Footprint& f, double by_m) {
   return {f.front_m + by_m, f.rear_m + by_m, f.half_width_m + by_m, f.swing_radius_m + by_m};
 }
 
-/// What one robot may do: the smallest of configuration, model and firmware.
+/// Motion limits of one robot: the minimum over configuration, model and firmware.
 struct RobotLimits {
   double v_max_mps = 0.7;
   double omega_max_radps = 1.4;
@@ -38,22 +38,23 @@ struct RobotLimits {
   double angular_acceleration_radps2 = 1.7;
   Footprint footprint;
   double margin_m = 0.05;       ///< kept free around the footprint
-  double turn_margin_m = 0.03;  ///< the same while turning on the spot, where no way adds its error
-  /// One wheel that turns in vain for 0.6 of its way on a track of 0.36 m: what the robot may curve without
-  /// its encoders knowing. It has to be able to brake on such an arc as well.
+  double turn_margin_m = 0.03;  ///< the same for a turn on the spot, without path errors
+  /// Additional curvature that the encoders do not measure when one wheel slips for 0.6 of its travel on a
+  /// track of 0.36 m. The robot must be able to brake on such an arc as well.
   double slip_curvature_per_m = 1.7;
-  double v_beside_mps = 0.12;  ///< slow enough to drive beside something whatever the wheels do
-  /// The same wheel while the robot turns on the spot: how far its centre moves aside for each radian.
+  double v_beside_mps = 0.12;  ///< slow enough to drive beside an obstacle despite wheel slip
+  /// Displacement of the centre per radian of a turn on the spot with the same wheel slip.
   double slip_aside_m_per_rad = 0.05;
-  double omega_beside_radps = 0.2;  ///< slow enough to turn beside something whatever the wheels do
-  bool allow_reverse = false;       ///< the rear is blind; whoever sets this vouches for the way
+  double omega_beside_radps = 0.2;  ///< slow enough to turn beside an obstacle despite wheel slip
+  bool allow_reverse = false;       ///< the rear is blind; setting this asserts a free route
   double v_reverse_max_mps = 0.1;
   types::Duration request_age_max = std::chrono::milliseconds(300);
   types::Duration status_age_max = std::chrono::milliseconds(300);
   types::Duration reaction = std::chrono::milliseconds(100);  ///< from a scan's arrival to the wheels
 };
 
-/// False when a number is not finite or makes no sense: nothing may move then.
+/// False when a value is out of range or not finite (swing_radius_m may be infinite); all motion is blocked
+/// then.
 bool is_valid(const RobotLimits& limits);
 
 }  // namespace topo::types

@@ -13,7 +13,7 @@
 
 namespace topo::types {
 
-/// Ranges that are no distances (REP-117).
+/// Range values that are not distances (REP-117).
 inline constexpr float kNoReturn = std::numeric_limits<float>::infinity();  ///< nothing within the range
 inline constexpr float kTooNear = -std::numeric_limits<float>::infinity();  ///< something, below the minimum
 inline constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();  ///< measurement failed
@@ -21,26 +21,26 @@ inline constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();  ///<
 /// True for a distance, false for kNoReturn, kTooNear and kInvalid.
 inline bool is_hit(float range_m) { return std::isfinite(range_m); }
 
-/// One sweep's constants. Angles counter-clockwise from the sensor's x axis.
+/// Constants of one sweep. Angles are counter-clockwise from the sensor's x axis.
 struct ScanGeometry {
   float angle_min_rad = 0.0F;        ///< of beam 0
   float angle_increment_rad = 0.0F;  ///< between neighbours
-  float time_increment_s = 0.0F;     ///< between neighbours: a scan is not an instant
+  float time_increment_s = 0.0F;     ///< between neighbours: a scan is not instantaneous
   float period_s = 0.0F;             ///< from one scan's first beam to the next one's
   float range_min_m = 0.0F;
   float range_max_m = 0.0F;
   friend bool operator==(const ScanGeometry&, const ScanGeometry&) = default;
 };
 
-/// One sweep of a laser range finder. Fixed storage, so that it lives in a ring's slot and nothing is
-/// allocated while streaming; the arrays are filled up to `beams` and not zeroed before.
+/// One sweep of a laser range finder. Fixed storage: a scan lives in a ring buffer's slot, and streaming
+/// allocates nothing. The arrays are filled up to `beams` and not zeroed first.
 struct Scan {  // NOLINT(cppcoreguidelines-pro-type-member-init)
   /// One revolution at the finest resolution (ARES) of any Hokuyo named in PROTOCOLS.
   static constexpr std::size_t kMaxBeams = 1440;
 
   Stamp first_beam{};          ///< when beam 0 was measured, on the host's steady clock
-  Stamp arrival{};             ///< when the last byte was read: what staleness is judged by
-  std::uint64_t sequence = 0;  ///< counts the sensor's scans since the daemon's start, lost ones too
+  Stamp arrival{};             ///< when the last byte was read; staleness is measured from it
+  std::uint64_t sequence = 0;  ///< number of the scan since the daemon's start; counts lost scans
   ScanGeometry geometry;
   std::uint16_t beams = 0;
   bool has_intensity = false;

@@ -8,8 +8,8 @@ namespace topo::types {
 
 using Duration = std::chrono::nanoseconds;
 
-/// The host's steady clock (CLOCK_MONOTONIC) as a type without now(): time comes in as a value, and only
-/// the daemon and the byte streams can read the clock.
+/// The host's steady clock (CLOCK_MONOTONIC) as a type without now(): code receives the time as a value, and
+/// only the daemon and the byte streams can read the clock.
 struct HostClock {
   using duration = Duration;
   using rep = duration::rep;

@@ -13,8 +13,8 @@ struct Base;
 struct LaserFront;
 struct LaserCoronal;
 
-/// T_A_B: maps coordinates of frame B into frame A, and is the pose of B in A. Products are read by adjacent
-/// letters, T_map_odom * T_odom_base, and do not compile otherwise.
+/// T_A_B: maps coordinates of frame B into frame A, and is the pose of B in A. The inner frames of a product
+/// must match, as in T_map_odom * T_odom_base; other products do not compile.
 template <class A, class B>
 class Transform2 {
  public:

@@ -6,10 +6,10 @@
 
 namespace topo::types {
 
-/// What the base's firmware stops the robot after at the latest when this computer falls silent.
+/// Longest watchdog timeout after which the base's firmware stops the robot when the host is silent.
 inline constexpr std::chrono::milliseconds kWatchdogMax{2000};
 
-/// Whether a robot with such a watchdog may be driven. Zero: it is off, or not reported.
+/// True when a robot with this watchdog timeout may be driven. Zero: the watchdog is off or not reported.
 [[nodiscard]] constexpr bool is_watchdog_safe(Duration watchdog) {
   return watchdog > Duration::zero() && watchdog <= kWatchdogMax;
 }

@@ -10,9 +10,9 @@
 namespace topo::walls {
 namespace {
 
-constexpr double kStep_m = 0.01;  ///< the base must move this far for a scan to bring anything new
+constexpr double kStep_m = 0.01;  ///< least motion of the base for a scan to add information
 constexpr double kStep_rad = 0.005;
-constexpr float kCell_m = 0.05F;  ///< columns closer than this are one
+constexpr float kCell_m = 0.05F;  ///< columns within one such cell are merged
 
 }  // namespace
 

@@ -10,21 +10,22 @@
 
 namespace topo::walls {
 
-/// Mounting of the coronal laser (paper section II): its scan plane is the y-z plane of base_link, its beams'
-/// angle 0 points up, counter-clockwise towards +y seen from behind (looking forward).
+/// Mounting of the coronal laser (paper section II): its scan plane is the y-z plane of base_link. Beam angle
+/// 0 points up; angles count counter-clockwise towards +y, seen from behind (looking forward).
 struct CoronalMount {
   double x_m = 0.0;
   double y_m = 0.0;
   double z_m = 0.4;
   double roll_rad = 0.0;       ///< of beam angle 0 from straight up, towards +y
   bool mirrored = false;       ///< true: angles count towards -y
-  double height_min_m = 0.15;  ///< below: ground, and what the robot's pitch makes of it
+  double height_min_m = 0.15;  ///< below: ground, also with the robot's pitch
   double height_max_m = 2.3;   ///< above: ceiling
   double range_max_m = 10.0;
 };
 
-/// Gathers what the coronal laser sees between two keyframes, as height columns in odom. Standing still adds
-/// nothing, so that its memory is bounded by the way travelled and turned since it was emptied.
+/// Collects the hits of the coronal laser between two keyframes, as height columns in odom. A standing robot
+/// adds nothing, so that memory is bounded by the distance and angle travelled since the collector was
+/// emptied.
 class ColumnCollector {
  public:
   explicit ColumnCollector(const CoronalMount& mount) : mount_(mount) {}
@@ -32,10 +33,11 @@ class ColumnCollector {
   /// One coronal scan; poses of base_link in odom at its first and last beam.
   void add(const types::Scan& scan, const types::Se2& T_odom_first, const types::Se2& T_odom_last);
 
-  /// What was gathered, one column per 5 cm cell, in the frame of the given transform; empties the collector.
+  /// Returns the collected columns, one per 5 cm cell, in the frame of the given transform; empties the
+  /// collector.
   [[nodiscard]] std::vector<ColumnPoint> take(const types::Se2& T_base_odom);
 
-  /// Forgets what was gathered: where no keyframe is made of it, it would wait for one, and be placed by an
+  /// Discards the collected columns. Without a keyframe that takes them, they would be placed later by an
   /// odometry that has drifted since.
   void drop() { columns_odom_.clear(); }
 

@@ -6,7 +6,7 @@
 namespace topo::walls {
 namespace {
 
-/// The cell that a column is in, for many columns seen from one pose.
+/// Computes the cell of a column, for many columns seen from one pose.
 class CellsFrom {
  public:
   CellsFrom(const WallStore& store, const types::Se2& T_map_base)

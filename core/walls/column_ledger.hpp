@@ -10,18 +10,19 @@
 
 namespace topo::walls {
 
-/// Draws columns into a store that nothing will be taken back from. `columns` in base_link, `T_map_base`
-/// where they were seen from.
+/// Draws columns into a store from which nothing will be removed. `columns` are in base_link; `T_map_base` is
+/// the pose from which they were seen.
 void draw_columns(WallStore& store, std::span<const ColumnPoint> columns, const types::Se2& T_map_base);
 
-/// Draws columns into a wall store and takes them back exactly: what was ORed cannot be taken back, but what
-/// was counted can. Keeps the counts of one store; versions of it that others hold need none.
+/// Draws columns into a wall store and removes them exactly: an OR cannot be undone, a count can. Keeps the
+/// counts of one store; snapshots of the store need none.
 class ColumnLedger {
  public:
   /// As draw_columns.
   void draw(WallStore& store, std::span<const ColumnPoint> columns, const types::Se2& T_map_base);
 
-  /// From where they were drawn to elsewhere. What stays in its cell costs nothing.
+  /// Moves columns from the pose at which they were drawn to another one. Columns that stay in their cell
+  /// change nothing.
   void move(WallStore& store, std::span<const ColumnPoint> columns, const types::Se2& before,
             const types::Se2& after);
 

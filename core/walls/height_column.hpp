@@ -18,7 +18,7 @@ constexpr Slabs slab_of(double height_m) {
   return slab >= 0.0 && slab < kSlabs ? Slabs{1} << static_cast<int>(slab) : Slabs{0};
 }
 
-/// Paper section II-B: seen as occupied at three different heights separated by at least half a metre.
+/// True when occupied at three different heights separated by at least half a metre (paper section II-B).
 constexpr bool is_wall(Slabs slabs) {
   constexpr int kGap = 5;  // half a metre
   int heights = 0;
@@ -31,7 +31,7 @@ constexpr bool is_wall(Slabs slabs) {
   return heights >= 3;
 }
 
-/// Heights seen at one place, in the frame of the keyframe that carries it.
+/// Heights seen at one position, in the frame of the keyframe that contains it.
 struct ColumnPoint {
   float x_m = 0.0F;
   float y_m = 0.0F;

@@ -9,9 +9,9 @@
 
 namespace topo::walls {
 
-/// How often each slab of a cell was seen, up to 65535 times. The counters stand upright beside each other,
-/// word k holding bit k of all of them, so that a column is counted as one number is, with carries that are
-/// words (Knuth, TAOCP 4A, 7.1.3: sideways addition): two steps on the average for all heights together.
+/// How often each slab of a cell was seen, up to 65535 times. The counters are bit-sliced: word k holds bit k
+/// of all of them, so that one addition with carries of whole words counts a column (Knuth, TAOCP 4A, 7.1.3:
+/// sideways addition): two steps on average for all heights together.
 class SlabCounts {
  public:
   void add(Slabs slabs) {
@@ -21,7 +21,7 @@ class SlabCounts {
       slabs = carry;
     }
   }
-  /// Slabs that were added before.
+  /// Precondition: the slabs were added before.
   void remove(Slabs slabs) {
     for (std::size_t bit = 0; slabs != 0 && bit < bits_.size(); ++bit) {
       const Slabs borrow = ~bits_[bit] & slabs;
@@ -29,7 +29,7 @@ class SlabCounts {
       slabs = borrow;
     }
   }
-  /// Those that were seen at all.
+  /// Slabs with a count above 0.
   [[nodiscard]] Slabs seen() const {
     Slabs any = 0;
     for (const Slabs word : bits_) any |= word;

@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::span<const types::Vector2>;
 
-/// Points that follow each other along one line without a gap.
+/// Consecutive points along one line without a gap.
 struct Run {
   int line;
   std::span<const Place> places;  ///< ascending by u
@@ -21,7 +21,7 @@ struct Run {
   [[nodiscard]] float to() const { return places.back().u; }
 };
 
-/// Walls of one direction.
+/// Finds the walls of one direction.
 class WallFinder {
  public:
   WallFinder(const WallLines& lines, const Direction& direction, const WallParams& params)
@@ -31,7 +31,7 @@ class WallFinder {
     std::vector<Run> runs;
     for (const WallLines::Stretch& stretch : lines_.stretches())
       runs.push_back({static_cast<int>(stretch.line), lines_.places_of(stretch)});
-    // A wall has one in each line that it touches: the fullest is its local maximum.
+    // A wall has a run in each line that it touches: the fullest run is its local maximum.
     const auto fuller = [](const Run& a, const Run& b) {
       return std::make_tuple(b.places.size(), a.line, a.from()) <
              std::make_tuple(a.places.size(), b.line, b.from());
@@ -43,7 +43,7 @@ class WallFinder {
   }
 
  private:
-  /// Takes from a run what no fuller one beside it explains, when that is a wall still.
+  /// Accepts the parts of a run that no fuller run beside it explains, if they still are walls.
   void accept_uncovered(const Run& run) {
     std::vector<Run> beside;
     const int last = static_cast<int>(walls_on_.size()) - 1;
@@ -65,7 +65,7 @@ class WallFinder {
     accept({run.line, {at, end}});
   }
 
-  /// Points beside a run, as many as one would expect on a line there.
+  /// Number of points expected on a line beside the run.
   [[nodiscard]] double expected_beside(const Run& run) const {
     const auto lower = [](const Place& p, float u) { return p.u < u; };
     const auto upper = [](float u, const Place& p) { return u < p.u; };
@@ -78,12 +78,12 @@ class WallFinder {
         sum += std::upper_bound(first, places.end(), run.to(), upper) - first;
       }
     }
-    return static_cast<double>(sum) / kBandBeside;  // two half bins a line, two bands
+    return static_cast<double>(sum) / kBandBeside;  // two half bins per line, two bands
   }
 
   void accept(const Run& run) {
     if (!is_wall_run(run.places, params_)) return;
-    // Among chairs and shelves every line is full: a wall stands out from what is beside it.
+    // In clutter (chairs, shelves) every line is full: a wall must exceed the lines beside it.
     if (static_cast<double>(run.places.size()) < params_.contrast_min * expected_beside(run)) return;
     walls_on_[static_cast<std::size_t>(run.line)].push_back(run);
   }
@@ -99,12 +99,12 @@ class WallFinder {
     return {point(run.from()), point(run.to())};
   }
 
-  /// Half bins to each side in which a run beside a fuller one is the same wall: two bins, the thickness of a
-  /// partition seen from both sides.
+  /// Half bins to each side in which a run beside a fuller one belongs to the same wall: two bins, the
+  /// thickness of a partition seen from both sides.
   static constexpr int kBeside = 4;
 
-  /// Where in half bins the band begins that a wall must stand out from (what is nearer may be its own), and
-  /// how wide it is, on each side.
+  /// Begin and width, in half bins on each side, of the band whose density a wall must exceed. Nearer half
+  /// bins may belong to the wall itself.
   static constexpr int kGapBeside = 3;
   static constexpr int kBandBeside = 6;
 

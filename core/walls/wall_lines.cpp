@@ -13,7 +13,7 @@ using Points = std::span<const types::Vector2>;
 
 bool is_before(const Place& a, const Place& b) { return a.u < b.u || (a.u == b.u && a.v < b.v); }
 
-/// As std::merge, without a branch that nobody can predict. Returns `out`.
+/// As std::merge, without its unpredictable branch. Returns `out`.
 std::span<const Place> merge(std::span<const Place> a, std::span<const Place> b, std::span<Place> out) {
   const Place *at_a = a.data(), *at_b = b.data();
   const Place *const end_a = at_a + a.size(), *const end_b = at_b + b.size();
@@ -28,7 +28,7 @@ std::span<const Place> merge(std::span<const Place> a, std::span<const Place> b,
   return out;
 }
 
-/// Share of a run's length, in bins, that points were seen on.
+/// Fraction of a run's bins that contain points.
 double filled_share(std::span<const Place> places, double bin_m) {
   const float per_m = static_cast<float>(1.0 / bin_m);
   int filled = 0, last = -1;
@@ -44,7 +44,7 @@ std::size_t points_min(const WallParams& params) {
   return static_cast<std::size_t>(std::max(params.points_min, 2));
 }
 
-/// Cuts a line at its gaps: calls f(first, count).
+/// Splits a line at its gaps: calls f(first, count) for each part.
 template <class F>
 void for_contiguous(std::span<const Place> places, double gap_max_m, F&& f) {
   const auto gap_m = static_cast<float>(gap_max_m);
@@ -60,7 +60,7 @@ void for_contiguous(std::span<const Place> places, double gap_max_m, F&& f) {
 
 bool is_wall_run(std::span<const Place> places, const WallParams& params) {
   if (places.size() < points_min(params)) return false;
-  // A hair of slack: 20 cells of 0.05 m are a metre, whatever the rounding of the projection says.
+  // Tolerance: 20 cells of 0.05 m are a metre despite the rounding of the projection.
   const double length_m = static_cast<double>(places.back().u - places.front().u) + 1e-3;
   return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
 }
@@ -83,7 +83,7 @@ void WallLines::take(const compass::PointsChange& points, const Direction& direc
 
 WallLines::Layout WallLines::layout_of(const compass::Extent& across, std::size_t points,
                                        const Direction& direction, double half_bin_m) {
-  // A few points far out must not ask for more bins than there are points to put into them.
+  // A few distant points must not require many more bins than there are points.
   const double bins_max = 1000.0 + 8.0 * static_cast<double>(points);
   const double wide_m = across.high - across.low, width_m = std::max(half_bin_m, wide_m / bins_max);
   return {direction, across.low, width_m, static_cast<std::size_t>(wide_m / width_m) + 1};
@@ -108,7 +108,7 @@ void WallLines::sort_bins() {
   for (std::size_t i = 0; i < layout_.bins; ++i) {
     const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_[i]),
                end = places_.begin() + static_cast<std::ptrdiff_t>(first_[i + 1]);
-    // Of points row by row most bins are in order along one of the two directions.
+    // For points row by row, most bins are in order along one of the two directions.
     if (!std::is_sorted(begin, end, is_before)) std::sort(begin, end, is_before);
   }
 }

@@ -14,13 +14,13 @@
 
 namespace topo::walls {
 
-/// A point by where it is along the walls looked for, and across.
+/// A point by its position along the walls (u) and across them (v).
 struct Place {
   float u;
   float v;
 };
 
-/// Of walls.
+/// Direction of walls.
 struct Direction {
   double cos, sin;
   [[nodiscard]] double across_m(const types::Vector2& p) const { return cos * p.y() - sin * p.x(); }
@@ -28,44 +28,44 @@ struct Direction {
   friend bool operator==(const Direction&, const Direction&) = default;
 };
 
-/// What is long, full and dense enough to be a wall.
+/// True when the run is long, full and dense enough to be a wall.
 bool is_wall_run(std::span<const Place> places, const WallParams& params);
 
-/// The points of one direction in lines of overlapping bins: line i holds what lies in half bins i and i + 1,
-/// by u. A wall of less than half a bin is then whole in some line, wherever it lies. A value.
+/// The points of one direction in lines of overlapping bins: line i holds the points of half bins i and i +
+/// 1, sorted by u. A wall thinner than half a bin then lies completely in some line. Value type.
 class WallLines {
  public:
-  /// Points of a line that follow each other without a gap and may be a wall.
+  /// Consecutive points of a line without a gap that may be a wall.
   struct Stretch {
     std::size_t line;
-    std::size_t first, count;  ///< among the line's
+    std::size_t first, count;  ///< among the line's points
   };
 
-  /// Makes of the lines of other points those of these, `points` telling how they differ. Costs what has
-  /// changed, and a copy of the rest, while the direction and the extent across it stay the same; the
-  /// parameters must. At least one point.
+  /// Updates the lines from the previous points to these; `points` has the difference. The cost is that of
+  /// the difference and of a copy of the rest, while the direction and the extent across it stay the same.
+  /// The parameters must stay the same. At least one point.
   void take(const compass::PointsChange& points, const Direction& direction, const WallParams& params);
 
   [[nodiscard]] std::size_t size() const { return layout_.bins; }
-  /// Of a half bin, by u.
+  /// Points of a half bin, sorted by u.
   [[nodiscard]] std::span<const Place> bin(std::size_t i) const {
     return std::span(places_).subspan(first_[i], first_[i + 1] - first_[i]);
   }
-  /// A wall gives one in each line that it touches.
+  /// A wall has one in each line that it touches.
   [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
   [[nodiscard]] std::span<const Place> places_of(const Stretch& stretch) const {
     return std::span(merged_).subspan(start_of(stretch.line) + stretch.first, stretch.count);
   }
 
  private:
-  /// How points fall into half bins.
+  /// Assignment of points to half bins.
   struct Layout {
     Direction along{1.0, 0.0};
     double low_m = 0.0, width_m = 1.0;
     std::size_t bins = 0;
     friend bool operator==(const Layout&, const Layout&) = default;
 
-    /// Signed, as vector instructions want it.
+    /// Signed, so that it can be vectorised.
     [[nodiscard]] std::int32_t bin(double across_m) const {
       return static_cast<std::int32_t>((across_m - low_m) / width_m);
     }
@@ -73,7 +73,7 @@ class WallLines {
       return {static_cast<float>(along.along_m(p)), static_cast<float>(along.across_m(p))};
     }
   };
-  /// In the order of half bins, and of places within each.
+  /// Sorted by half bin, then by place.
   using BinnedPlaces = std::vector<std::pair<std::int32_t, Place>>;
 
   static Layout layout_of(const compass::Extent& across, std::size_t points, const Direction& direction,
@@ -85,8 +85,8 @@ class WallLines {
   void renew_lines(std::span<const std::size_t> first_before, const WallParams& params);
   void find_stretches(std::size_t line, std::span<const Place> places, const WallParams& params);
 
-  /// Where in `merged_` a line begins: behind the bins before it, all of which but the first are in two
-  /// lines.
+  /// Index in `merged_` at which a line begins: the lines before it hold bin 0 and bin `line` once, and the
+  /// bins between twice.
   [[nodiscard]] static std::size_t start_of(std::size_t line, std::span<const std::size_t> first) {
     return first[line] + first[line + 1] - first[1];
   }
@@ -94,10 +94,10 @@ class WallLines {
 
   Layout layout_;
   compass::Extent across_;            ///< of the points, across the direction
-  std::vector<std::size_t> first_;    ///< of every half bin, one past the last, and that again
+  std::vector<std::size_t> first_;    ///< index of every half bin's first place, then the end twice
   std::vector<Place> places_;         ///< bin by bin
-  std::vector<std::uint8_t> is_new_;  ///< of every half bin and one more: not as it was before
-  std::vector<Place> merged_;         ///< line by line; of lines with too few points without meaning
+  std::vector<std::uint8_t> is_new_;  ///< of every half bin and one more: changed since the previous points
+  std::vector<Place> merged_;         ///< line by line; meaningless for lines with too few points
   std::vector<Stretch> stretches_;
 };
 

@@ -12,7 +12,7 @@
 namespace topo::walls {
 
 /// Sparse heights over the cells of the map (paper section II-B): a persistent Patricia tree, so that a
-/// snapshot costs nothing and an analysis runs while new columns come in.
+/// snapshot costs O(1) and an analysis runs while new columns are added.
 class WallStore {
  public:
   using Columns = patricia::Map<Slabs>;
@@ -20,18 +20,18 @@ class WallStore {
   WallStore(patricia::Arena<Slabs>& arena, double resolution_m)
       : columns_(arena), resolution_m_(resolution_m) {}
 
-  /// The cell of a point in map.
+  /// The cell that contains a point of the map frame.
   [[nodiscard]] patricia::Key cell_at(const types::Vector2& p_map) const {
     const auto cell = [&](double v) { return static_cast<std::int32_t>(std::floor(v / resolution_m_)); };
     return patricia::cell_key(cell(p_map.x()), cell(p_map.y()));
   }
 
-  /// ORs the slabs into a cell: seeing a thing twice must not erase it.
+  /// ORs the slabs into a cell: a second observation must not erase the first.
   void add(patricia::Key cell, Slabs slabs) {
     columns_.insert_with(cell, slabs, [](Slabs a, Slabs b) { return a | b; });
   }
 
-  /// Puts these slabs in the place of the cell's; none: nothing is known of the cell any more.
+  /// Replaces the slabs of a cell; 0 removes the cell.
   void set(patricia::Key cell, Slabs slabs) {
     if (slabs == 0)
       columns_.erase(cell);
