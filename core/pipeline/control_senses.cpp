@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/control_senses.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/motion/recovery.hpp"
+#include "core/perception/stop_zone.hpp"
+#include "core/perception/unseen_echoes.hpp"
+
+namespace topo::pipeline {
+namespace {
+
+using types::Se2;
+
+/// True when the base's newest state can be computed with.
+bool has_state(const ControlInput& in) { return in.state != nullptr && motion::is_finite(*in.state); }
+
+}  // namespace
+
+motion::GateInput ControlSenses::perceive(const ControlSetup& setup, const ControlInput& in) {
+  motion::GateInput g;
+  g.T_map_base = place_by_plan(setup, in);
+  follow_drift(g.T_map_base, in);
+  drive_on(in);
+  g.now = in.now;
+  g.request.stamp = in.now;
+  g.base = in.state;
+  g.front_scan = in.front;
+  g.T_base_laser = setup.T_base_laser;
+  g.moving = moving(setup, in);
+  g.front_points = points(setup, in, g.moving);
+  g.T_base_sonar = in.T_base_sonar;
+  g.estop_pressed = in.estop;
+  g.estop_cleared = in.estop_cleared;
+  g.firmware_watchdog = in.firmware_watchdog;
+  g.limits = setup.limits;
+  g.area = &setup.area;
+  return g;
+}
+
+std::optional<Se2> place_by_plan(const ControlSetup& setup, const ControlInput& in) {
+  if (in.plan == nullptr || !in.plan->located || in.state == nullptr) return std::nullopt;
+  if (motion::is_stale(in.plan->stamp, in.now, setup.plan_age_max)) return std::nullopt;
+  return in.plan->T_map_odom.se2() * perception::pose_at(in.state->odometry, in.now);
+}
+
+/// Once for every plan.
+void ControlSenses::follow_drift(const std::optional<Se2>& T_map_base, const ControlInput& in) {
+  if (!has_state(in)) return;
+  if (!T_map_base) return steady_frame_.lose();
+  if (in.plan->sequence == std::exchange(steady_plan_, in.plan->sequence)) return;
+  steady_frame_.update(in.plan->T_map_odom, in.plan->bends, in.state->odometry);
+}
+
+/// The breadcrumbs take every dead reckoning once.
+void ControlSenses::drive_on(const ControlInput& in) {
+  if (!has_state(in) || in.state->odometry.stamp == breadcrumbs_stamp_) return;
+  breadcrumbs_stamp_ = in.state->odometry.stamp;
+  breadcrumbs_.update(steady_frame_.steady(in.state->odometry).T_odom_base.se2());
+}
+
+std::span<const perception::MovingObstacle> ControlSenses::moving(const ControlSetup& setup,
+                                                                  const ControlInput& in) {
+  if (in.front == nullptr || !has_state(in)) return {};
+  tracker_.update(*in.front, setup.T_base_laser, in.state->odometry);
+  return {moving_.data(), tracker_.around(in.state->odometry, in.front->first_beam, moving_)};
+}
+
+std::span<const perception::ScanPoint> ControlSenses::points(
+    const ControlSetup& setup, const ControlInput& in,
+    std::span<const perception::MovingObstacle> moving_now) {
+  if (in.front == nullptr) return {};
+  constexpr std::size_t kSeen = perception::BlindSpot::kMax;
+  const std::span<perception::ScanPoint> all(points_);
+  const std::size_t seen = perception::scan_points(*in.front, setup.T_base_laser, all.subspan(kSeen));
+  if (!has_state(in)) return all.subspan(kSeen, seen);
+  const types::Odometry odometry = steady_frame_.steady(in.state->odometry);
+  blind_spot_.update(*in.front, setup.T_base_laser, all.subspan(kSeen, seen), moving_now,
+                     setup.limits.footprint, odometry);
+  const std::size_t kept = blind_spot_.size();
+  blind_spot_.put_points(perception::pose_at(odometry, in.front->first_beam),
+                         all.subspan(kSeen - kept, kept));
+  return all.subspan(kSeen - kept, kept + seen);
+}
+
+double ControlSenses::seen_behind_m(const motion::GateInput& gate_in) const {
+  const Se2 T_odom_base = perception::pose_at(steady_frame_.steady(gate_in.base->odometry), gate_in.now);
+  return blind_spot_.seen_behind_m(T_odom_base, gate_in.limits.footprint, gate_in.now,
+                                   motion::Recovery::kSeenBehind_m);
+}
+
+void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
+  constexpr double kRange_m = 1.2;
+  // An echo is up to 150 ms old: turning faster, it is of another direction.
+  constexpr double kSteady_radps = 0.3;
+  if (std::abs(gate_in.base->odometry.twist.omega_radps) > kSteady_radps) return;
+  const std::size_t count =
+      perception::unseen_echoes(motion::surroundings(gate_in), kRange_m, report.unseen_odom);
+  for (std::size_t i = 0; i < count; ++i)
+    report.unseen_odom[i] = report.odometry.T_odom_base.se2() * report.unseen_odom[i];
+  report.unseen = static_cast<std::uint8_t>(count);
+}
+
+}  // namespace topo::pipeline

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/motion/path_follower.hpp"
+#include "core/motion/recovery.hpp"
+#include "core/motion/yielding.hpp"
+#include "core/pipeline/control_senses.hpp"
+#include "core/pipeline/wish.hpp"
+
+namespace topo::pipeline {
+
+/// The end of a path at which the robot arrived. A value.
+struct Arrival {
+  bool arrived = false;
+  std::uint64_t goal = 0;
+  types::Vector2 at_odom{0.0, 0.0};
+};
+
+/// Follows plans, waits for what moves, and recovers where it does not get on. Allocates nothing. One thread.
+class PlanFollowing {
+ public:
+  /// The wish for this period. `last`: what became of the one before.
+  Wish follow(const Plan& plan, const motion::GateInput& gate_in, const ControlSenses& senses,
+              const Granted& last);
+  /// A period in which no plan moves the robot.
+  void rest(types::Stamp now);
+  /// Recoveries begun since the start.
+  [[nodiscard]] std::uint32_t recoveries() const { return recovery_.begun(); }
+
+ private:
+  [[nodiscard]] motion::FollowOutput way(const Plan& plan, const types::Se2& T_odom_base,
+                                         const motion::GateInput& gate_in, const types::Twist2& given);
+  [[nodiscard]] motion::RecoveryOutput rescue(const Plan& plan, const motion::FollowOutput& out,
+                                              const types::Se2& T_odom_base, const motion::GateInput& gate_in,
+                                              const ControlSenses& senses, const Granted& last);
+
+  motion::PathFollower follower_;
+  motion::Recovery recovery_;
+  motion::Yielding yielding_;
+  std::array<types::Vector2, motion::PathFollower::kMaxObstacles> obstacles_{};
+  bool recovering_ = false;  // the last period's motion was the recovery's
+  Arrival arrival_;
+};
+
+/// True when a bumper is pressed or a wheel stalls.
+bool is_touching(const types::BaseState& base);
+
+}  // namespace topo::pipeline

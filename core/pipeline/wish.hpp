@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "core/motion/backing.hpp"
+#include "core/motion/velocity_gate.hpp"
+#include "core/pipeline/control_step.hpp"
+
+namespace topo::pipeline {
+
+/// The motion that a period asks the gate for.
+struct Wish {
+  ControlMode mode = ControlMode::kStanding;
+  types::Twist2 twist;
+  bool moving = false;  ///< the motors are wanted
+  motion::Backing backing = motion::Backing::kNone;
+};
+
+/// What became of the last period's wish.
+struct Granted {
+  motion::GateReason reason = motion::GateReason::kFree;
+  types::Twist2 wished, given;
+};
+
+/// After an e-stop the plan has to have stood, or to be about another goal, before it may move the robot.
+struct Hold {
+  bool held = false;
+  std::uint64_t goal = 0;
+};
+
+/// Times that the outline touched something, and where last.
+struct Touches {
+  bool touching = false;  ///< in the last period
+  std::uint32_t count = 0;
+  types::Vector2 at_odom{0.0, 0.0};
+};
+
+}  // namespace topo::pipeline
