@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/pipeline/map_snapshot.hpp"
+#include "core/pipeline/mapping_losses.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/slam/mapper.hpp"
 #include "core/types/base_state.hpp"
@@ -32,21 +33,6 @@ struct MappingOutput {
   slam::JoinVerdict joined;                             ///< what became of what team-mates sent
   bool keyframe_added = false;                          ///< the map changed: publish a snapshot
   bool corrected = false;                               ///< keyframes are elsewhere now, and so is the robot
-};
-
-/// Scans that never reached the map, and why.
-struct MappingLosses {
-  std::uint64_t without_odometry = 0;  ///< no dead reckoning had been heard of yet
-  std::uint64_t queue_full = 0;        ///< more waited for odometry than there is room for
-
-  MappingLosses& operator+=(const MappingLosses& more) {
-    without_odometry += more.without_odometry;
-    queue_full += more.queue_full;
-    return *this;
-  }
-  friend MappingLosses operator-(const MappingLosses& later, const MappingLosses& earlier) {
-    return {later.without_odometry - earlier.without_odometry, later.queue_full - earlier.queue_full};
-  }
 };
 
 /// The mapping thread's whole state: keyframes, local map, pose graph, grid, wall store. Used by one thread.

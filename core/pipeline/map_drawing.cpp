@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/pipeline/map_drawing.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace topo::pipeline {
+namespace {
+
+/// Beams and columns that are drawn anew with one scan: a correction of everything that half an hour saw is
+/// shown after some seconds.
+constexpr std::size_t kRedrawnAScan = 6000;
+/// What a correction left a little off is drawn when no other has come for a while: one keyframe with one
+/// scan, since nothing waits for it.
+constexpr types::Duration kSettleAfter = std::chrono::seconds(5);
+constexpr std::size_t kSettledAScan = 1;
+
+std::vector<types::KeyframePose> stations(const slam::Mapper& mapper, std::span<const std::size_t> way) {
+  std::vector<types::KeyframePose> out;
+  out.reserve(way.size());
+  for (const std::size_t i : way)
+    out.push_back(
+        {mapper.keyframes()[i]->stamp, types::Transform2<types::Map, types::Base>(mapper.poses()[i])});
+  return out;
+}
+
+}  // namespace
+
+void MapDrawing::correct(const slam::Mapper& mapper, slam::GraphSolution solution) {
+  std::vector<types::Se2> poses = mapper.corrected(solution);
+  correction_ = {std::move(solution), std::move(poses)};
+}
+
+void MapDrawing::redraw(const slam::Mapper& mapper, types::Stamp placed) {
+  if (correction_) {
+    const auto keyframes = mapper.keyframes().first(correction_->poses.size());
+    correction_->drawn = builder_.prepare(keyframes, correction_->poses, kRedrawnAScan);
+    return;
+  }
+  if (is_settled_ || placed - corrected_ < kSettleAfter) return;
+  is_settled_ = builder_.settle(mapper.keyframes(), mapper.poses(), kSettledAScan);
+  has_settled_ = is_settled_;
+}
+
+bool MapDrawing::draw(slam::Mapper& mapper, types::Stamp placed) {
+  has_settled_ = false;
+  if (correction_) correction_->poses = mapper.corrected(correction_->solution);
+  if (!correction_ || !correction_->drawn) {
+    builder_.extend(mapper.keyframes(), mapper.poses());
+    return false;
+  }
+  (void)builder_.prepare(mapper.keyframes(), correction_->poses, std::numeric_limits<std::size_t>::max());
+  builder_.show();
+  mapper.adopt(std::move(correction_->poses));
+  correction_.reset();
+  corrected_ = placed;
+  is_settled_ = false;
+  return true;
+}
+
+std::unique_ptr<MapSnapshot> MapDrawing::make_snapshot(const slam::Mapper& mapper, std::uint64_t revision,
+                                                       types::Stamp placed) {
+  // Against what readers had before: the tiles that differ have been copied for them anyway.
+  if (published_) changed_cells_ += grid::differing_cells(*published_, builder_.grid());
+  published_ = builder_.grid();
+  auto snapshot = std::make_unique<MapSnapshot>(MapSnapshot{
+      revision, changed_cells_, placed, types::Transform2<types::Map, types::Odom>(mapper.T_map_odom()),
+      types::Transform2<types::Map, types::Base>(mapper.T_map_base()), builder_.grid(), builder_.walls(),
+      stations(mapper, mapper.own_way())});
+  for (const auto& [origin, way] : mapper.mates_ways()) snapshot->mates.push_back(stations(mapper, way));
+  return snapshot;
+}
+
+}  // namespace topo::pipeline

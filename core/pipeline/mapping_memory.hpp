@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/pipeline/map_drawing.hpp"
+#include "core/pipeline/mapping_step.hpp"
+#include "core/pipeline/scan_pairing.hpp"
+
+// What mapping keeps from step to step; private to mapping_step.cpp and mapping_state.cpp.
+namespace topo::pipeline {
+
+/// What waits for the next keyframe boundary.
+struct MappingNews {
+  std::vector<slam::LoopAnswer> answers;
+  bool has_mates_answer = false;  ///< one of them is about a team-mate's keyframe
+  std::vector<slam::KeyframePtr> mates_keyframes;
+  std::vector<slam::FoundRelation> mates_relations;
+  std::vector<std::pair<slam::RelationKey, slam::Relation>> known;  ///< of where team-mates are
+
+  /// True when a robot that stands need not make a keyframe for it.
+  [[nodiscard]] bool of_mates() const {
+    return !mates_keyframes.empty() || !mates_relations.empty() || !known.empty() || has_mates_answer;
+  }
+};
+
+struct MappingState::Impl {
+  Impl(const slam::MapperParams& given, const slam::Origin& origin, const types::Se2& start)
+      : params(given),
+        pairing(given.odometry_wait_s),
+        mapper(given, origin, start),
+        drawing(given),
+        columns(given.coronal) {}
+
+  void run(MappingOutput& output, bool flush);
+  void place(const PairedScan& paired, MappingOutput& output);
+  void pass_boundary(MappingOutput& output);
+  void join_news(MappingOutput& output);
+  [[nodiscard]] bool has_news() const {
+    return news.of_mates() || mapper.has_mates_to_ask_about() || drawing.has_news();
+  }
+
+  slam::MapperParams params;
+  ScanPairing pairing;
+  slam::Mapper mapper;
+  MapDrawing drawing;
+  walls::ColumnCollector columns;
+  MappingNews news;
+  slam::Cloud cloud;
+  types::Stamp placed{};  ///< stamp of the newest front scan placed
+  types::Stamp drawn{};   ///< the same, when the map was drawn last
+  std::uint64_t revision = 0;
+};
+
+}  // namespace topo::pipeline
