@@ -20,7 +20,6 @@ using types::Twist2;
 
 constexpr Duration kFutureMax = milliseconds(20);
 constexpr Duration kScanAgeMax = milliseconds(150);
-constexpr Duration kPeriod = milliseconds(50);  // of the base thread
 constexpr double kScanPeriods = 2.5;
 constexpr double kValidFractionMin = 0.5;
 constexpr double kElapsedMax_s = 0.1;     // a late period must not cause a jump in speed
@@ -204,11 +203,11 @@ double alive_time_s(const GateInput& in) {
   const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
   // A stamp of the first beam that is missing or in the future does not give the age.
   const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
-  return types::to_seconds(bounded + in.limits.reaction + kPeriod);
+  return types::to_seconds(bounded + in.limits.reaction + types::kBasePeriod);
 }
 
 double blind_time_s(const GateInput& in) {
-  return alive_time_s(in) + types::to_seconds(in.firmware_watchdog - kPeriod);
+  return alive_time_s(in) + types::to_seconds(in.firmware_watchdog - types::kBasePeriod);
 }
 
 perception::Surroundings surroundings(const GateInput& in) {

@@ -5,17 +5,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::types {
+
+/// A model by its catalogue, from the centre of rotation. The one place of these numbers.
+struct ModelSize {
+  double front_m = 0.0, rear_m = 0.0, width_m = 0.0;
+  double swing_radius_m = 0.0;  ///< of the circle that it needs to turn on the spot
+  double v_max_mps = 0.0, omega_max_radps = 0.0;
+};
+inline constexpr ModelSize kP3dx{0.210, 0.301, 0.425,
+                                 0.267, 1.2,   300 * kDegree_rad};  // PROTOCOLS section 6.2
+inline constexpr ModelSize kP3at{0.313, 0.313, 0.505, 0.340, 0.7, 140 * kDegree_rad};
+
+/// Between two decisions of the base thread.
+inline constexpr Duration kBasePeriod = std::chrono::milliseconds(50);
 
 /// The robot's outline from above, relative to its centre of rotation: a rectangle intersected with the
 /// circle that the robot needs to turn on the spot (PROTOCOLS section 6.2: a P3-DX has no corners beyond
 /// 0.267 m, although its rectangle has).
 struct Footprint {
-  double front_m = 0.21;
-  double rear_m = 0.301;
-  double half_width_m = 0.2125;
+  double front_m = kP3dx.front_m;
+  double rear_m = kP3dx.rear_m;
+  double half_width_m = kP3dx.width_m / 2.0;
   double swing_radius_m = HUGE_VAL;  ///< infinity: unknown, the rectangle alone
 };
 
@@ -29,13 +43,17 @@ inline Footprint grown(const Footprint& f, double by_m) {
   return {f.front_m + by_m, f.rear_m + by_m, f.half_width_m + by_m, f.swing_radius_m + by_m};
 }
 
-/// Motion limits of one robot: the minimum over configuration, model and firmware.
-struct RobotLimits {
+/// How fast the base may drive, and how fast it may change that. The one place of the defaults.
+struct DriveLimits {
   double v_max_mps = 0.7;
   double omega_max_radps = 1.4;
   double acceleration_mps2 = 0.3;
   double deceleration_mps2 = 0.5;
   double angular_acceleration_radps2 = 1.7;
+};
+
+/// Motion limits of one robot: the minimum over configuration, model and firmware.
+struct RobotLimits : DriveLimits {
   Footprint footprint;
   double margin_m = 0.05;       ///< kept free around the footprint
   double turn_margin_m = 0.03;  ///< the same for a turn on the spot, without path errors

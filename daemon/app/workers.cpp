@@ -25,11 +25,7 @@ pioneer::ConnectionConfig session_config(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
   pioneer::ConnectionConfig config;
   config.expected_subclass = configuration.robot.model == RobotModel::kP3at ? "p3at-sh" : "p3dx-sh";
-  config.v_max_mps = base.v_max_mps;
-  config.omega_max_radps = base.omega_max_radps;
-  config.acceleration_mps2 = base.acceleration_mps2;
-  config.deceleration_mps2 = base.deceleration_mps2;
-  config.angular_acceleration_radps2 = base.angular_acceleration_radps2;
+  static_cast<types::DriveLimits&>(config) = base;
   config.sonar = base.sonar;
   return config;
 }

@@ -53,11 +53,7 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
 pipeline::ControlSetup control_setup(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
   pipeline::ControlSetup setup;
-  setup.limits.v_max_mps = base.v_max_mps;
-  setup.limits.omega_max_radps = base.omega_max_radps;
-  setup.limits.acceleration_mps2 = base.acceleration_mps2;
-  setup.limits.deceleration_mps2 = base.deceleration_mps2;
-  setup.limits.angular_acceleration_radps2 = base.angular_acceleration_radps2;
+  static_cast<types::DriveLimits&>(setup.limits) = base;
   setup.limits.footprint = footprint(configuration);
   setup.limits.margin_m = configuration.motion.margin_m;
   setup.T_base_laser = mapper_params(configuration).T_base_laser;
@@ -66,11 +62,11 @@ pipeline::ControlSetup control_setup(const Configuration& configuration) {
 }
 
 types::Footprint footprint(const Configuration& configuration) {
-  const ModelLimits model = model_limits(configuration.robot.model);
+  const types::ModelSize model = model_size(configuration.robot.model);
   const RobotConfig& robot = configuration.robot;
   const auto or_model = [](double own, double models) { return own > 0.0 ? own : models; };
-  types::Footprint footprint{or_model(robot.length_front_m, model.length_front_m),
-                             or_model(robot.length_rear_m, model.length_rear_m),
+  types::Footprint footprint{or_model(robot.length_front_m, model.front_m),
+                             or_model(robot.length_rear_m, model.rear_m),
                              or_model(robot.width_m, model.width_m) / 2.0};
   // A hull of one's own may stand out of the model's circle.
   const bool is_models = robot.length_front_m <= 0.0 && robot.length_rear_m <= 0.0 && robot.width_m <= 0.0;
@@ -78,9 +74,8 @@ types::Footprint footprint(const Configuration& configuration) {
   return footprint;
 }
 
-ModelLimits model_limits(RobotModel model) {
-  if (model == RobotModel::kP3at) return {0.313, 0.313, 0.505, 0.340, 0.7, 2.45};
-  return {0.210, 0.301, 0.425, 0.267, 1.2, 5.24};
+types::ModelSize model_size(RobotModel model) {
+  return model == RobotModel::kP3at ? types::kP3at : types::kP3dx;
 }
 
 const char* model_name(RobotModel model) { return model == RobotModel::kP3at ? "P3-AT" : "P3-DX"; }

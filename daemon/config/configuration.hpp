@@ -29,13 +29,8 @@ struct RobotConfig {
   double width_m = 0.0;
 };
 
-struct BaseConfig {
+struct BaseConfig : types::DriveLimits {
   std::string address;  ///< as drivers/io/make_connector.hpp reads it
-  double v_max_mps = 0.7;
-  double omega_max_radps = 1.4;
-  double acceleration_mps2 = 0.3;
-  double deceleration_mps2 = 0.5;
-  double angular_acceleration_radps2 = 1.7;
   bool sonar = true;
 };
 
@@ -139,15 +134,7 @@ struct Configuration {
 [[nodiscard]] types::Footprint footprint(const Configuration& configuration);
 
 /// Hull and speed of a model as sold (PROTOCOLS section 6.2), what a configuration is checked against.
-struct ModelLimits {
-  double length_front_m;
-  double length_rear_m;
-  double width_m;
-  double swing_radius_m;  ///< of the circle that a turn on the spot needs
-  double v_top_mps;
-  double omega_top_radps;
-};
-[[nodiscard]] ModelLimits model_limits(RobotModel model);
+[[nodiscard]] types::ModelSize model_size(RobotModel model);
 [[nodiscard]] const char* model_name(RobotModel model);
 
 }  // namespace topo::daemon

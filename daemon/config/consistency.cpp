@@ -84,15 +84,15 @@ void check_serial_numbers(LoadedConfiguration& loaded) {
 void check_model(LoadedConfiguration& loaded) {
   const Configuration& c = loaded.values;
   if (place_of(loaded, "robot.model") == Place{}) return;
-  const ModelLimits limits = model_limits(c.robot.model);
+  const types::ModelSize model = model_size(c.robot.model);
   struct Least {
     std::string_view key;
     double value, least;
   };
   for (const auto& [key, value, least] :
-       {Least{"robot.length_front_m", c.robot.length_front_m, limits.length_front_m},
-        Least{"robot.length_rear_m", c.robot.length_rear_m, limits.length_rear_m},
-        Least{"robot.width_m", c.robot.width_m, limits.width_m}}) {
+       {Least{"robot.length_front_m", c.robot.length_front_m, model.front_m},
+        Least{"robot.length_rear_m", c.robot.length_rear_m, model.rear_m},
+        Least{"robot.width_m", c.robot.width_m, model.width_m}}) {
     if (value == 0.0 || value >= least) continue;
     contradict(
         loaded, key, "robot.model",
@@ -102,8 +102,8 @@ void check_model(LoadedConfiguration& loaded) {
             value, model_name(c.robot.model), least));
   }
   for (const auto& [key, value, most] :
-       {Least{"base.v_max_mps", c.base.v_max_mps, limits.v_top_mps},
-        Least{"base.omega_max_radps", c.base.omega_max_radps, limits.omega_top_radps}}) {
+       {Least{"base.v_max_mps", c.base.v_max_mps, model.v_max_mps},
+        Least{"base.omega_max_radps", c.base.omega_max_radps, model.omega_max_radps}}) {
     if (value <= most) continue;
     contradict(loaded, key, "robot.model",
                fmt::format("found {}, a {} does at most {}", value, model_name(c.robot.model), most));

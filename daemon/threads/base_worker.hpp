@@ -15,7 +15,7 @@ namespace topo::daemon {
 /// whole 50 ms decides and sends one command. Allocates nothing while the connection streams.
 class BaseWorker {
  public:
-  static constexpr types::Duration kPeriod = std::chrono::milliseconds(50);
+  static constexpr types::Duration kPeriod = types::kBasePeriod;
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(800);
 
   BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,

@@ -161,7 +161,7 @@ void Connection::Impl::start_running() {
   delay.emplace(milliseconds(info->sip_cycle_ms));
   // What the robot can do, not what it is allowed: a push must not look like a reset of the controller.
   constexpr double kPushed = 2.0;
-  dead_reckoning.restart(model, kPushed * model.v_max_mps, kPushed * model.omega_max_radps);
+  dead_reckoning.restart(model, kPushed * model.size.v_max_mps, kPushed * model.size.omega_max_radps);
   last_status = now();
   const std::string who = device() + ": " + info->subclass + " \"" + info->name + "\"";
   if (fault.empty())

@@ -10,19 +10,15 @@
 #include <string>
 
 #include "core/types/base_state.hpp"
+#include "core/types/robot_limits.hpp"
 #include "core/types/se2.hpp"
 #include "drivers/io/byte_stream.hpp"
 
 namespace topo::pioneer {
 
 /// What the configuration says of the base.
-struct ConnectionConfig {
-  std::string expected_subclass;  ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
-  double v_max_mps = 0.7;         ///< clamped to the model's and the firmware's limits
-  double omega_max_radps = 1.4;
-  double acceleration_mps2 = 0.3;
-  double deceleration_mps2 = 0.5;
-  double angular_acceleration_radps2 = 1.7;
+struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and the firmware's limits
+  std::string expected_subclass;                ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
   bool sonar = true;
 };
 

@@ -65,12 +65,7 @@ RobotModel make_dx(std::string_view subclass, double mm_per_count) {
   return {.subclass = subclass,
           .mm_per_count = mm_per_count,
           .radps_per_mmps = 0.0056,
-          .v_max_mps = 1.2,
-          .omega_max_radps = 300 * types::kDegree_rad,
-          .swing_radius_m = 0.267,
-          .length_front_m = 0.210,
-          .length_rear_m = 0.301,
-          .width_m = 0.425,
+          .size = types::kP3dx,
           .T_base_sonar = p3dx_sonars()};
 }
 
@@ -78,12 +73,7 @@ RobotModel make_at(std::string_view subclass, double mm_per_count) {
   return {.subclass = subclass,
           .mm_per_count = mm_per_count,
           .radps_per_mmps = 0.0034,
-          .v_max_mps = 0.7,
-          .omega_max_radps = 140 * types::kDegree_rad,
-          .swing_radius_m = 0.340,
-          .length_front_m = 0.313,
-          .length_rear_m = 0.313,
-          .width_m = 0.505,
+          .size = types::kP3at,
           .T_base_sonar = p3at_sonars()};
 }
 

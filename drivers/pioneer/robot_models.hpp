@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/types/robot_limits.hpp"
 #include "core/types/se2.hpp"
 
 namespace topo::pioneer {
@@ -20,10 +21,7 @@ struct RobotModel {
   double mmps_per_velocity_unit = 1.0;  ///< VelConvFactor
   double mm_per_sonar_unit = 1.0;       ///< RangeConvFactor
   double radps_per_mmps = 0.0056;       ///< DiffConvFactor, of half the wheels' difference
-  double v_max_mps = 0.0;               ///< catalogue
-  double omega_max_radps = 0.0;
-  double swing_radius_m = 0.0;
-  double length_front_m = 0.0, length_rear_m = 0.0, width_m = 0.0;
+  types::ModelSize size;
   std::array<types::Se2, kSonars> T_base_sonar;
 };
 
