@@ -8,6 +8,7 @@
 
 #include "core/pipeline/mapping_step.hpp"
 #include "core/pipeline/planning_step.hpp"
+#include "core/team/exchange.hpp"
 #include "tests/bench/topobench/explore/readings.hpp"
 
 namespace topo::bench {
@@ -22,17 +23,8 @@ class MapSource {
   [[nodiscard]] virtual const pipeline::TrackedPose& tracked() const = 0;
 };
 
-/// A keyframe, and where its origin's mapper has it.
-struct PosedKeyframe {
-  slam::KeyframePtr keyframe;
-  types::Se2 T_map_base;
-};
-
-/// What a robot has seen and found, or heard of others.
-struct TeamNews {
-  std::vector<PosedKeyframe> keyframes;
-  std::vector<slam::FoundRelation> relations;
-};
+using team::PosedKeyframe;
+using TeamNews = team::News;
 
 /// One that makes its map of a team's keyframes.
 class SharedMapSource : public MapSource {

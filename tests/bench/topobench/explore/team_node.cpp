@@ -12,22 +12,6 @@ namespace {
 
 /// Without a message from a robot it is taken to stand at its start so long.
 constexpr types::Duration kAtStart = std::chrono::seconds(30);
-constexpr std::size_t kKeyframesInLetter = 20;
-constexpr std::size_t kRelationsInLetter = 60;  // some keyframes have two or three
-
-/// What was said in one map's frame, in another's.
-team::StatusMessage in_frame(const types::Se2& T_map_mates, team::StatusMessage message) {
-  const auto move = [&](types::Vector2& p) { p = T_map_mates * p; };
-  message.T_map_base = T_map_mates * message.T_map_base;
-  move(message.start);
-  if (message.home) move(*message.home);
-  if (message.claim) move(message.claim->p_map);
-  for (team::Bid& bid : message.bids) move(bid.p_map);
-  for (types::Vector2& place : message.visited) move(place);
-  for (types::Vector2& opening : message.looked) move(opening);
-  for (types::Vector2& point : message.way_map) move(point);
-  return message;
-}
 
 }  // namespace
 
@@ -71,42 +55,21 @@ pipeline::TeamInput TeamNode::heard() {
 }
 
 void TeamNode::gather() {
-  const TeamNews own = source_.take_new();
-  for (const PosedKeyframe& keyframe : own.keyframes) set_.insert(keyframe.keyframe);
-  for (const slam::FoundRelation& found : own.relations) log_.insert(found);
+  exchange_.add_own(source_.take_new());
   if (!said_) return;
   said_->T_map_base = source_.T_map_base();
   said_->sequence = ++messages_;
 }
 
 Letter TeamNode::letter_to(std::uint16_t other) const {
-  Letter letter;
-  letter.message = said_;
-  letter.keyframe_counts = set_.counts();
-  letter.relation_counts = log_.counts();
-  const auto at = there_.find(other);
-  const Counts there = at != there_.end() ? at->second : Counts{};
-  for (const slam::KeyframePtr& keyframe : set_.missing(there.keyframes, kKeyframesInLetter)) {
-    const types::Se2* pose = source_.find_pose(keyframe->id);
-    letter.news.keyframes.push_back({keyframe, pose != nullptr ? *pose : types::Se2{}});
-  }
-  letter.news.relations = log_.missing(there.relations, kRelationsInLetter);
-  return letter;
+  return exchange_.letter_to(other, said_, [&](const slam::KeyframeId& id) { return source_.find_pose(id); });
 }
 
 void TeamNode::take(std::uint16_t from, const Letter& letter, types::Stamp now) {
-  there_[from] = {letter.keyframe_counts, letter.relation_counts};
-  TeamNews news;
-  for (const PosedKeyframe& theirs : letter.news.keyframes) {
-    if (set_.insert(theirs.keyframe)) news.keyframes.push_back(theirs);
-  }
-  for (const slam::FoundRelation& theirs : letter.news.relations) {
-    if (log_.insert(theirs)) news.relations.push_back(theirs);
-  }
-  if (!news.keyframes.empty() || !news.relations.empty()) source_.join(news);
+  if (const TeamNews news = exchange_.take(from, letter); !news.empty()) source_.join(news);
   const auto T_map_mates = source_.T_map_mates(from);
   if (!letter.message || !T_map_mates) return;
-  inbox_.push_back(in_frame(*T_map_mates, *letter.message));
+  inbox_.push_back(team::in_frame(*T_map_mates, *letter.message));
   mates_[from] = {inbox_.back().T_map_base.translation(), now};
 }
 

@@ -7,23 +7,16 @@
 #include <vector>
 
 #include "core/pipeline/planning_step.hpp"
-#include "core/slam/keyframe_set.hpp"
 #include "core/slam/params.hpp"
-#include "core/slam/relation_set.hpp"
+#include "core/team/exchange.hpp"
 #include "tests/bench/topobench/explore/map_source.hpp"
 
 namespace topo::bench {
 
-/// What one robot sends another in one exchange; all of it may come twice, late or never.
-struct Letter {
-  std::optional<team::StatusMessage> message;
-  std::vector<slam::OriginCount> keyframe_counts, relation_counts;  ///< what the sender has
-  TeamNews news;  ///< what the receiver lacks, as far as the sender knows
-};
+using team::Letter;
 
 /// A robot's end of the team's link: says what the planner says, keeps the others in keyframes and
-/// relations, and knows where they are. Keyframes and relations go until the receiver's counts say that they
-/// are there: what is lost is sent again, and one robot's reach a third by way of a second. Not thread-safe.
+/// relations (core/team/exchange.hpp), and knows where they are. Not thread-safe.
 class TeamNode {
  public:
   /// `source` is borrowed. `starts`: where the robots enter, in map; theirs is the id that is the index.
@@ -45,8 +38,8 @@ class TeamNode {
   [[nodiscard]] Letter letter_to(std::uint16_t other) const;
   void take(std::uint16_t from, const Letter& letter, types::Stamp now);
 
-  [[nodiscard]] const slam::KeyframeSet& keyframes() const { return set_; }
-  [[nodiscard]] const slam::RelationLog& relations() const { return log_; }
+  [[nodiscard]] const slam::KeyframeSet& keyframes() const { return exchange_.keyframes(); }
+  [[nodiscard]] const slam::RelationLog& relations() const { return exchange_.relations(); }
 
  private:
   struct Place {
@@ -59,12 +52,7 @@ class TeamNode {
   SharedMapSource& source_;
   types::Se2 T_base_front_, T_base_coronal_;
   std::vector<types::Se2> starts_;
-  slam::KeyframeSet set_;
-  slam::RelationLog log_;
-  struct Counts {
-    std::vector<slam::OriginCount> keyframes, relations;
-  };
-  std::map<std::uint16_t, Counts> there_;  ///< by robot, as last heard
+  team::Exchange exchange_;
   std::map<std::uint16_t, Place> mates_;
   types::Transform2<types::Odom, types::Base> T_odom_base_;  ///< newest
   std::optional<team::StatusMessage> said_;
