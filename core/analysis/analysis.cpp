@@ -10,6 +10,7 @@
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
 #include "core/places/segmentation/furniture.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "core/places/skeleton/erosion.hpp"
 
 namespace topo::analysis {

@@ -10,6 +10,7 @@
 
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/openings.hpp"
+#include "core/places/skeleton/skeleton.hpp"
 
 namespace topo::goals {
 

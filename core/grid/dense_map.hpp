@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "core/grid/occupancy_grid.hpp"
+#include "core/grid/cell.hpp"
+#include "core/types/geometry.hpp"
 
 namespace topo::grid {
+
+class OccupancyGrid;
 
 /// Rounds towards minus infinity. std::floor is a function call on targets that may lack an instruction for
 /// it.

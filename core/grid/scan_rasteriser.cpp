@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "core/grid/scan_rasteriser.hpp"
+#include "core/grid/occupancy_grid.hpp"
 
 #include <array>
 #include <cstdlib>

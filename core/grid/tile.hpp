@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/grid/cell.hpp"
 #include "core/patricia/cow.hpp"
 
 namespace topo::grid {
-
-enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
 /// Evidence of one cell: the number of keyframes with a ray that ends in it, and of keyframes with rays that
 /// only pass through it. Integers, so that the sum does not depend on the order of keyframes, and a keyframe

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/map_builder.hpp"

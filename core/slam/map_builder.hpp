@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "core/grid/scan_rasteriser.hpp"
 #include "core/slam/keyframe.hpp"
 #include "core/slam/params.hpp"

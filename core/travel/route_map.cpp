@@ -7,6 +7,7 @@
 
 #include "core/grid/free_runs.hpp"
 #include "core/grid/nearest_reachable.hpp"
+#include "core/grid/occupancy_grid.hpp"
 #include "core/travel/path.hpp"
 
 namespace topo::travel {

@@ -9,6 +9,7 @@
 
 #include "core/grid/cell_block.hpp"
 #include "core/grid/known_span.hpp"
+#include "core/grid/occupancy_grid.hpp"
 #include "core/types/beam_directions.hpp"
 
 namespace topo::travel {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "daemon/mapfile/map_image.hpp"
 
 namespace topo::daemon {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/places/segmentation/place_map.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 
 #include <algorithm>
 #include <cassert>

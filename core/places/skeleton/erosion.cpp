@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/grid/box_array.hpp"
+#include "core/grid/occupancy_grid.hpp"
 #include "core/places/skeleton/cells_beside.hpp"
 #include "core/places/skeleton/first_states.hpp"
 #include "core/places/skeleton/settling.hpp"

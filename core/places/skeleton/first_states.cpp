@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/grid/cell_block.hpp"
+#include "core/grid/occupancy_grid.hpp"
 #include "core/places/skeleton/sparse_scan.hpp"
 
 namespace topo::places {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "core/places/skeleton/erosion.hpp"
 
 namespace topo::places {

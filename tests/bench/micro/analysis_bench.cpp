@@ -26,6 +26,7 @@
 #include "core/grid/wavefront.hpp"
 #include "core/places/segmentation/furniture.hpp"
 #include "core/places/segmentation/place_map.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "core/places/skeleton/skeleton.hpp"
 #include "core/walls/wall_extraction.hpp"
 #include "tests/bench/micro/drawn_building.hpp"

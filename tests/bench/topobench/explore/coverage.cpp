@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/explore/coverage.hpp"
+#include "core/grid/occupancy_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "core/pipeline/odometry_buffer.hpp"
 #include "core/slam/map_builder.hpp"
 #include "core/walls/column_collector.hpp"

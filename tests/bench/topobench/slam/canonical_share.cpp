@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "core/slam/canonical_map.hpp"
 
 namespace topo::bench {

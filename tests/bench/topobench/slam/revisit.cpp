@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "tests/bench/topobench/slam/beam_fan.hpp"
 #include "tests/bench/topobench/slam/visits.hpp"
 

@@ -12,6 +12,7 @@
 #include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
 #include "core/goals/steering.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
 namespace topo::goals {

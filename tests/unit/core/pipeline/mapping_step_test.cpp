@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "core/slam/map_builder.hpp"
 #include "tests/mocks/flat_world.hpp"
 

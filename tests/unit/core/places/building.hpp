@@ -11,6 +11,7 @@
 #include "core/compass/occupied_points.hpp"
 #include "core/places/segmentation/box_counts.hpp"
 #include "core/places/segmentation/furniture.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "core/walls/wall_extraction.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 

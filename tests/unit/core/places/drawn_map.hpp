@@ -8,6 +8,7 @@
 #include "core/grid/dense_map.hpp"
 #include "core/grid/distance.hpp"
 #include "core/places/segmentation/place_map.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "core/places/skeleton/skeleton.hpp"
 
 namespace topo::places {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "tests/unit/core/grid/maps.hpp"
 #include "tests/unit/core/travel/drawn_map.hpp"
 

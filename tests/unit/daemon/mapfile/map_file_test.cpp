@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "core/grid/occupancy_grid.hpp"
 #include "daemon/mapfile/map_image.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/grid/wavefront.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "daemon/mapfile/outlines.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/places_geojson.hpp"

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/places/segmentation/box_counts.hpp"
+#include "core/places/segmentation/segment_places.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
 namespace topo::places {

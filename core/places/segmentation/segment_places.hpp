@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/grid/dense_map.hpp"
+#include "core/places/segmentation/box_counts.hpp"
+#include "core/places/segmentation/first_labels.hpp"
+#include "core/places/segmentation/place_map.hpp"
+#include "core/places/segmentation/regions.hpp"
+#include "core/places/skeleton/skeleton.hpp"
+
+namespace topo::places {
+
+/// The second half of the segmentation: merging of neighbours to a fixed point under the two conditions of
+/// paper section II-C: the union's box in the compass frame is mostly free, and no wall is crossed.
+/// Independent of the order of nodes. Without a compass the map's own axes.
+PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
+                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
+                       const PlaceParams& params = {});
+
+/// What one reduction leaves to the next. Empty: of no map.
+struct ReductionMemory {
+  RegionMemory regions;
+  std::optional<BoxCounts> counts;
+};
+
+/// The same, equal to the bit, from what the reduction of another map left, and leaves it of this one. If the
+/// first labels have a change, it is from those that the memory is of; `occupied`: how this map differs from
+/// that one, if the box is the same.
+PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
+                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
+                       const PlaceParams& params, const grid::OccupiedChange& occupied,
+                       ReductionMemory& memory);
+
+/// Both: the first labels, then the reduction.
+PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
+                        const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
+                        const PlaceParams& params = {});
+
+}  // namespace topo::places
