@@ -28,11 +28,11 @@ struct AnalysisParams {
 struct Analysis {
   std::uint64_t revision = 0;
   grid::DenseMap map;
-  /// Of a coarse map, whose distances are not those between its own cells (clear_map.hpp); else empty.
+  /// Of a coarse map, whose distances are not those between its own cells (coarse_map.hpp); else empty.
   std::vector<float> coarse_m;
   compass::Compass compass;
   std::vector<types::Segment> walls;
-  places::Skeleton skeleton;  ///< of the map without furniture (core/places/furniture.hpp)
+  places::Skeleton skeleton;  ///< of the map without furniture (core/places/segmentation/furniture.hpp)
   places::PlaceMap places;
   goals::GoalSet goals;
 };
@@ -48,7 +48,7 @@ using StageWatch = std::function<void(Stage)>;
 /// What is analysed: whoever analyses it needs no snapshot.
 struct AnalysisInput {
   std::uint64_t revision = 0;
-  grid::DenseMap map;                                ///< made of a snapshot (prepared_map.hpp)
+  grid::DenseMap map;                                ///< made of a snapshot (travel_map.hpp)
   std::span<const float> clearance_m;                ///< of the map, or of a finer one; borrowed for the call
   std::vector<types::Vector2> wall_points;           ///< of the wall store; none without a coronal scanner
   std::vector<std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map

@@ -19,7 +19,7 @@ Overloaded(F...) -> Overloaded<F...>;
 /// The same alternative in a variant that has more of them.
 template <class Wider, class Narrower>
 Wider widened(Narrower narrower) {
-  return std::visit([](auto&& alternative) -> Wider { return std::move(alternative); }, std::move(narrower));
+  return std::visit([](auto alternative) -> Wider { return alternative; }, std::move(narrower));
 }
 
 Phase ordered(Order order) {
@@ -57,24 +57,24 @@ Phase arrived(const Phase& phase) {
 
 Phase paused(Phase phase) {
   return std::visit(
-      [](auto&& here) -> Phase {
+      [](auto here) -> Phase {
         using Here = std::decay_t<decltype(here)>;
         if constexpr (std::is_constructible_v<Active, Here>)
           return Paused{Active(std::move(here))};
         else
-          return std::move(here);
+          return here;
       },
       std::move(phase));
 }
 
 Phase stands_aside(Phase phase, const Passage& passage) {
   return std::visit(
-      [&](auto&& here) -> Phase {
+      [&](auto here) -> Phase {
         using Here = std::decay_t<decltype(here)>;
         if constexpr (std::is_constructible_v<Task, Here>)
           return MakingWay{passage, Task(std::move(here))};
         else
-          return std::move(here);
+          return here;
       },
       std::move(phase));
 }
@@ -91,7 +91,7 @@ Phase next(Phase phase, const Event& event) {
             return here != nullptr ? widened<Phase>(std::move(here->before)) : std::move(phase);
           },
           [&](const event::BatteryLow&) {
-            return std::visit([](auto&& here) -> Phase { return on_low_battery(std::move(here)); },
+            return std::visit([](auto here) -> Phase { return on_low_battery(std::move(here)); },
                               std::move(phase));
           },
           [&](const event::GoalsExhausted&) {

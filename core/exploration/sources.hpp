@@ -38,7 +38,7 @@ Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<c
 std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, const travel::RouteMap& map,
                                         const goals::GoalParams& essential, const TourParams& params);
 
-/// All frontiers, as the goals of a frontier strategy (frontier_source.cpp). Searches the map only as far as
+/// All frontiers, as the goals of a frontier strategy (gap_source.cpp). Searches the map only as far as
 /// the cheapest goal is certain. `clusters`: how many frontiers there are.
 Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,
                               travel::RouteMap& map, const DeferredGoals& deferred,

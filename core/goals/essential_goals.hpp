@@ -37,7 +37,7 @@ struct GoalInput {
 /// The handful of paper section II-E: candidates on the sides of every place's box, then the stack of
 /// filters, each a function of its own: inner borders and the pose history (filters.hpp), the opening check
 /// (opening_check.hpp), and of what is left few places to stand that serve what is worth it
-/// (opening_chance.hpp, standing_places.hpp, goal_cover.hpp). The candidate of a side stands not at its
+/// (opening_chance.hpp, standing_places.hpp, greedy_cover.hpp). The candidate of a side stands not at its
 /// midpoint but at the openings there (openings.hpp); a side without any has one at its midpoint, which is
 /// rejected. Goals in the order of places and sides. Does not depend on the order of the paths.
 ///

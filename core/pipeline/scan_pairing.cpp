@@ -39,7 +39,7 @@ std::optional<PairedScan> ScanPairing::next(std::deque<types::Scan>& waiting, bo
     const types::Stamp end = end_of(waiting.front());
     const bool ready = flush || odometry_.covers(end) || newest_ - end >= types::from_seconds(wait_s_);
     if (!ready) return std::nullopt;
-    const types::Scan scan = std::move(waiting.front());
+    const types::Scan scan = waiting.front();
     waiting.pop_front();
     const auto first = odometry_.at(scan.first_beam), last = odometry_.at(end);
     if (first && last) return PairedScan{scan, *first, *last};

@@ -32,10 +32,10 @@ using Chooser = std::function<std::size_t(std::span<const std::size_t> share)>;
 /// mates that count; nothing: it waits. Every robot decides for itself; by the same messages all decide the
 /// same: what anybody bids for is shared out, whether this robot can get there or not. A robot that does not
 /// bid for a goal does not want it. A goal that a mate claims, and whose claim beats the robot's
-/// (message.hpp), is left to it; a claim keeps the cost that it was made at, so that both sides compare the
-/// same numbers, however late the messages come. So is one that a mate comes past on from its own goal no
-/// later than this robot would be there (paper figure 8: one goes along a corridor, the other waits). The
-/// order of bids and of mates does not matter. Costs robots times goals times bids.
+/// (status_message.hpp), is left to it; a claim keeps the cost that it was made at, so that both sides
+/// compare the same numbers, however late the messages come. So is one that a mate comes past on from its own
+/// goal no later than this robot would be there (paper figure 8: one goes along a corridor, the other waits).
+/// The order of bids and of mates does not matter. Costs robots times goals times bids.
 std::optional<std::size_t> coordinate(Rule rule, const StatusMessage& self,
                                       std::span<const StatusMessage* const> mates,
                                       const PointsInSight& in_sight, const Chooser& choose = {});

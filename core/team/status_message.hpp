@@ -42,7 +42,7 @@ struct StatusMessage {
   std::vector<Bid> bids;  ///< every goal that it could go to
   /// Goals that it has been at, and from where no more could be seen: no reason for anybody to go there.
   std::vector<types::Vector2> visited;
-  /// Openings that it has looked into in its last sweep (pipeline/last_looks.hpp): nobody needs to again.
+  /// Openings that it has looked into in its last sweep (exploration/final_sweep.hpp): nobody needs to again.
   std::vector<types::Vector2> looked;
   std::vector<types::Vector2> way_map;  ///< the next metres of its route, from the robot on; empty: it stands
 };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a connection does with commands and status; session_connect_test.cpp has how it comes about and ends.
+// What a connection does with commands and status; connection_connect_test.cpp has how it comes about and
+// ends.
 #include "tests/unit/drivers/pioneer/connection_fixture.hpp"
 
 #include <gmock/gmock.h>
