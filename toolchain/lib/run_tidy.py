@@ -8,6 +8,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import sys
@@ -15,6 +16,13 @@ import time
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("core", "drivers", "daemon")
+
+
+# What clang-tidy reads in comments: what it shall not say, and names of arguments.
+MARKS = re.compile(rb"NOLINT\w*(?:\([^)\n]*\))?|/\*[^\n]*?\*/")
+# Where a line stands is no part of the verdict: a comment above it may have grown.
+LINE_NUMBER = re.compile(rb"^# \d+ ", re.M)
+EMPTY_LINES = re.compile(rb"\n\s*\n")
 
 
 def key_of(entry, version):
@@ -26,12 +34,17 @@ def key_of(entry, version):
         at = command.index("-o")
         del command[at : at + 2]
     command = [word for word in command if word != "-c"]
-    done = subprocess.run([*command, "-E", "-C", "-dD", "-dI"], cwd=entry["directory"], capture_output=True, check=False)
-    if done.returncode != 0:
-        return None
+    texts = []
+    for more in (["-dD", "-dI"], ["-C"]):
+        done = subprocess.run([*command, "-E", *more], cwd=entry["directory"], capture_output=True, check=False)
+        if done.returncode != 0:
+            return None
+        texts.append(done.stdout)
+    code = EMPTY_LINES.sub(b"\n", LINE_NUMBER.sub(b"# ", texts[0]))
+    marks = b"\n".join(MARKS.findall(texts[1]))
     # Where the tree stands is no part of the verdict: a fresh clone has the same keys.
     here = str(TOP).encode()
-    parts = [version, rules, " ".join(command).encode(), done.stdout]
+    parts = [version, rules, " ".join(command).encode(), code, marks]
     return hashlib.sha256(b"\0".join(part.replace(here, b"TOP") for part in parts)).hexdigest()
 
 
