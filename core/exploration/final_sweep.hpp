@@ -39,7 +39,8 @@ struct LookedAt {
 /// looked into, once by one robot of the team, if all of them together promise enough.
 class FinalSweep {
  public:
-  explicit FinalSweep(const FinalSweepParams& params = {}) : params_(params) {}
+  FinalSweep() = default;
+  explicit FinalSweep(const FinalSweepParams& params) : params_(params) {}
 
   /// Another mission.
   void begin(types::Stamp now);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "core/grid/dense_map.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <algorithm>
 #include <span>
+
+#include "core/grid/occupancy_grid.hpp"
 
 namespace topo::grid {
 namespace {

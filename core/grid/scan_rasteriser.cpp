@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "core/grid/scan_rasteriser.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <array>
 #include <cstdlib>
 #include <cstring>
+
+#include "core/grid/occupancy_grid.hpp"
 
 namespace topo::grid {
 namespace {

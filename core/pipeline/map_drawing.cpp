@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/map_drawing.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <limits>
 #include <utility>
+
+#include "core/grid/occupancy_grid.hpp"
 
 namespace topo::pipeline {
 namespace {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "core/slam/map_builder.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <cmath>
 #include <utility>
+
+#include "core/grid/occupancy_grid.hpp"
 
 namespace topo::slam {
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/explore/coverage.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "core/grid/occupancy_grid.hpp"
 
 namespace topo::bench {
 namespace {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "core/grid/scan_rasteriser.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+
+#include "core/grid/occupancy_grid.hpp"
 
 #include <map>
 #include <numeric>

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/core/pipeline/toy_building.hpp"
-#include "core/grid/occupancy_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <queue>
 #include <set>
+
+#include "core/grid/occupancy_grid.hpp"
 
 namespace topo::pipeline {
 

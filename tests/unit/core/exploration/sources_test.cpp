@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/exploration/sources.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/exploration/choice.hpp"
+#include "core/pipeline/newest_keyframe.hpp"
+#include "tests/unit/core/pipeline/toy_building.hpp"
+
+namespace topo::exploration {
+namespace {
+
+/// A corridor with a room at either end, of which a robot in the middle has seen a part.
+std::vector<std::string> corridor_and_rooms() {
+  std::vector<std::string> rows(28, std::string(80, '#'));
+  for (std::size_t y = 2; y < 26; ++y) {
+    rows[y].replace(2, 20, 20, ' ');
+    rows[y].replace(58, 20, 20, ' ');
+  }
+  for (std::size_t y = 11; y < 16; ++y) rows[y].replace(22, 36, 36, ' ');
+  rows[13][40] = 'S';
+  return rows;
+}
+
+/// One decision's situation after the first look around.
+class Sources : public ::testing::Test {
+ protected:
+  Sources() : building_(corridor_and_rooms(), 6.0), map_({}, {}) {
+    pipeline::PlanningState state(planner_);
+    analysis_ = building_.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}, 0.0).report->analysis;
+    const pipeline::MapSnapshot& snapshot = building_.snapshot();
+    const travel::DrivenWays ways{snapshot.keyframes, snapshot.mates};
+    map_.take(snapshot.revision + 1, snapshot.grid, ways);
+    map_.begin(snapshot.keyframes.back(), ways, {});
+    map_.settle(HUGE_VAL);
+    paths_ = pipeline::driven_paths(snapshot);
+  }
+
+  [[nodiscard]] Situation situation() const {
+    return {.now = building_.now(),
+            .T_map_base = {building_.robot().x(), building_.robot().y(), 0.0},
+            .start = building_.robot(),
+            .mission = {1, Order::kExplore, false, {0.0, 0.0}},
+            .battery_low = false,
+            .feedback = {},
+            .analysis = *analysis_,
+            .essential = planner_.analysis.goals,
+            .paths = paths_,
+            .route = {},
+            .team = {5, roster_, {}}};
+  }
+  [[nodiscard]] std::vector<goals::Frontier> frontiers() const {
+    return goals::find_frontiers(map_.map(), params_.frontier_min_m);
+  }
+  void hear(const team::StatusMessage& message) { roster_.take(message, building_.now()); }
+
+  pipeline::PlannerParams planner_;
+  ExplorationParams params_;
+  pipeline::ToyBuilding building_;
+  travel::RouteMap map_;
+  GoalWays ways_;
+  team::Roster roster_;
+  DeferredGoals deferred_;
+  std::shared_ptr<const analysis::Analysis> analysis_;
+  std::vector<std::vector<types::Vector2>> paths_;
+};
+
+TEST_F(Sources, EssentialGoalsLieAtEitherEnd) {
+  const Reachable found = essential_candidates(situation(), map_, deferred_, params_, false);
+  ASSERT_GE(found.candidates.size(), 2U);
+  for (const Candidate& c : found.candidates) EXPECT_EQ(c.id.source, Source::kEssential);
+  const auto [west, east] =
+      std::ranges::minmax(found.candidates, {}, [](const Candidate& c) { return c.goal.p_map.x(); });
+  EXPECT_LT(west.goal.p_map.x(), building_.robot().x());
+  EXPECT_GT(east.goal.p_map.x(), building_.robot().x());
+}
+
+TEST_F(Sources, ADeferredGoalIsNoCandidate) {
+  const Reachable all = essential_candidates(situation(), map_, deferred_, params_, false);
+  const types::Vector2 first = all.candidates.front().goal.p_map;
+  deferred_.give_up(first, building_.now() + std::chrono::seconds(60), "stuck");
+  const Reachable left = essential_candidates(situation(), map_, deferred_, params_, false);
+  EXPECT_LT(left.candidates.size(), all.candidates.size());
+  for (const Candidate& c : left.candidates) EXPECT_GT((c.goal.p_map - first).norm(), DeferredGoals::kSame_m);
+}
+
+TEST_F(Sources, AGoalThatATeamMateVisitedIsNoCandidate) {
+  const Reachable all = essential_candidates(situation(), map_, deferred_, params_, false);
+  team::StatusMessage mate;
+  mate.robot = 7;
+  mate.T_map_base = {500.0, 0.0, 0.0};
+  mate.visited = {all.candidates.front().goal.p_map};
+  hear(mate);
+  EXPECT_LT(essential_candidates(situation(), map_, deferred_, params_, false).candidates.size(),
+            all.candidates.size());
+  ExplorationParams alone = params_;
+  alone.strategy = Strategy::kNearestFrontier;
+  EXPECT_EQ(essential_candidates(situation(), map_, deferred_, alone, false).candidates.size(),
+            all.candidates.size())
+      << "without coordination robots share the map alone";
+}
+
+TEST_F(Sources, GapsBesideAnEssentialGoalAreThatGoal) {
+  const Reachable essential = essential_candidates(situation(), map_, deferred_, params_, false);
+  const std::vector<goals::Frontier> all = frontiers();
+  const Reachable gaps = gap_candidates(all, {}, situation(), map_, deferred_, params_);
+  ASSERT_FALSE(gaps.candidates.empty());
+  for (const Candidate& c : gaps.candidates) EXPECT_EQ(c.id.source, Source::kGap);
+  EXPECT_LT(
+      gap_candidates(all, essential.candidates, situation(), map_, deferred_, params_).candidates.size(),
+      gaps.candidates.size());
+}
+
+TEST_F(Sources, EveryFrontierIsACandidateOfAFrontierStrategy) {
+  const Reachable found = frontier_candidates(frontiers(), situation(), map_, deferred_, params_);
+  EXPECT_EQ(found.candidates.size(), frontiers().size());
+  for (const Candidate& c : found.candidates) EXPECT_EQ(c.id.source, Source::kFrontier);
+}
+
+TEST_F(Sources, OverlookedFrontiersLeadOntoARoom) {
+  TourParams much;
+  much.overlooked_m2 = 1e6;
+  EXPECT_TRUE(overlooked(frontiers(), map_, planner_.analysis.goals, much).empty());
+  TourParams little;
+  little.overlooked_m2 = 0.01;
+  EXPECT_FALSE(overlooked(frontiers(), map_, planner_.analysis.goals, little).empty());
+}
+
+TEST_F(Sources, TheFinalSweepWaitsForOtherGoals) {
+  params_.final_sweep.promise_min = 0.0;
+  SweepState state{FinalSweep(params_.final_sweep), false};
+  state.sweep.begin(building_.now());
+  const Reachable others = essential_candidates(situation(), map_, deferred_, params_, false);
+  EXPECT_TRUE(swept(state, others.candidates, false, situation(), map_, params_).sweep.empty());
+  EXPECT_TRUE(swept(state, {}, true, situation(), map_, params_).sweep.empty()) << "a route may open";
+  const SweepState begun = swept(state, {}, false, situation(), map_, params_);
+  ASSERT_FALSE(begun.sweep.empty());
+  const Reachable viewpoints = viewpoint_candidates(begun.sweep, situation(), map_);
+  for (const Candidate& c : viewpoints.candidates) {
+    EXPECT_EQ(c.id.source, Source::kViewpoint);
+    EXPECT_TRUE(begun.sweep.has(c.id.number));
+  }
+}
+
+TEST_F(Sources, OnlyACompleteExplorationOfThePapersStrategySweeps) {
+  EXPECT_TRUE(has_final_sweep(params_));
+  ExplorationParams essential = params_;
+  essential.finish = Finish::kEssential;
+  EXPECT_FALSE(has_final_sweep(essential));
+  ExplorationParams frontier = params_;
+  frontier.strategy = Strategy::kMinPos;
+  EXPECT_FALSE(has_final_sweep(frontier));
+}
+
+TEST_F(Sources, AnEssentialExplorationLeavesGapsForLater) {
+  ExplorationParams essential = params_;
+  essential.finish = Finish::kEssential;
+  const Proposal proposal = propose(situation(), {map_, ways_}, essential, false, deferred_, SweepState{});
+  EXPECT_FALSE(proposal.only_gaps);
+  for (const Candidate& c : proposal.candidates) EXPECT_EQ(c.id.source, Source::kEssential);
+  EXPECT_EQ(proposal.clusters, static_cast<int>(frontiers().size()));
+}
+
+TEST_F(Sources, ARobotAloneChoosesWhatATeamOfOneWould) {
+  const Proposal proposal = propose(situation(), {map_, ways_}, params_, false, deferred_, SweepState{});
+  const Choice choice = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
+  ASSERT_NE(choice.best, nullptr);
+  EXPECT_TRUE(choice.bids.empty()) << "nothing to bid for";
+}
+
+TEST_F(Sources, AGoalThatACheaperClaimTakesIsLeft) {
+  const Proposal proposal = propose(situation(), {map_, ways_}, params_, false, deferred_, SweepState{});
+  const Choice alone = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
+  team::StatusMessage mate;
+  mate.robot = 1;
+  mate.duty = team::Duty::kAble;
+  mate.T_map_base = {500.0, 0.0, 0.0};
+  mate.claim = team::Bid{place_for_team(alone.best->goal), 0.1};
+  mate.bids = {*mate.claim};
+  hear(mate);
+  const Choice shared = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
+  EXPECT_EQ(shared.bids.size(), proposal.candidates.size());
+  if (shared.best != nullptr) {
+    EXPECT_FALSE(team::is_same_goal(place_for_team(shared.best->goal), mate.claim->p_map));
+  }
+}
+
+}  // namespace
+}  // namespace topo::exploration
