@@ -117,7 +117,9 @@ build() {
 build_alone() { # PRESET LOG [TARGET...]
   local preset=$1 log=$2
   shift 2
-  if ! { cmake --preset "$preset" && cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}; } \
+  # Where the tree stands is no part of a compilation: a fresh clone finds what another one compiled.
+  if ! { cmake --preset "$preset" &&
+    CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 cmake --build "build/$preset" --parallel "$jobs" ${1:+--target "$@"}; } \
     >"$log" 2>&1; then
     grep -nE 'error|warning|FAILED|Error' "$log" | head -n 60
     echo "   ... the end of $log:"
