@@ -14,6 +14,7 @@
 #include "core/grid/bucket_queue.hpp"
 #include "core/grid/free_runs.hpp"
 #include "core/grid/joined_runs.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::grid {
 namespace {
@@ -386,6 +387,7 @@ std::vector<CellIndex> route_to(const DenseMap& map, const TravelField& field, C
   if (!map.contains(goal) || std::isinf(field.cost_m[map.index(goal)])) return route;
   route.push_back(goal);
   for (std::uint8_t step = 0; (step = field.step[map.index(route.back())]) != kNoStep;) {
+    types::require(step < kNeighbours.size(), "grid::route_to: a step that is no neighbour");
     const CellIndex here = route.back();
     route.push_back({here.x + kNeighbours[step].x, here.y + kNeighbours[step].y});
   }

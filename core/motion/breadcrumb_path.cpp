@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/types/invariant.hpp"
+
 namespace topo::motion {
 namespace {
 
@@ -70,6 +72,7 @@ double BreadcrumbPath::behind_m() const {
 }
 
 Vector2 BreadcrumbPath::point_base(double away_m) const {
+  types::require(size_ > 0, "motion::BreadcrumbPath: no point to aim at");
   std::size_t i = size_ - 1;
   while (i > 0 && (points_[i] - pose_.translation()).norm() < away_m) --i;
   return pose_.inverse() * points_[i];

@@ -8,10 +8,10 @@
 #include <new>
 #include <utility>
 
-#include "core/patricia/check.hpp"
 #include "core/patricia/node.hpp"
 #include "core/patricia/path.hpp"
 #include "core/patricia/pool.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::patricia {
 
@@ -36,7 +36,9 @@ class Arena {
   Arena() = default;
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
-  ~Arena() { check(branches_.live() == 0 && leaves_.live() == 0, "an arena was destroyed before its maps"); }
+  ~Arena() {
+    types::require(branches_.live() == 0 && leaves_.live() == 0, "an arena was destroyed before its maps");
+  }
 
   /// Makes the calling thread the owner. Only while no other thread uses the arena, and after a hand-over
   /// that orders the two threads: starting or joining a thread, or a release/acquire pair. (The thread that
@@ -44,7 +46,8 @@ class Arena {
   void adopt() { owner_ = &detail::thread_mark; }
 
   void check_owner() const {
-    check(owner_ == &detail::thread_mark, "a thread that is not the arena's owner builds or frees nodes");
+    types::require(owner_ == &detail::thread_mark,
+                   "a thread that is not the arena's owner builds or frees nodes");
   }
 
   /// Owner thread.

@@ -8,12 +8,12 @@
 
 #include "core/patricia/arena.hpp"
 #include "core/patricia/cell_key.hpp"
-#include "core/patricia/check.hpp"
 #include "core/patricia/difference.hpp"
 #include "core/patricia/fold.hpp"
 #include "core/patricia/merge.hpp"
 #include "core/patricia/node.hpp"
 #include "core/patricia/path.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::patricia {
 
@@ -176,7 +176,7 @@ class Map {
                                  SharedSubtrees shared = SharedSubtrees::kCombine) {
     if (!b.root_) return a;
     if (!a.root_) return b;
-    check(a.arena_ == b.arena_, "maps of two arenas cannot be merged");
+    types::require(a.arena_ == b.arena_, "maps of two arenas cannot be merged");
     a.arena_->check_owner();
     a.arena_->finger().forget();
     Map result(*a.arena_);
@@ -200,7 +200,7 @@ class Map {
 
  private:
   Arena<V>& writable() const {
-    check(arena_ != nullptr, "a map without an arena was changed");
+    types::require(arena_ != nullptr, "a map without an arena was changed");
     return *arena_;
   }
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-#include "core/patricia/check.hpp"
 #include "core/patricia/node.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::patricia {
 
@@ -106,7 +106,7 @@ class Path {
       if (branch->references != 1U && first_shared_ > depth_) first_shared_ = depth_;
       if (!belongs_below(key_, branch->split)) break;
       const unsigned side = side_of(key_, branch->split);
-      check(depth_ < steps_.size(), "a path has more branches than its key has bits");
+      types::require(depth_ < steps_.size(), "a path has more branches than its key has bits");
       steps_[depth_++] = {branch, side};
       node = branch->child[side];
     }

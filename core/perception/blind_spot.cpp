@@ -42,7 +42,9 @@ bool tells(const types::Scan& scan, const Vector2& p_laser) {
   if (!(std::abs(off_rad) < half_view_rad(scan))) return false;
   const double beam =
       off_rad / static_cast<double>(scan.geometry.angle_increment_rad) + 0.5 * (scan.beams - 1);
-  const float range_m = scan.range_m[static_cast<std::size_t>(std::lround(beam))];
+  const auto i = static_cast<std::size_t>(std::lround(beam));
+  if (i >= scan.checked_beams()) return false;
+  const float range_m = scan.range_m[i];
   return types::is_hit(range_m) || range_m == types::kNoReturn;
 }
 

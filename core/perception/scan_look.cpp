@@ -39,8 +39,7 @@ bool take_look(const types::Scan& scan, double omega_radps, ScanLook& out) {
   const double middle = 0.5 * (static_cast<double>(scan.beams) - 1.0);
   types::ScanGeometry turned = g;
   turned.angle_increment_rad += static_cast<float>(omega_radps * between_s);
-  types::require(scan.beams <= types::Scan::kMaxBeams, "perception::take_look: more beams than a scan holds");
-  out.beams = scan.beams;
+  out.beams = scan.checked_beams();
   out.step_rad = static_cast<double>(turned.angle_increment_rad);
   out.first_rad = static_cast<double>(g.angle_min_rad) - omega_radps * between_s * middle;
   out.range_max_m = static_cast<double>(g.range_max_m);

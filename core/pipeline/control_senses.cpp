@@ -8,6 +8,7 @@
 #include "core/motion/recovery.hpp"
 #include "core/perception/stop_zone.hpp"
 #include "core/perception/unseen_echoes.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -80,6 +81,7 @@ std::span<const perception::ScanPoint> ControlSenses::points(
   blind_spot_.update(*in.front, setup.T_base_laser, all.subspan(kSeen, seen), moving_now,
                      setup.limits.footprint, odometry);
   const std::size_t kept = blind_spot_.size();
+  types::require(kept <= kSeen, "pipeline::ControlSenses: more points kept than there is room for");
   blind_spot_.put_points(perception::pose_at(odometry, in.front->first_beam),
                          all.subspan(kSeen - kept, kept));
   return all.subspan(kSeen - kept, kept + seen);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/perception/stop_zone.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -63,7 +64,10 @@ ControlMode mode_of(RecoveryPhase phase) {
 }
 
 std::size_t points_of(const Plan& plan) { return std::min<std::size_t>(plan.points, Plan::kMaxPoints); }
-const types::Vector2& end_of(const Plan& plan) { return plan.path_odom[points_of(plan) - 1]; }
+const types::Vector2& end_of(const Plan& plan) {
+  types::require(plan.points > 0, "pipeline::PlanFollowing: a plan without points");
+  return plan.path_odom[points_of(plan) - 1];
+}
 
 /// The arrival as long as the plan still ends there.
 Arrival kept(Arrival arrival, const Plan& plan) {

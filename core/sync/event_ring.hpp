@@ -26,7 +26,9 @@ struct Event {  // NOLINT(cppcoreguidelines-pro-type-member-init): text is fille
   std::uint8_t text_length = 0;
   std::array<char, kMaxText> text;  ///< the first text_length are set
 
-  [[nodiscard]] std::string_view text_view() const { return {text.data(), text_length}; }
+  [[nodiscard]] std::string_view text_view() const {
+    return {text.data(), std::min<std::size_t>(text_length, kMaxText)};
+  }
   /// Cuts at kMaxText bytes, without splitting a UTF-8 character.
   void set_text(std::string_view t) noexcept {
     std::size_t length = std::min(t.size(), kMaxText);

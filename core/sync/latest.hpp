@@ -8,6 +8,7 @@
 
 #include "core/sync/cache_line.hpp"
 #include "core/sync/steps.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::sync {
 
@@ -34,7 +35,7 @@ class Latest {
       writer_.overwritten.store(writer_.overwritten.load(std::memory_order_relaxed) + 1,
                                 std::memory_order_relaxed);
     }
-    writer_.slot = previous & kSlotMask;
+    writer_.slot = slot_of(previous);
   }
 
   /// Writer. Copies a value in and publishes it.
@@ -49,7 +50,7 @@ class Latest {
     if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return nullptr;
     Steps::before_step();
     const std::uint8_t newest = middle_.exchange(reader_.slot, std::memory_order_acq_rel);
-    reader_.slot = newest & kSlotMask;
+    reader_.slot = slot_of(newest);
     reader_.has_value = true;
     return &slots_[reader_.slot].value;
   }
@@ -67,6 +68,14 @@ class Latest {
   }
 
  private:
+  /// Writer, reader and middle hold 0, 1 and 2 in some order (tests/models/latest.pml): 3 is nobody's.
+  static std::uint8_t slot_of(std::uint8_t middle) noexcept {
+    const std::uint8_t slot = middle & kSlotMask;
+    types::require(slot < kSlots, "sync::Latest: a slot that does not exist");
+    return slot;
+  }
+
+  static constexpr std::uint8_t kSlots = 3;
   static constexpr std::uint8_t kFresh = 4;
   static constexpr std::uint8_t kSlotMask = 3;
 
@@ -82,7 +91,7 @@ class Latest {
     bool has_value = false;
   };
 
-  std::array<Slot, 3> slots_;
+  std::array<Slot, kSlots> slots_;
   Writer writer_;
   Reader reader_;
   /// The slot that belongs to neither side, and whether it holds what the reader has not taken.

@@ -9,6 +9,7 @@
 
 #include "core/sync/cache_line.hpp"
 #include "core/sync/steps.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::sync {
 
@@ -58,8 +59,10 @@ class Ring {
 
   /// Producer. Hands the slot of the last successful try_acquire over to the consumer.
   void commit() noexcept {
+    const std::uint64_t head = producer_.head.load(std::memory_order_relaxed);
+    types::require(head - producer_.tail_seen < N, "sync::Ring: committed without a free slot");
     Steps::before_step();
-    producer_.head.store(producer_.head.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    producer_.head.store(head + 1, std::memory_order_release);
   }
 
   /// Producer. Copies a value in; false, and counted, when the ring is full.
@@ -84,8 +87,10 @@ class Ring {
 
   /// Consumer. Gives the slot of the last front() that was not null back to the producer.
   void pop() noexcept {
+    const std::uint64_t tail = consumer_.tail.load(std::memory_order_relaxed);
+    types::require(tail != consumer_.head_seen, "sync::Ring: popped without a value");
     Steps::before_step();
-    consumer_.tail.store(consumer_.tail.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    consumer_.tail.store(tail + 1, std::memory_order_release);
   }
 
   /// Consumer. Drops all but the newest value, which front() then gives. Returns and counts how many were

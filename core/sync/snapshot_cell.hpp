@@ -7,13 +7,12 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <utility>
 
 #include "core/sync/cache_line.hpp"
 #include "core/sync/steps.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::sync {
 
@@ -114,22 +113,22 @@ class SnapshotCell {
   /// On the thread that may destroy values, when all readers are gone.
   ~SnapshotCell() {
     for (const ReaderSlots& r : readers_)
-      require(!r.taken.load(), "snapshot cell destroyed before its readers");
+      types::require(!r.taken.load(), "snapshot cell destroyed before its readers");
     delete current_.load(std::memory_order_seq_cst);
     for (std::size_t i = 0; i < retired_count_; ++i) delete retired_[i];
   }
 
   /// Any thread. Takes reader number `index`; aborts when there is no such one or it is taken. Wait-free.
   [[nodiscard]] Reader reader(std::size_t index) {
-    require(index < kReaders, "snapshot cell has no such reader");
-    require(!readers_[index].taken.exchange(true, std::memory_order_acq_rel),
-            "snapshot cell reader taken twice");
+    types::require(index < kReaders, "snapshot cell has no such reader");
+    types::require(!readers_[index].taken.exchange(true, std::memory_order_acq_rel),
+                   "snapshot cell reader taken twice");
     return Reader(this, index);
   }
 
   /// Writer. Makes `value` (not null) the current one and destroys old ones that nobody pins.
   void publish(std::unique_ptr<const T> value) {
-    require(value != nullptr, "null published to a snapshot cell");
+    types::require(value != nullptr, "null published to a snapshot cell");
     Steps::before_step();
     const T* old = current_.exchange(value.release(), std::memory_order_seq_cst);
     if (old != nullptr) retire(old);
@@ -167,21 +166,13 @@ class SnapshotCell {
     std::atomic<bool> taken{false};
   };
 
-  static void require(bool holds, const char* what) {
-    if (holds) [[likely]] {
-      return;
-    }
-    std::fprintf(stderr, "topometric: core/sync: broken invariant: %s\n", what);
-    std::abort();
-  }
-
   Pin pin(std::size_t index) {
     // Only this reader writes its slots, so a slot that it sees empty stays empty.
     auto& hazards = readers_[index].hazards;
     const bool first_free = hazards[0].load(std::memory_order_relaxed) == nullptr;
     Hazard& hazard = first_free ? hazards[0] : hazards[1];
-    require(hazard.load(std::memory_order_relaxed) == nullptr,
-            "a reader of a snapshot cell holds three pins");
+    types::require(hazard.load(std::memory_order_relaxed) == nullptr,
+                   "a reader of a snapshot cell holds three pins");
     const T* seen = current_.load(std::memory_order_seq_cst);
     while (true) {
       Steps::before_step();
@@ -197,13 +188,14 @@ class SnapshotCell {
 
   void give_back(std::size_t index) {
     for (const Hazard& h : readers_[index].hazards) {
-      require(h.load(std::memory_order_relaxed) == nullptr, "a snapshot cell's reader went before its pins");
+      types::require(h.load(std::memory_order_relaxed) == nullptr,
+                     "a snapshot cell's reader went before its pins");
     }
     readers_[index].taken.store(false, std::memory_order_release);
   }
 
   void retire(const T* value) {
-    require(retired_count_ < retired_.size(), "a snapshot cell's list of retired values is full");
+    types::require(retired_count_ < retired_.size(), "a snapshot cell's list of retired values is full");
     retired_[retired_count_++] = value;
   }
 

@@ -17,7 +17,7 @@ template <class Ends>
 std::size_t mask(types::Scan& scan, const types::Se2& T_map_laser, std::span<const Vector2> mates,
                  double radius_m, Ends ends) {
   std::size_t masked = 0;
-  for (std::size_t i = 0; i < scan.beams && !mates.empty(); ++i) {
+  for (std::size_t i = 0; i < scan.checked_beams() && !mates.empty(); ++i) {
     if (!types::is_hit(scan.range_m[i])) continue;
     const Vector2 end =
         T_map_laser * ends(static_cast<double>(scan.range_m[i]), static_cast<double>(scan.angle_rad(i)));

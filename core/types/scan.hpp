@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "core/types/invariant.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::types {
@@ -47,7 +48,12 @@ struct Scan {  // NOLINT(cppcoreguidelines-pro-type-member-init)
   std::array<float, kMaxBeams> range_m;            ///< distance, or one of the values above
   std::array<std::uint16_t, kMaxBeams> intensity;  ///< valid when has_intensity
 
-  [[nodiscard]] std::span<const float> ranges() const { return {range_m.data(), beams}; }
+  [[nodiscard]] std::span<const float> ranges() const { return {range_m.data(), checked_beams()}; }
+  /// `beams`, which no loop over the arrays may exceed.
+  [[nodiscard]] std::size_t checked_beams() const {
+    require(beams <= kMaxBeams, "types::Scan: more beams than it holds");
+    return beams;
+  }
   [[nodiscard]] float angle_rad(std::size_t beam) const {
     return geometry.angle_min_rad + static_cast<float>(beam) * geometry.angle_increment_rad;
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/threads/base_worker.hpp"
 
+#include <algorithm>
+
 #include "daemon/logging/event_catalogue.hpp"
 #include "daemon/threads/device_report.hpp"
 #include "drivers/io/posix.hpp"
@@ -64,7 +66,7 @@ pipeline::ControlInput BaseWorker::gather() {
   input.state = ready && has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {
     input.firmware_watchdog = std::chrono::milliseconds(info->watchdog_ms);
-    input.T_base_sonar = {info->T_base_sonar.data(), info->sonars};
+    input.T_base_sonar = {info->T_base_sonar.data(), std::min(info->sonars, info->T_base_sonar.size())};
   }
   return input;
 }

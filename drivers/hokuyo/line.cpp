@@ -40,7 +40,7 @@ types::Result<ScipParser::Event> Line::poll(types::Stamp until) {
       if (!got) return tl::unexpected<types::Error>(std::move(got.error()));
       if (got->bytes == 0) return ScipParser::Event::kNone;
       begin_ = 0;
-      end_ = got->bytes;
+      end_ = std::min(got->bytes, buffer_.size());
       arrival_ = got->stamp;
       bytes_ += got->bytes;
       note_sample(std::span(buffer_).first(end_));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/types/invariant.hpp"
+
 namespace topo::hokuyo {
 namespace {
 
@@ -172,6 +174,7 @@ bool ScipParser::store_value() {
   const bool two_parts = has_intensity(scan_.echo.kind);
   if (!further_echo_) {
     if (scan_.points == expected_) return false;
+    types::require(scan_.points < scan_.range_mm.size(), "hokuyo::ScipParser: more values than a scan holds");
     (part_ == 0 ? scan_.range_mm : scan_.intensity)[scan_.points] = value_;
   }
   value_ = 0;

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/types/invariant.hpp"
 #include "core/types/scan.hpp"
 #include "drivers/hokuyo/scip_codec.hpp"
 
@@ -26,6 +27,7 @@ class Reply {
   [[nodiscard]] bool scip1() const { return status_size_ == 1; }
   [[nodiscard]] std::size_t lines() const { return lines_; }
   [[nodiscard]] std::string_view line(std::size_t i) const {
+    types::require(i < lines_, "hokuyo::Reply: no such line");
     return {text_.data() + begin_[i], begin_[i + 1] - begin_[i]};
   }
 

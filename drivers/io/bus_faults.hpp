@@ -24,7 +24,7 @@ enum class BusFault : std::uint8_t {
   kOverflow,
   kRestarted,
 };
-inline constexpr std::size_t kBusFaults = 11;
+inline constexpr std::size_t kBusFaults = static_cast<std::size_t>(BusFault::kRestarted) + 1;
 
 /// How often each happened.
 class BusFaults {

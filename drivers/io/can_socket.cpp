@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/types/invariant.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::io {
@@ -164,6 +165,7 @@ Result<CanEvent> CanSocket::take() {
 Status CanSocket::send_on(const UniqueFd& socket, std::uint16_t id, const CanData& data) const {
   can_frame frame{};
   frame.can_id = id;
+  types::require(data.size <= sizeof frame.data, "io::CanSocket: more bytes than a frame carries");
   frame.can_dlc = data.size;
   std::memcpy(frame.data, data.bytes.data(), data.size);
   const ssize_t sent = retry_interrupted([&] { return ::write(socket.get(), &frame, sizeof frame); });

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/types/invariant.hpp"
+
 namespace topo::io {
 namespace {
 
@@ -85,6 +87,8 @@ IsoTpReceiver::Taken IsoTpReceiver::take_first(std::span<const std::byte> frame,
 
 IsoTpReceiver::Taken IsoTpReceiver::take_consecutive(std::span<const std::byte> frame, Stamp now) {
   if (!busy_) return {{}, {}, IsoTpFault::kUnexpected};
+  types::require(have_ <= expected_ && expected_ <= pdu_.size(),
+                 "io::IsoTpReceiver: a PDU longer than announced");
   const std::size_t size = std::min(kConsecutiveBytes, expected_ - have_);
   busy_ = false;
   if (frame.size() < size + 1) return {{}, {}, IsoTpFault::kLength};
@@ -158,6 +162,7 @@ CanData IsoTpSender::first_frame() {
 
 CanData IsoTpSender::consecutive_frame() {
   CanData frame = padded_frame(kConsecutive << 4U | next_);
+  types::require(sent_ <= size_, "io::IsoTpSender: more sent than there is");
   const std::size_t size = std::min(kConsecutiveBytes, size_ - sent_);
   std::copy_n(pdu_.begin() + static_cast<std::ptrdiff_t>(sent_), size, frame.bytes.begin() + 1);
   sent_ += size;

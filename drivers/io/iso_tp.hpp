@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +21,9 @@ struct CanData {
   std::array<std::byte, 8> bytes{};
   std::uint8_t size = 0;  ///< 0..8
 
-  [[nodiscard]] std::span<const std::byte> view() const { return std::span(bytes).first(size); }
+  [[nodiscard]] std::span<const std::byte> view() const {
+    return std::span(bytes).first(std::min<std::size_t>(size, bytes.size()));
+  }
 };
 
 /// Why a transfer ended without its PDU, or a frame was not taken.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/io/tap.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace topo::io {
@@ -19,7 +20,8 @@ class TappedStream final : public ByteStream {
   Result<ReadResult> read(std::span<std::byte> buffer, Duration timeout) override {
     auto result = inner_->read(buffer, timeout);
     if (result && result->bytes > 0) {
-      tap_->on_bytes(Direction::kFromDevice, result->stamp, buffer.first(result->bytes));
+      tap_->on_bytes(Direction::kFromDevice, result->stamp,
+                     buffer.first(std::min(result->bytes, buffer.size())));
     }
     return result;
   }

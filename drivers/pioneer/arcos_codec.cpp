@@ -130,6 +130,7 @@ bool PacketParser::seek_packet() {
 }
 
 void PacketParser::drop(std::size_t bytes) {
+  types::require(bytes <= size_, "pioneer::PacketParser: more bytes dropped than are there");
   std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(bytes),
             bytes_.begin() + static_cast<std::ptrdiff_t>(size_), bytes_.begin());
   std::copy(stamps_.begin() + static_cast<std::ptrdiff_t>(bytes),

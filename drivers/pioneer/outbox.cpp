@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "core/types/invariant.hpp"
+
 namespace topo::pioneer {
 
 bool Outbox::push(const CommandPacket& packet) {
@@ -36,6 +38,7 @@ CommandPacket Outbox::pop() {
   if (std::exchange(estop_, false)) return encode(Command::kEStop);
   if (const auto v = std::exchange(v_mmps_, std::nullopt)) return encode(Command::kVel, *v);
   if (const auto omega = std::exchange(omega_degps_, std::nullopt)) return encode(Command::kRvel, *omega);
+  types::require(count_ > 0, "pioneer::Outbox: popped while empty");
   const CommandPacket packet = queue_[first_];
   first_ = (first_ + 1) % kCapacity;
   --count_;

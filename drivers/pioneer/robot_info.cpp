@@ -45,6 +45,7 @@ RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
   info.length_front_m = model.size.front_m;
   info.length_rear_m = model.size.rear_m;
   info.width_m = model.size.width_m;
+  static_assert(RobotModel::kSonars <= types::BaseState::kMaxSonars);
   std::copy(model.T_base_sonar.begin(), model.T_base_sonar.end(), info.T_base_sonar.begin());
   info.sonars = RobotModel::kSonars;
   info.sonar_range_max_m = kSonarRangeMax_m;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/pioneer/sip.hpp"
 
+#include <algorithm>
+
 #include "drivers/pioneer/arcos_codec.hpp"
 #include "drivers/pioneer/byte_reader.hpp"
 
@@ -92,7 +94,7 @@ void apply_status(const StatusPacket& packet, const RobotModel& model, types::St
   state.battery_v = battery_v(packet);
   state.state_of_charge = state_of_charge(packet);
   state.charging = is_charging(packet);
-  for (std::size_t i = 0; i < packet.echoes; ++i) {
+  for (std::size_t i = 0; i < std::min(packet.echoes, packet.echo.size()); ++i) {
     const SonarEcho& echo = packet.echo[i];
     if (echo.index >= types::BaseState::kMaxSonars) continue;
     const double range_m = echo.range_units * model.mm_per_sonar_unit * 1e-3;

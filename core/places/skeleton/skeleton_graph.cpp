@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "core/places/skeleton/fetch_ahead.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::places {
 
@@ -51,6 +52,7 @@ void GraphTracer::add_edge(std::uint32_t node, std::uint32_t from, std::size_t d
     // On an edge there are two neighbours, of which it came from one.
     const unsigned back = 1U << ((direction + 4) % 8);
     const unsigned ahead = thinning_->pattern_at(here, offsets_) & ~back;
+    types::require(ahead != 0, "places::GraphTracer: an edge that ends before a node");
     direction = static_cast<std::size_t>(std::countr_zero(ahead));
     here = neighbour(here, direction);
     edge.length_m += step_m(map_, direction);

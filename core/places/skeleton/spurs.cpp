@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/places/skeleton/fetch_ahead.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::places {
 
@@ -37,6 +38,7 @@ std::optional<Spurs::Branch> Spurs::follow(std::uint32_t end, const Thinning& th
   std::uint32_t here = end;
   unsigned ahead = thinning.pattern_at(end, offsets_);
   for (;;) {
+    types::require(ahead != 0, "places::Spurs: a branch that ends before a junction");
     const auto direction = static_cast<std::size_t>(std::countr_zero(ahead));
     here = neighbour(here, direction);
     branch.length_m += step_m(map_, direction);
