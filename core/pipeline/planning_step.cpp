@@ -30,7 +30,7 @@ Memory first_memory(const PlannerParams& params) {
 }
 
 /// That of a mission that begins: no route is held.
-HeldRoute no_route(HeldRoute before) {
+HeldRoute no_route(const HeldRoute& before) {
   HeldRoute route;
   route.newest = before.newest;
   return route;

@@ -37,10 +37,11 @@ Analysed analysed(Analysed before, const Intent& intent, bool has_mates, const P
   const types::Duration period = exploration::row_of(params.explore.strategy).analysis_period;
   if (!is_analysis_due(now, intent, has_mates, map.revision(), in.now, period)) return now;
   now.made = in.now;
-  travel::CoarseMap wide;
-  if (params.coarse_analysis) wide = travel::coarser(map.map(), map.clearance_m());
-  analysis::AnalysisInput input{map.revision(), params.coarse_analysis ? std::move(wide.map) : map.map(),
-                                params.coarse_analysis ? wide.clearance_m : map.clearance_m(),
+  const bool coarse = params.coarse_analysis;
+  travel::CoarseMap wide =
+      coarse ? travel::coarser(map.map(), map.clearance_m()) : travel::CoarseMap{map.map(), {}};
+  analysis::AnalysisInput input{map.revision(), std::move(wide.map),
+                                coarse ? wide.clearance_m : map.clearance_m(),
                                 walls::wall_points(in.map->walls), driven_paths(*in.map)};
   analysis::Analysis made = caches.analysis.take(std::move(input), params.analysis);
   made.coarse_m = std::move(wide.clearance_m);
