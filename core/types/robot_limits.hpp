@@ -50,6 +50,9 @@ struct DriveLimits {
   double acceleration_mps2 = 0.3;
   double deceleration_mps2 = 0.5;
   double angular_acceleration_radps2 = 1.7;
+
+  /// These five alone, of anything that has them.
+  void take_limits(const DriveLimits& from) { *this = from; }
 };
 
 /// Motion limits of one robot: the minimum over configuration, model and firmware.

@@ -25,7 +25,7 @@ pioneer::ConnectionConfig session_config(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
   pioneer::ConnectionConfig config;
   config.expected_subclass = configuration.robot.model == RobotModel::kP3at ? "p3at-sh" : "p3dx-sh";
-  static_cast<types::DriveLimits&>(config) = base;
+  config.take_limits(base);
   config.sonar = base.sonar;
   return config;
 }

@@ -53,7 +53,7 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
 pipeline::ControlSetup control_setup(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
   pipeline::ControlSetup setup;
-  static_cast<types::DriveLimits&>(setup.limits) = base;
+  setup.limits.take_limits(base);
   setup.limits.footprint = footprint(configuration);
   setup.limits.margin_m = configuration.motion.margin_m;
   setup.T_base_laser = mapper_params(configuration).T_base_laser;
