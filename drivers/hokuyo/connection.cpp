@@ -70,7 +70,7 @@ void Connection::Impl::advance_closed(Stamp until) {
   }
   auto stream = connector->connect(std::max<Duration>(std::min(until, deadline) - now(), 1ms));
   if (!stream) {
-    // A slow connection goes on in the next step.
+    // A connection attempt in progress continues in the next step.
     if (stream.error().code != Errc::kTimeout || now() >= deadline)
       lose(Health::kDisconnected, stream.error().message);
     return;
@@ -99,7 +99,7 @@ bool Connection::Impl::on_event(ScipParser::Event event, types::Scan& out) {
 
 void Connection::Impl::on_reply() {
   if (phase == Phase::kStreaming) return on_stream_status();
-  // Replies to earlier requests may come behind: only the one that was asked for counts.
+  // Late replies to earlier requests may arrive: only the reply to the current request counts.
   if (line.reply().echo() != sent.view()) return;
   switch (phase) {
     case Phase::kFind:
@@ -149,7 +149,7 @@ void Connection::Impl::on_timeout() {
     case Phase::kParameters:
       return retry_version();
     case Phase::kState:
-      return prepare_stream();  // only words for people
+      return prepare_stream();  // only text for messages
     case Phase::kAdjust:
     case Phase::kSample:
       return enter(Phase::kAdjusted, "TM2", 300ms);
@@ -206,7 +206,7 @@ void Connection::Impl::close(Duration timeout) {
   if (!line.is_open()) return;
   const Stamp until = now() + timeout;
   const bool adjusting = phase == Phase::kAdjust || phase == Phase::kSample;
-  if (adjusting) (void)line.send("TM2");  // QT is refused in adjust mode; a failure shows at QT
+  if (adjusting) (void)line.send("TM2");  // QT is refused in adjust mode; a failure of TM2 shows at QT
   bool quiet = !line.send("QT");
   while (!quiet && now() < until) {
     const auto event = line.poll(until);

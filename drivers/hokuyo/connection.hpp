@@ -14,19 +14,19 @@
 
 namespace topo::hokuyo {
 
-/// What the configuration says of one scanner.
+/// Configuration of one scanner.
 struct ConnectionConfig {
   std::string name{};           ///< "front", for messages
-  std::string serial_number{};  ///< as VV reports it ("H0902680"); empty: any. A leading 0 equals H.
+  std::string serial_number{};  ///< as reported by VV ("H0902680"); empty: any. A leading 0 equals H.
   bool intensity = false;       ///< stream ME instead of MD
-  int skip_scans = 0;           ///< 0..9 scans left out between two
+  int skip_scans = 0;           ///< 0..9 scans omitted between two
   double stamp_offset_s = 0.0;  ///< added to every stamp (PROTOCOLS section 12: step 0 or rear mark)
 };
 
-/// Where the connection is; every change is told once.
+/// State of the connection; every change is reported once.
 enum class Health { kDisconnected, kConnecting, kWrongDevice, kStarting, kStreaming, kSilent, kFault };
 
-/// Identity and measuring constants, from VV, PP and II.
+/// Identity and measurement constants, from VV, PP and II.
 struct SensorInfo {
   std::string vendor, product, firmware, protocol, serial_number, model, status;
   int distance_min_mm = 0, distance_max_mm = 0;
@@ -34,7 +34,7 @@ struct SensorInfo {
   int rpm = 0;
 };
 
-/// Counters since the start; every loss is counted somewhere.
+/// Counters since the start; every kind of loss has a counter.
 struct Counters {
   std::uint64_t scans = 0, checksum_errors = 0, resyncs = 0, reconnects = 0, lost_scans = 0, bytes = 0;
 };
@@ -45,8 +45,9 @@ enum class StepOutcome {
   kChanged,  ///< health changed: read health() and message()
 };
 
-/// One Hokuyo sensor from connect to reconnect: identify, synchronise clocks, stream, resynchronise, back
-/// off. Used by one thread. Allocates while connecting, never while streaming.
+/// Connection to one Hokuyo sensor, from connect to reconnect: identification, clock synchronisation,
+/// streaming, resynchronisation, back-off. Used by one thread. Allocates while connecting, never while
+/// streaming.
 class Connection {
  public:
   Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector);
@@ -54,15 +55,15 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Does the next thing that is due and returns within about `timeout`; `out` is written only when the
-  /// outcome is kScan (and may hold half a scan otherwise).
+  /// Executes the next step that is due and returns within about `timeout`; `out` is written only when the
+  /// outcome is kScan.
   StepOutcome step(types::Scan& out, types::Duration timeout);
 
-  /// Laser off and the line left quiet; bounded by `timeout`.
+  /// Switches the laser off and waits until the line is quiet; bounded by `timeout`.
   void close(types::Duration timeout);
 
   [[nodiscard]] Health health() const;
-  /// One sentence for a person: what is wrong and what to do.
+  /// One sentence for the operator: the fault and its cure.
   [[nodiscard]] const std::string& message() const;
   [[nodiscard]] const std::optional<SensorInfo>& info() const;
   [[nodiscard]] const Counters& counters() const;

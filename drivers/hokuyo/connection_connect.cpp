@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From an open port to a running stream: find the language and the line speed, identify, set the clock,
+// From an open port to a running stream: find protocol and line speed, identify, synchronise the clock,
 // switch the laser on.
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using types::Duration;
 
-/// PROTOCOLS section 13: QT; SCIP2.0 for a URG at power-up; RS for what listens to nothing else.
+/// PROTOCOLS section 13: QT; SCIP2.0 for a URG at power-up; RS for a sensor that reacts to nothing else.
 constexpr std::array<std::string_view, 5> kFindRequests{"QT", "SCIP2.0", "QT", "RS", "QT"};
 constexpr std::array<int, 3> kBauds{19200, 38400, 115200};
 constexpr Duration kFindLimit = 500ms;
@@ -78,10 +78,11 @@ void Connection::Impl::on_find_reply() {
       return lose(Health::kWrongDevice,
                   place() + ": the sensor speaks SCIP 1.1 and does not switch; expected SCIP 2.0");
     }
-    find_index = 0;  // the next request switches it over
+    find_index = 0;  // the next request switches to SCIP 2.0
     return find_next();
   }
-  // Refused: adjust mode (10, or 0E with some firmware). Once; if it stays so, VV will tell.
+  // Refused in adjust mode: status 10, with some firmware 0D or 0E. TM2 is tried once; if it has no effect,
+  // VV fails.
   const bool refused = reply.status() == "10" || reply.status() == "0E" || reply.status() == "0D";
   if (refused && tries++ == 0) return enter(Phase::kLeaveAdjust, "TM2", kFindLimit);
   tries = 0;
@@ -129,13 +130,13 @@ StreamRequest Connection::Impl::make_request() const {
   made.start = static_cast<std::uint16_t>(found.step_min);
   made.end = static_cast<std::uint16_t>(found.step_max);
   made.interval = static_cast<std::uint8_t>(std::clamp(config.skip_scans, 0, 9));
-  // Intensities over a wide angle corrupt or crash a UTM-30LX on USB: at most 95 degrees a cluster unit, 190
-  // with firmware 1.16.01 (section 13).
+  // Intensities over a wide angle corrupt or crash a UTM-30LX on USB: at most 95 degrees per cluster unit,
+  // 190 with firmware 1.16.01 (section 13).
   if (intensity && family == Family::kUtm) made.cluster = found.firmware.starts_with("1.16.01") ? 2 : 3;
   return made;
 }
 
-/// Everything that streaming needs, computed once from validated parameters.
+/// Computes all constants of streaming once, from validated parameters.
 void Connection::Impl::prepare_stream() {
   info = found;
   family = family_of(found.product);
@@ -161,14 +162,14 @@ void Connection::Impl::prepare_stream() {
   restart_stream();
 }
 
-/// The clock first: TM is refused while the sensor measures.
+/// Starts with the clock: TM is refused while the sensor measures.
 void Connection::Impl::restart_stream() {
-  // The data leave when the last step is measured (section 12).
+  // The sensor sends the data when the last step is measured (section 12).
   clock.reset(turn * found.step_max / found.steps_per_turn);
   has_last = false;
   samples = 0;
   tries = 0;
-  // What a person must know of the last failure stays on show until a scan proves it cured.
+  // The message of the last failure stays until a scan proves it cured.
   if (!faulty && (failures == 0 || health == Health::kDisconnected || health == Health::kWrongDevice)) {
     set_health(Health::kStarting,
                place() + ": " + found.product + " " + found.serial_number + " is starting");
@@ -178,7 +179,7 @@ void Connection::Impl::restart_stream() {
 
 void Connection::Impl::on_adjust_reply() {
   if (is_good(line.reply().status())) return enter(Phase::kSample, "TM1", 300ms);
-  enter(Phase::kAdjusted, "TM2", 300ms);  // no clock by TM: the assumed latency serves
+  enter(Phase::kAdjusted, "TM2", 300ms);  // no clock by TM: the assumed latency is used
 }
 
 void Connection::Impl::on_sample() {

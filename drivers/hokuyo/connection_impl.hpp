@@ -15,13 +15,13 @@
 
 namespace topo::hokuyo {
 
-constexpr types::Duration kBackoffMin = std::chrono::milliseconds(500);  ///< again after each scan
+constexpr types::Duration kBackoffMin = std::chrono::milliseconds(500);  ///< restored after enough good scans
 
-/// Where a connection is between two losses of its stream.
+/// Phase of a connection between two losses of its stream.
 enum class Phase : std::uint8_t {
   kBackoff,      ///< no stream; the next attempt is due at deadline
-  kOpening,      ///< the connector is at work
-  kFind,         ///< looking for SCIP: QT, SCIP2.0, RS at every line speed
+  kOpening,      ///< the connector opens the stream
+  kFind,         ///< search for SCIP: QT, SCIP2.0, RS at every line speed
   kLeaveAdjust,  ///< TM2, because QT was refused
   kVersion,      ///< VV
   kParameters,   ///< PP
@@ -30,23 +30,23 @@ enum class Phase : std::uint8_t {
   kSample,       ///< TM1
   kAdjusted,     ///< TM2
   kLaser,        ///< BM
-  kLaserPause,   ///< the laser spins up; BM again at deadline
+  kLaserPause,   ///< the laser spins up; BM again at the deadline
   kStart,        ///< MD or ME
   kStreaming,
   kProbe,       ///< QT after silence or too many bad scans
-  kProbeState,  ///< II after that
+  kProbeState,  ///< II after kProbe
   kReset,       ///< RS
   kReboot,      ///< RB, RB
 };
 
 /// The state machine behind Connection. Every phase has sent one request and waits for its reply or its
-/// deadline; nothing waits inside a handler.
+/// deadline; no handler waits.
 struct Connection::Impl {
   Impl(ConnectionConfig config_in, std::unique_ptr<io::Connector> connector_in);
 
-  // connection.cpp: the loop, opening, losing
+  // connection.cpp: main loop, opening and loss of the stream
   StepOutcome step(types::Scan& out, types::Duration timeout);
-  bool advance(types::Scan& out, types::Stamp until);  ///< true: out holds a scan
+  bool advance(types::Scan& out, types::Stamp until);  ///< true: `out` holds a scan
   void advance_closed(types::Stamp until);
   bool on_event(ScipParser::Event event, types::Scan& out);
   void on_reply();
@@ -98,7 +98,7 @@ struct Connection::Impl {
 
   Phase phase = Phase::kBackoff;
   types::Stamp deadline{};  ///< of the phase
-  RequestText sent;         ///< whose reply the phase waits for
+  RequestText sent;         ///< request whose reply the phase waits for
 
   Health health = Health::kDisconnected;
   std::string message;
@@ -108,22 +108,22 @@ struct Connection::Impl {
   std::uint64_t connections = 0;
 
   types::Duration backoff = kBackoffMin;
-  int failures = 0;  ///< attempts in a row without a scan: told once, not every time
+  int failures = 0;  ///< consecutive attempts without a scan: only the first is reported
   std::size_t baud_index = 0;
   std::size_t find_index = 0;
-  int tries = 0;         ///< of the present request
-  int samples = 0;       ///< TM1 answered
-  types::Stamp asked{};  ///< when TM1 went out
+  int tries = 0;         ///< of the current request
+  int samples = 0;       ///< replies to TM1
+  types::Stamp asked{};  ///< time of the last request
   types::Stamp laser_deadline{};
 
-  SensorInfo found;  ///< what VV and PP have said so far
+  SensorInfo found;  ///< data of VV, PP and II so far
   Family family = Family::kUnknown;
   bool intensity = false;
   StreamRequest request;
   RangeDecoder decode;
   SensorClock clock;
   types::ScanGeometry geometry;
-  types::Duration turn{};          ///< of the mirror
+  types::Duration turn{};          ///< rotation period of the mirror
   types::Duration first_offset{};  ///< from the sensor's stamp to the first beam
   types::Duration silence_limit{};
 
@@ -132,8 +132,8 @@ struct Connection::Impl {
   std::uint64_t sequence = 0;
   int bad_in_a_row = 0;
   int good_in_a_row = 0;
-  int ladder = 0;       ///< what was tried against silence: 0 nothing, 1 QT and II, 2 RS, 3 RB
-  bool faulty = false;  ///< the sensor itself reported trouble
+  int ladder = 0;       ///< measures taken against silence: 0 none, 1 QT and II, 2 RS, 3 RB
+  bool faulty = false;  ///< the sensor itself reported a fault
 };
 
 }  // namespace topo::hokuyo

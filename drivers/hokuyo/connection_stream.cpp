@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scans, and what is done when they stop (PROTOCOLS section 13): QT and II, RS, RB twice on Ethernet, a new
+// Scans, and the measures when they stop (PROTOCOLS section 13): QT and II, RS, RB twice on Ethernet, a new
 // connection.
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@ using namespace std::chrono_literals;
 using types::Duration;
 
 constexpr int kMaxBadInARow = 3;
-/// So many good scans prove that what was done against silence has worked.
+/// Number of consecutive good scans that proves a measure against silence effective.
 constexpr int kProvenScans = 40;
 constexpr Duration kProbeLimit = 500ms;
 
 }  // namespace
 
 bool Connection::Impl::on_scan(types::Scan& out) {
-  if (phase != Phase::kStreaming && phase != Phase::kStart) return false;  // left over from before
+  if (phase != Phase::kStreaming && phase != Phase::kStart) return false;  // a remainder of an earlier stream
   if (!line.scan().echo.same_stream(request)) {
     on_garbage();
     return false;
@@ -52,8 +52,8 @@ bool Connection::Impl::on_scan(types::Scan& out) {
   return true;
 }
 
-/// On a line that is too slow the scans queue up, each fresh by its arrival and all of them of the past.
-/// Whoever brakes for what they show reckons with a second at most.
+/// On a line that is too slow, scans queue up: each looks fresh by its arrival but is old. Braking relies on
+/// scans that are at most one second old.
 bool Connection::Impl::is_late(const SensorClock::Result& time) {
   constexpr Duration kLatestMax = 1s;
   if (time.jumped || line.arrival() - time.host <= kLatestMax) return false;
@@ -95,7 +95,7 @@ void Connection::Impl::fill(types::Scan& out, const SensorClock::Result& time) c
 }
 
 void Connection::Impl::on_garbage() {
-  if (phase != Phase::kStreaming) return;  // left over from before, or another language: kFind judges
+  if (phase != Phase::kStreaming) return;  // from an earlier stream, or another protocol: kFind decides
   ++counters.checksum_errors;
   good_in_a_row = 0;
   if (++bad_in_a_row < kMaxBadInARow) return;
@@ -104,17 +104,17 @@ void Connection::Impl::on_garbage() {
   probe();
 }
 
-/// A reply in the middle of the stream: the sensor reports trouble (section 10.1, number 8), or answers
-/// something from before.
+/// A reply during streaming: the sensor reports a fault (section 10.1, number 8), or replies to an earlier
+/// request.
 void Connection::Impl::on_stream_status() {
   const Reply& reply = line.reply();
   if (!parse_stream_echo(reply.echo()) || reply.status() == "00") return;
   const std::string status(reply.status());
   const std::string text =
       place() + ": the sensor reports status " + status + ", " + std::string(describe_status(status));
-  if (status == "98") return;  // the scans that follow say the same
+  if (status == "98") return;  // the following scans show the same
   set_health(Health::kFault, text);
-  if (status >= "21" && status <= "49") return;  // it checks itself and resumes; else the silence is noticed
+  if (status >= "21" && status <= "49") return;  // it checks itself and resumes; else on_silence() follows
   faulty = true;
   probe();
 }
@@ -130,9 +130,9 @@ void Connection::Impl::on_silence() {
   reboot_or_reconnect();
 }
 
-/// The gentlest thing first: end the stream, ask for the state, start again.
+/// The mildest measure first: end the stream, request the state, start again.
 void Connection::Impl::probe() {
-  ladder = std::max(ladder, 1);  // the clock goes on: what is missed meanwhile counts as lost
+  ladder = std::max(ladder, 1);  // the clock continues: scans missed meanwhile count as lost
   enter(Phase::kProbe, "QT", kProbeLimit);
 }
 

@@ -18,10 +18,10 @@ using types::Status;
 struct KeyLine {
   std::string_view key;
   std::string_view value;
-  bool good = false;  ///< the check character fits one of the ways in which sensors compute it
+  bool good = false;  ///< the check character matches one of the variants that sensors compute
 };
 
-/// The sum covers what stands before the semicolon; some firmware includes it, and some stops at "<-"
+/// The sum covers the text before the semicolon; some firmware includes the semicolon, and some stops at "<-"
 /// (PROTOCOLS section 9).
 bool check_fits(std::string_view text, std::string_view with_semicolon, char check) {
   if (checksum(text) == check || checksum(with_semicolon) == check) return true;
@@ -48,7 +48,7 @@ std::optional<KeyLine> find(const Reply& reply, std::string_view key) {
 
 std::string good_value(const Reply& reply, std::string_view key) {
   const auto line = find(reply, key);
-  const auto printable = [](char c) { return c >= 0x20 && c <= 0x7E; };  // it goes into messages
+  const auto printable = [](char c) { return c >= 0x20 && c <= 0x7E; };  // for use in messages
   const bool usable = line && line->good && std::all_of(line->value.begin(), line->value.end(), printable);
   return usable ? std::string(line->value) : std::string();
 }
@@ -65,7 +65,7 @@ struct NumberField {
   int min, max;
 };
 
-/// Four decimal digits bound the steps in a request, three characters of six bits a range.
+/// Steps are bounded by the four decimal digits of a request, ranges by three characters of six bits.
 constexpr NumberField kNumberFields[] = {
     {"DMIN", &SensorInfo::distance_min_mm, 1, 262143},
     {"DMAX", &SensorInfo::distance_max_mm, 1, 262143},

@@ -12,36 +12,37 @@
 
 namespace topo::hokuyo {
 
-/// What the models differ in (PROTOCOLS sections 10.2, 11 and 13). Decided from PROD, never by trial: a
-/// command that a URG-04LX does not know can hang it until its power is cut.
+/// Groups of models with different behaviour (PROTOCOLS sections 10.2, 11 and 13). Determined from PROD,
+/// never by trial: a command unknown to a URG-04LX can hang it until its power is cut.
 enum class Family : std::uint8_t {
   kUtm,      ///< UTM-30LX on USB
   kUtmEw,    ///< UTM-30LX-EW
   kUst,      ///< UST-10LX, UST-20LX
-  kUrg,      ///< URG-04LX and its kin
-  kUnknown,  ///< speaks SCIP 2; only what every model knows is used
+  kUrg,      ///< URG-04LX and related models
+  kUnknown,  ///< SCIP 2 with only the functions common to all models
 };
 
 [[nodiscard]] Family family_of(std::string_view product);
 [[nodiscard]] bool has_intensity(Family family);
 
-/// Vendor, product, firmware, protocol, serial number out of VV. kProtocol when PROD is missing or the
+/// Reads vendor, product, firmware, protocol and serial number from VV. kProtocol when PROD is missing or the
 /// serial number is unreadable.
 [[nodiscard]] types::Status read_version(const Reply& reply, SensorInfo& info);
 
-/// Measuring constants out of PP, validated: nothing that follows can index or divide out of bounds.
+/// Reads the measurement constants from PP and validates them: later code cannot index or divide out of
+/// bounds.
 [[nodiscard]] types::Status read_parameters(const Reply& reply, SensorInfo& info);
 
-/// The sensor's own words on its state (STAT) out of II; left alone when there are none.
+/// Reads the sensor's state text (STAT) from II; unchanged when there is none.
 void read_state(const Reply& reply, SensorInfo& info);
 
-/// The device's clock out of a reply to TM1, in milliseconds of 24 bits.
+/// The device's clock in a reply to TM1, in milliseconds of 24 bits.
 [[nodiscard]] std::optional<std::uint32_t> read_time(const Reply& reply);
 
-/// Serial numbers compared as people mean them: a leading 0 equals H, letters in either case.
+/// Compares serial numbers as printed: a leading 0 equals H, case is ignored.
 [[nodiscard]] bool same_serial(std::string_view a, std::string_view b);
 
-/// What a status other than 00, 02 and 99 means, for a message.
+/// Meaning of a status other than 00, 02 and 99, for a message.
 [[nodiscard]] std::string_view describe_status(std::string_view status);
 
 }  // namespace topo::hokuyo

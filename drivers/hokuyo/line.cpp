@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A request is a dozen bytes: a device that does not take them at once is in trouble.
+/// A request has about a dozen bytes: a device that does not accept them at once is faulty.
 constexpr types::Duration kWriteLimit = 20ms;
 
 }  // namespace

@@ -14,8 +14,8 @@
 
 namespace topo::hokuyo {
 
-/// An open stream with the parser behind it: requests out, replies and scans in. One thread; allocates
-/// nothing while open, unless a call fails.
+/// An open stream with its parser: requests out, replies and scans in. One thread; allocates nothing while
+/// open, unless a call fails.
 class Line {
  public:
   void open(std::unique_ptr<io::ByteStream> stream);
@@ -25,17 +25,17 @@ class Line {
 
   /// Writes the request and its line feed.
   types::Status send(std::string_view request);
-  /// The next event, or kNone when none was complete at `until`.
+  /// The next event, or kNone when none was complete by `until`.
   types::Result<ScipParser::Event> poll(types::Stamp until);
 
   [[nodiscard]] const Reply& reply() const { return parser_.reply(); }
   [[nodiscard]] const RawScan& scan() const { return parser_.scan(); }
-  /// Of the last byte of the event that poll() gave.
+  /// Arrival of the last byte of the event that poll() returned.
   [[nodiscard]] types::Stamp arrival() const { return arrival_; }
   [[nodiscard]] types::Stamp now() const { return stream_->now(); }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
-  /// The first bytes since open(), for a message about a device that speaks something else.
+  /// The first bytes since open(), for a message about a device that uses another protocol.
   [[nodiscard]] bool heard_anything() const { return sample_size_ > 0; }
   [[nodiscard]] bool heard_arcos() const;
   [[nodiscard]] std::string heard_text() const;

@@ -8,8 +8,8 @@
 
 namespace topo::hokuyo {
 
-/// Raw numbers to metres or to "no distance" (PROTOCOLS section 10.2). Below the sensor's minimum a number is
-/// a code and never a distance.
+/// Converts raw numbers to metres or to "no distance" (PROTOCOLS section 10.2). A number below the sensor's
+/// minimum is a code, never a distance.
 class RangeDecoder {
  public:
   RangeDecoder() = default;
@@ -17,7 +17,7 @@ class RangeDecoder {
 
   [[nodiscard]] float operator()(std::uint32_t raw) const {
     if (raw >= min_mm_ && raw <= max_mm_) return static_cast<float>(raw) * 0.001F;
-    if (raw > max_mm_) return types::kNoReturn;  // 65533 of the EW and UST among them
+    if (raw > max_mm_) return types::kNoReturn;  // includes 65533 of the EW and UST
     return code(raw);
   }
 

@@ -52,7 +52,7 @@ std::optional<std::uint32_t> decode_number(std::string_view text) {
 std::size_t StreamRequest::points() const {
   if (end < start) return 0;
   const std::size_t steps = static_cast<std::size_t>(end - start) + 1;
-  const std::size_t group = std::max<std::size_t>(cluster, 1);  // 00 means the same as 01
+  const std::size_t group = std::max<std::size_t>(cluster, 1);  // 00 equals 01
   return (steps + group - 1) / group;
 }
 

@@ -10,16 +10,16 @@
 
 namespace topo::hokuyo {
 
-/// The check character over a line without it: six low bits of the sum, made printable (PROTOCOLS section 9).
+/// The check character of a line without it: six low bits of the sum, made printable (PROTOCOLS section 9).
 [[nodiscard]] char checksum(std::string_view text);
 
-/// The line without its check character; empty optional when that is wrong or the line has no content.
+/// The line without its check character; empty when that is wrong or the line has no content.
 [[nodiscard]] std::optional<std::string_view> checked(std::string_view line);
 
-/// Six bits a character, most significant first; empty when a character lies outside 0x30..0x6F.
+/// Decodes six bits per character, most significant first; empty when a character is outside 0x30..0x6F.
 [[nodiscard]] std::optional<std::uint32_t> decode_number(std::string_view text);
 
-/// What MD, MS, ME, ND or NE asks for; its echo in front of every scan says the same.
+/// Parameters of MD, MS, ME, ND or NE; the echo before every scan repeats them.
 struct StreamRequest {
   enum class Kind : std::uint8_t {
     kRange,           ///< MD: three characters a step
@@ -29,14 +29,14 @@ struct StreamRequest {
     kMultiIntensity,  ///< NE: as ME, further echoes after '&'
   };
   Kind kind = Kind::kRange;
-  std::uint16_t start = 0, end = 0;  ///< steps, both included
+  std::uint16_t start = 0, end = 0;  ///< steps, both inclusive
   std::uint8_t cluster = 1;          ///< neighbours merged into one value
-  std::uint8_t interval = 0;         ///< scans left out between two
-  std::uint8_t count = 0;            ///< scans to send; 0: endless. In an echo: scans still to come.
+  std::uint8_t interval = 0;         ///< scans omitted between two
+  std::uint8_t count = 0;            ///< scans to send; 0: endless. In an echo: scans remaining.
 
-  /// Values in one scan; 0 when the steps are the wrong way round.
+  /// Values in one scan; 0 when `end` is before `start`.
   [[nodiscard]] std::size_t points() const;
-  /// The same stream: all but the running count.
+  /// True for the same stream: all fields but the running count are equal.
   [[nodiscard]] bool same_stream(const StreamRequest& other) const;
 };
 
@@ -54,7 +54,7 @@ class RequestText {
 
 [[nodiscard]] RequestText encode(const StreamRequest& request);
 
-/// Reads an echo of the form M?/N? and 13 digits; empty for anything else.
+/// Parses an echo of the form M?/N? and 13 digits; empty for any other text.
 [[nodiscard]] std::optional<StreamRequest> parse_stream_echo(std::string_view echo);
 
 }  // namespace topo::hokuyo

@@ -68,7 +68,7 @@ ScipParser::Progress ScipParser::feed(std::span<const std::byte> bytes) {
   return {bytes.size(), Event::kNone};
 }
 
-/// Garbage is told once, where it begins; an empty line is the end of it.
+/// Reports garbage once, at its beginning; an empty line ends it.
 ScipParser::Event ScipParser::drop(std::string_view line) {
   const bool told = state_ == State::kSkip;
   state_ = line.empty() ? State::kEcho : State::kSkip;
@@ -119,7 +119,7 @@ ScipParser::Event ScipParser::on_reply_line(std::string_view line) {
   return reply_.add_line(line) ? Event::kNone : drop(line);
 }
 
-/// Status 99 stands in front of a scan and nowhere else.
+/// Status 99 precedes a scan and occurs nowhere else.
 bool ScipParser::start_scan() {
   const auto echo = parse_stream_echo(reply_.echo());
   if (!echo) return false;
@@ -157,7 +157,7 @@ bool ScipParser::take_values(std::string_view text) {
   const bool echoes = has_echoes(scan_.echo.kind);
   for (const char c : text) {
     if (c == '&' && echoes) {
-      // Between two values only, and only behind a first echo.
+      // Allowed only between two values, after a first echo.
       if (characters_ != 0 || part_ != 0 || scan_.points == 0 || further_echo_) return false;
       further_echo_ = true;
       continue;

@@ -14,8 +14,8 @@
 
 namespace topo::hokuyo {
 
-/// A reply that is no scan: echo, status, and data lines with their check characters still on (which kind of
-/// check a line has depends on the command).
+/// A reply that is not a scan: echo, status, and data lines with their check characters (the kind of check
+/// depends on the command).
 class Reply {
  public:
   static constexpr std::size_t kMaxLines = 16;   ///< the longest known reply has 9 (PP and an extra line)
@@ -35,7 +35,7 @@ class Reply {
   friend class ScipParser;
   void start(std::string_view echo);
   void set_status(std::string_view status);
-  [[nodiscard]] bool add_line(std::string_view line);  ///< false: no room
+  [[nodiscard]] bool add_line(std::string_view line);  ///< false: no space
 
   std::array<char, 64> echo_{};
   std::size_t echo_size_ = 0;
@@ -46,8 +46,8 @@ class Reply {
   std::size_t lines_ = 0;
 };
 
-/// One scan as the wire said it: raw numbers, every check character right, exactly as many values as the
-/// echo announces. Of several echoes a step the first is kept.
+/// One scan as received: raw numbers, all check characters correct, exactly as many values as the echo
+/// announces. With several echoes per step the first is kept.
 struct RawScan {
   StreamRequest echo;
   std::uint32_t time_ms = 0;  ///< 24 bits
@@ -56,26 +56,26 @@ struct RawScan {
   std::array<std::uint32_t, types::Scan::kMaxBeams> intensity{};
 };
 
-/// Turns bytes into replies and scans, split anywhere. Whatever does not fit is dropped up to the next empty
+/// Parses bytes, split at any position, into replies and scans. Invalid input is dropped up to the next empty
 /// line, where every reply ends (PROTOCOLS sections 9 and 13). Fixed storage, no allocation, no clock.
 class ScipParser {
  public:
   enum class Event : std::uint8_t {
-    kNone,     ///< everything was consumed, more is needed
-    kReply,    ///< reply() holds one
-    kScan,     ///< scan() holds one
-    kGarbage,  ///< something was dropped: wrong check character, length or form
+    kNone,     ///< all bytes were consumed, more are needed
+    kReply,    ///< reply() is valid
+    kScan,     ///< scan() is valid
+    kGarbage,  ///< input was dropped: wrong check character, length or form
   };
   struct Progress {
     std::size_t consumed = 0;
     Event event = Event::kNone;
   };
 
-  /// Takes bytes up to and including the one that completes an event. What reply() and scan() held before
-  /// is gone.
+  /// Takes bytes up to and including the one that completes an event. Invalidates the previous reply() and
+  /// scan().
   [[nodiscard]] Progress feed(std::span<const std::byte> bytes);
 
-  /// Back to the beginning of a reply (after a new connection).
+  /// Returns to the beginning of a reply (after a new connection).
   void reset();
 
   [[nodiscard]] const Reply& reply() const { return reply_; }
@@ -105,12 +105,12 @@ class ScipParser {
 
   Reply reply_;
   RawScan scan_;
-  std::size_t expected_ = 0;     ///< values in the scan that is coming
-  std::uint32_t value_ = 0;      ///< of the value that is coming; it may straddle two lines
-  std::uint8_t characters_ = 0;  ///< of it so far
+  std::size_t expected_ = 0;     ///< values in the current scan
+  std::uint32_t value_ = 0;      ///< current value so far; it may be split over two lines
+  std::uint8_t characters_ = 0;  ///< characters of the value so far
   std::uint8_t part_ = 0;        ///< 0: range, 1: intensity
   bool further_echo_ = false;    ///< the value belongs to a second or third echo
-  bool last_line_ = false;       ///< a short line came: only the empty one may follow
+  bool last_line_ = false;       ///< a short line was received: only the empty line may follow
 };
 
 }  // namespace topo::hokuyo

@@ -14,15 +14,15 @@ using types::Stamp;
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr std::int64_t kWrapMs = std::int64_t{1} << 24;
 constexpr std::int64_t kWindowMs = 10'000;
-/// How long the difference between TM1 and the running minimum is learnt: 100 ppm are 0.2 ms in 2 s.
+/// Duration of learning the difference between TM1 and the running minimum: 100 ppm are 0.2 ms in 2 s.
 constexpr std::int64_t kCalibrationMs = 2'000;
-/// A scan cannot arrive earlier than the fastest one; where it seems to by more than this, the device's
-/// clock was set forward.
+/// A scan cannot arrive earlier than the fastest one; when it seems to by more than this, the device's clock
+/// was set forward.
 constexpr std::int64_t kTooEarlyNs = 50 * kNsPerMs;
-/// No link delays a scan by this much and stays open.
+/// No link delays a scan by this much and remains open.
 constexpr std::int64_t kTooLateNs = 5'000 * kNsPerMs;
 constexpr std::int64_t kMaxLatencyNs = 250 * kNsPerMs;
-/// Crystals are within 100 ppm; a UTM-30LX firmware had a gross error (PROTOCOLS section 12).
+/// Crystals are within 100 ppm; one UTM-30LX firmware had a gross error (PROTOCOLS section 12).
 constexpr double kMaxDrift = 5e-3;
 constexpr std::size_t kMinWindows = 3;
 constexpr int kFrozenRepeats = 2;
@@ -48,7 +48,7 @@ void SensorClock::add_round_trip(std::uint32_t counter_ms, Stamp before, Stamp a
   sync_ = {last_ms_, difference_ns(before + round_trip / 2, last_ms_)};
 }
 
-/// A small step back is a restart of the device, a large one the counter's wrap.
+/// A small step back means a restart of the device, a large one a wrap of the counter.
 std::int64_t SensorClock::unwrap(std::uint32_t counter_ms, bool& stepped_back) const {
   const std::int64_t turn = last_ms_ / kWrapMs * kWrapMs;
   std::int64_t unwrapped = turn + counter_ms;
@@ -82,7 +82,7 @@ void SensorClock::restart(const Point& point) {
   bucket_end_ms_ = point.device_ms + kBucketMs;
   window_minimum_ = point;
   window_end_ms_ = point.device_ms + kWindowMs;
-  windows_ = 0;  // the drift stays: it belongs to the crystals, not to the counter's value
+  windows_ = 0;  // the drift is kept: it depends on the crystals, not on the counter's value
 }
 
 void SensorClock::add(const Point& point) {
@@ -130,12 +130,12 @@ void SensorClock::fit_drift() {
   if (spread > 0.0) drift_ = std::clamp(product / spread, -kMaxDrift, kMaxDrift);
 }
 
-/// The constant latency: how far the fastest arrivals lie above what TM1 said.
+/// The constant latency: the fastest arrivals' offset above that of TM1.
 void SensorClock::calibrate(const Point& point) {
   if (calibrated_ || !synchronised_) return;
   const std::int64_t latency = minimum_at(point.device_ms) - sync_.difference_ns;
   if (latency < 0 || latency > kMaxLatencyNs) {
-    synchronised_ = false;  // TM1 and the scans do not agree: the assumed latency is the better guess
+    synchronised_ = false;  // TM1 and the scans disagree: the assumed latency is the better estimate
     return;
   }
   latency_ns_ = latency;
@@ -155,7 +155,7 @@ SensorClock::Result SensorClock::on_scan(std::uint32_t counter_ms, Stamp arrival
   if (stepped_back) result.device_ms = counter_ms;
   const Point point{result.device_ms, difference_ns(arrival, result.device_ms)};
   result.jumped = started_ && (stepped_back || implausible(point.difference_ns, point.device_ms));
-  if (result.jumped) calibrated_ = true;  // TM1 spoke of the old counter; the latency stays what it was
+  if (result.jumped) calibrated_ = true;  // TM1 measured the old counter; the latency is kept
   if (!started_ || result.jumped) {
     restart(point);
   } else if (!result.repeated) {

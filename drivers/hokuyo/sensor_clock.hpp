@@ -12,25 +12,25 @@ namespace topo::hokuyo {
 
 /// Maps the sensor's 24-bit millisecond counter to the host's steady clock (PROTOCOLS section 12).
 ///
-/// At connect, round trips of TM1 give the offset; the one with the smallest round trip counts. While
-/// streaming, arrival - device time is the offset plus a latency that is never below a constant: its running
-/// minimum over 10 s, projected along the drift seen so far, follows the drift of the two crystals, and the
-/// difference between the two in the first seconds is that constant. Without TM1 the constant is assumed.
-/// Values in, values out; allocates nothing.
+/// At connect, round trips of TM1 give the offset; the one with the smallest round trip is used. While
+/// streaming, arrival - device time is the offset plus a latency that is never below a constant. The running
+/// minimum over 10 s, extrapolated with the estimated drift, follows the drift of the two crystals; its
+/// difference from the TM1 offset in the first seconds is that constant. Without TM1 the constant is assumed.
+/// Sans-I/O; allocates nothing.
 class SensorClock {
  public:
   struct Result {
-    types::Stamp host{};         ///< when the counter had this value
+    types::Stamp host{};         ///< host time of this counter value
     std::int64_t device_ms = 0;  ///< unwrapped
-    bool jumped = false;         ///< the device's clock was set or the device restarted: gaps mean nothing
+    bool jumped = false;         ///< the device's clock was set or the device restarted: gaps are meaningless
     bool repeated = false;       ///< the same value as before
-    bool frozen = false;         ///< the same value three times: the counter is dead
+    bool frozen = false;         ///< the same value three times: the counter has stopped
   };
 
-  /// `nominal_latency`: from the counter's reading to the arrival, assumed where TM1 does not work.
+  /// `nominal_latency`: from the counter's reading to the arrival, assumed when TM1 does not work.
   void reset(types::Duration nominal_latency);
 
-  /// One TM1: asked at `before`, answered at `after`.
+  /// Adds one TM1 exchange: request at `before`, reply at `after`.
   void add_round_trip(std::uint32_t counter_ms, types::Stamp before, types::Stamp after);
   [[nodiscard]] bool synchronised() const { return synchronised_; }
   [[nodiscard]] types::Duration best_round_trip() const { return best_round_trip_; }
@@ -38,9 +38,9 @@ class SensorClock {
   /// A scan with this counter value whose bytes arrived at `arrival`.
   Result on_scan(std::uint32_t counter_ms, types::Stamp arrival);
 
-  /// Host seconds gained on the device's, a second; 0 until it is known.
+  /// Drift of the host's clock against the device's, in seconds per second; 0 until known.
   [[nodiscard]] double drift() const { return drift_; }
-  /// From the counter's reading to the fastest arrival.
+  /// Latency from the counter's reading to the fastest arrival.
   [[nodiscard]] types::Duration latency() const { return types::Duration(latency_ns_); }
 
  private:
@@ -64,7 +64,7 @@ class SensorClock {
 
   bool synchronised_ = false;
   types::Duration best_round_trip_{};
-  Point sync_;  ///< of the best round trip
+  Point sync_;  ///< from the best round trip
 
   bool started_ = false;
   bool calibrated_ = false;
@@ -73,7 +73,7 @@ class SensorClock {
   int repeats_ = 0;
   std::int64_t latency_ns_ = 0;
 
-  std::array<Point, kBuckets> bucket_{};  ///< minimum of each of the last seconds, a ring
+  std::array<Point, kBuckets> bucket_{};  ///< minimum of each of the last seconds, a ring buffer
   std::size_t buckets_ = 0;
   std::size_t newest_ = 0;
   std::int64_t bucket_end_ms_ = 0;

@@ -10,7 +10,7 @@
 
 namespace topo::io {
 
-/// What goes wrong on a bus without ending the connection.
+/// Faults of a bus that do not end the connection.
 enum class BusFault : std::uint8_t {
   kBadMessage,
   kBadTransfer,
@@ -26,7 +26,7 @@ enum class BusFault : std::uint8_t {
 };
 inline constexpr std::size_t kBusFaults = static_cast<std::size_t>(BusFault::kRestarted) + 1;
 
-/// How often each happened.
+/// Count of each fault.
 class BusFaults {
  public:
   std::uint64_t& operator[](BusFault fault) { return counts_[static_cast<std::size_t>(fault)]; }
@@ -39,16 +39,16 @@ class BusFaults {
   std::array<std::uint64_t, kBusFaults> counts_{};
 };
 
-/// A fault as a key of a report, and in plain words.
+/// A fault's key in reports and its description for users.
 struct BusFaultName {
   BusFault fault;
   std::string_view key, words;
 };
-/// All of them, in order.
+/// All faults, in the order of the enumeration.
 [[nodiscard]] const std::array<BusFaultName, kBusFaults>& bus_fault_names();
 
-/// "3 x error passive: most frames fail; ..."; empty when nothing happened. A transfer that a stop
-/// interrupted is no fault of the bus and is left out.
+/// "3 x error passive: most frames fail; ..."; empty when no fault occurred. A transfer that a stop
+/// interrupted is not a fault of the bus and is left out.
 [[nodiscard]] std::string to_text(const BusFaults& faults);
 
 }  // namespace topo::io

@@ -26,12 +26,12 @@ CanError decode_can_error(std::uint32_t id, std::span<const std::byte> data) {
   error.restarted = says(CAN_ERR_RESTARTED);
   error.passive = controller_says(CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE);
   error.overflow = controller_says(CAN_ERR_CRTL_RX_OVERFLOW | CAN_ERR_CRTL_TX_OVERFLOW);
-  // Controllers name a missing acknowledgement in either of two places.
+  // Controllers report a missing acknowledgement in either of two places.
   const bool at_ack_slot = says(CAN_ERR_PROT) && bytes[3] == CAN_ERR_PROT_LOC_ACK;
   error.no_acknowledge = says(CAN_ERR_ACK) || at_ack_slot;
   error.transmit_timeout = says(CAN_ERR_TX_TIMEOUT);
   error.violation = says(CAN_ERR_PROT) && !at_ack_slot;
-  // Older drivers fill the counters in with every change of state and do not say so.
+  // Older drivers fill in the counters with every change of state without setting CAN_ERR_CNT.
   if (says(CAN_ERR_CNT) || (says(CAN_ERR_CRTL) && (bytes[6] != 0 || bytes[7] != 0)))
     error.counters = CanErrorCounters{bytes[6], bytes[7]};
   return error;

@@ -26,7 +26,7 @@ using types::Result;
 
 using Bytes = std::span<const std::byte>;
 
-/// Calls see(type, content) for every attribute of a chain; ends at the first that does not fit.
+/// Calls see(type, content) for every attribute of a chain; stops at the first that does not fit.
 template <class See>
 void for_each_attribute(Bytes chain, const See& see) {
   constexpr unsigned kTypeMask = 0x3FFF;  // NLA_TYPE_MASK without the two flags above it
@@ -51,7 +51,7 @@ std::optional<Value> value_of(Bytes content) {
 
 void take_can(CanInterface& interface, unsigned type, Bytes content) {
   if (type == IFLA_CAN_RESTART_MS) interface.restart_ms = value_of<std::uint32_t>(content);
-  // The bit rate is the first member of its structure, whatever its age.
+  // The bit rate is the first member of the structure in all its versions.
   if (type == IFLA_CAN_BITTIMING) interface.bit_rate_bps = value_of<std::uint32_t>(content);
   if (type == IFLA_CAN_STATE) {
     const auto state = value_of<std::uint32_t>(content);
@@ -78,7 +78,7 @@ struct LinkRequest {
   std::array<char, IFNAMSIZ> name{};
 };
 
-/// One question, one answer.
+/// Sends one request and receives one answer.
 Result<std::vector<std::byte>> ask(const std::string& name) {
   constexpr int kAnswerTime_ms = 200;
   LinkRequest request;
@@ -117,7 +117,7 @@ std::optional<CanComplaint> complaint_about_bus(const CanInterface& i, const std
                                   can_bring_up_command(name)),
         true};
   }
-  // ISO 11898-1, 12.1.4.2: a transmitter that nobody acknowledges stops counting when it is passive.
+  // ISO 11898-1, 12.1.4.2: the counter of a transmitter without acknowledgement stops at error passive.
   const bool alone =
       i.state == CanState::kPassive && i.errors && i.errors->transmit >= 128 && i.errors->receive == 0;
   if (alone)

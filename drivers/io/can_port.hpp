@@ -13,17 +13,17 @@
 
 namespace topo::io {
 
-/// A classic CAN 2.0A frame that came.
+/// A received classic CAN 2.0A frame.
 struct CanFrame {
   std::uint16_t id = 0;  ///< 11 bits
   CanData data;
-  types::Stamp stamp{};  ///< when the kernel had it, on the host's steady clock
+  types::Stamp stamp{};  ///< time of reception by the kernel, on the host's steady clock
 };
 
-/// Nothing (the time was up), a frame, or what the controller reports.
+/// Nothing (time-out), a frame, or a report of the controller.
 using CanEvent = std::variant<std::monostate, CanFrame, CanError>;
 
-/// Frames in and out of one CAN interface; the seam between ISO-TP and the kernel. One thread.
+/// Frames in and out of one CAN interface: the interface between ISO-TP and the kernel. Used by one thread.
 class CanPort {
  public:
   virtual ~CanPort() = default;
@@ -31,15 +31,15 @@ class CanPort {
   /// Waits at most `timeout`. Error kClosed when the interface was switched off or is gone, kIo otherwise.
   virtual types::Result<CanEvent> receive(types::Duration timeout) = 0;
 
-  /// Never waits. kBusy: the interface's queue is full, try again later; kClosed, kIo.
+  /// Never waits. kBusy: the interface's queue is full, the caller may retry later; kClosed, kIo.
   virtual types::Status send(std::uint16_t id, const CanData& data) = 0;
-  /// The same, past what waits in the queue.
+  /// As send(), ahead of the frames that wait in the queue.
   virtual types::Status send_first(std::uint16_t id, const CanData& data) = 0;
 
-  /// Frames that the kernel had to drop because nobody fetched them, since the port was opened.
+  /// Frames that the kernel dropped because they were not fetched in time, since the port was opened.
   [[nodiscard]] virtual std::uint64_t dropped() const = 0;
   [[nodiscard]] virtual types::Stamp now() const = 0;
-  /// As the configuration names it.
+  /// Address in the configuration.
   [[nodiscard]] virtual std::string_view name() const = 0;
 };
 

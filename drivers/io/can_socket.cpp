@@ -31,7 +31,7 @@ using types::Result;
 using types::Stamp;
 using types::Status;
 
-/// Band 0 of the interface's queue (pfifo_fast) and the highest that needs no privilege.
+/// Band 0 of the interface's queue (pfifo_fast), and the highest priority that needs no privilege.
 constexpr int kFirstPriority = 6;
 
 tl::unexpected<types::Error> fail_can(const std::string& name, std::string_view doing, int error) {
@@ -60,7 +60,7 @@ Result<UniqueFd> make_socket(const std::string& name) {
   return fail_errno(name, "making a CAN socket", errno);
 }
 
-/// Filters stand before bind(): nothing else is ever in the queue.
+/// Set before bind(), so that the queue never holds other frames.
 Status set_filters(const UniqueFd& fd, std::span<const std::uint16_t> ids, const std::string& name) {
   std::vector<can_filter> filters;
   for (const std::uint16_t id : ids) filters.push_back({id, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});

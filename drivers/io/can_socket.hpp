@@ -11,18 +11,18 @@
 
 namespace topo::io {
 
-/// When a frame came that is `age` old. The kernel stamps frames with CLOCK_REALTIME, which may be set at any
-/// moment: only the age counts. One that cannot be is none; more than a second counts as one, so that an old
-/// frame is never a fresh one.
+/// Time of arrival of a frame that is `age` old. The kernel stamps frames with CLOCK_REALTIME, which may be
+/// set at any moment: only the age counts. A negative age counts as 0; more than a second counts as one
+/// second, so that an old frame never appears fresh.
 [[nodiscard]] types::Stamp can_arrival(types::Stamp now, types::Duration age);
 
-/// A CAN interface of the kernel (CAN_RAW): only the frames that are asked for, with the kernel's stamps, and
-/// all error frames. What must go first has a socket of its own with a higher priority: the queue of a CAN
-/// interface has three bands.
+/// A CAN interface of the kernel (CAN_RAW): only the requested frames, with the kernel's stamps, and all
+/// error frames. Urgent frames use a second socket with a higher priority: the queue of a CAN interface has
+/// three bands.
 class CanSocket final : public CanPort {
  public:
-  /// `interface`: "can0"; `ids`: the frames to hear; `name`: for messages.
-  /// kNotFound: no such interface, or it is no CAN interface; kClosed: it is switched off.
+  /// `interface`: "can0"; `ids`: the frames to receive; `name`: for messages. kNotFound: no such interface,
+  /// or it is not a CAN interface; kClosed: it is switched off.
   static types::Result<std::unique_ptr<CanPort>> open(const std::string& interface,
                                                       std::span<const std::uint16_t> ids, std::string name);
 
@@ -39,7 +39,7 @@ class CanSocket final : public CanPort {
   CanSocket(UniqueFd data, UniqueFd first, std::string name)
       : data_(std::move(data)), first_(std::move(first)), name_(std::move(name)) {}
   types::Status send_on(const UniqueFd& socket, std::uint16_t id, const CanData& data) const;
-  /// One frame that is there; nothing when none is.
+  /// Fetches one waiting frame; nothing when none waits.
   types::Result<CanEvent> take();
 
   UniqueFd data_, first_;

@@ -15,7 +15,7 @@ using types::fail;
 
 constexpr short kGoneEvents = POLLHUP | POLLERR | POLLNVAL;
 
-/// A device that was unplugged reports EIO, ENXIO or ENODEV; a peer that is gone one of the others.
+/// An unplugged device reports EIO, ENXIO or ENODEV; a lost peer reports one of the others.
 bool means_gone(int error) {
   return error == EIO || error == ENXIO || error == ENODEV || error == EPIPE || error == ECONNRESET ||
          error == ETIMEDOUT || error == EHOSTUNREACH || error == ENETUNREACH || error == ENOTCONN;
@@ -38,7 +38,7 @@ Result<ReadResult> FdStream::read(std::span<std::byte> buffer, Duration timeout)
   const Stamp stamp = monotonic_now();
   if (events < 0) return fail_stream(name_, "waiting for input", errno);
   if (events == 0 || buffer.empty()) return ReadResult{0, stamp};
-  // Hang-up and waiting bytes may come together: what is there is read first.
+  // Hang-up and waiting bytes may be reported together: the bytes are read first.
   const ssize_t got = retry_interrupted([&] { return ::read(fd(), buffer.data(), buffer.size()); });
   if (got > 0) return ReadResult{static_cast<std::size_t>(got), stamp};
   if (got == 0) return fail_hung_up(name_);

@@ -9,8 +9,8 @@
 
 namespace topo::io {
 
-/// What serial ports and sockets have in common: a non-blocking descriptor waited for with poll(2).
-/// Errors carry the device's name. Nothing allocates unless it fails.
+/// Common part of serial ports and sockets: a non-blocking descriptor with poll(2). Errors carry the device's
+/// name. No call allocates unless it fails.
 class FdStream : public ByteStream {
  public:
   FdStream(UniqueFd fd, std::string name) : fd_(std::move(fd)), name_(std::move(name)) {}

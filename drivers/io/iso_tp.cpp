@@ -12,7 +12,7 @@ namespace {
 using types::Duration;
 using types::Stamp;
 
-// ISO 15765-2:2016, table 9: the kind of a frame is its first four bits.
+// ISO 15765-2:2016, table 9: the first four bits give the kind of a frame.
 constexpr unsigned kSingle = 0, kFirst = 1, kConsecutive = 2, kFlow = 3;
 // Table 18: flow status.
 constexpr unsigned kContinue = 0, kWait = 1, kOverflow = 2;
@@ -31,7 +31,7 @@ CanData padded_frame(unsigned first_byte) {
   return frame;
 }
 
-/// STmin (table 20). What is reserved counts as the longest.
+/// STmin (table 20). Reserved values count as the longest gap.
 Duration gap_of(unsigned st_min) {
   if (st_min <= 0x7F) return std::chrono::milliseconds(st_min);
   if (st_min >= 0xF1 && st_min <= 0xF9) return std::chrono::microseconds(100 * (st_min - 0xF0));
@@ -57,9 +57,9 @@ IsoTpReceiver::Taken IsoTpReceiver::take(std::span<const std::byte> frame, Stamp
 
 IsoTpReceiver::Taken IsoTpReceiver::take_single(std::span<const std::byte> frame) {
   const std::size_t size = value(frame[0]) & 0x0FU;
-  // 0 is the escape of CAN FD, which a frame of 8 bytes never needs.
+  // 0 is the escape of CAN FD, which a frame of 8 bytes does not need.
   if (size == 0 || size > kSingleMax || frame.size() < size + 1) return {{}, {}, IsoTpFault::kLength};
-  // The start of another PDU ends the one under way and is taken (section 9.8.3).
+  // The start of another PDU ends the transfer in progress and is accepted (section 9.8.3).
   const IsoTpFault fault = busy_ ? IsoTpFault::kUnexpected : IsoTpFault::kNone;
   busy_ = false;
   std::copy_n(frame.begin() + 1, size, pdu_.begin());
@@ -172,7 +172,7 @@ CanData IsoTpSender::consecutive_frame() {
 
 IsoTpFault IsoTpSender::take_flow(std::span<const std::byte> frame, Stamp now) {
   if (state_ != State::kWaitFlow || !is_flow_control(frame)) return IsoTpFault::kUnexpected;
-  if (frame.size() < 3) return IsoTpFault::kLength;  // as if it had not come: N_Bs decides
+  if (frame.size() < 3) return IsoTpFault::kLength;  // ignored: N_Bs decides
   const unsigned status = value(frame[0]) & 0x0FU;
   if (status != kContinue) {
     abort();

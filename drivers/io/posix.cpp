@@ -44,7 +44,7 @@ Errc errc_of(int error) {
   }
 }
 
-/// The group that owns a device file, where that says more than "root".
+/// The group that owns a device file; "dialout" when that is root or unknown.
 std::string group_of(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0 && status.st_gid != 0) {

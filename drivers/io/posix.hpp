@@ -11,7 +11,7 @@
 
 namespace topo::io {
 
-/// Calls until it is not interrupted by a signal. `call` returns -1 and sets errno on failure.
+/// Repeats the call while a signal interrupts it. `call` returns -1 and sets errno on failure.
 template <class Call>
 auto retry_interrupted(Call&& call) {
   auto result = call();
@@ -19,22 +19,22 @@ auto retry_interrupted(Call&& call) {
   return result;
 }
 
-/// CLOCK_MONOTONIC: the host's steady clock, that stamps every read.
+/// CLOCK_MONOTONIC: the host's steady clock, which stamps every read.
 [[nodiscard]] types::Stamp monotonic_now();
 
-/// Sleeps until CLOCK_MONOTONIC shows `when`; not at all when that has passed. Goes on after a signal.
+/// Sleeps until CLOCK_MONOTONIC reaches `when`; returns at once when that has passed. Resumes after a signal.
 void sleep_until(types::Stamp when);
 
-/// "DEVICE: DOING: what the operating system says", under the code that fits the errno.
+/// "DEVICE: DOING: message of the operating system", with the code that corresponds to the errno.
 [[nodiscard]] types::Error error_of_errno(std::string_view device, std::string_view doing, int error);
 [[nodiscard]] tl::unexpected<types::Error> fail_errno(std::string_view device, std::string_view doing,
                                                       int error);
 
-/// As fail_errno; a refused device file names the group that has access to it.
+/// As fail_errno; for a refused device file, the message names the group that has access.
 [[nodiscard]] tl::unexpected<types::Error> fail_open(const std::string& path, int error);
 
-/// What poll(2) reports for one descriptor within `timeout`; 0 when nothing did, -1 with errno on failure.
-/// Goes on waiting after a signal. A negative time-out counts as none.
+/// The events that poll(2) reports for one descriptor within `timeout`; 0 when there are none, -1 with errno
+/// on failure. Resumes after a signal. A negative time-out counts as 0.
 [[nodiscard]] int wait_for(int fd, short events, types::Duration timeout);
 
 }  // namespace topo::io

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kFailed = 1;
 
-/// As gnulib's stdopen: in the wrong direction, so that using it is an error.
+/// As gnulib's stdopen: opened in the wrong direction, so that any use is an error.
 void occupy(int descriptor, int wrong_direction) {
   if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) return;
   [[maybe_unused]] const int taken = ::open("/dev/null", wrong_direction);  // takes the lowest number: this
@@ -28,7 +28,7 @@ void occupy_standard_streams() {
   occupy(STDERR_FILENO, O_RDONLY);
 }
 
-/// The errno of what could not be written; 0 when it is not known any more.
+/// The errno of a failed write to standard output; 0 when it is no longer known.
 std::optional<int> lost_output() {
   const bool before = std::ferror(stdout) != 0;
   if (std::fflush(stdout) != 0) return errno;
@@ -44,7 +44,7 @@ int run_program(const char* name, int (*start)(int argc, char** argv), int argc,
   try {
     status = start(argc, argv);
     lost = lost_output();
-  } catch (const std::system_error& thrown) {  // as fmt::print() does for what is too long for the buffer
+  } catch (const std::system_error& thrown) {  // fmt::print() throws this when the text exceeds the buffer
     if (std::ferror(stdout) == 0) throw;
     const std::error_code& error = thrown.code();
     lost = error.value();

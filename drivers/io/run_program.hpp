@@ -4,10 +4,10 @@
 
 namespace topo::io {
 
-/// What a program's main() does: gives the exit status of `start`, or 1 when that is 0 and not all of the
-/// standard output could be written, which is said on standard error. A standard stream that the caller
-/// closed is one on which every access fails, so that no file that is opened later takes its number and its
-/// text.
+/// Body of a program's main(): returns the exit status of `start`, or 1 when that is 0 and standard output
+/// could not be written completely, which is reported on standard error. A standard stream that the caller
+/// closed is replaced by one on which every access fails, so that no file opened later gets its descriptor
+/// and its text.
 int run_program(const char* name, int (*start)(int argc, char** argv), int argc, char** argv);
 
 }  // namespace topo::io

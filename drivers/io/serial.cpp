@@ -31,8 +31,8 @@ constexpr std::array<std::pair<int, speed_t>, 10> kSpeeds{{{9600, B9600},
                                                            {921600, B921600},
                                                            {1000000, B1000000}}};
 
-/// Longest wait for the old bytes to leave before the speed changes: a full 4 KiB buffer at 38400 baud
-/// takes 1.1 s, but no command of ours is longer than 32 bytes (34 ms at 9600).
+/// Longest wait for pending bytes before the speed changes: a full 4 KiB buffer at 38400 baud takes 1.1 s,
+/// but no command is longer than 32 bytes (34 ms at 9600 baud).
 constexpr Duration kDrainLimit = 50ms;
 
 class SerialStream final : public FdStream {
@@ -91,7 +91,7 @@ Status make_raw(int fd, const std::string& name) {
   settings.c_cc[VMIN] = 1;
   settings.c_cc[VTIME] = 0;
   if (::tcsetattr(fd, TCSANOW, &settings) != 0) return fail_errno(name, "setting raw mode", errno);
-  ::tcflush(fd, TCIOFLUSH);  // bytes from before this connection mean nothing
+  ::tcflush(fd, TCIOFLUSH);  // discards bytes from before this connection
   return {};
 }
 

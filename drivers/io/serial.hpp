@@ -12,10 +12,10 @@ namespace topo::io {
 /// controlling terminal, locked against every other program (TIOCEXCL and flock).
 class SerialConnector final : public Connector {
  public:
-  /// `path`: the device file; `name`: as the configuration wrote it, for messages.
+  /// `path`: the device file; `name`: the configured address, for messages.
   SerialConnector(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
 
-  /// Opening a local device does not wait: `timeout` is not used. kBusy when another program holds it.
+  /// Opening a local device does not wait: `timeout` is unused. kBusy when another program holds the device.
   Result<std::unique_ptr<ByteStream>> connect(Duration timeout) override;
   [[nodiscard]] std::string_view name() const override { return name_; }
 

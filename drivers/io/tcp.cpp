@@ -41,7 +41,8 @@ Status set_option(int fd, const std::string& name, int level, int option, int va
   return fail_errno(name, "setting a socket option", errno);
 }
 
-/// PROTOCOLS section 11.1: no message boundaries, so no delay; a half-open link holds the sensor's only slot.
+/// PROTOCOLS section 11.1: no message boundaries, hence no delay; a half-open link holds the sensor's only
+/// slot.
 Status set_options(int fd, const std::string& name) {
   constexpr int kUserTimeoutMs = 3000;
   const std::pair<std::pair<int, int>, int> options[] = {

@@ -11,7 +11,7 @@
 
 namespace topo::io {
 
-/// Opens a TCP connection: TCP_NODELAY; a dead peer or a pulled cable is noticed within about 4 s (keepalive
+/// Opens a TCP connection: TCP_NODELAY; a dead peer or a pulled cable is detected within about 4 s (keepalive
 /// after 1 s, every 1 s, three times; unacknowledged writes 3 s).
 class TcpConnector final : public Connector {
  public:
@@ -19,8 +19,8 @@ class TcpConnector final : public Connector {
   /// time-out when a name server does not answer: use numbers on a robot).
   TcpConnector(std::string host, std::uint16_t port, std::string name);
 
-  /// kTimeout: the attempt is still under way, and the next call goes on with it (a call's time-out may be
-  /// far shorter than a handshake over a bad link). An attempt without any answer is dropped after 3 s.
+  /// kTimeout: the attempt is still in progress, and the next call continues it (a call's time-out may be far
+  /// shorter than a handshake over a bad link). An attempt without any answer is dropped after 3 s.
   Result<std::unique_ptr<ByteStream>> connect(Duration timeout) override;
   [[nodiscard]] std::string_view name() const override { return name_; }
 

@@ -25,8 +25,8 @@ class UniqueFd {
   [[nodiscard]] int get() const { return fd_; }
   [[nodiscard]] bool valid() const { return fd_ >= 0; }
 
-  /// Closes what is held. close() is not retried after EINTR: on Linux the descriptor is gone by then, and
-  /// its number may already be somebody else's.
+  /// Closes the descriptor held. close() is not retried after EINTR: on Linux the descriptor is already
+  /// closed, and its number may be in use again.
   void reset(int fd = -1) {
     if (fd_ >= 0) ::close(fd_);
     fd_ = fd;

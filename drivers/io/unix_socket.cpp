@@ -45,7 +45,7 @@ Result<sockaddr_un> to_address(const std::string& path) {
 }
 
 const sockaddr* generic(const sockaddr_un& address) {
-  return reinterpret_cast<const sockaddr*>(&address);  // as the socket calls want it
+  return reinterpret_cast<const sockaddr*>(&address);  // type that the socket calls expect
 }
 
 std::string lock_path_of(const std::string& path) { return path + ".lock"; }
@@ -58,15 +58,16 @@ struct flock whole_file() {
   return range;
 }
 
-/// Two locks: the kernel tells who holds one of fcntl(), but a process that opens the file once more takes
-/// that one twice and loses it; one of flock() is safe from that, and nobody is told whose it is.
+/// Two locks. The kernel reports the holder of an fcntl() lock, but a process that opens the file again takes
+/// that lock a second time and loses it at close. A flock() lock does not have this fault, but its holder is
+/// not reported.
 Result<UniqueFd> take_lock(const std::string& path) {
   const std::string lock_path = lock_path_of(path);
   UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (!lock.valid()) return fail_path(lock_path, "cannot be opened");
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) {
     struct flock range = whole_file();
-    static_cast<void>(::fcntl(lock.get(), F_SETLK, &range));  // without it our process is not known, no more
+    static_cast<void>(::fcntl(lock.get(), F_SETLK, &range));  // on failure only the process id is unknown
     return lock;
   }
   if (errno != EWOULDBLOCK) return fail_path(lock_path, "cannot be locked");
@@ -76,7 +77,7 @@ Result<UniqueFd> take_lock(const std::string& path) {
                           path));
 }
 
-/// With the lock held, a socket that is there belongs to nobody.
+/// With the lock held, an existing socket belongs to no process.
 Status remove_stale(const std::string& path) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) {
@@ -104,7 +105,7 @@ tl::unexpected<types::Error> fail_unanswered(const std::string& path) {
   return fail(Errc::kTimeout, fmt::format("control socket {}: who serves it does not answer", path));
 }
 
-/// A socket that is connected; one that is not valid when a signal came in between.
+/// A connected socket; an invalid one when a signal interrupted the call.
 Result<UniqueFd> try_connect(const std::string& path, const sockaddr_un& address, types::Duration patience) {
   UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   if (!socket.valid()) return fail_path(path, "no socket");
@@ -133,7 +134,8 @@ Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mo
 }
 
 ListeningSocket::~ListeningSocket() {
-  // The lock file stays: removing it would let a third daemon lock a file that nobody else sees.
+  // The lock file stays: otherwise a third daemon could lock a new file while another still holds the removed
+  // one.
   if (socket_.valid()) ::unlink(path_.c_str());
 }
 
@@ -141,7 +143,7 @@ pid_t serving_process(const std::string& path) {
   const UniqueFd lock(::open(lock_path_of(path).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct flock range = whole_file();
   if (!lock.valid() || ::fcntl(lock.get(), F_GETLK, &range) != 0) return 0;
-  // Anybody who may read the file can hold a read lock on it.
+  // Any process that may read the file can hold a read lock on it.
   return range.l_type == F_WRLCK ? std::max(range.l_pid, 0) : 0;
 }
 
@@ -150,7 +152,7 @@ Result<UniqueFd> connect_unix(const std::string& path, types::Duration patience)
   if (!address) return tl::unexpected(address.error());
   const types::Stamp deadline = monotonic_now() + patience;
   auto socket = try_connect(path, *address, patience);
-  // POSIX goes on connecting a socket that was interrupted, Linux does not: a new one is right for both.
+  // POSIX continues connecting an interrupted socket, Linux does not: a new socket is correct for both.
   while (socket && !socket->valid()) {
     const types::Duration left = deadline - monotonic_now();
     if (left <= types::Duration::zero()) return fail_unanswered(path);

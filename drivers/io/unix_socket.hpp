@@ -12,13 +12,13 @@
 
 namespace topo::io {
 
-/// A listening Unix stream socket in the file system, owned through a lock file beside it (PATH.lock), so
-/// that a socket left by a crash is replaced and one of a living process never is. Removes the socket's file
-/// when it goes.
+/// A listening Unix stream socket in the file system, owned through a lock file beside it (PATH.lock): a
+/// socket left by a crash is replaced, a socket of a living process never is. The destructor removes the
+/// socket's file.
 class ListeningSocket {
  public:
-  /// `mode`: who may connect. By default anybody: what a peer may do is decided by its credentials.
-  /// kBusy: another process serves this path. kInvalidInput: something that is no socket is there.
+  /// `mode`: permission to connect. By default any user: a peer's rights follow from its credentials. kBusy:
+  /// another process serves this path. kInvalidInput: a file that is not a socket is there.
   static types::Result<ListeningSocket> open(const std::string& path, mode_t mode = 0666);
 
   ListeningSocket(const ListeningSocket&) = delete;
@@ -37,12 +37,12 @@ class ListeningSocket {
   std::string path_;
 };
 
-/// Whose ListeningSocket is there, be it one that takes nobody up; 0 when that is nobody's, our own, or that
-/// of a process that we cannot name.
+/// Process that owns the ListeningSocket at `path`, even when it accepts no connections; 0 when there is
+/// none, when it is this process, or when its process id is not visible here.
 [[nodiscard]] pid_t serving_process(const std::string& path);
 
-/// Connects to who serves there. kNotFound: nobody does. kPermission: the file or its folder is closed to us.
-/// kTimeout: it took nobody up within `patience`, the longest that later sends wait, too.
+/// Connects to the process that serves `path`. kNotFound: none does. kPermission: no access to the file or
+/// its folder. kTimeout: not accepted within `patience`, which is also the limit of later sends.
 types::Result<UniqueFd> connect_unix(const std::string& path,
                                      types::Duration patience = std::chrono::seconds(5));
 

@@ -19,11 +19,11 @@ using types::Errc;
 using types::Stamp;
 using types::Status;
 
-constexpr Duration kSendTime = milliseconds(100);        // N_As, and as long for a stop
+constexpr Duration kSendTime = milliseconds(100);        // N_As, also for a stop
 constexpr Duration kSendAgain = milliseconds(1);         // a full queue sends four frames in it at 500 kbit/s
 constexpr Duration kUnacknowledged = milliseconds(500);  // five heartbeats
 
-/// Of a whole packet: FA FB, count, type byte.
+/// True for a stop as a whole packet: FA FB, count, type byte.
 bool is_stop(std::span<const std::byte> packet) {
   constexpr std::size_t kStopSize = 6, kTypeAt = 3;
   if (packet.size() != kStopSize) return false;
@@ -54,7 +54,7 @@ Status ArcosCanStream::write_stop(std::byte command) {
   waiting_.reset();
   if (!stop_) stop_ = Stop{{}, now()};
   stop_->data.size = 1;
-  // An emergency stop that waits is not softened by a plain one.
+  // A waiting emergency stop is not replaced by a plain one.
   if (stop_->data.bytes[0] != static_cast<std::byte>(Command::kEStop)) stop_->data.bytes[0] = command;
   stop_->overtook = false;
   return send_stop();
@@ -76,8 +76,8 @@ Status ArcosCanStream::send_stop() {
                      std::string(port_->name()) + ": a stop did not get out: the interface takes no frames");
 }
 
-/// Sends what is due, nothing past a stop. What finds no room is tried again; after N_As the transfer is
-/// given up.
+/// Sends frames that are due, a stop before all others. A frame that finds the queue full is retried; after
+/// N_As the transfer is aborted.
 Status ArcosCanStream::pump() {
   if (auto sent = send_stop(); !sent || stop_) return sent;
   return send_transfer();
@@ -105,7 +105,8 @@ Status ArcosCanStream::send_transfer() {
   }
 }
 
-/// Flow control that finds no room is lost: the robot gives that packet up and goes on with the next.
+/// A flow control frame that finds the queue full is lost: the robot aborts that packet and continues with
+/// the next.
 Status ArcosCanStream::send_reply(const io::CanData& reply) {
   auto sent = port_->send(id(kCanToRobot), reply);
   if (!is_busy(sent)) return sent;
@@ -114,7 +115,7 @@ Status ArcosCanStream::send_reply(const io::CanData& reply) {
 }
 
 void ArcosCanStream::expire() {
-  // A frame that still waits for room has a limit of its own, which ends with that of its answer.
+  // A frame that still waits has a limit of its own, which includes that of its answer.
   if (!waiting_ && sender_.expire(now()) != io::IsoTpFault::kNone) ++faults_[BusFault::kUnanswered];
   if (receiver_.expire(now()) != io::IsoTpFault::kNone) ++faults_[BusFault::kBadTransfer];
 }
@@ -140,7 +141,8 @@ types::Result<io::ReadResult> ArcosCanStream::read(std::span<std::byte> buffer, 
     auto event = port_->receive(std::max(wait, Duration::zero()));
     if (!event) return tl::unexpected(std::move(event.error()));
     if (auto done = on_event(*event); !done) return tl::unexpected(std::move(done.error()));
-    // What came in time is taken however late this thread is; what comes after it waits for the next call.
+    // A frame that arrived before the deadline is taken even when this thread is late; later ones wait for
+    // the next call.
     const auto* frame = std::get_if<io::CanFrame>(&*event);
     const bool in_time = frame != nullptr && frame->stamp <= deadline;
     if (!in_time && packet_.empty() && now() >= deadline) return io::ReadResult{0, now()};
@@ -169,7 +171,8 @@ Status ArcosCanStream::on_frame(const io::CanFrame& frame) {
   return taken.reply ? send_reply(*taken.reply) : Status{};
 }
 
-/// One message is exactly one packet; what is not is dropped whole, so that no rest of it spoils the next.
+/// One message is exactly one packet; any other message is dropped whole, so that no remainder corrupts the
+/// next packet.
 void ArcosCanStream::on_packet(std::span<const std::byte> pdu, Stamp stamp) {
   PacketParser parser;
   std::span<const std::byte> rest = pdu;

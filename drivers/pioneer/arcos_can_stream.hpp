@@ -14,7 +14,7 @@
 
 namespace topo::pioneer {
 
-/// Identifiers of unit 0; those of unit u lie u higher (PROTOCOLS section 14.1).
+/// Identifiers of unit 0; those of unit u are higher by u (PROTOCOLS section 14.1).
 inline constexpr std::uint16_t kCanStop = 0x688;       ///< to the robot: one byte, E_STOP or STOP
 inline constexpr std::uint16_t kCanToRobot = 0x690;    ///< ISO-TP
 inline constexpr std::uint16_t kCanFromRobot = 0x698;  ///< ISO-TP
@@ -22,11 +22,11 @@ inline constexpr std::uint16_t kCanHeartbeat = 0x6A0;  ///< from the robot, ever
 inline constexpr int kCanUnits = 8;
 
 /// ARCOS over CAN, "ARCOS-TP v1" (PROTOCOLS section 14.1), as a byte stream: every packet is one ISO-TP
-/// message. A packet E_STOP or STOP becomes one raw frame of the highest priority at once and ends the
-/// transfer under way; what of one is in the interface's queue already cannot be called back, so the frame
-/// goes once more behind it. write() never waits: what it begins goes on in read(), and ready() says when it
-/// is over. The destructor lets what is under way come to its end, as the kernel does for other transports;
-/// it waits 100 ms at most.
+/// message. A packet E_STOP or STOP is sent at once as one raw frame of the highest priority and aborts the
+/// transfer in progress; frames of that transfer that are already in the interface's queue cannot be
+/// withdrawn, so the stop frame is sent again behind them. write() never waits: read() continues the
+/// transfer, and ready() reports its end. The destructor waits for the end of a transfer in progress, as the
+/// kernel does for other transports, 100 ms at most.
 class ArcosCanStream final : public io::ByteStream {
  public:
   ArcosCanStream(std::unique_ptr<io::CanPort> port, int unit) : port_(std::move(port)), unit_(unit) {}
@@ -34,10 +34,10 @@ class ArcosCanStream final : public io::ByteStream {
   ArcosCanStream(const ArcosCanStream&) = delete;
   ArcosCanStream& operator=(const ArcosCanStream&) = delete;
 
-  /// Error kClosed as well when the controller is bus-off, and when nobody acknowledges for 500 ms.
+  /// Error kClosed also when the controller is bus-off, or without acknowledgement for 500 ms.
   types::Result<io::ReadResult> read(std::span<std::byte> buffer, types::Duration timeout) override;
-  /// One packet. kBusy unless ready(), but for a stop; kTimeout when a stop did not get out within 100 ms of
-  /// the first order. `timeout` is not used.
+  /// Writes one packet. kBusy unless ready(), except for a stop; kTimeout when a stop could not be sent
+  /// within 100 ms of the first order. `timeout` is unused.
   types::Status write(std::span<const std::byte> packet, types::Duration timeout) override;
   [[nodiscard]] bool ready() const override { return !stop_ && !transfer_under_way(); }
   types::Status set_baud(int /*baud*/) override { return {}; }
@@ -47,16 +47,16 @@ class ArcosCanStream final : public io::ByteStream {
   [[nodiscard]] io::BusFaults faults() const override { return faults_; }
 
  private:
-  /// A frame that the interface had no room for yet.
+  /// A frame for which the interface's queue had no space yet.
   struct Unsent {
     io::CanData data;
     types::Stamp since{};
   };
-  /// A stop goes out twice: past the interface's queue, and behind what is in it.
+  /// A stop is sent twice: ahead of the interface's queue, and behind the frames in it.
   struct Stop {
     io::CanData data;
-    types::Stamp since{};   ///< of the first order that did not get out
-    bool overtook = false;  ///< the first of the two is out
+    types::Stamp since{};   ///< time of the first order that was not sent
+    bool overtook = false;  ///< the first of the two has been sent
   };
 
   types::Status write_stop(std::byte command);
@@ -79,12 +79,12 @@ class ArcosCanStream final : public io::ByteStream {
   int unit_;
   io::IsoTpSender sender_;
   io::IsoTpReceiver receiver_;
-  std::optional<Stop> stop_;       ///< goes before all else
-  std::optional<Unsent> waiting_;  ///< of the transfer
+  std::optional<Stop> stop_;       ///< sent before everything else
+  std::optional<Unsent> waiting_;  ///< frame of the transfer
   types::Stamp retry_at_{};
   std::span<const std::byte> packet_;  ///< in the receiver, not fetched yet
   types::Stamp packet_stamp_{};
-  types::Stamp unacknowledged_since_{};  ///< zero: not, or something was heard since
+  types::Stamp unacknowledged_since_{};  ///< zero: acknowledged, or a frame was received since
   io::BusFaults faults_;
 };
 

@@ -60,7 +60,7 @@ class CommandWriter {
   }
 
  private:
-  static constexpr std::size_t kPayload = 3, kChecksum = 2;  // bytes before the payload, and behind it
+  static constexpr std::size_t kPayload = 3, kChecksum = 2;  // bytes before and after the payload
   CommandPacket packet_;
   std::size_t used_ = 0;
 };
@@ -118,7 +118,8 @@ PacketParser::Candidate PacketParser::judge() {
   return Candidate::kBroken;
 }
 
-/// True when a whole packet stands at the front; otherwise the front is empty or the start of a packet.
+/// True when a complete packet is at the front; otherwise the buffer is empty or begins with part of a
+/// packet.
 bool PacketParser::seek_packet() {
   while (size_ > 0) {
     const Candidate candidate = judge();
@@ -145,7 +146,7 @@ void PacketParser::drop_to_next_sync() {
   drop(bytes);
 }
 
-/// Nothing more will come for the candidate at the front, but a whole packet may stand behind its head.
+/// The packet at the front will not be completed, but a complete packet may follow its header.
 void PacketParser::abandon_incomplete() {
   if (size_ == 0) {
     gap_ = false;
@@ -155,7 +156,7 @@ void PacketParser::abandon_incomplete() {
   drop_to_next_sync();
 }
 
-/// Never takes a byte beyond the candidate, whose count was judged before: the buffer cannot overflow.
+/// Never takes bytes beyond the candidate, whose count was checked before: the buffer cannot overflow.
 void PacketParser::append(std::span<const std::byte>& input, types::Stamp stamp) {
   types::require(size_ <= wanted() && wanted() <= bytes_.size(),
                  "pioneer::PacketParser: a packet longer than allowed");

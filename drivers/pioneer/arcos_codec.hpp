@@ -14,7 +14,7 @@
 namespace topo::pioneer {
 
 inline constexpr std::size_t kMinCount = 3;    ///< smallest N: a type byte and the checksum
-inline constexpr std::size_t kMaxCount = 204;  ///< ARCOS drops what is longer
+inline constexpr std::size_t kMaxCount = 204;  ///< ARCOS drops longer packets
 inline constexpr std::size_t kMaxPacket = kMaxCount + 3;
 
 /// Host to robot (PROTOCOLS section 3). 0, 1 and 2 are SYNC0, SYNC1 and SYNC2 before the connection.
@@ -70,18 +70,18 @@ class CommandPacket {
 };
 
 CommandPacket encode(Command command);
-/// The sign goes into the argument's type byte; clamped to +-32767.
+/// Encodes the sign in the argument's type byte; clamps to +-32767.
 CommandPacket encode(Command command, int argument);
 
-/// A packet whose frame and checksum hold. Valid until the parser's next call.
+/// A packet with valid frame and checksum. Valid until the parser's next call.
 struct PacketView {
   std::span<const std::byte> payload;  ///< type byte and data, never empty
-  types::Stamp first_byte{};           ///< of the read that brought its first byte
+  types::Stamp first_byte{};           ///< stamp of the read that returned its first byte
   types::Stamp last_byte{};
 
   [[nodiscard]] std::uint8_t type() const { return std::to_integer<std::uint8_t>(payload.front()); }
   [[nodiscard]] bool is(PacketType wanted) const { return type() == static_cast<std::uint8_t>(wanted); }
-  /// 0x3x: the mark of an open connection whatever the firmware's age (PROTOCOLS section 4).
+  /// 0x3x: identifies an open connection for all firmware versions (PROTOCOLS section 4).
   [[nodiscard]] bool is_status() const { return (type() & 0xF0U) == 0x30U; }
   [[nodiscard]] std::size_t wire_bytes() const { return payload.size() + 5; }
 };
@@ -91,17 +91,17 @@ struct ParserCounters {
   std::uint64_t bad_checksums = 0;
   std::uint64_t bad_counts = 0;     ///< N below 3 or above 204
   std::uint64_t abandoned = 0;      ///< a gap of more than 100 ms inside
-  std::uint64_t skipped_bytes = 0;  ///< that belonged to no packet
+  std::uint64_t skipped_bytes = 0;  ///< bytes that belonged to no packet
 };
 
-/// Finds packets in a stream of bytes. After anything that is no packet it advances by one byte and looks
+/// Finds packets in a stream of bytes. After bytes that are not a packet it advances by one byte and searches
 /// again, because FA FB may be data and because a packet may begin inside a broken one.
 class PacketParser {
  public:
-  /// Takes bytes from the front of `input` until a packet is complete or `input` is used up; `stamp` is when
-  /// they were read, or with an empty `input` until when nothing came: a controller that is reset in the
-  /// middle of a packet says so behind its beginning, and then nothing any more. Call again with what is left
-  /// until there is no packet.
+  /// Takes bytes from the front of `input` until a packet is complete or `input` is consumed. `stamp` is the
+  /// time of the read; with an empty `input`, the time until which no byte arrived: a controller that is
+  /// reset during a packet sends its reset message behind the incomplete packet and then nothing more. Call
+  /// again with the remaining input until no packet is returned.
   std::optional<PacketView> next(std::span<const std::byte>& input, types::Stamp stamp);
   void reset();
   [[nodiscard]] const ParserCounters& counters() const { return counters_; }
@@ -122,8 +122,8 @@ class PacketParser {
   std::array<std::byte, kMaxPacket> bytes_{};
   std::array<types::Stamp, kMaxPacket> stamps_{};
   std::size_t size_ = 0;
-  std::size_t delivered_ = 0;  ///< bytes of the packet handed out last, still at the front
-  bool gap_ = false;           ///< what is buffered will not be completed
+  std::size_t delivered_ = 0;  ///< bytes of the last returned packet, still at the front
+  bool gap_ = false;           ///< the buffered packet will not be completed
   ParserCounters counters_;
 };
 

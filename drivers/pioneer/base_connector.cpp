@@ -58,7 +58,7 @@ tl::unexpected<types::Error> fail_address(std::string_view address, std::string_
 }  // namespace
 
 Result<std::optional<CanAddress>> parse_can_address(std::string_view address) {
-  constexpr std::size_t kLongestName = 15;  // IFNAMSIZ with its end
+  constexpr std::size_t kLongestName = 15;  // IFNAMSIZ less the terminating NUL
   if (!address.starts_with(kCan)) return std::optional<CanAddress>();
   const std::string_view rest = address.substr(kCan.size());
   const std::size_t colon = rest.find(':');

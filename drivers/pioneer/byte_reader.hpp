@@ -10,8 +10,8 @@
 
 namespace topo::pioneer {
 
-/// Little-endian fields from the front of a payload. Fields may be missing from the end (older firmware):
-/// a read that finds too little gives nothing, and so does every read after it.
+/// Reads little-endian fields from the front of a payload. Fields may be missing at the end (older firmware):
+/// a read beyond the end returns nothing, and so does every read after it.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -43,8 +43,8 @@ class ByteReader {
     if (!v) return std::nullopt;
     return static_cast<std::int8_t>(*v);
   }
-  /// Up to the NUL, which is consumed, or up to the end. Bytes that are no printable ASCII become '?', so
-  /// that names can stand in messages.
+  /// Text up to the NUL, which is consumed, or up to the end. Bytes other than printable ASCII become '?', so
+  /// that names can be used in messages.
   std::string text() {
     std::string out;
     while (const auto c = u8()) {

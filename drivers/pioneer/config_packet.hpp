@@ -9,7 +9,8 @@
 
 namespace topo::pioneer {
 
-/// What we use of CONFIGpac (PROTOCOLS section 5), in wire units. Missing at the end (older firmware): 0.
+/// The fields of CONFIGpac that are used (PROTOCOLS section 5), in wire units. Missing at the end (older
+/// firmware): 0.
 struct ConfigPacket {
   std::string robot_class, subclass, serial_number, name, firmware;
   int rot_velocity_top_degps = 0;
@@ -27,8 +28,8 @@ struct ConfigPacket {
   int shutdown_decivolt = 0;
 };
 
-/// From a payload that begins with type 0x20; nothing when it does not, or when it ends before the limits
-/// without which a robot cannot be driven.
+/// Decodes a payload that begins with type 0x20. Nothing for another type, or when no field follows the
+/// robot's name: the limits before the name, without which the robot cannot be driven, may be missing.
 std::optional<ConfigPacket> decode_config(std::span<const std::byte> payload);
 
 }  // namespace topo::pioneer

@@ -60,7 +60,7 @@ struct Connection::Impl {
   Counters counters;
   Duration back_off = kBackOffMin;
   Stamp retry_at{};
-  Stamp may_drive_until{};  ///< by a setpoint of the connection that was lost, until the watchdog bites
+  Stamp may_drive_until{};  ///< until the watchdog expires, a setpoint of the lost connection may be in force
   int good_baud = 0;
 
   std::optional<Link> link;
@@ -80,12 +80,12 @@ void Connection::Impl::set_health(Health value, std::string text) {
   changed = true;
 }
 
-/// Gives the line up and waits before the next attempt; a last E_STOP goes out if it still can.
+/// Closes the line and waits before the next attempt; sends a last E_STOP if possible.
 void Connection::Impl::lose(Health value, std::string text) {
   const Stamp time = now();
   if (link && drive) {
     std::ignore = link->send_at_once(encode(Command::kEStop));
-    // A controller that was reset remembers no setpoint.
+    // A controller that was reset holds no setpoint.
     if (drive->may_be_moving() && value != Health::kReset)
       may_drive_until = time + milliseconds(info->watchdog_ms);
   }
@@ -100,7 +100,7 @@ void Connection::Impl::lose(Health value, std::string text) {
 void Connection::Impl::open(Duration timeout) {
   auto stream = connector->connect(timeout);
   if (!stream && stream.error().code == types::Errc::kTimeout) {
-    // The attempt goes on in the connector; the next call takes it up where it is.
+    // The attempt continues in the connector; the next call resumes it.
     set_health(Health::kDisconnected, stream.error().message);
     return;
   }
@@ -114,12 +114,13 @@ void Connection::Impl::open(Duration timeout) {
     lose(Health::kDisconnected, begun.error().message);
     return;
   }
-  // After a failure its message stays until the robot is heard: a device that is off does not blink.
+  // After a failure its message stays until the robot answers, so that the state of a device that is off does
+  // not alternate.
   if (std::exchange(first_attempt, false))
     set_health(Health::kConnecting, device() + ": looking for the robot");
 }
 
-/// Sends what is due and reads once, not beyond `until`. False when the line is lost.
+/// Sends due commands and reads once, at most until `until`. False when the line is lost.
 bool Connection::Impl::exchange(Stamp until) {
   auto sent = link->pump();
   if (sent) sent = link->receive(std::min(until, link->next_send()) - link->now());
@@ -139,7 +140,7 @@ void Connection::Impl::connect_further(Stamp deadline) {
 
 void Connection::Impl::advance(Handshake::Progress progress) {
   if (progress == Handshake::Progress::kFailed) {
-    // The robot may have been synced or opened: nothing stays behind.
+    // The robot may be in SYNC or have an open connection: it is closed.
     if (handshake->heard_robot()) std::ignore = link->send_at_once(encode(Command::kClose, 1));
     return lose(handshake->failure(), handshake->message());
   }
@@ -159,7 +160,7 @@ void Connection::Impl::start_running() {
   const std::string fault = watchdog_fault(packet);
   drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty(), now());
   delay.emplace(milliseconds(info->sip_cycle_ms));
-  // What the robot can do, not what it is allowed: a push must not look like a reset of the controller.
+  // Physical limits instead of the configured ones: a push must not be taken for a reset of the controller.
   constexpr double kPushed = 2.0;
   dead_reckoning.restart(model, kPushed * model.size.v_max_mps, kPushed * model.size.omega_max_radps);
   last_status = now();
@@ -184,7 +185,7 @@ bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out
   dead_reckoning.update(*status, std::max(arrival - last_status, cycle));
   last_status = arrival;
   apply_status(*status, model, arrival, state);
-  // Strictly later than the one before: two poses of one instant have no velocity between them.
+  // Strictly later than the previous stamp: two poses of one instant have no velocity between them.
   state.odometry.stamp = std::max(arrival - age, state.odometry.stamp + std::chrono::microseconds(1));
   state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(dead_reckoning.T_odom_base());
   state.odometry.twist = measured_twist(*status, model);
@@ -203,10 +204,11 @@ bool Connection::Impl::on_packet(const PacketView& packet, types::BaseState& out
   return packet.is_status() && on_status(packet, out);
 }
 
-/// One packet, or one exchange of bytes. True when `out` is new.
+/// Handles one packet, or exchanges bytes once. True when `out` is new.
 bool Connection::Impl::run(types::BaseState& out, Stamp deadline) {
   if (const auto packet = link->next_packet()) return on_packet(*packet, out);
-  // Judged only after a read that began later than the limit: a thread that slept finds its packets waiting.
+  // Evaluated only after a read that began after the limit: a thread that was delayed finds its packets
+  // waiting.
   const Stamp silent_at = last_status + kSilentCycles * milliseconds(info->sip_cycle_ms);
   if (link->last_read() >= silent_at) {
     lose(Health::kSilent, device() + ": no status from the robot for " + std::to_string(kSilentCycles) +
@@ -239,7 +241,7 @@ StepOutcome Connection::Impl::step(types::BaseState& out, Duration timeout) {
 types::Status Connection::Impl::command(const types::BaseCommand& command) {
   if (!drive) return types::fail(types::Errc::kClosed, "not connected");  // short: no allocation
   auto result = drive->command(command, link->now());
-  // An error of the line shows in step(), which gives the line up.
+  // An error of the line is handled in step(), which closes the line.
   if (auto sent = link->pump(); !sent) return sent;
   return result;
 }
@@ -265,7 +267,7 @@ void Connection::Impl::close(Duration timeout) {
     out.set_estop();
     out.push(encode(Command::kVel, 0));
     out.push(encode(Command::kRvel, 0));
-    drain(end - timeout / 3, true);  // a robot without motors does not brake: it stands first
+    drain(end - timeout / 3, true);  // a robot without motors does not brake: it must stand first
   }
   if (link && drive) {
     link->outbox().push(encode(Command::kEnable, 0));

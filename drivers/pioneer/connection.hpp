@@ -16,7 +16,7 @@
 
 namespace topo::pioneer {
 
-/// What the configuration says of the base.
+/// Configuration of the base.
 struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and the firmware's limits
   std::string expected_subclass;                ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
   bool sonar = true;
@@ -24,7 +24,7 @@ struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and th
 
 enum class Health { kDisconnected, kConnecting, kWrongDevice, kReady, kSilent, kUnsafe, kReset };
 
-/// What the robot said of itself: names, CONFIG packet, and the model's table (PROTOCOLS section 6).
+/// The robot's names, its CONFIG packet, and the model's table (PROTOCOLS section 6).
 struct RobotInfo {
   std::string name, robot_class, subclass, firmware, serial_number;
   int watchdog_ms = 0;  ///< 0 or missing: driving is refused
@@ -34,27 +34,28 @@ struct RobotInfo {
   double track_m = 0.0;  ///< effective, 2 / DiffConvFactor
   double swing_radius_m = 0.0;
   double length_front_m = 0.0, length_rear_m = 0.0, width_m = 0.0;
-  /// Poses of the transducers, by the index of BaseState::sonar; `sonars` of them are known. The model's full
-  /// set: a transducer that is not fitted never sends a reading.
+  /// Poses of the transducers, by the index of BaseState::sonar; the first `sonars` are known. The model's
+  /// full set: a transducer that is not fitted never sends a reading.
   std::array<types::Se2, types::BaseState::kMaxSonars> T_base_sonar{};
   std::size_t sonars = 0;
-  double sonar_range_max_m = 0.0;  ///< at or beyond: nothing seen
+  double sonar_range_max_m = 0.0;  ///< at or beyond: no echo
 };
 
 struct Counters {
   std::uint64_t status_packets = 0, bad_packets = 0, lost_packets = 0, reconnects = 0, commands = 0,
                 bytes = 0;
-  io::BusFaults bus;  ///< of all connections; none where the base is not on a bus
+  io::BusFaults bus;  ///< over all connections; none when the base is not on a bus
 };
 
 enum class StepOutcome {
-  kNothing,  ///< the deadline came first
+  kNothing,  ///< the deadline passed
   kState,    ///< `out` holds a new state
   kChanged,  ///< health changed: read health() and message()
 };
 
-/// One Pioneer from connect to controlled close. The first bytes on every opened port are E_STOP, VEL 0,
-/// RVEL 0, CLOSE, then SYNC0. Used by one thread. Allocates while connecting, never while running.
+/// Connection to one Pioneer, from connect to controlled close. The first bytes on every opened port are
+/// E_STOP, VEL 0, RVEL 0, CLOSE, then SYNC0. Used by one thread. Allocates while connecting, never while
+/// running.
 class Connection {
  public:
   Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector);
@@ -62,12 +63,11 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Reads what came, keeps the connection alive, and returns at a new state, a change, or after `timeout`.
+  /// Reads input, keeps the connection alive, and returns at a new state, a change, or after `timeout`.
   StepOutcome step(types::BaseState& out, types::Duration timeout);
 
-  /// Sends setpoints now (clamped, rate limited to what the firmware takes), feeding the firmware's watchdog.
-  /// A command that is not finite becomes a stop. Without a call within 200 ms the connection itself sends a
-  /// stop.
+  /// Sends setpoints now (clamped, paced for the firmware) and feeds the firmware's watchdog. A command that
+  /// is not finite becomes a stop. Without a call for 200 ms, step() sends a stop.
   types::Status command(const types::BaseCommand& command);
 
   /// E_STOP, VEL 0, RVEL 0, ENABLE 0, CLOSE; bounded by `timeout`.

@@ -7,7 +7,7 @@
 namespace topo::pioneer {
 namespace {
 
-constexpr int kPositionModulus = 1 << 15;  ///< 15 bits, whatever the sixteenth says
+constexpr int kPositionModulus = 1 << 15;  ///< 15 bits; the sixteenth is ignored
 constexpr double kJumpFactor = 1.5;
 constexpr double kJumpSlack_m = 0.02;  ///< quantisation and the jitter of the cycle
 constexpr double kJumpSlack_rad = 0.05;
@@ -57,7 +57,7 @@ DeadReckoning::Update DeadReckoning::update(const StatusPacket& packet, types::D
   const types::Vector2 step = types::Se2{0.0, 0.0, T_odom_robot_theta_rad_} * types::Vector2{dx_m, dy_m};
   pose_.x_m += step.x();
   pose_.y_m += step.y();
-  // From the counter itself, not from a sum of differences: no rounding gathers over hours.
+  // From the counter itself instead of a sum of differences: no rounding error accumulates over hours.
   pose_.theta_rad = types::wrap_angle(T_odom_robot_theta_rad_ + now.heading * radians_per_heading_unit());
   last_ = now;
   return Update::kMoved;

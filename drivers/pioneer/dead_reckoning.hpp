@@ -9,20 +9,20 @@
 
 namespace topo::pioneer {
 
-/// Joins the robot's wrapping counters (PROTOCOLS section 4.1) to one unbroken pose in odom: over
+/// Combines the robot's wrapping counters (PROTOCOLS section 4.1) into one continuous pose in odom, across
 /// wrap-arounds, reconnects and resets of the controller.
 class DeadReckoning {
  public:
   enum class Update {
-    kInitialised,  ///< first packet of a connection: the pose stays, whatever the counters say
+    kInitialised,  ///< first packet of a connection: the pose stays, independent of the counters
     kMoved,
-    kJumped,  ///< further than the robot can go: the counters were reset, the pose stays
+    kJumped,  ///< farther than the robot can move: the counters were reset, the pose stays
   };
 
-  /// The next packet only initialises. `v_max_mps` and `omega_max_radps` are what the robot can do at most.
+  /// The next packet only initialises. `v_max_mps` and `omega_max_radps` are the robot's physical limits.
   void restart(const RobotModel& model, double v_max_mps, double omega_max_radps);
 
-  /// `elapsed` since the packet before this one, which may be lost packets' time as well.
+  /// `elapsed`: time since the previous received packet, including that of lost packets.
   Update update(const StatusPacket& packet, types::Duration elapsed);
 
   [[nodiscard]] const types::Se2& T_odom_base() const { return pose_; }
@@ -39,11 +39,11 @@ class DeadReckoning {
   double omega_max_radps_ = 0.0;
   bool initialised_ = false;
   Counts last_;
-  double T_odom_robot_theta_rad_ = 0.0;  ///< of the robot's own frame, in which its counters run
+  double T_odom_robot_theta_rad_ = 0.0;  ///< heading of the robot's own frame, in which its counters run
   types::Se2 pose_;
 };
 
-/// Shortest way from `before` to `now` of a counter of `modulus` values, in [-modulus/2, modulus/2).
+/// Shortest difference from `before` to `now` of a counter of `modulus` values, in [-modulus/2, modulus/2).
 int counter_difference(int now, int before, int modulus);
 
 }  // namespace topo::pioneer

@@ -51,12 +51,12 @@ types::Status Drive::command(const types::BaseCommand& command, types::Stamp now
                                   ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
                                   : Setpoints{};
   asked_ = setpoints != Setpoints{};
-  // On a line that loses bytes RVEL 0 may arrive where VEL 0 does not, and then feeds the watchdog of a robot
-  // that drives on: one that is not heard is stopped by the packet that needs no other.
+  // On a line that loses bytes RVEL 0 may arrive without VEL 0, and then feeds the watchdog of a robot that
+  // drives on: a robot without status is stopped by E_STOP, which needs no second packet.
   const bool stop_unheard = !asked_ && !stands_ && now - last_heard_ > kUnheard;
   if (command.estop || stop_unheard) outbox_.set_estop();
-  // VEL 0 behind E_STOP could soften the braking, so it waits until the robot stands; then it makes sure that
-  // there is no setpoint left to resume.
+  // VEL 0 after E_STOP could soften the braking, so it waits until the robot stands; then it makes sure that
+  // no setpoint remains to be resumed.
   if (stands_ || !(command.estop || stop_unheard)) outbox_.set_velocity(setpoints);
   if (refused) return types::fail(types::Errc::kUnsupported, "unsafe: refused");  // short: no allocation
   return {};
@@ -71,8 +71,8 @@ void Drive::on_state(const types::BaseState& state, types::Stamp now) {
   switch_motors(state, now);
 }
 
-/// There is no acknowledgement: asked again until the status says so. Motors go off only at a standstill,
-/// because a robot without motors does not brake.
+/// There is no acknowledgement: ENABLE is repeated until the status confirms it. Motors are switched off only
+/// at a standstill, because a robot without motors does not brake.
 void Drive::switch_motors(const types::BaseState& state, types::Stamp now) {
   if (!ever_commanded_ || state.motors_enabled == want_motors_ || state.stop_button) return;
   if (!want_motors_ && !stands_) return;

@@ -8,24 +8,24 @@
 
 namespace topo::pioneer {
 
-/// What a running connection sends: the caller's setpoints, a stop when the caller falls silent, a pulse when
-/// nothing else goes out, and the motors' switch. Decides from stamps given as values.
+/// Commands of a running connection: the caller's setpoints, a stop when the caller is silent, a pulse when
+/// the line is idle, and the motors' switch. Time is passed as stamps.
 class Drive {
  public:
   /// Queues the first commands of a connection: standstill, limits, sonar. `now` counts as the first status.
   Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move, types::Stamp now);
 
-  /// kUnsupported when motion or motors are asked for and may not be; a stop goes out in its place.
+  /// kUnsupported when motion or motors are requested but not allowed; a stop is sent instead.
   types::Status command(const types::BaseCommand& command, types::Stamp now);
   void on_state(const types::BaseState& state, types::Stamp now);
-  /// What is due: `last_send` is when the line was used last.
+  /// Queues commands that are due; `last_send` is the last use of the line.
   void keep_alive(types::Stamp now, types::Stamp last_send);
-  /// When keep_alive() has to be called again at the latest.
+  /// Latest time of the next call of keep_alive().
   [[nodiscard]] types::Stamp next_due(types::Stamp last_send) const;
-  /// The connection ends: the motors' switch is left to the caller.
+  /// The connection ends: from now on the caller controls the motors' switch.
   void shut_down() { ever_commanded_ = false; }
   [[nodiscard]] bool stands() const { return stands_; }
-  /// By what was heard last, or by what was asked for last.
+  /// According to the last status or the last request.
   [[nodiscard]] bool may_be_moving() const { return !stands_ || asked_; }
 
  private:
@@ -35,13 +35,13 @@ class Drive {
   Outbox& outbox_;
   DriveLimits limits_;
   bool may_move_;
-  bool commanded_ = false;  ///< the caller drives; false again after its silence
-  bool stopping_ = false;   ///< a stop was sent for it and the robot does not stand yet
+  bool commanded_ = false;  ///< the caller drives; false after its silence
+  bool stopping_ = false;   ///< a stop was sent after the caller's silence, and the robot still moves
   bool stands_ = true;
-  bool asked_ = false;  ///< the last setpoints are motion
+  bool asked_ = false;  ///< the last setpoints request motion
   bool ever_commanded_ = false;
   bool want_motors_ = false;
-  bool enable_blocked_ = false;  ///< after the stop button, until the caller has let go
+  bool enable_blocked_ = false;  ///< after the stop button, until the caller stops requesting the motors
   types::Stamp last_command_{};
   types::Stamp last_heard_;
   types::Stamp last_stop_{};

@@ -15,7 +15,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::array<int, 5> kBaudOrder{9600, 38400, 19200, 115200, 57600};  // PROTOCOLS section 1.2
-// As fast as 9600 baud carries them: of a line that loses a third of its bytes one in eleven arrives.
+// The rate that 9600 baud can carry: on a line that loses a third of its bytes, one in eleven arrives.
 constexpr types::Duration kStopAgainUnheard = milliseconds(10);
 constexpr types::Duration kQuietTime = milliseconds(200);
 constexpr types::Duration kStillStreaming = milliseconds(150);
@@ -25,7 +25,7 @@ constexpr types::Duration kConfigTime = milliseconds(300);
 constexpr int kTries = 3;
 constexpr int kRestarts = 10;
 
-/// Is this a status of a robot that stands?
+/// True for a status packet of a standing robot.
 bool stands(const PacketView& packet) {
   const auto status = decode_status(packet.payload);
   return status && status->left_velocity == 0 && status->right_velocity == 0;
@@ -67,7 +67,8 @@ void Handshake::enter(Phase phase, types::Duration wait) {
   deadline_ = link_.now() + wait;
 }
 
-/// VEL 0 or SYNC0 that arrive where E_STOP was lost would wake a robot up instead of stopping it.
+/// VEL 0 or SYNC0 that arrive where E_STOP was lost would make the robot resume its setpoint instead of
+/// stopping it.
 Handshake::Progress Handshake::begin_stopping() {
   if (link_.now() >= may_drive_until_) return begin_quiet();
   link_.clear();
@@ -82,7 +83,7 @@ Handshake::Progress Handshake::begin_quiet() {
   out.set_estop();
   out.push(encode(Command::kVel, 0));
   out.push(encode(Command::kRvel, 0));
-  out.push(encode(Command::kClose, 1));  // with its argument: without it, it is SYNC2 to a robot that waits
+  out.push(encode(Command::kClose, 1));  // with its argument: without it, a waiting robot takes it for SYNC2
   enter(Phase::kQuiet, kQuietTime);
   return Progress::kPending;
 }
@@ -95,7 +96,7 @@ Handshake::Progress Handshake::restart(const char* why) {
 }
 
 Handshake::Progress Handshake::on_time() {
-  if (!link_.all_sent()) {  // the time runs from the last byte sent
+  if (!link_.all_sent()) {  // the time counts from the last byte sent
     deadline_ = link_.now() + wait_;
     return Progress::kPending;
   }
@@ -136,8 +137,7 @@ void Handshake::send_sync(unsigned index) {
 
 Handshake::Progress Handshake::sync_timed_out() {
   if (++tries_ < kTries) {
-    // What came before may have been lost on its way, and to a connection that is still open SYNC0 is a
-    // PULSE.
+    // The packets before may have been lost, and on a connection that is still open SYNC0 is a PULSE.
     if (sync_index_ == 0) link_.outbox().set_estop();
     send_sync(sync_index_);
     return Progress::kPending;
@@ -168,7 +168,7 @@ Handshake::Progress Handshake::on_packet(const PacketView& packet) {
     case Phase::kStopping:
       return stands(packet) ? begin_quiet() : Progress::kPending;
     case Phase::kQuiet:
-      return Progress::kPending;  // answers to what was before us
+      return Progress::kPending;  // answers to packets from before this connection
     case Phase::kSync:
       return on_sync_packet(packet);
     case Phase::kFirstStatus:

@@ -15,34 +15,34 @@
 
 namespace topo::pioneer {
 
-/// From an open port to an open connection with a known robot (PROTOCOLS sections 2 and 7), as a state
-/// machine with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE:
-/// a robot whose host died resumes its last setpoint on any packet. On a line that loses bytes each of them
-/// may be the only one to arrive; so a robot that may still drive hears nothing but E_STOP first, until it is
-/// heard to stand or its watchdog must have bitten.
+/// From an open port to an open connection with a known robot (PROTOCOLS sections 2 and 7): a state machine
+/// with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE: a robot
+/// that lost its host resumes its last setpoint on any packet. On a line that loses bytes, any one of them
+/// may be the only one to arrive; therefore a robot that may still drive is sent only E_STOP until it reports
+/// standstill or its watchdog must have expired.
 class Handshake {
  public:
   enum class Progress { kPending, kDone, kFailed };
 
-  /// `first_baud` is tried before the other speeds; 0: none is known. Until `may_drive_until` the robot may
-  /// still follow a setpoint of a connection that was lost.
+  /// `first_baud` is tried before the other speeds; 0: unknown. Until `may_drive_until` the robot may still
+  /// follow a setpoint of a lost connection.
   Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud,
             types::Stamp may_drive_until = {});
 
   /// Sets the first speed and queues the first bytes.
   types::Status begin();
   Progress on_packet(const PacketView& packet);
-  /// What is due when time has passed.
+  /// Handles expired deadlines.
   Progress on_time();
   [[nodiscard]] types::Stamp deadline() const { return deadline_; }
 
-  /// The robot has answered SYNC0.
+  /// True after the robot has answered SYNC0.
   [[nodiscard]] bool heard_robot() const { return heard_robot_; }
   [[nodiscard]] int baud() const { return baud_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] const std::optional<ConfigPacket>& config() const { return config_; }
-  /// After kFailed.
+  /// Valid after kFailed.
   [[nodiscard]] Health failure() const { return failure_; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
@@ -81,7 +81,7 @@ class Handshake {
   int tries_ = 0;
   int restarts_ = 0;
   bool heard_robot_ = false;
-  std::string foreign_;  ///< first bytes heard that were no ARCOS, with their speed
+  std::string foreign_;  ///< first received bytes that were not ARCOS, with their speed
 
   std::string name_;
   const RobotModel* model_ = nullptr;

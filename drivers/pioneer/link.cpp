@@ -18,7 +18,7 @@ types::Status Link::pump() {
   if (outbox_.empty()) return {};
   if (stream_->ready()) return now() >= send_after_ ? send_next() : types::Status{};
   if (outbox_.stop_waits()) return interrupt_with(outbox_.pop());
-  // Nobody may answer the transfer under way for 100 ms; the robot would drive on as long.
+  // The transfer in progress may remain unanswered for 100 ms, during which the robot would drive on.
   if (last_ && last_->is_setpoint() && outbox_.standstill_waits())
     return interrupt_with(encode(Command::kStop));
   return {};
@@ -27,7 +27,7 @@ types::Status Link::pump() {
 types::Status Link::interrupt_with(const CommandPacket& stop) {
   const auto given_up = std::exchange(last_, std::nullopt);
   auto sent = send(stop);
-  // Limits and switches still count after a stop; a setpoint of before does not.
+  // Limits and switches remain valid after a stop; an earlier setpoint does not.
   if (given_up && !given_up->is_setpoint()) outbox_.give_back(*given_up);
   return sent;
 }
@@ -46,7 +46,7 @@ types::Status Link::send_at_once(const CommandPacket& packet) {
   return send(packet);
 }
 
-/// And keeps the spacing behind it.
+/// Also keeps the spacing after the transfer.
 types::Status Link::finish_transfer() {
   if (stream_->ready()) return {};
   for (const types::Stamp end = now() + kFinishTime; now() < end;) {
@@ -78,7 +78,7 @@ types::Status Link::receive(types::Duration timeout) {
   last_read_ = now();
   const bool under_way = !stream_->ready();
   const auto got = stream_->read(buffer_, std::max(timeout, types::Duration::zero()));
-  // The controller has a command when its last byte is there: only then the spacing begins.
+  // The controller has a command when its last byte has arrived: the spacing begins then.
   if (under_way && stream_->ready()) send_after_ = now() + kSpacing;
   count_bus_faults();
   if (!got) return tl::unexpected(got.error());

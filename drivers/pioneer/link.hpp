@@ -16,7 +16,7 @@
 
 namespace topo::pioneer {
 
-/// One open stream with ARCOS on it: packets in, paced commands out. Does not allocate after construction.
+/// An open ARCOS stream: packets in, paced commands out. Does not allocate after construction.
 class Link {
  public:
   Link(std::unique_ptr<io::ByteStream> stream, Counters& counters);
@@ -25,34 +25,37 @@ class Link {
   [[nodiscard]] Outbox& outbox() { return outbox_; }
   [[nodiscard]] bool has_baud() const { return stream_->has_baud(); }
 
-  /// Sends the next command if one waits and its time has come. While another is still under way only a stop
-  /// is sent, and at once: that one is given up, so the controller gets no two commands within the spacing.
-  /// STOP goes out in this way where a setpoint is under way and a standstill waits, which follows it.
+  /// Sends the next command when one waits and its time has come. While a transfer is in progress only a stop
+  /// is sent, at once: the transfer is aborted, so the controller does not receive two commands within the
+  /// spacing. STOP is sent in this way when a setpoint is in transfer and a standstill waits; the standstill
+  /// follows.
   types::Status pump();
-  /// Past the queue and the spacing: for a last word before the line is given up. E_STOP waits for nothing,
-  /// others for what is under way, 100 ms at most; what comes meanwhile is not heard.
+  /// Sends ahead of the queue, without spacing: for a last command before the line is closed. E_STOP does not
+  /// wait; other commands wait for the transfer in progress, 100 ms at most, and discard input received
+  /// meanwhile.
   types::Status send_at_once(const CommandPacket& packet);
-  /// Forgets what waits, and what is under way: a stop that ends it does not bring it back.
+  /// Discards waiting commands, and the transfer in progress: a stop that aborts it does not queue it again.
   void clear();
-  /// All that was to be sent is out.
+  /// True when all commands have been sent.
   [[nodiscard]] bool all_sent() const { return outbox_.empty() && stream_->ready(); }
-  /// When pump() has something to do; far in the future when nothing waits, or while a command is still under
-  /// way: receive() returns at its end.
+  /// Time of the next pump() with an effect; far in the future when no command waits, or while a transfer is
+  /// in progress: receive() returns at its end.
   [[nodiscard]] types::Stamp next_send() const;
-  /// When the last command went out; the connection's start before the first.
+  /// Time of the last command; the connection's start before the first.
   [[nodiscard]] types::Stamp last_send() const { return last_send_; }
 
-  /// Reads, unless bytes are still waiting to be parsed. Blocks at most `timeout`.
+  /// Reads, unless bytes still wait to be parsed. Blocks at most `timeout`.
   types::Status receive(types::Duration timeout);
-  /// When the last real read began: what came before that has been seen.
+  /// Start of the last actual read: all input from before it has been processed.
   [[nodiscard]] types::Stamp last_read() const { return last_read_; }
   std::optional<PacketView> next_packet();
 
-  /// Also forgets half a packet and what was heard.
+  /// Also discards a partial packet and the recorded first bytes.
   types::Status set_baud(int baud);
   [[nodiscard]] types::Duration wire_time(std::size_t bytes) const;
 
-  /// First bytes heard at this speed, for a message: text if it is text, hexadecimal otherwise. Allocates.
+  /// First bytes received at this speed, for a message: as text when printable, hexadecimal otherwise.
+  /// Allocates.
   [[nodiscard]] std::string heard() const;
   [[nodiscard]] bool heard_anything() const { return heard_size_ > 0; }
 
@@ -71,7 +74,7 @@ class Link {
   std::unique_ptr<io::ByteStream> stream_;
   Counters& counters_;
   Outbox outbox_;
-  std::optional<CommandPacket> last_;  ///< that was taken out of it, unless it was a stop
+  std::optional<CommandPacket> last_;  ///< last command taken from it, unless it was a stop
   PacketParser parser_;
   int baud_ = 0;  ///< 0: the line has no speed
   types::Stamp last_send_;

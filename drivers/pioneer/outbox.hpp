@@ -11,26 +11,27 @@
 
 namespace topo::pioneer {
 
-/// What waits for its turn on the line, because the firmware loses commands that follow each other within
-/// 3 to 5 ms (PROTOCOLS section 1.2). A stop goes first; of setpoints only the newest counts.
+/// Commands that wait for the line, because the firmware loses commands that follow each other within 3 to 5
+/// ms (PROTOCOLS section 1.2). A stop has priority; of setpoints only the newest is kept.
 class Outbox {
  public:
   static constexpr std::size_t kCapacity = 16;
 
-  /// In order. False, and nothing kept, when full.
+  /// Appends a command. False, without effect, when full.
   bool push(const CommandPacket& packet);
-  /// Before all that was pushed, after stop and setpoints: what was taken out and did not get through.
+  /// Puts a command that was taken out but not delivered before all pushed commands, after stop and
+  /// setpoints.
   void give_back(const CommandPacket& packet);
   void set_estop() { estop_ = true; }
   void set_velocity(const Setpoints& setpoints);
   void clear();
 
   [[nodiscard]] bool empty() const { return !estop_ && !v_mmps_ && !omega_degps_ && count_ == 0; }
-  /// The next that pop() gives is E_STOP.
+  /// True when the next pop() returns E_STOP.
   [[nodiscard]] bool stop_waits() const { return estop_; }
-  /// VEL 0 and RVEL 0 are among them.
+  /// True when VEL 0 and RVEL 0 wait.
   [[nodiscard]] bool standstill_waits() const { return v_mmps_ == 0 && omega_degps_ == 0; }
-  /// E_STOP, then VEL, then RVEL, then what was pushed. Only when not empty.
+  /// Returns E_STOP, then VEL, then RVEL, then pushed commands. Requires a non-empty outbox.
   CommandPacket pop();
 
  private:

@@ -10,7 +10,7 @@
 namespace topo::pioneer {
 namespace {
 
-/// The lower of the table's and the firmware's limit; a firmware that says 0 says nothing.
+/// The lower of the table's and the firmware's limit; 0 from the firmware means unknown.
 double lower(double table, double firmware) { return firmware > 0.0 ? std::min(table, firmware) : table; }
 
 int at_least_one(double wanted, int firmware_top) {
@@ -22,7 +22,7 @@ void add_config(RobotInfo& info, const ConfigPacket& config) {
   info.firmware = config.firmware;
   info.serial_number = config.serial_number;
   info.watchdog_ms = config.watchdog_ms;
-  constexpr int kCycleMin_ms = 20;  // anything faster is no status cycle of a Pioneer
+  constexpr int kCycleMin_ms = 20;  // a shorter cycle is not valid for a Pioneer
   if (config.sip_cycle_ms >= kCycleMin_ms) info.sip_cycle_ms = config.sip_cycle_ms;
   info.v_top_mps = lower(info.v_top_mps, config.velocity_top_mmps * 1e-3);
   info.omega_top_radps = lower(info.omega_top_radps, config.rot_velocity_top_degps * types::kDegree_rad);

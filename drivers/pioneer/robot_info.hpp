@@ -12,15 +12,15 @@
 
 namespace topo::pioneer {
 
-/// Table and CONFIG packet together; without the packet the watchdog is 0, which means: unknown.
+/// Combines table and CONFIG packet; without the packet the watchdog is 0, meaning unknown.
 RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
                           const std::optional<ConfigPacket>& config);
 
-/// Empty when the firmware stops the robot within two seconds of its host's death; otherwise why driving is
-/// refused, and what to do. No command sets the watchdog: it is a parameter in FLASH.
+/// Empty when the firmware stops the robot within two seconds after loss of its host; otherwise the reason
+/// why driving is refused, and the cure. No command sets the watchdog: it is a parameter in FLASH.
 std::string watchdog_fault(const std::optional<ConfigPacket>& config);
 
-/// What is asked for, within what the robot can do. All positive.
+/// The configured limits, bounded by the robot's limits. All positive.
 struct DriveLimits {
   double v_mps = 0.0;
   double omega_radps = 0.0;

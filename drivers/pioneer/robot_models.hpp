@@ -12,7 +12,8 @@
 
 namespace topo::pioneer {
 
-/// What the wire does not say of a robot (PROTOCOLS section 6). Lengths from the centre of rotation.
+/// Properties of a robot that the protocol does not transmit (PROTOCOLS section 6). Lengths from the centre
+/// of rotation.
 struct RobotModel {
   static constexpr std::size_t kSonars = 16;
 
@@ -20,7 +21,7 @@ struct RobotModel {
   double mm_per_count = 1.0;            ///< DistConvFactor
   double mmps_per_velocity_unit = 1.0;  ///< VelConvFactor
   double mm_per_sonar_unit = 1.0;       ///< RangeConvFactor
-  double radps_per_mmps = 0.0056;       ///< DiffConvFactor, of half the wheels' difference
+  double radps_per_mmps = 0.0056;       ///< DiffConvFactor, per half the difference of the wheels' speeds
   types::ModelSize size;
   std::array<types::Se2, kSonars> T_base_sonar;
 };
@@ -29,10 +30,10 @@ struct RobotModel {
 inline constexpr int kHeadingUnits = 4096;
 double radians_per_heading_unit();
 
-/// Nothing nearer than this is measured, nothing beyond is heard (PROTOCOLS section 6.3).
+/// No echo is received from beyond this range (PROTOCOLS section 6.3).
 inline constexpr double kSonarRangeMax_m = 5.0;
 
-/// Null for a subclass that has no table. The name is compared in lower case.
+/// Null for a subclass without a table. The comparison ignores case.
 const RobotModel* find_model(std::string_view subclass);
 
 /// "p3dx-sh, p3at-sh, ...", for messages.

@@ -10,7 +10,7 @@
 namespace topo::pioneer {
 namespace {
 
-/// Towards zero at the limit, so that rounding never exceeds it.
+/// Rounds towards zero at the limit, so that rounding never exceeds it.
 int to_units(double value, double limit, double units) {
   const double bound = std::floor(std::max(limit, 0.0) * units + 1e-9);
   return static_cast<int>(std::clamp(std::round(value * units), -bound, bound));

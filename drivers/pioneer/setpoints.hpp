@@ -6,8 +6,8 @@
 
 namespace topo::pioneer {
 
-/// VEL and RVEL as they go over the wire. Whole mm/s and deg/s: a rotation below 0.5 deg/s is none. VEL2
-/// would resolve 20 mm/s a wheel, which is coarser in both.
+/// VEL and RVEL in wire units. Whole mm/s and deg/s: a rotation below 0.5 deg/s becomes 0. VEL2 would resolve
+/// 20 mm/s per wheel, which is coarser in both.
 struct Setpoints {
   int v_mmps = 0;
   int omega_degps = 0;

@@ -18,9 +18,9 @@ struct SonarEcho {
   std::uint16_t range_units = 0;
 };
 
-/// The standard status packet in wire units (PROTOCOLS section 4). What is optional is missing from the end.
+/// The standard status packet in wire units (PROTOCOLS section 4). Optional fields may be missing at the end.
 struct StatusPacket {
-  static constexpr std::size_t kMaxEchoes = 60;  ///< that fit into the longest packet
+  static constexpr std::size_t kMaxEchoes = 60;  ///< maximum in the longest packet
 
   bool moving = false;
   std::uint16_t x_counts = 0, y_counts = 0;  ///< as sent: wraps
@@ -29,7 +29,7 @@ struct StatusPacket {
   std::uint8_t battery_decivolt = 0;
   std::uint16_t stall_bump = 0;
   std::uint16_t flags = 0;
-  std::size_t echoes = 0;  ///< only the sonar readings that are new
+  std::size_t echoes = 0;  ///< only new sonar readings
   std::array<SonarEcho, kMaxEchoes> echo{};
   std::optional<std::uint8_t> digital_in, digital_out;
   std::optional<std::uint16_t> battery_x10;
@@ -40,15 +40,15 @@ struct StatusPacket {
   std::optional<std::uint8_t> state_of_charge_percent;
 };
 
-/// Nothing for another type than 0x32 and 0x33, and for a packet that ends before its sonar readings do.
+/// Nothing for types other than 0x32 and 0x33, and for a packet that ends before its sonar readings do.
 std::optional<StatusPacket> decode_status(std::span<const std::byte> payload);
 
-/// Everything but the pose, the twist and the packet's number, in SI units. Sonar readings that did not come
-/// with this packet stay as they are.
+/// Sets all fields except the pose, the twist and the packet's number, in SI units. Sonar readings that this
+/// packet does not contain stay unchanged.
 void apply_status(const StatusPacket& packet, const RobotModel& model, types::Stamp arrival,
                   types::BaseState& state);
 
-/// From the wheels' speeds: some firmware and simulators leave the field of the rotation at 0.
+/// From the wheels' speeds: some firmware and simulators leave the rotation field at 0.
 types::Twist2 measured_twist(const StatusPacket& packet, const RobotModel& model);
 
 }  // namespace topo::pioneer

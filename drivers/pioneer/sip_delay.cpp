@@ -9,8 +9,8 @@ namespace topo::pioneer {
 namespace {
 
 constexpr double kRateMax = 0.01;     ///< of the cycle: more than any controller's crystal or timer is off
-constexpr double kRateGain = 0.25;    ///< per block, so that one bad minimum does little
-constexpr double kForgotten = 600.0;  ///< cycles of silence after which nothing learnt holds any longer
+constexpr double kRateGain = 0.25;    ///< per block, so that one bad minimum has little effect
+constexpr double kForgotten = 600.0;  ///< cycles of silence after which the estimates are discarded
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void SipDelay::restart(types::Stamp sent) {
   started_ = true;
 }
 
-/// The lower edge of the lateness, carried to `index` at the robot's estimated clock rate.
+/// The lower envelope of the lateness, extrapolated to `index` at the robot's estimated clock rate.
 double SipDelay::envelope(std::int64_t index) const {
   double low = HUGE_VAL;
   for (std::size_t i = 0; i < std::min(count_, kWindow); ++i) {
@@ -50,8 +50,8 @@ void SipDelay::learn_rate() {
   previous_minimum_ = block_minimum_;
 }
 
-/// Cycles since the last packet. Lateness is what comes on top, so up to four fifths of a cycle of it are no
-/// lost packet; one fifth is for arrivals earlier than any before.
+/// Cycles since the last packet. Lateness adds to them: up to four fifths of a cycle of lateness do not count
+/// as a lost packet; one fifth is for arrivals earlier than any before.
 std::int64_t SipDelay::cycles_until(types::Stamp sent) const {
   constexpr double kEarly = 0.2;
   const double due_s = envelope(index_) + static_cast<double>(index_) * cycle_s_;
@@ -69,7 +69,8 @@ types::Duration SipDelay::update(types::Stamp arrival, types::Duration wire_time
     index_ += last_step_;
 
   double lateness_s = types::to_seconds(sent - anchor_) - static_cast<double>(index_) * cycle_s_;
-  // Half a cycle earlier than ever: the packets before were a burst after a hiccup, counted wrongly.
+  // Half a cycle earlier than all before: the packets before were a burst after an interruption, counted
+  // wrongly.
   if (count_ > 0 && lateness_s < envelope(index_) - 0.5 * cycle_s_) {
     restart(sent);
     lateness_s = 0.0;

@@ -11,13 +11,13 @@
 
 namespace topo::pioneer {
 
-/// How old a status packet's pose is when its last byte has been read.
+/// Age of a status packet's pose at the time when its last byte has been read.
 ///
-/// The robot makes packets at a steady cadence; what arrives later than the cadence was delayed on the way.
-/// The earliest arrivals, less their time on the wire, mark the cadence (a running minimum over about six
-/// seconds, with the robot's clock rate estimated from how that minimum moves), and the lateness of the
-/// others is their delay. A delay that is common to all packets beyond the time on the wire cannot be seen
-/// from one side and is not included.
+/// The robot sends packets at a constant cadence; a later arrival is due to a delay on the line. The earliest
+/// arrivals, less their time on the wire, give the cadence (a running minimum over about six seconds, with
+/// the robot's clock rate estimated from the change of that minimum), and the lateness of the others is their
+/// delay. A delay common to all packets, beyond the time on the wire, cannot be observed from one side and is
+/// not included.
 class SipDelay {
  public:
   explicit SipDelay(types::Duration cycle = std::chrono::milliseconds(100));
@@ -25,7 +25,7 @@ class SipDelay {
   /// Age of the packet that arrived at `arrival` after `wire_time` on the line; 0 <= wire_time <= age.
   types::Duration update(types::Stamp arrival, types::Duration wire_time);
 
-  /// Cycles between this packet and the one before it: 2 means that one was lost.
+  /// Cycles between this packet and the previous one: 2 means that one was lost.
   [[nodiscard]] std::int64_t last_step() const { return last_step_; }
   [[nodiscard]] types::Duration age() const { return age_; }
 
@@ -34,7 +34,7 @@ class SipDelay {
   static constexpr std::size_t kRateBlock = 32;
   struct Sample {
     std::int64_t index = 0;
-    double lateness_s = 0.0;  ///< against the nominal cadence from the anchor
+    double lateness_s = 0.0;  ///< relative to the nominal cadence from the anchor
   };
 
   void restart(types::Stamp sent);
@@ -50,7 +50,7 @@ class SipDelay {
   std::int64_t last_step_ = 1;
   std::array<Sample, kWindow> window_{};
   std::size_t count_ = 0;  ///< samples since the restart
-  double rate_s_ = 0.0;    ///< by which the true cycle is longer than the nominal one
+  double rate_s_ = 0.0;    ///< excess of the true cycle over the nominal one
   Sample block_minimum_;
   Sample previous_minimum_;
   types::Duration age_{};
