@@ -32,8 +32,9 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   params.explore.strategy = e.strategy;
   params.explore.finish = e.finish;
   params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : disc_m;
-  // Straight on through a door that is too narrow to turn in. In the map a door is up to a cell narrower than
-  // it is: what looks half a centimetre too tight is tried, and the scanner has the last word.
+  // Radius for driving straight through a door that is too narrow to turn in. In the map a door is up to a
+  // cell narrower than in reality: a passage that appears half a centimetre too narrow is tried, and the
+  // scanner decides.
   constexpr double kTried_m = 0.005;
   const double straight_m = hull.half_width_m + m.margin_m - kTried_m;
   params.travel.tight_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : std::min(straight_m, disc_m);
@@ -68,7 +69,7 @@ types::Footprint footprint(const Configuration& configuration) {
   types::Footprint footprint{or_model(robot.length_front_m, model.front_m),
                              or_model(robot.length_rear_m, model.rear_m),
                              or_model(robot.width_m, model.width_m) / 2.0};
-  // A hull of one's own may stand out of the model's circle.
+  // A configured hull may extend beyond the model's circle.
   const bool is_models = robot.length_front_m <= 0.0 && robot.length_rear_m <= 0.0 && robot.width_m <= 0.0;
   if (is_models) footprint.swing_radius_m = model.swing_radius_m;
   return footprint;

@@ -14,8 +14,8 @@
 
 namespace topo::daemon {
 
-// The values of one configuration file. The initialisers here are the defaults, and the only place of them;
-// what a key is called, its unit, range and meaning are in key_table.cpp.
+// The values of one configuration file. The initialisers here are the defaults, except for those taken from
+// the parameter structures of core. Names, units, ranges and descriptions of the keys are in key_table.cpp.
 
 enum class RobotModel { kP3dx, kP3at };
 
@@ -23,14 +23,14 @@ struct RobotConfig {
   std::string name = "topometric";
   RobotModel model = RobotModel::kP3dx;
   int id = 1;
-  // Hull around the centre of rotation, with everything bolted on; 0: the model's own.
+  // Hull around the centre of rotation, including all attachments; 0: the model's own.
   double length_front_m = 0.0;
   double length_rear_m = 0.0;
   double width_m = 0.0;
 };
 
 struct BaseConfig : types::DriveLimits {
-  std::string address;  ///< as drivers/io/make_connector.hpp reads it
+  std::string address;  ///< format: drivers/io/make_connector.hpp
   bool sonar = true;
 };
 
@@ -42,15 +42,15 @@ struct ScannerConfig {
   double x_m = 0.0;
   double y_m = 0.0;
   double z_m = 0.3;
-  double yaw_rad = 0.0;   ///< front only: of the zero beam, from straight ahead
-  double roll_rad = 0.0;  ///< coronal only: of the zero beam, from straight up towards the left
+  double yaw_rad = 0.0;   ///< front only: angle of the zero beam from straight ahead
+  double roll_rad = 0.0;  ///< coronal only: angle of the zero beam from straight up towards the left
   bool mirrored = false;  ///< coronal only: beams count towards the right
   bool intensity = false;
   int skip_scans = 0;
   double stamp_offset_s = 0.0;
 };
 
-/// What the planner is told. Defaults that the planner has too are taken from there.
+/// The planner's settings. Defaults that the planner has too are taken from there.
 struct ExplorationConfig {
   exploration::Strategy strategy = pipeline::PlannerParams{}.explore.strategy;
   pipeline::Finish finish = pipeline::PlannerParams{}.explore.finish;
@@ -62,12 +62,12 @@ struct ExplorationConfig {
   double battery_home_v = pipeline::PlannerParams{}.battery.home_v;
   double charge_home = pipeline::PlannerParams{}.battery.charge_home;
   [[nodiscard]] types::BatteryLimits battery_limits() const { return {battery_home_v, charge_home}; }
-  std::string save_folder;  ///< empty: nothing is saved by itself
+  std::string save_folder;  ///< empty: the map is not saved automatically
 };
 
 struct MotionConfig {
   double margin_m = types::RobotLimits{}.margin_m;
-  double passage_radius_m = 0.0;  ///< 0: as the hull
+  double passage_radius_m = 0.0;  ///< 0: derived from the hull
 };
 
 struct ControlConfig {
@@ -79,7 +79,7 @@ enum class LogLevel { kTrace, kDebug, kInfo, kWarning, kError };
 
 struct LogConfig {
   LogLevel level = LogLevel::kInfo;
-  std::string file;  ///< empty: standard error, which systemd hands to the journal
+  std::string file;  ///< empty: standard error, which systemd passes to the journal
 };
 
 enum class RealtimePolicy { kEnforce, kTry, kOff };
@@ -96,7 +96,7 @@ struct RecordConfig {
   std::string folder;  ///< empty: no recording
 };
 
-/// Sessions: maps that can be gone on with.
+/// Sessions: saved maps that mapping can continue.
 struct SessionConfig {
   std::string folder;  ///< empty: none are kept
   bool journal = true;
@@ -110,7 +110,7 @@ struct Configuration {
   BaseConfig base;
   ScannerConfig front;
   ScannerConfig coronal;
-  slam::MapperParams mapping;  ///< but for the scanners' places, which mapper_params() adds
+  slam::MapperParams mapping;  ///< except for the scanners' poses, which mapper_params() adds
   ExplorationConfig exploration;
   topo::types::AreaLimits area;
   MotionConfig motion;
@@ -121,19 +121,19 @@ struct Configuration {
   SessionConfig session;
 };
 
-/// The mapper's parameters with the scanners where the configuration has them.
+/// The mapper's parameters with the scanners' configured poses.
 [[nodiscard]] slam::MapperParams mapper_params(const Configuration& configuration);
 
-/// The planner's parameters with the robot's size and its scanner's place.
+/// The planner's parameters with the robot's size and its scanner's pose.
 [[nodiscard]] pipeline::PlannerParams planner_params(const Configuration& configuration);
 
-/// What the base thread is told: the robot's limits, its hull, its scanner's place and the area.
+/// Setup of the base thread: the robot's limits, its hull, its scanner's pose and the area.
 [[nodiscard]] pipeline::ControlSetup control_setup(const Configuration& configuration);
 
 /// The robot's hull: the configured one, or the model's.
 [[nodiscard]] types::Footprint footprint(const Configuration& configuration);
 
-/// Hull and speed of a model as sold (PROTOCOLS section 6.2), what a configuration is checked against.
+/// Hull and speed of a model as sold (PROTOCOLS section 6.2), against which a configuration is checked.
 [[nodiscard]] types::ModelSize model_size(RobotModel model);
 [[nodiscard]] const char* model_name(RobotModel model);
 

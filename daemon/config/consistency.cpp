@@ -15,7 +15,7 @@ Place place_of(const LoadedConfiguration& loaded, std::string_view key) {
   return found == loaded.places.end() ? Place{} : found->second;
 }
 
-/// Blames the one of two keys that stands later in the file.
+/// Adds the fault at the later of the two keys in the file.
 void contradict(LoadedConfiguration& loaded, std::string_view a, std::string_view b, std::string_view what) {
   Place place = place_of(loaded, a);
   Place other = place_of(loaded, b);
@@ -29,7 +29,7 @@ void contradict(LoadedConfiguration& loaded, std::string_view a, std::string_vie
 
 constexpr std::string_view kSerial = "serial:";
 
-/// The address without the prefix that may be left out.
+/// The address without its optional prefix.
 std::string_view same_device(std::string_view address) {
   return address.starts_with(kSerial) ? address.substr(kSerial.size()) : address;
 }
@@ -66,7 +66,7 @@ void check_serial_numbers(LoadedConfiguration& loaded) {
                            c.front.serial_number));
     return;
   }
-  // Kernel names such as ttyACM0 go by who was plugged in first: only the serial number tells which is which.
+  // Kernel names such as ttyACM0 depend on the order of plugging: only the serial number identifies a sensor.
   const bool both_serial = is_serial(c.front.address) && is_serial(c.coronal.address);
   if (!both_serial) return;
   for (const auto* section : {"scanner.front", "scanner.coronal"}) {

@@ -6,11 +6,11 @@
 
 namespace topo::daemon {
 
-/// Adds a fault for every two values that are each acceptable and cannot both be meant.
+/// Adds a fault for every contradiction between values that are each valid.
 void check_consistency(LoadedConfiguration& loaded);
 
-/// A serial number as it is compared: capital letters, and a leading 0 equals H (the sensor prints one, its
-/// label the other; PROTOCOLS section 11).
+/// A serial number in the form used for comparison: capital letters, and a leading 0 equals H (the sensor
+/// reports one, its label shows the other; PROTOCOLS section 11).
 std::string normal_serial_number(std::string_view text);
 
 }  // namespace topo::daemon

@@ -13,7 +13,7 @@
 namespace topo::daemon {
 namespace {
 
-/// The place of a field, as a plain function: at<&Configuration::base, &BaseConfig::v_max_mps>.
+/// The field given by member pointers, as a plain function: at<&Configuration::base, &BaseConfig::v_max_mps>.
 template <auto... Members>
 auto& at(Configuration& configuration) {
   return (configuration.*....*Members);
@@ -58,7 +58,7 @@ bool is_absolute(std::string_view text) {
 }
 bool is_resume(std::string_view text) { return text.empty() || all_of(text, 64, "-_"); }
 bool is_optional_path(std::string_view text) { return text.empty() || is_absolute(text); }
-// sockaddr_un.sun_path holds 108 bytes with the closing zero.
+// sockaddr_un.sun_path holds 108 bytes including the terminating zero.
 bool is_socket_path(std::string_view text) { return is_absolute(text) && text.size() < 108; }
 
 constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for none";
@@ -318,7 +318,8 @@ struct ExpectedText {
   }
 };
 
-/// TOML tells 1.0 from 1; the shortest text that reads back as the same double.
+/// The shortest text that reads back as the same double; with ".0" where needed, because TOML distinguishes
+/// 1.0 from 1.
 std::string real_text(double value) {
   std::string text = fmt::format("{}", value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
@@ -360,7 +361,7 @@ std::string expected_text(const KeySpec& key) {
 }
 
 std::string value_text(const KeySpec& key, const Configuration& configuration) {
-  Configuration copy = configuration;  // the fields are reached through a mutable reference
+  Configuration copy = configuration;  // fields are accessed through a mutable reference
   return std::visit(ValueText{copy}, key.kind);
 }
 

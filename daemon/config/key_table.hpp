@@ -14,8 +14,8 @@
 
 namespace topo::daemon {
 
-// What values a key takes. `field` names its place in the Configuration, and through a default-constructed
-// Configuration its default.
+// Kinds of keys by the values that they accept. `field` returns the key's field of a Configuration; for a
+// default-constructed Configuration, its default.
 
 struct RealKey {
   double& (*field)(Configuration&);
@@ -32,7 +32,7 @@ struct SwitchKey {
 };
 struct TextKey {
   std::string& (*field)(Configuration&);
-  std::string_view form;  ///< for messages: what is accepted
+  std::string_view form;  ///< for messages: the accepted form
   bool (*accepts)(std::string_view);
 };
 struct ChoiceKey {
@@ -42,14 +42,14 @@ struct ChoiceKey {
 };
 struct AddressKey {
   std::string& (*field)(Configuration&);
-  bool may_be_can = false;  ///< the base; a scanner's data do not fit on a CAN bus
+  bool may_be_can = false;  ///< true for the base; a scanner's data do not fit on a CAN bus
 };
 struct IntegerListKey {
   std::vector<int>& (*field)(Configuration&);
   int min;
   int max;
 };
-struct PolygonKey {  ///< no corner at all: none
+struct PolygonKey {  ///< an empty list of corners: no polygon
   std::optional<types::Polygon>& (*field)(Configuration&);
 };
 struct PolygonListKey {
@@ -61,8 +61,8 @@ using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey,
 /// One key of the configuration file.
 struct KeySpec {
   std::string path;       ///< "scanner.front.x_m"
-  std::string_view unit;  ///< empty where there is none
-  bool required = false;  ///< where its section is present
+  std::string_view unit;  ///< empty when there is none
+  bool required = false;  ///< when its section is present
   KeyKind kind;
   std::string_view doc;  ///< one line
 
@@ -70,10 +70,10 @@ struct KeySpec {
   [[nodiscard]] std::string_view name() const;
 };
 
-/// Every key there is, section by section in the order of the documentation.
+/// All keys, section by section in the order of the documentation.
 const std::vector<KeySpec>& key_table();
 
-/// What would be accepted: "a number from 0.05 to 2 (m/s)".
+/// The accepted values: "a number from 0.05 to 2 (m/s)".
 std::string expected_text(const KeySpec& key);
 
 /// The key's value in `configuration`, as TOML.

@@ -27,7 +27,7 @@ Place to_place(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-/// A value as the file has it, short enough for a message.
+/// A value of the file as text, short enough for a message.
 std::string found_text(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array_of_tables()) return "an array of tables";
@@ -49,11 +49,12 @@ std::string found_text(const toml::node& node) {
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
 
-/// Puts a node's value into its place; on failure says why when "expected" does not say enough.
+/// Stores a node's value in its field; on failure returns the reason when the expected values alone do not
+/// explain it.
 struct Store {
   Configuration& c;
   const toml::node& node;
-  const toml::node*& blamed;  ///< what of the node is wrong, where it can be said more closely
+  const toml::node*& blamed;  ///< the part of the node that is wrong, when it is known more exactly
   using Outcome = std::optional<std::string>;  ///< nothing: stored
 
   Outcome operator()(const RealKey& k) const {
@@ -190,7 +191,7 @@ class Reader {
     if (!outcome) return;
     if (std::holds_alternative<AddressKey>(spec.kind) && !outcome->empty()) {
       fault(to_place(node.source()),
-            spec.path + ": " + *outcome);  // names what was found and what is expected
+            spec.path + ": " + *outcome);  // gives the value found and the expected form
       return;
     }
     fault(to_place(blamed->source()),
@@ -227,8 +228,8 @@ class Reader {
     loaded_.values.coronal.present = present("scanner.coronal");
   }
 
-  /// The coronal scanner may be left out; every other section with a required key may not. A key on a line
-  /// that could not be read is not missing.
+  /// The section of the coronal scanner may be missing; every other section with a required key may not. A
+  /// key on an unreadable line does not count as missing.
   void check_missing(const std::vector<std::string>& left_out) {
     for (const auto& key : key_table()) {
       if (!key.required || loaded_.places.contains(key.path)) continue;
@@ -244,7 +245,7 @@ class Reader {
   void fault(Place place, std::string message) { loaded_.faults.push_back({place, std::move(message)}); }
 
   LoadedConfiguration& loaded_;
-  std::map<std::string, Place> sections_;  ///< every section there could be, and where it is
+  std::map<std::string, Place> sections_;  ///< all possible sections, with their positions in the file
   std::vector<std::string> present_;
 };
 
@@ -264,7 +265,7 @@ LoadedConfiguration parse_configuration(std::string_view text, std::string file)
 }
 
 types::Result<LoadedConfiguration> load_configuration(const std::string& file) {
-  constexpr std::streamsize kLargest = 1 << 20;  // a mebibyte of keys is no configuration
+  constexpr std::streamsize kLargest = 1 << 20;  // a larger file is not a configuration
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     const int error = errno;

@@ -12,21 +12,21 @@
 
 namespace topo::daemon {
 
-/// A place in the file, both counted from 1. 0: not in the file.
+/// A position in the file, line and column counted from 1. 0: not in the file.
 struct Place {
   int line = 0;
   int column = 0;
   friend auto operator<=>(const Place&, const Place&) = default;
 };
 
-/// One thing that is wrong with a configuration file.
+/// One fault of a configuration file.
 struct Fault {
   Place place;
-  std::string message;  ///< names the key, the value found and what would be accepted
+  std::string message;  ///< names the key, the value found and the accepted values
   friend auto operator<=>(const Fault&, const Fault&) = default;
 };
 
-/// What a file said, and all that is wrong with it. The values may be used only when there is no fault.
+/// The contents of a file and all its faults. The values may be used only when there is no fault.
 struct LoadedConfiguration {
   Configuration values;
   std::string file;
@@ -34,18 +34,18 @@ struct LoadedConfiguration {
   std::vector<Fault> faults;                         ///< in the order of the file
 };
 
-/// Reads a configuration. All faults are found at once: syntax, unknown keys, wrong types, values out of
-/// range, missing keys, contradictions. `file` is the name for messages.
+/// Reads a configuration. Reports all faults at once: syntax, unknown keys, wrong types, values out of range,
+/// missing keys, contradictions. `file` is the name for messages.
 LoadedConfiguration parse_configuration(std::string_view text, std::string file);
 
-/// The same of a file. An Error only when it cannot be read.
+/// As parse_configuration(), for a file. Returns an Error only when the file cannot be read.
 types::Result<LoadedConfiguration> load_configuration(const std::string& file);
 
-/// "FILE:LINE:COLUMN: message", one a line.
+/// "FILE:LINE:COLUMN: message", one per line.
 std::string faults_text(const LoadedConfiguration& loaded);
 
-/// Every key with its effective value and, as a comment, where it comes from: "default" or FILE:LINE. Reads
-/// back as the same configuration.
+/// Every key with its effective value and, as a comment, its origin: "default" or FILE:LINE. An absent
+/// coronal scanner is left out. Reading the text gives the same configuration.
 std::string effective_text(const LoadedConfiguration& loaded);
 
 }  // namespace topo::daemon

@@ -16,7 +16,7 @@ constexpr double kFarthest_m = 1e4;
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Which side of the line from a to b the point is on: 1 left, -1 right, 0 on it.
+/// Side of the line from a to b on which the point is: 1 left, -1 right, 0 on the line.
 int side(const Vector2& a, const Vector2& b, const Vector2& p) {
   const double area = cross(b - a, p - a);
   return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
@@ -27,7 +27,7 @@ bool in_box(const Vector2& a, const Vector2& b, const Vector2& p) {
          p.y() >= std::min(a.y(), b.y()) && p.y() <= std::max(a.y(), b.y());
 }
 
-/// Touching counts.
+/// True when the segments a-b and c-d cross or touch.
 bool meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
   const int abc = side(a, b, c), abd = side(a, b, d), cda = side(c, d, a), cdb = side(c, d, b);
   if (abc * abd < 0 && cda * cdb < 0) return true;
@@ -35,14 +35,14 @@ bool meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d
          (cdb == 0 && in_box(c, d, b));
 }
 
-/// Does the polygon turn back on itself at corner `i`?
+/// True when the polygon folds back on itself at corner `i`.
 bool folds(const types::Polygon& p, std::size_t i) {
   const std::size_t n = p.size();
   const Vector2 in = p[i] - p[(i + n - 1) % n], out = p[(i + 1) % n] - p[i];
   return cross(in, out) == 0.0 && in.dot(out) <= 0.0;
 }
 
-/// The later of two edges that meet where they must not, as the number of its first corner.
+/// First corner of the later of two edges that cross or touch; nothing when none do.
 std::optional<std::size_t> crossing(const types::Polygon& p) {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) {

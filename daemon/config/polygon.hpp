@@ -11,17 +11,17 @@
 
 namespace topo::daemon {
 
-/// What is wrong with a polygon, and where in the file.
+/// A fault of a polygon, and its position in the file.
 struct PolygonFault {
   std::string what;
   const toml::node* where = nullptr;
 };
 
-/// [[x, y], [x, y], ...]: at least three corners of two finite numbers each, no further than 10 km, whose
-/// edges do not cross or touch but at common corners.
+/// Reads [[x, y], [x, y], ...]: at least three corners of two finite numbers each, at most 10 km in
+/// magnitude, whose edges do not cross or touch except at common corners.
 std::optional<PolygonFault> read_polygon(const toml::node& node, types::Polygon& polygon);
 
-/// As read_polygon wants it.
+/// A polygon in the form that read_polygon() accepts.
 std::string polygon_text(const types::Polygon& polygon);
 
 }  // namespace topo::daemon

@@ -8,9 +8,9 @@
 
 namespace topo::daemon {
 
-/// The configuration of a replay of a recording: it goes on with no session of the robot, keeps none in the
-/// robot's folder (nor removes any there), and writes no map by itself. `sessions`: a folder for the replay's
-/// own sessions; empty: it keeps none.
+/// The configuration of a replay of a recording: it continues no session of the robot, keeps none in the
+/// robot's folder (and removes none there), and saves no map automatically. `sessions`: a folder for the
+/// replay's own sessions; empty: it keeps none.
 [[nodiscard]] LoadedConfiguration replayed(LoadedConfiguration loaded, const std::string& sessions);
 
 }  // namespace topo::daemon

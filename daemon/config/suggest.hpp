@@ -8,11 +8,11 @@
 
 namespace topo::daemon {
 
-/// Insertions, deletions, replacements and exchanges of neighbours between two words (optimal string
-/// alignment).
+/// Number of insertions, deletions, replacements and exchanges of neighbours between two words (optimal
+/// string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate that was probably meant by `word`; empty when none is near.
+/// The candidate nearest to `word`; empty when none is near.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace topo::daemon

@@ -14,8 +14,8 @@ Place to_place(const toml::source_position& position) {
   return {static_cast<int>(position.line), static_cast<int>(position.column)};
 }
 
-/// Blanks line `number` (from 1) when it is a "key = value" line, so that the numbering stays, and returns
-/// the key's name; otherwise nothing is done and the name is empty.
+/// Blanks line `number` (from 1) when it is a "key = value" line, which keeps the line numbers, and returns
+/// the key's name; otherwise changes nothing and returns an empty name.
 std::string blank_line(std::string& text, int number) {
   std::size_t begin = 0;
   for (int line = 1; line < number; ++line) {
@@ -36,11 +36,11 @@ std::string blank_line(std::string& text, int number) {
 }  // namespace
 
 ParsedToml parse_toml(std::string_view text) {
-  constexpr int kMaxFaults = 20;  // somebody gave a file that is no TOML at all
+  constexpr int kMaxFaults = 20;  // a file with more faults is probably not TOML
   ParsedToml parsed;
   std::string rest(text);
   while (true) {
-    // The library is built with exceptions; a configuration is read before the service is ready.
+    // The library reports faults as exceptions; a configuration is read before the service is ready.
     try {
       parsed.root = toml::parse(rest);
       return parsed;

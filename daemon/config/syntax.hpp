@@ -11,16 +11,16 @@
 
 namespace topo::daemon {
 
-/// What could be read of a TOML document, and its syntax faults.
+/// The readable part of a TOML document, and its syntax faults.
 struct ParsedToml {
   toml::table root;
   std::vector<Fault> faults;
   std::vector<std::string> left_out;  ///< names of the keys on faulty lines
-  bool complete = true;               ///< false: what follows the last fault was not read
+  bool complete = true;               ///< false: the text after the last fault was not read
 };
 
-/// Parses TOML. The library stops at the first fault; here a faulty "key = value" line is noted, left out and
-/// the rest read again, so that one slip does not hide the others.
+/// Parses TOML. The library stops at the first fault; here a faulty "key = value" line is recorded and left
+/// out and the rest is parsed again, so that one fault does not hide the others.
 ParsedToml parse_toml(std::string_view text);
 
 }  // namespace topo::daemon

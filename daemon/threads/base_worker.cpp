@@ -74,7 +74,7 @@ pipeline::ControlInput BaseWorker::gather() {
 void BaseWorker::decide() {
   const pipeline::ControlOutput output = pipeline::control_step(control_, setup_, gather());
   control_report_ = output.report;
-  // A command that does not go out shows in the connection's health, and without it the connection stops the
+  // A command that cannot be sent shows in the connection's health; without commands the connection stops the
   // base.
   if (connection_->health() == pioneer::Health::kReady) (void)connection_->command(output.command);
 }

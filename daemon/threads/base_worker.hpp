@@ -11,8 +11,8 @@
 
 namespace topo::daemon {
 
-/// The base thread: sole user of the robot's connection. Reads status packets as they come, and at every
-/// whole 50 ms decides and sends one command. Allocates nothing while the connection streams.
+/// The base thread: sole user of the robot's connection. Reads status packets as they arrive, and at every
+/// whole 50 ms decides on and sends one command. Allocates nothing while the connection streams.
 class BaseWorker {
  public:
   static constexpr types::Duration kPeriod = types::kBasePeriod;
@@ -21,7 +21,7 @@ class BaseWorker {
   BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
              std::unique_ptr<pioneer::Connection> connection, Vitals& vitals);
 
-  /// The thread's body: until hand_overs.devices_closing, then the controlled close.
+  /// The thread's body: runs until hand_overs.devices_closing, then closes the connection in order.
   void run() noexcept;
 
  private:

@@ -16,7 +16,7 @@ void ClosureWorker::run() noexcept {
   }
 }
 
-/// False when no question waits.
+/// False when no query waits.
 bool ClosureWorker::answer_one() {
   if (const auto* query = hand_overs_.graph_queries.front(); query != nullptr) {
     answer(*query);
@@ -44,7 +44,7 @@ void ClosureWorker::answer(const slam::LoopQuery& query) {
 template <class Answer, std::size_t N>
 void ClosureWorker::hand_back(sync::Ring<Answer, N>& ring, Answer answer, types::Stamp begin) {
   vitals_.run.record((io::monotonic_now() - begin).count());
-  // A full ring means that the mapping thread stands still; the ring counts what is lost.
+  // A full ring means that the mapping thread is blocked; the ring counts lost answers.
   if (Answer* slot = ring.try_acquire(); slot != nullptr) {
     *slot = std::move(answer);
     ring.commit();

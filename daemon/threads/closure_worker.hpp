@@ -7,13 +7,13 @@
 
 namespace topo::daemon {
 
-/// The loop closure thread: answers the mapping thread's questions one by one, those about the whole graph
-/// first. Slow means later, never blocking.
+/// The loop closure thread: answers the mapping thread's queries one by one, graph queries first. A slow
+/// answer is late but never blocks.
 class ClosureWorker {
  public:
   ClosureWorker(HandOvers& hand_overs, Vitals& vitals) : hand_overs_(hand_overs), vitals_(vitals) {}
 
-  /// The thread's body: until hand_overs.stopping.
+  /// The thread's body: runs until hand_overs.stopping.
   void run() noexcept;
 
  private:

@@ -49,7 +49,7 @@ std::string_view state_name(pioneer::Health health) {
   return "?";
 }
 
-/// "model, serial number, firmware" into the report's own storage.
+/// Writes "model, serial number, firmware" into the report's own storage.
 template <class Info>
 void set_identity(DeviceReport& report, std::string_view model, const Info& info) {
   std::array<char, 120> text{};

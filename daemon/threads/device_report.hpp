@@ -8,7 +8,7 @@
 
 namespace topo::daemon {
 
-/// What the sessions say of their device, in storage of fixed size. Allocate nothing.
+/// Fill in a connection's report on its device, in storage of fixed size. Allocate nothing.
 void fill_report(DeviceReport& report, const hokuyo::Connection& connection);
 void fill_report(DeviceReport& report, const pioneer::Connection& connection);
 

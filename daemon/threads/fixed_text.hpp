@@ -10,8 +10,8 @@
 
 namespace topo::daemon {
 
-/// Text of bounded length inside the object, so that a real-time thread hands it over without allocating.
-/// What is too long is cut.
+/// Text of bounded length inside the object, so that a real-time thread passes it on without allocating.
+/// Longer text is truncated.
 template <std::size_t N>
 class FixedText {
  public:

@@ -28,21 +28,21 @@
 
 namespace topo::daemon {
 
-/// What a device's thread tells main of it.
+/// Report of a device's thread to main.
 struct DeviceReport {
   FixedText<24> state;      ///< "streaming"
-  FixedText<240> message;   ///< one sentence for a person
+  FixedText<240> message;   ///< one sentence for the operator
   FixedText<120> identity;  ///< model, serial number, firmware
   bool working = false;
-  int watchdog_ms = -1;                     ///< of the base's firmware; negative: not known yet
+  int watchdog_ms = -1;                     ///< of the base's firmware; negative: unknown
   std::array<std::uint64_t, 6> counters{};  ///< as the driver's Counters
-  io::BusFaults bus;                        ///< of the base, when it is on one
+  io::BusFaults bus;                        ///< of the base, when it is on a bus
 };
 
-/// What the base thread tells main; planning gets `control` alone.
+/// Report of the base thread to main; planning receives only `control`.
 struct BaseReport {
   types::BaseState state;
-  bool ready = false;  ///< the session takes commands
+  bool ready = false;  ///< the connection accepts commands
   pipeline::ControlReport control;
 };
 
@@ -51,21 +51,21 @@ struct MappingReport {
   std::uint64_t keyframes = 0;
   std::uint64_t matched = 0;
   std::uint64_t lost = 0;          ///< scans that matched nothing
-  pipeline::MappingLosses losses;  ///< scans that were taken and never placed, of all maps
+  pipeline::MappingLosses losses;  ///< scans that were taken but never placed, over all maps
   std::uint64_t closures_accepted = 0;
   std::uint64_t closures_rejected = 0;
   double response = 0.0;
-  std::uint64_t map = 1;  ///< one more for every session that was taken over
+  std::uint64_t map = 1;  ///< 1, plus one for every session taken over
   types::Transform2<types::Map, types::Odom> T_map_odom;
 };
 
-/// How the journal of the session fares.
+/// State of the session's journal.
 struct JournalReport {
   FixedText<80> name;  ///< of the session's file
   std::uint64_t keyframes = 0;
   std::uint64_t bytes = 0;
-  std::uint64_t failures = 0;  ///< writes that the disk refused
-  bool failing = false;        ///< the newest one was
+  std::uint64_t failures = 0;  ///< failed writes
+  bool failing = false;        ///< the newest write failed
   FixedText<200> message;      ///< of the newest failure
 };
 
@@ -80,19 +80,19 @@ inline constexpr std::size_t kMainReader = 1;  ///< of planning's reports; kFile
 using MapSnapshots = sync::SnapshotCell<pipeline::MapSnapshot, kSnapshotReaders>;
 using PlanningReports = sync::SnapshotCell<pipeline::PlanningReport, kReportReaders>;
 
-/// One scanner's way out.
+/// Output of one scanner's thread.
 struct ScanHandOver {
   sync::Ring<types::Scan, kScanRing> to_mapping;
-  sync::Latest<types::Scan> to_base;      ///< the front scanner's only
-  sync::Latest<types::Scan> to_planning;  ///< the front scanner's only
+  sync::Latest<types::Scan> to_base;      ///< front scanner only
+  sync::Latest<types::Scan> to_planning;  ///< front scanner only
   sync::Latest<DeviceReport> report;
 };
 
-/// Everything that goes from one thread to another (DESIGN section 2). Large: for the heap.
+/// All data passed between threads (DESIGN section 2). Large: allocate it on the heap.
 struct HandOvers {
-  std::atomic<bool> devices_closing{false};  ///< first of all: the base's and the scanners' threads end
-  std::atomic<bool> stopping{false};         ///< then every other thread but mapping's
-  std::atomic<bool> readers_gone{false};     ///< nobody pins maps any more: the mapping thread ends
+  std::atomic<bool> devices_closing{false};  ///< first: the base's and the scanners' threads end
+  std::atomic<bool> stopping{false};         ///< then: all other threads except mapping end
+  std::atomic<bool> readers_gone{false};     ///< last: no reader pins maps, and the mapping thread ends
 
   ScanHandOver front, coronal;
 
@@ -106,7 +106,7 @@ struct HandOvers {
 
   // Planning to base and main.
   sync::Latest<pipeline::Plan> plan;
-  /// Made before the threads start, ended by the planning thread, which alone destroys reports.
+  /// Created before the threads start, destroyed by the planning thread, which alone destroys reports.
   std::unique_ptr<PlanningReports> planning = std::make_unique<PlanningReports>();
 
   // Base to planning, mapping and main.
@@ -119,7 +119,7 @@ struct HandOvers {
   Wakeup mapping_wakeup;
   sync::Latest<MappingReport> mapping_report;
   sync::Latest<pipeline::TrackedPose> tracked;  ///< to planning
-  /// Made before the threads start, ended by the mapping thread, which alone may destroy snapshots.
+  /// Created before the threads start, destroyed by the mapping thread, which alone may destroy snapshots.
   std::unique_ptr<MapSnapshots> map = std::make_unique<MapSnapshots>();
 
   // Mapping to loop closure and back.
@@ -129,11 +129,11 @@ struct HandOvers {
   sync::Ring<slam::GraphQuery, 2> graph_queries;
   sync::Ring<slam::GraphSolution, 2> graph_solutions;
 
-  // Sessions: the journal's and main's background thread ask, mapping answers.
+  // Sessions: the journal thread and main's background thread send requests, the mapping thread answers.
   SessionDesk journal_desk, files_desk;
-  /// Main's background thread to mapping: a map to go on with in the place of the present one.
+  /// Main's background thread to mapping: a map that replaces the current one.
   sync::Ring<Parcel<pipeline::MappingState>, 2> take_over;
-  std::atomic<bool> journal_held{false};  ///< main: nothing is written for the time being
+  std::atomic<bool> journal_held{false};  ///< set by main: nothing is written for the time being
   Wakeup journal_wakeup;
   sync::Latest<JournalReport> journal_report;
 };

@@ -14,12 +14,11 @@
 namespace topo::daemon {
 namespace {
 
-/// A robot that has not moved has no map worth a file: starting it anew must not push a real map's journal
-/// out.
+/// A robot that has not moved has no map to keep: a restart must not displace the journal of an actual map.
 constexpr std::size_t kWorthKeeping = 2;
 constexpr types::Duration kPatience = std::chrono::seconds(5);
 
-/// An event's text is short: the system's word is what matters, the file is known.
+/// An event's text is short: the system's message matters, the file is known.
 std::string reason_of(const types::Error& error) {
   return error.sys_errno != 0 ? std::generic_category().message(error.sys_errno) : error.message;
 }
@@ -39,7 +38,7 @@ void JournalWorker::run() noexcept {
 }
 
 void JournalWorker::pull() {
-  // A robot that does not know yet where it is in an older map keeps that map's journal the newest.
+  // While the robot is not localised in an older map, that map's journal stays the newest.
   if (hand_overs_.journal_held.load(std::memory_order_acquire)) return;
   const auto news = client_.ask(known_, kPatience);
   if (news == nullptr) return;
@@ -49,7 +48,7 @@ void JournalWorker::pull() {
 
 void JournalWorker::take(const SessionNews& news) {
   if (news.map != known_.map) {
-    close();  // another map was taken over: another journal
+    close();  // another map was taken over: it gets another journal
     session_ = {};
   }
   session_.keyframes.resize(news.first);
@@ -89,7 +88,7 @@ void JournalWorker::close() {
   file_.reset();
 }
 
-/// A disk that is full or gone is told once a minute; mapping does not mind.
+/// A full or missing disk is reported once a minute; mapping continues.
 void JournalWorker::note(const types::Status& kept) {
   const types::Stamp now = io::monotonic_now();
   const bool failed_before = std::exchange(report_.failing, !kept.has_value());

@@ -12,17 +12,17 @@
 
 namespace topo::daemon {
 
-/// How the session is kept while it is made.
+/// Settings of the journal, which keeps the session while it grows.
 struct JournalSettings {
   std::string folder;
   types::Duration period = std::chrono::seconds(2);
-  std::size_t keep = 5;  ///< journals, the present one too
+  std::size_t keep = 5;  ///< journals to keep, including the current one
   std::uint64_t params_hash = 0;
 };
 
-/// The journal thread: writes the session into a file while it grows, so that a killed daemon's map can be
-/// gone on with. It pulls keyframes by their numbers and loses none: what a full disk did not take comes
-/// later.
+/// The journal thread: writes the session into a file while it grows, so that mapping can continue the map of
+/// a killed daemon. It requests keyframes by their numbers and loses none: keyframes that a full disk did not
+/// accept are written later.
 class JournalWorker {
  public:
   JournalWorker(HandOvers& hand_overs, JournalSettings settings, Vitals& vitals)
@@ -31,8 +31,8 @@ class JournalWorker {
         vitals_(vitals),
         client_(hand_overs.journal_desk, hand_overs.mapping_wakeup) {}
 
-  /// The thread's body: until hand_overs.stopping; then the last keyframes, and the record that all is there.
-  /// The mapping thread must still answer by then.
+  /// The thread's body: runs until hand_overs.stopping; then writes the last keyframes and the record that
+  /// the file is complete. The mapping thread must still answer then.
   void run() noexcept;
 
  private:

@@ -20,24 +20,25 @@ void MappingWorker::run() noexcept {
   while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
     hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
     serve_desk(hand_overs_.journal_desk, *state, report_.map);
-    // A machine that is too slow never sees its rings empty: it skips, reports and beats all the same.
+    // On a machine that is too slow the rings are never empty: the loop skips scans, reports and beats
+    // nevertheless.
     bool more = true;
     while (more && !hand_overs_.stopping.load(std::memory_order_acquire)) {
       take_over(state);
       more = serve(*state);
-      // Before the desks: who is told of a map there finds it in the report too.
+      // Before the desks are served: a client that learns of a map there must find it in the report too.
       hand_overs_.mapping_report.store(report_);
       serve_desk(hand_overs_.journal_desk, *state, report_.map);
       serve_desk(hand_overs_.files_desk, *state, report_.map);
       vitals_.beat();
     }
   }
-  take_over(state);         // what came too late is ended here: its nodes must be this thread's
+  take_over(state);         // a late parcel is adopted, because this thread must destroy its nodes
   hand_overs_.map.reset();  // snapshots hold nodes of the states' arenas
   former_.clear();
 }
 
-/// Goes on with the map that was made ready elsewhere. The present one ends when nobody looks at it any more.
+/// Continues with the map that another thread prepared. The current one is destroyed when no reader uses it.
 void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
   for (const auto* parcel = hand_overs_.take_over.front(); parcel != nullptr;
        parcel = hand_overs_.take_over.front()) {
@@ -55,7 +56,8 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
   if (!former_.empty() && hand_overs_.map->reclaim() == 0) former_.clear();
 }
 
-/// Everything that waits but of the scans the oldest; false when nothing was there.
+/// Processes all waiting answers and odometry, and the oldest scan of each scanner; false when there was
+/// neither odometry nor a scan.
 bool MappingWorker::serve(pipeline::MappingState& state) {
   take_answers(hand_overs_.loop_answers, loops_, state);
   take_answers(hand_overs_.graph_solutions, graphs_, state);
@@ -83,7 +85,7 @@ void MappingWorker::take_odometry() {
   }
 }
 
-/// One step with what is oldest; false when nothing was there.
+/// One step with the oldest data; false when there were none.
 bool MappingWorker::step(pipeline::MappingState& state) {
   auto& front_ring = hand_overs_.front.to_mapping;
   auto& coronal_ring = hand_overs_.coronal.to_mapping;
@@ -105,7 +107,7 @@ bool MappingWorker::step(pipeline::MappingState& state) {
 }
 
 void MappingWorker::skip_backlog(sync::Ring<types::Scan, kScanRing>& ring) {
-  if (ring.size() > kBacklog) ring.skip_to_newest();  // counted there
+  if (ring.size() > kBacklog) ring.skip_to_newest();  // the ring counts them
 }
 
 void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& output) {
@@ -120,7 +122,7 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
   if (output.keyframe_added) publish(state);
   if (!output.matches.empty())
     hand_over_pose(state, output.matches.back().stamp, output.matches.back().matched);
-  // Full: the search is slow, and this question is left out; the next keyframe asks again.
+  // A full ring means that the search is slow: this query is dropped, and the next keyframe sends another.
   for (slam::LoopQuery& query : output.loop_queries) (void)ask(hand_overs_.loop_queries, loops_, query);
   if (output.graph_query && !ask(hand_overs_.graph_queries, graphs_, *output.graph_query))
     state.offer(slam::GraphSolution{});
@@ -131,7 +133,7 @@ void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::S
   hand_overs_.tracked.store({stamp, report_.revision, report_.T_map_odom, matched});
 }
 
-/// False when the ring is full, which counts that.
+/// False when the ring is full; the ring counts it.
 template <class Query, std::size_t N>
 bool MappingWorker::ask(sync::Ring<Query, N>& ring, Questions& questions, Query& query) {
   Query* slot = ring.try_acquire();

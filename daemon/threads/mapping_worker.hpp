@@ -12,26 +12,26 @@
 
 namespace topo::daemon {
 
-/// The mapping thread: sole writer of keyframes, grid, wall store and snapshots, and the one that builds and
-/// frees all their nodes, which belong to the thread that made them.
+/// The mapping thread: sole writer of keyframes, grid, wall store and snapshots. It owns the nodes of all
+/// maps in use: it builds them, or adopts those of a session that another thread built, and frees them.
 class MappingWorker {
  public:
-  /// Scans waiting beyond this are left out, but for the newest.
+  /// When more scans wait, all but the newest are skipped.
   static constexpr std::size_t kBacklog = 12;
 
-  /// `origin`: of the keyframes of the first map.
+  /// `origin`: origin of the keyframes of the first map.
   MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, const slam::Origin& origin,
                 Vitals& vitals);
 
-  /// The thread's body: until hand_overs.readers_gone, because it ends the map cell; it maps no more once
-  /// hand_overs.stopping.
+  /// The thread's body: runs until hand_overs.readers_gone, because it destroys the map cell; it stops
+  /// mapping at hand_overs.stopping.
   void run() noexcept;
 
  private:
-  /// Questions of one kind to the loop closure thread.
+  /// Counts of queries of one kind to the loop closure thread.
   struct Questions {
     std::uint64_t asked = 0, answered = 0;
-    std::uint64_t stale_until = 0;  ///< answers up to this one are about a former map
+    std::uint64_t stale_until = 0;  ///< answers up to this one concern a former map
   };
   template <class Query, std::size_t N>
   bool ask(sync::Ring<Query, N>& ring, Questions& questions, Query& query);
@@ -53,7 +53,7 @@ class MappingWorker {
   Vitals& vitals_;
   std::vector<types::Odometry> odometry_;
   MappingReport report_;
-  std::vector<std::unique_ptr<pipeline::MappingState>> former_;  ///< somebody may still read their maps
+  std::vector<std::unique_ptr<pipeline::MappingState>> former_;  ///< readers may still use their maps
   Questions loops_, graphs_;
 };
 

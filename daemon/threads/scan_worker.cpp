@@ -18,7 +18,7 @@ ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
 
 void ScanWorker::run() noexcept {
   while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
-    // Paced by the sensor, or by the time-out: a connection returns earlier only with news.
+    // Paced by the sensor, or by the time-out: a connection returns earlier only with a scan or a change.
     const hokuyo::StepOutcome outcome = step();
     vitals_.beat();
     if (outcome == hokuyo::StepOutcome::kChanged || io::monotonic_now() >= next_report_) report();
@@ -28,7 +28,8 @@ void ScanWorker::run() noexcept {
 }
 
 hokuyo::StepOutcome ScanWorker::step() {
-  // With the ring full the sensor is still read, so that the base sees and the line stays clean.
+  // When the ring is full the sensor is still read, so that the base gets scans and the line does not
+  // overflow.
   types::Scan* slot = out_.to_mapping.next_free();
   types::Scan& scan = slot != nullptr ? *slot : *spare_;
   const hokuyo::StepOutcome outcome = connection_->step(scan, kTimeout);

@@ -10,18 +10,19 @@
 
 namespace topo::daemon {
 
-/// A scan thread: sole user of one scanner. Scans are decoded into the ring's slot. Allocates nothing while
-/// the connection streams.
+/// A scan thread: sole user of one scanner. Decodes scans into the ring's slot. Allocates nothing while the
+/// connection streams.
 class ScanWorker {
  public:
   static constexpr types::Duration kTimeout = std::chrono::milliseconds(100);
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(500);
 
-  /// `front`: the base thread stops by this scanner, and gets every newest scan; planning too.
+  /// `front`: true for the scanner that the base thread uses for stopping; every newest scan also goes to the
+  /// base thread and to planning.
   ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
              std::unique_ptr<hokuyo::Connection> connection, Vitals& vitals);
 
-  /// The thread's body: until hand_overs.devices_closing, then the laser is switched off.
+  /// The thread's body: runs until hand_overs.devices_closing, then switches the laser off.
   void run() noexcept;
 
  private:
@@ -34,7 +35,7 @@ class ScanWorker {
   bool front_;
   std::unique_ptr<hokuyo::Connection> connection_;
   Vitals& vitals_;
-  std::unique_ptr<types::Scan> spare_ = std::make_unique<types::Scan>();  ///< while the ring is full
+  std::unique_ptr<types::Scan> spare_ = std::make_unique<types::Scan>();  ///< used while the ring is full
   bool ring_full_ = false;
   types::Stamp next_report_{};
 };

@@ -37,7 +37,7 @@ std::unique_ptr<SessionNews> news_for(const SessionAsk& ask, const pipeline::Map
 
 std::unique_ptr<const SessionNews> SessionClient::ask(SessionAsk question, types::Duration patience) {
   SessionAsk* slot = desk_.asks.try_acquire();
-  if (slot == nullptr) return nullptr;  // the mapping thread has not served the ones before either
+  if (slot == nullptr) return nullptr;  // the mapping thread has not served the earlier requests
   question.number = ++number_;
   *slot = question;
   desk_.asks.commit();
@@ -47,7 +47,7 @@ std::unique_ptr<const SessionNews> SessionClient::ask(SessionAsk question, types
     for (const auto* parcel = desk_.news.front(); parcel != nullptr; parcel = desk_.news.front()) {
       std::unique_ptr<const SessionNews> news = std::move(parcel->content);
       desk_.news.pop();
-      if (news->number == number_) return news;  // else one that came too late
+      if (news->number == number_) return news;  // otherwise a late answer to an earlier request
     }
     desk_.answered.wait(limit - now);
   }

@@ -13,41 +13,43 @@
 
 namespace topo::daemon {
 
-/// What somebody who keeps sessions has of the map already.
+/// Request of a client that keeps sessions: the part of the map that it already has.
 struct SessionAsk {
-  std::uint64_t number = 0;  ///< of the question
-  std::uint64_t map = 0;     ///< number of the map that the rest is about
+  std::uint64_t number = 0;  ///< of the request
+  std::uint64_t map = 0;     ///< number of the map that the other fields refer to
   std::uint64_t revision = 0;
   std::size_t keyframes = 0;
-  bool sighting = false;  ///< the newest scan is wanted too
+  bool sighting = false;  ///< true: the newest scan is requested too
 };
 
-/// What he lacks. Keyframes are handed over by their numbers, so that none is lost, however late he asks.
+/// Answer to a SessionAsk: the parts that the client lacks. Keyframes are passed by their numbers, so that
+/// none is lost, however late the request.
 struct SessionNews {
-  std::uint64_t number = 0;  ///< of the question
-  std::uint64_t map = 0;     ///< 1 since the start, one more for every session that was taken over
+  std::uint64_t number = 0;  ///< of the request
+  std::uint64_t map = 0;     ///< 1 since the start, plus one for every session taken over
   std::uint64_t revision = 0;
-  bool changed = false;    ///< false: nothing new since the revision that was named, and all below is empty
-  std::size_t first = 0;   ///< number of the first keyframe below; 0 when the map is another one
-  slam::Session session;   ///< keyframes from `first` on; all poses, all edges
-  slam::Cloud cloud;       ///< the scan placed last, where it was wanted
+  bool changed = false;    ///< false: nothing new since the given revision; all below but the scan is empty
+  std::size_t first = 0;   ///< number of the first keyframe below; 0 for another map
+  slam::Session session;   ///< keyframes from `first` on; all poses and edges
+  slam::Cloud cloud;       ///< the newest placed scan, when requested
   types::Se2 T_odom_base;  ///< at its stamp
 };
 
-/// Something large on its way through a ring, taken out by the consumer while the slot is his.
+/// A large object passed through a ring; the consumer moves it out while it holds the slot.
 template <class T>
 struct Parcel {
   mutable std::unique_ptr<T> content;
 };
 
-/// Hand-over between one who keeps sessions and the mapping thread.
+/// Hand-over between a client that keeps sessions and the mapping thread.
 struct SessionDesk {
   sync::Ring<SessionAsk, 2> asks;
   sync::Ring<Parcel<SessionNews>, 2> news;
   Wakeup answered;
 };
 
-/// Who keeps sessions, on his thread: asks and waits. The mapping thread answers between two scans.
+/// The client's side of the desk, on its own thread: sends a request and waits. The mapping thread answers
+/// between two scans.
 class SessionClient {
  public:
   SessionClient(SessionDesk& desk, Wakeup& mapping) : desk_(desk), mapping_(mapping) {}
@@ -61,7 +63,7 @@ class SessionClient {
   std::uint64_t number_ = 0;
 };
 
-/// The mapping thread's side of the desk: answers what was asked.
+/// The mapping thread's side of the desk: answers all waiting requests.
 void serve_desk(SessionDesk& desk, const pipeline::MappingState& state, std::uint64_t map);
 
 }  // namespace topo::daemon

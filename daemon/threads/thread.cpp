@@ -17,7 +17,8 @@ namespace {
 
 using types::Errc;
 
-// With MCL_ONFAULT only what is touched is locked. g++ 12's headers have it; older kernels do not.
+// With MCL_ONFAULT only touched pages are locked. g++ 12's headers define it; older kernels do not support
+// it.
 constexpr int kLockFlags = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT;
 
 tl::unexpected<types::Error> refused(const std::string& what, int error) {
@@ -66,7 +67,7 @@ std::vector<std::string> apply_settings(const ThreadSettings& settings) {
                                      settings.fifo_priority, std::strerror(error)));
     }
   } else if (settings.nice != 0) {
-    // On Linux the nice value belongs to the thread that sets its own.
+    // On Linux the nice value applies to the thread that sets it.
     errno = 0;
     if (::setpriority(PRIO_PROCESS, 0, settings.nice) != 0) {
       refusals.push_back(

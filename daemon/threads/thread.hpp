@@ -12,16 +12,16 @@
 
 namespace topo::daemon {
 
-/// How a thread is run.
+/// Settings of a thread.
 struct ThreadSettings {
-  std::string name;       ///< at most 15 characters, as the kernel shows it
+  std::string name;       ///< at most 15 characters, as shown by the kernel
   int fifo_priority = 0;  ///< above 0: SCHED_FIFO
-  int nice = 0;           ///< where fifo_priority is 0
+  int nice = 0;           ///< used when fifo_priority is 0
   std::vector<int> cpus;  ///< empty: any
   std::size_t stack_bytes = 1 << 20;
 };
 
-/// One thread, joined by its destructor. The body must return when it is told to stop by other means.
+/// One thread, joined by its destructor. The body must return when it is stopped by other means.
 class Thread {
  public:
   Thread() = default;
@@ -29,7 +29,7 @@ class Thread {
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
-  /// Starts `body` with the default scheduling. kIo when the system has no thread for us.
+  /// Starts `body` with the default scheduling. kIo when the system provides no thread.
   types::Status start(const ThreadSettings& settings, std::function<void()> body);
   void join();
 
@@ -40,14 +40,16 @@ class Thread {
   std::function<void()> body_;
 };
 
-/// Gives the calling thread its name, scheduling and CPUs. What was refused, one sentence each; the rest is
-/// done.
+/// Sets the calling thread's name, scheduling and CPUs. Returns one sentence for each refused setting; the
+/// others are applied.
 std::vector<std::string> apply_settings(const ThreadSettings& settings);
 
-/// Locks what is touched from now on into memory (MCL_ONFAULT). The error names the limit in the way.
+/// Locks resident pages, and pages when they are first touched, into memory (MCL_ONFAULT). The error names
+/// the limit.
 types::Status lock_memory();
 
-/// Whether this process may have `priority` under SCHED_FIFO, tried on the calling thread and undone.
+/// Tests whether this process may use `priority` under SCHED_FIFO: sets it for the calling thread and
+/// restores it.
 types::Status try_fifo(int priority);
 
 }  // namespace topo::daemon

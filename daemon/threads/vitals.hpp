@@ -13,7 +13,7 @@
 
 namespace topo::daemon {
 
-/// What a thread lets others see of itself: one writer, any reader; every call is wait-free.
+/// A thread's state of health for other threads: one writer, any readers; every call is wait-free.
 struct Vitals {
   explicit Vitals(std::string_view thread_name) : name(thread_name) {}
 
@@ -24,18 +24,18 @@ struct Vitals {
 
   std::string_view name;
   std::atomic<std::uint64_t> beats{0};
-  std::atomic<std::uint64_t> overruns{0};  ///< whole periods that were missed
-  sync::Histogram wake;                    ///< from when it was due to when it ran
-  sync::Histogram run;                     ///< from when it ran to when it was done
-  sync::EventRing<64> events;              ///< what it has to say; main reads and logs it
+  std::atomic<std::uint64_t> overruns{0};  ///< missed whole periods
+  sync::Histogram wake;                    ///< from the due time to the start of the run
+  sync::Histogram run;                     ///< from the start to the end of the run
+  sync::EventRing<64> events;              ///< the thread's messages; main reads and logs them
 };
 
-/// What goes on and on is told once a minute.
+/// Limits the report of a persistent condition to once a minute.
 class Rarely {
  public:
   static constexpr types::Duration kApart = std::chrono::minutes(1);
 
-  /// Whether to tell it now; then not again for a minute, or until it is over.
+  /// True when the condition is to be reported now; then false for a minute, or until over().
   bool due(types::Stamp now) {
     if (told_ && now - *told_ < kApart) return false;
     told_ = now;
@@ -47,13 +47,13 @@ class Rarely {
   std::optional<types::Stamp> told_;
 };
 
-/// Deadlines at whole periods from the first one. A late thread goes on at the next whole period: the grid
-/// never moves, and nothing is caught up.
+/// Deadlines at whole periods from the first one. A late thread continues at the next whole period: the grid
+/// never shifts, and missed periods are not made up.
 class Period {
  public:
   Period(types::Stamp first, types::Duration period) : next_(first), period_(period) {}
   [[nodiscard]] types::Stamp next() const { return next_; }
-  /// To the first deadline after `now`; returns how many were passed over.
+  /// Advances to the first deadline after `now`; returns the number of deadlines skipped.
   std::uint64_t advance(types::Stamp now) {
     next_ += period_;
     if (next_ > now) return 0;

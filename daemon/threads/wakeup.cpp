@@ -15,14 +15,13 @@ namespace topo::daemon {
 
 Wakeup::Wakeup() : fd_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   if (fd_.valid()) return;
-  std::perror(
-      "topometricd: eventfd");  // before the service is ready: without threads that wake there is none
+  std::perror("topometricd: eventfd");  // before the service is ready: it cannot run without wakeups
   std::exit(1);
 }
 
 void Wakeup::post() noexcept {
   const std::uint64_t one = 1;
-  // Fails only when the counter is full, and then the waiter is awake already.
+  // Fails only when the counter is full; the waiting thread is then awake already.
   [[maybe_unused]] const ssize_t written = ::write(fd_.get(), &one, sizeof one);
 }
 

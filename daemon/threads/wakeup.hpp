@@ -7,16 +7,17 @@
 
 namespace topo::daemon {
 
-/// Wakes one waiting thread. An event counter (eventfd) that never blocks who posts.
+/// Wakes one waiting thread. An event counter (eventfd); post() never blocks.
 class Wakeup {
  public:
   Wakeup();
 
-  /// Any thread, real-time ones too. Wait-free: one system call that adds to a counter.
+  /// Callable from any thread, including real-time threads. Wait-free: one system call that adds to a
+  /// counter.
   void post() noexcept;
-  /// Blocks until something was posted since the last wait, or the time is over. True when something was.
+  /// Blocks until the first post since the last wait, or the time-out. True when there was a post.
   bool wait(types::Duration timeout);
-  /// For a poll loop: readable when something was posted.
+  /// For a poll loop: readable after a post.
   [[nodiscard]] int fd() const { return fd_.get(); }
 
  private:
