@@ -23,11 +23,11 @@ using types::fail;
 using types::Result;
 using types::Status;
 
-// SIGHUP too: when the terminal or the ssh session of a daemon started by hand is gone, the robot must not
-// drive on until its own watchdog bites.
+// SIGHUP too: when the terminal or ssh session of a daemon started by hand ends, the robot must not drive on
+// until its own watchdog expires.
 constexpr std::array<int, 3> kStopSignals{SIGTERM, SIGINT, SIGHUP};
 constexpr std::uint64_t kTickUsec = 100'000;
-constexpr std::uint64_t kTickAccuracyUsec = 10'000;  // 0 would be 250 ms
+constexpr std::uint64_t kTickAccuracyUsec = 10'000;  // 0 would mean 250 ms
 
 Status from_sd(int result, const char* what) {
   if (result >= 0) return {};
@@ -38,7 +38,7 @@ Status from_sd(int result, const char* what) {
 
 void block_signals() {
   ::signal(SIGPIPE, SIG_IGN);
-  ::signal(SIGXFSZ, SIG_IGN);  // a file at its limit is a full disk, no reason to leave a robot alone
+  ::signal(SIGXFSZ, SIG_IGN);  // a file at its size limit equals a full disk: the daemon must not exit
   sigset_t set;
   ::sigemptyset(&set);
   for (const int number : kStopSignals) ::sigaddset(&set, number);
@@ -131,14 +131,14 @@ Status App::watch(int fd, sd_event_io_handler_t handler, void* data, EventSource
   return from_sd(result, "event loop");
 }
 
-/// Who reads maps and reports goes before the threads that made them and end them.
+/// Readers of maps and reports are destroyed before the threads that create and destroy those.
 void App::end_readers() {
   saved_.reset();
   searched_.reset();
-  operator_.reset();  // nobody calls it any more: the loop, which serves the socket, has ended
+  operator_.reset();  // no longer called: the event loop, which serves the socket, has ended
 }
 
-/// A job that put another map in place is told together with that map's state, not with the one before.
+/// The report of a job that replaced the map must come with the state of the new map.
 void App::collect(std::size_t i) {
   monitor_->update(io::monotonic_now());
   operator_->collect(i);
@@ -153,7 +153,7 @@ void App::tick() {
   tell_events();
   monitor_->update(io::monotonic_now());
   operator_->tick(io::monotonic_now());
-  // A dead worker must not be covered up by a main loop that runs: then the service manager starts us again.
+  // The main loop must not hide a dead worker: without WATCHDOG=1 the service manager restarts the daemon.
   const std::string state =
       fmt::format("STATUS={}{}", monitor_->summary(), monitor_->alive() ? "\nWATCHDOG=1" : "");
   sd_notify(0, state.c_str());
@@ -188,10 +188,10 @@ Status App::run() {
   const int looped = sd_event_loop(event_.get());
   sd_notify(0, "STOPPING=1");
   if (options_.on_stopping) options_.on_stopping();
-  workers_->close_devices();  // a job in hand may take long to end: the robot does not drive on meanwhile
+  workers_->close_devices();  // a running job may take long to end: the robot must not drive on meanwhile
   end_readers();
   workers_->stop();
-  tell_events();  // the threads' last words
+  tell_events();  // the last messages of the threads
   spdlog::info("stopped");
   return from_sd(looped, "event loop");
 }

@@ -21,25 +21,25 @@ struct AppOptions {
   io::ListeningSocket socket;           ///< of configuration.control.socket
   ConnectorFactory connectors;
   std::function<void()> on_stopping;  ///< called when the stop begins; may be empty
-  std::function<bool()> has_ended{};  ///< asked every tick: the devices are at their end, stop; may be empty
+  std::function<bool()> has_ended{};  ///< called every tick; true: the devices have ended, stop. May be empty
 };
 
-/// The daemon: every part made in the order of dependency, and the loop of the main thread. Its members are
-/// in that order, so that they go in the opposite one.
+/// The daemon: all parts, created in the order of dependency, and the loop of the main thread. The members
+/// are in that order, so that they are destroyed in the reverse order.
 class App {
  public:
-  /// Makes all parts; starts no thread and touches no device.
+  /// Creates all parts; starts no thread and accesses no device.
   static types::Result<std::unique_ptr<App>> make(AppOptions options);
   App(const App&) = delete;
   App& operator=(const App&) = delete;
   ~App();
 
   /// Starts the threads and serves until SIGTERM, SIGINT, SIGHUP or request_stop(); then stops in order: the
-  /// robot stands and the lasers are off when this returns. Precondition: these signals are blocked in every
-  /// thread, see block_signals().
+  /// robot stands and the lasers are off on return. Precondition: these signals are blocked in every thread,
+  /// see block_signals().
   types::Status run();
 
-  /// Any thread.
+  /// Callable from any thread.
   void request_stop() { stop_requested_.post(); }
 
  private:
@@ -73,8 +73,8 @@ class App {
   std::array<EventSource, 3> signals_;
 };
 
-/// Blocks SIGTERM, SIGINT and SIGHUP, which the main loop then reads, and ignores SIGPIPE. Before any thread
-/// is started.
+/// Blocks SIGTERM, SIGINT and SIGHUP, which the main loop reads, and ignores SIGPIPE and SIGXFSZ. To be
+/// called before any thread is started.
 void block_signals();
 
 }  // namespace topo::daemon

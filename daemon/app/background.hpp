@@ -13,13 +13,13 @@
 
 namespace topo::daemon {
 
-/// A thread for what would keep main from answering an e-stop: slow disks, long searches. One job after the
-/// other. Locks are between main and this thread alone.
+/// A thread for work that would delay main's reaction to an e-stop: slow disks, long searches. Runs one job
+/// after the other. Its locks are shared only by main and this thread.
 class Background {
  public:
-  /// What main does with the outcome.
+  /// Completion handler, called on main.
   using Finish = std::function<void()>;
-  /// Runs on the thread; what it returns runs on main.
+  /// Runs on the thread; the returned handler runs on main.
   using Job = std::function<Finish()>;
 
   Background() = default;
@@ -28,14 +28,14 @@ class Background {
   ~Background() { stop(); }
 
   types::Status start(const std::string& name);
-  /// Finishes the job in hand; what waits is never begun, and what was finished is not told.
+  /// Finishes the current job; waiting jobs are not started, and handlers of finished jobs are not called.
   void stop();
 
-  /// Main. kBusy when too much waits, or when stopping.
+  /// Main only. kBusy when too many jobs wait, or when stopping.
   types::Status add(Job job);
-  /// Main. Readable when collect() has something to do.
+  /// Main only. Readable when collect() has handlers to call.
   [[nodiscard]] int fd() const { return finished_ready_.fd(); }
-  /// Main. Runs the Finish of what was done.
+  /// Main only. Calls the handlers of finished jobs.
   void collect();
 
  private:

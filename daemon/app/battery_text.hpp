@@ -9,10 +9,10 @@
 
 namespace topo::daemon {
 
-/// What the base reports of its battery: "12.6 V, 45 %".
+/// The battery's state as reported by the base: "12.6 V, 45 %".
 [[nodiscard]] std::string battery_text(const types::BaseState& state);
 
-/// What sends the robot home, with the keys of the configuration.
+/// The conditions that send the robot home, with the keys of the configuration.
 [[nodiscard]] std::string battery_limits_text(const types::BatteryLimits& limits);
 
 }  // namespace topo::daemon

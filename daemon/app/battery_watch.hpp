@@ -8,13 +8,13 @@
 
 namespace topo::daemon {
 
-/// When people are told that the battery is low: once, and again when it was charged in between.
+/// Decides when a low battery is reported: once, and again after it was charged.
 class BatteryWatch {
  public:
-  /// A battery that is spared recovers for a moment; one that is not low for so long was charged.
+  /// An unloaded battery recovers for a moment; one that is not low for this long was charged.
   static constexpr types::Duration kChargedAfter = std::chrono::minutes(1);
 
-  /// At every reading; whether to tell it now.
+  /// To be called for every reading; true when the low battery is to be reported now.
   bool note(bool low, types::Stamp now) {
     if (low != low_ || !since_) since_ = now;
     low_ = low;
@@ -27,7 +27,7 @@ class BatteryWatch {
  private:
   bool low_ = false;
   bool told_ = false;
-  std::optional<types::Stamp> since_;  ///< it is as `low_` says
+  std::optional<types::Stamp> since_;  ///< start of the current state of `low_`
 };
 
 }  // namespace topo::daemon

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWrong = 2;
 
-/// The word where a subcommand was expected, and what would be right there; empty when there is no such word.
+/// The word found in the place of a subcommand, and the accepted ones; empty when there is no such word.
 std::string misspelt_command(const CLI::App& cli) {
   const CLI::App* last = &cli;  // the command that lacks its subcommand
   while (!last->get_subcommands().empty()) last = last->get_subcommands().back();

@@ -8,12 +8,12 @@
 
 namespace topo::daemon {
 
-/// Parses the command line of `program`, and adds --version. Nothing: go on. Else the exit status to end
-/// with: 0 when what was asked for is printed, 2 when the command line is wrong, which is said; of a
-/// misspelt subcommand with the one that is near.
+/// Parses the command line of `program`, and adds --version. Nothing: continue. Otherwise the exit status: 0
+/// when the requested text was printed, 2 when the command line is wrong. Faults are printed; for a misspelt
+/// subcommand, with the nearest valid one.
 std::optional<int> parse_command_line(CLI::App& cli, const std::string& program, int argc, char** argv);
 
-/// A number from `low` to `high`. NaN is none, which CLI::Range lets pass.
+/// Accepts a number from `low` to `high`. Rejects NaN, which CLI::Range accepts.
 CLI::Validator number_from(double low, double high);
 
 }  // namespace topo::daemon

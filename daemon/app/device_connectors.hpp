@@ -11,11 +11,11 @@
 
 namespace topo::daemon {
 
-/// Real devices; every byte goes through `recorder` too unless it is null. `recorder` must outlive the
+/// Connectors of real devices; all bytes also go to `recorder` unless it is null. `recorder` must outlive the
 /// connectors.
 ConnectorFactory device_connectors(Recorder* recorder);
 
-/// A recording in place of the devices.
+/// Connectors that play a recording instead of the devices.
 ConnectorFactory replay_connectors(std::shared_ptr<Replay> replay);
 
 }  // namespace topo::daemon

@@ -25,7 +25,7 @@ bool mentions(const std::string& message, int error) {
   return message.find(std::strerror(error)) != std::string::npos;
 }
 
-/// What to do about a device that does not work, by its state and the system's words in its message.
+/// The cure for a device that does not work, by its state and the system's error text in its message.
 std::string device_cure(const DoctorFacts::Device& d) {
   const std::string key = d.name == "base" ? "base.address" : fmt::format("scanner.{}.address", d.name);
   if (d.state == "wrong device") {
@@ -141,7 +141,7 @@ Check check_battery(const DoctorFacts& f) {
   return bad("battery", found, "charge it; " + battery_limits_text(f.battery));
 }
 
-/// What holds the base back in this moment.
+/// The restriction on the base's motion at this moment.
 Check check_gate(const DoctorFacts& f) {
   const std::string name = "motion";
   const std::string found(motion::to_text(f.base.control.reason));
@@ -170,7 +170,7 @@ Check check_gate(const DoctorFacts& f) {
     case GateReason::kBumper:
       return bad(name, found, "see the check \"bumpers\"");
     case GateReason::kEmergencyStop:
-      // The base reports once a period: what it said before it saw the clear is not so any more.
+      // The base reports once per period: a report from before the clear is out of date.
       if (!f.estop_latched) return good(name, "the emergency stop was cleared a moment ago");
       return bad(name, found, "see the check \"e-stop\"");
     default:

@@ -13,7 +13,7 @@
 
 namespace topo::daemon {
 
-/// What the doctor looks at; a value, so that a test makes it up.
+/// Input of examine(); a value, so that tests can construct it.
 struct DoctorFacts {
   struct Device {
     std::string name, address, state, message;
@@ -23,28 +23,28 @@ struct DoctorFacts {
   struct Can {
     std::string name;
     io::CanInterface interface;
-    std::string unknown{};          ///< why the kernel does not tell of it; empty: it does
+    std::string unknown{};          ///< why the kernel's data are missing; empty: they are present
     io::BusFaults faults_lately{};  ///< of the last seconds
   };
-  std::optional<Can> can;  ///< when the base is on a CAN bus
+  std::optional<Can> can;  ///< present when the base is on a CAN bus
   BaseReport base;
-  bool estop_latched = false;      ///< as the operator knows it; base may tell of before a clear
-  std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the robot was asked
+  bool estop_latched = false;      ///< according to the operator's state; `base` may be from before a clear
+  std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the connection
   types::BatteryLimits battery;
   bool has_map = false;
-  std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: matched nothing
-  std::uint64_t scans_matched_lately = 0;  ///< the same: matched
+  std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: scans that matched nothing
+  std::uint64_t scans_matched_lately = 0;  ///< of the last seconds: scans that matched
   RealtimePolicy policy = RealtimePolicy::kOff;
   std::vector<std::string> refusals;  ///< of the system: real-time scheduling, locked memory
   std::vector<std::string> stuck;     ///< threads that do not advance
   struct Disk {
-    std::string folder;                         ///< where something is written by itself
-    std::optional<std::uint64_t> free_bytes{};  ///< there; nothing when it is none that we may write to
+    std::string folder;                         ///< folder for automatic saves
+    std::optional<std::uint64_t> free_bytes{};  ///< free there; nothing when missing or not writable
   };
   std::vector<Disk> disks;
-  std::string sessions;          ///< folder where the session is kept; empty: nowhere
-  std::string session_obstacle;  ///< why the robot is not sent off because of one; empty: it is
-  JournalReport journal;         ///< of the session that is kept
+  std::string sessions;          ///< folder of the sessions; empty: no journal is kept
+  std::string session_obstacle;  ///< why a session prevents a mission; empty: none does
+  JournalReport journal;         ///< state of the current session's journal
 };
 
 /// One finding.
@@ -55,7 +55,8 @@ struct Check {
   std::string cure;  ///< in plain words; empty when ok
 };
 
-/// Why the robot will not move, and what else is not as it should be: every check, good ones too.
+/// Checks everything that may keep the robot from moving, and the rest of the system; returns all checks,
+/// passed ones too.
 std::vector<Check> examine(const DoctorFacts& facts);
 
 }  // namespace topo::daemon

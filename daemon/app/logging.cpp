@@ -31,7 +31,7 @@ constexpr std::array<LevelName, 5> kLevels{{{"trace", LogLevel::kTrace, spdlog::
                                             {"warning", LogLevel::kWarning, spdlog::level::warn},
                                             {"error", LogLevel::kError, spdlog::level::err}}};
 
-/// "<4>": what the journal takes from the beginning of a line of standard error.
+/// "<4>": the priority that the journal reads at the beginning of a line of standard error.
 class PriorityPrefix final : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -54,10 +54,10 @@ types::Status start_logging(const LogConfig& config) {
   formatter->add_flag<PriorityPrefix>('*');
   if (config.file.empty()) {
     sink = std::make_shared<spdlog::sinks::stderr_sink_st>();
-    // The journal stamps and names what it takes; a person at a terminal wants both.
+    // The journal adds time and priority itself; a terminal needs both in the text.
     formatter->set_pattern(std::getenv("JOURNAL_STREAM") != nullptr ? "%*%v" : "%Y-%m-%d %H:%M:%S.%e %l: %v");
   } else {
-    // Tried first, because spdlog would throw.
+    // Tested first, because spdlog would throw.
     const int fd = ::open(config.file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0640);
     if (fd < 0) {
       return types::fail(errno == EACCES ? types::Errc::kPermission : types::Errc::kIo,

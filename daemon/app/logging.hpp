@@ -12,18 +12,17 @@
 namespace topo::daemon {
 
 /// Sets up spdlog's default logger: standard error (with the journal's priority prefixes when systemd reads
-/// it, see sd-daemon(3)) or the file. Lines are written by a thread of spdlog's: a terminal or a disk that
-/// takes nothing must not keep main, and with it an e-stop, waiting. When it takes nothing for long, the
-/// oldest lines are lost. Logging locks, so real-time threads post events instead. To be called with the
-/// signals blocked.
+/// it, see sd-daemon(3)) or the file. A thread of spdlog writes the lines: a terminal or a disk that blocks
+/// must not delay main, and with it an e-stop. When it blocks for long, the oldest lines are lost. Logging
+/// locks, so real-time threads post events instead. To be called with the signals blocked.
 types::Status start_logging(const LogConfig& config);
 
-/// Writes what waits and ends the thread; nothing may be logged afterwards.
+/// Writes pending lines and ends the thread; nothing may be logged afterwards.
 void end_logging();
 
 void set_log_level(LogLevel level);
 
-/// As the configuration spells it.
+/// Parses a level as spelt in the configuration.
 std::optional<LogLevel> parse_log_level(std::string_view text);
 
 }  // namespace topo::daemon

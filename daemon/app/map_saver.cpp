@@ -20,7 +20,7 @@
 namespace topo::daemon {
 namespace {
 
-/// The folder itself, not the ones above it: a mistyped path is to be seen, not made.
+/// Creates the folder itself, not its parents: a mistyped path must show as an error.
 types::Status make_folder(const std::string& folder) {
   constexpr mode_t kMode = 0775;
   if (::mkdir(folder.c_str(), kMode) == 0 || errno == EEXIST) return {};
@@ -28,7 +28,7 @@ types::Status make_folder(const std::string& folder) {
                      fmt::format("{}: cannot make the folder: {}", folder, std::strerror(errno)), errno);
 }
 
-/// The way through the keyframes as a text, a line each: stamp on CLOCK_MONOTONIC, x, y, theta of the robot
+/// The path through the keyframes as text, one line each: stamp on CLOCK_MONOTONIC, x, y, theta of the robot
 /// in map.
 std::string trajectory_text(const pipeline::MapSnapshot& map) {
   std::string text;
@@ -62,7 +62,7 @@ types::Result<SavedMap> MapSaver::save(const std::string& folder) {
   return saved;
 }
 
-/// What planning made of the map; nothing when it has not looked at one yet.
+/// Writes planning's analysis of the map; nothing before the first analysis.
 types::Status MapSaver::save_analysis(const std::string& folder, const pipeline::MapSnapshot& map,
                                       SavedMap& saved) {
   const auto report = reports_.pin();

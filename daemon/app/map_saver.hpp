@@ -9,7 +9,7 @@
 
 namespace topo::daemon {
 
-/// What was written.
+/// Summary of the saved files.
 struct SavedMap {
   std::string folder;
   std::uint64_t revision = 0;
@@ -27,9 +27,9 @@ class MapSaver {
       : snapshots_(hand_overs.map->reader(kFilesReader)),
         reports_(hand_overs.planning->reader(kFilesReader)) {}
 
-  /// map.pgm, map.yaml, cloud.ply, trajectory.txt and, when the map was analysed, goals.json, places.geojson
-  /// and overview.png into `folder`, which is made when only it is missing; each there whole or not at all.
-  /// kNotFound before the first scan.
+  /// Writes map.pgm, map.yaml, cloud.ply, trajectory.txt and, when the map was analysed, goals.json,
+  /// places.geojson and overview.png into `folder`, which is created when its parent exists. Every file is
+  /// written atomically. kNotFound before the first scan was matched.
   types::Result<SavedMap> save(const std::string& folder);
 
  private:

@@ -10,28 +10,28 @@
 
 namespace topo::daemon {
 
-/// What became of the newest mission.
+/// State of the newest mission.
 enum class MissionState { kNone, kUnderWay, kPaused, kDone, kFailed, kStopped };
 /// One word for tables and JSON.
 std::string_view to_text(MissionState state);
 std::string_view to_text(pipeline::Order order);
 
-/// The missions that operators give, one after the other. A value without threads or clock; main keeps one
-/// and hands mission() to planning after every change. After the start of the daemon the order is to stand.
+/// The missions given by operators, one after the other. A value without threads or clock; main keeps one and
+/// passes mission() to planning after every change. After the start of the daemon the order is kStand.
 class MissionControl {
  public:
-  /// A new mission. `obstacle`: why the robot cannot be sent off now, empty when it can. Refused (kBusy)
-  /// then, and when an exploration shall begin while one is under way.
+  /// Begins a new mission. `obstacle`: why the robot cannot start now, empty when it can. kBusy when there is
+  /// an obstacle, or when an exploration is to begin during another one.
   types::Status begin(pipeline::Order order, const types::Vector2& target, const std::string& obstacle,
                       types::Stamp now);
   /// The robot stands, the mission is kept. Refused when none is under way.
   types::Status pause(std::string why);
-  /// Refused when there is an obstacle or nothing to go on with.
+  /// Refused when there is an obstacle or no paused mission.
   types::Status resume(const std::string& obstacle);
-  /// Ends the mission, if there is one. True when there was one.
+  /// Ends the current mission, if any. True when there was one.
   bool stop(types::Stamp now);
 
-  /// Planning's newest word. True when it ends the mission.
+  /// Takes planning's newest report. True when it ends the mission.
   bool note(const pipeline::PlanningReport& report, types::Stamp now);
 
   [[nodiscard]] const pipeline::Mission& mission() const { return mission_; }
@@ -42,7 +42,7 @@ class MissionControl {
   [[nodiscard]] bool active() const {
     return state_ == MissionState::kUnderWay || state_ == MissionState::kPaused;
   }
-  /// From the beginning of the newest mission to its end or now.
+  /// Time from the beginning of the newest mission to its end or to now.
   [[nodiscard]] types::Duration elapsed(types::Stamp now) const;
 
  private:

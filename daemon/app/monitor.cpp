@@ -10,12 +10,12 @@
 namespace topo::daemon {
 namespace {
 
-// Longer than anything that a healthy thread waits for or computes at a stretch.
+// Longer than any wait or computation of a healthy thread.
 constexpr types::Duration kStuckAfter = std::chrono::milliseconds(1500);
-// Planning computes longer on a large map; the base stands by itself when its plan is too old.
+// Planning computes longer on a large map; the base stops by itself when its plan is too old.
 constexpr types::Duration kPlanningStuckAfter = std::chrono::seconds(10);
 
-/// What the base does, for people.
+/// The state of the base, for users.
 std::string_view state_text(const BaseReport& base) {
   const pipeline::ControlReport& control = base.control;
   if (control.estop_latched) return motion::to_text(motion::GateReason::kEmergencyStop);
@@ -165,14 +165,14 @@ std::string Monitor::device_obstacle() const {
   for (const Device& device : devices_) {
     if (device.report.working) continue;
     const std::string_view message = device.report.message.view();
-    const std::string_view state = device.report.state.view();  // empty before its thread's first word
+    const std::string_view state = device.report.state.view();  // empty before the thread's first report
     return fmt::format("{} is not ready: {}{}{}", device.name, state.empty() ? "starting" : state,
                        message.empty() ? "" : ": ", message);
   }
   return base_.ready ? "" : "base is not ready: it takes no commands yet";
 }
 
-/// As new as the odometry: the last correction of it carried on.
+/// As recent as the odometry: the last correction applied to it.
 types::Se2 Monitor::pose() const { return (mapping_.T_map_odom * base_.state.odometry.T_odom_base).se2(); }
 
 std::string Monitor::summary() const {

@@ -12,27 +12,27 @@
 
 namespace topo::daemon {
 
-/// What main knows of the other threads: the newest of every report, and whether the threads advance. Main
-/// only.
+/// Main's view of the other threads: the newest of every report, and whether the threads advance. Main only.
 class Monitor {
  public:
   Monitor(const Configuration& configuration, HandOvers& hand_overs, const Workers& workers);
 
-  /// Takes what is new; to be called every now and then. Logs every change of a device's state once.
+  /// Takes new reports; to be called periodically. Logs every change of a device's state once.
   void update(types::Stamp now);
 
-  /// Every vital thread advanced lately: what the service manager's watchdog is fed by.
+  /// True when every vital thread advanced recently: the condition for feeding the service manager's
+  /// watchdog.
   [[nodiscard]] bool alive() const { return stuck_.empty(); }
   [[nodiscard]] const BaseReport& base() const { return base_; }
   [[nodiscard]] bool has_map() const { return mapping_.keyframes > 0; }
-  /// The first device that does not work, and why; empty when all do and the base takes commands.
+  /// The first device that does not work, and the reason; empty when all work and the base accepts commands.
   [[nodiscard]] std::string device_obstacle() const;
   /// One line for the service manager.
   [[nodiscard]] std::string summary() const;
 
-  /// What the system refused to the daemon, for the doctor; logged.
+  /// Records, for the doctor, a request that the system refused; logs it.
   void note_refusal(const std::string& refusal);
-  /// For the doctor, as far as it is known here.
+  /// The doctor's input, as far as it is known here.
   [[nodiscard]] DoctorFacts facts() const;
 
   [[nodiscard]] Json status() const;
@@ -45,7 +45,7 @@ class Monitor {
     sync::Latest<DeviceReport>* source;
     DeviceReport report;
   };
-  /// Counters of the mapper at some moment.
+  /// Counters of the mapper and of the bus at one time.
   struct Tally {
     types::Stamp stamp{};
     std::uint64_t matched = 0, lost = 0;

@@ -60,7 +60,7 @@ void Operator::tick(types::Stamp now) {
 
 void Operator::add_distance() {
   const types::Vector2 at = monitor_.base().state.odometry.T_odom_base.se2().translation();
-  // A jump is a base that counts anew, no way driven: at 10 Hz no robot gets half a metre.
+  // A jump is a reset of the base's odometry, not motion: at 10 Hz no robot moves half a metre per tick.
   constexpr double kJump_m = 0.5;
   const double way_m = (at - measured_from_).norm();
   if (measuring_ && missions_.active() && way_m < kJump_m) distance_m_ += way_m;
@@ -86,7 +86,7 @@ void Operator::watch_readiness() {
 
 bool Operator::estop_latched() const {
   const pipeline::ControlReport& base = monitor_.base().control;
-  // What the base reported before it saw the clear is not so any more.
+  // A report of the base from before the clear is out of date.
   return hand_overs_.estop.pressed() || (base.estop_latched && base.stamp > estop_cleared_);
 }
 
@@ -126,7 +126,7 @@ Status Operator::resume() {
   return {};
 }
 
-/// The robot is taken out of the mission's hand: whoever goes on must say so.
+/// Takes control from the mission: the operator must resume it explicitly.
 void Operator::interrupt(const std::string& why) {
   if (missions_.state() != MissionState::kUnderWay || !missions_.pause("paused by " + why)) return;
   send_mission();
@@ -154,9 +154,9 @@ void Operator::estop() {
 }
 
 Status Operator::clear_estop() {
-  end_driving();  // what was wanted before the e-stop is not wanted any more
+  end_driving();  // requests from before the e-stop are void
   hand_overs_.estop.clear();
-  estop_cleared_ = io::monotonic_now();  // after the clear: a base that decides later has seen it
+  estop_cleared_ = io::monotonic_now();  // after the clear: a base that decides later has read it
   spdlog::info("e-stop cleared");
   return {};
 }
@@ -171,12 +171,12 @@ Status Operator::drive(const types::Twist2& twist) {
     return fail(Errc::kInvalidInput, fmt::format("omega_radps: found {}, expected at most {} either way",
                                                  twist.omega_radps, base.omega_max_radps));
   }
-  // The base's report comes a moment later than a clear; the gate has the last word either way.
+  // The base's report follows a clear with delay; the gate decides in any case.
   if (hand_overs_.estop.pressed()) {
     return fail(Errc::kBusy, "the e-stop is latched; clear it first (topoctl clear-estop)");
   }
   ++commands_;
-  interrupt("an operator who drives");  // or the robot would go off by itself when the keys are let go
+  interrupt("an operator who drives");  // or the robot would resume when the keys are released
   hand_overs_.drive.store({io::monotonic_now(), twist});
   return {};
 }
@@ -194,13 +194,13 @@ void Operator::go_to(const types::Vector2& target, std::function<void(Status)> d
   const auto* report = plan_.report();
   if (report == nullptr || report->analysis == nullptr)
     return done(fail(Errc::kBusy, "the map was not analysed yet; try again in a moment"));
-  // The search takes as long as the map is large; an e-stop must not wait for it.
+  // The duration of the search grows with the map; an e-stop must not wait for it.
   auto job = [this, analysis = report->analysis, params = planner_params(configuration_), target, done,
               from = report->T_map_base.se2().translation(), number = ++commands_]() -> Background::Finish {
     const Status possible = pipeline::check_target(*analysis, params, from, target);
     return [this, possible, target, done, number] {
       if (!possible) return done(possible);
-      // Who said stop meanwhile would see the robot drive off.
+      // After a stop in the meantime the robot must not start to drive.
       if (commands_ != number) return done(fail(Errc::kBusy, "another command came meanwhile; say it again"));
       done(begin(Order::kGoTo, target));
     };

@@ -16,21 +16,22 @@
 
 namespace topo::daemon {
 
-/// What the operator can ask for, done. Main only, but for the jobs that it gives to the background threads.
+/// Executes the operator's requests. Main only, except for the jobs that it gives to the background threads.
 class Operator final : public Operations {
  public:
   using Announce = std::function<void(const Json& event)>;
-  /// `effective`: the configuration as text. `announce` takes events for those who subscribed.
+  /// `effective`: the configuration as text. `announce` receives events for subscribers.
   Operator(const Configuration& configuration, std::string effective, HandOvers& hand_overs, Monitor& monitor,
            Announce announce);
 
   /// Starts the background threads.
   types::Status start();
-  /// Main, when readable: finished_fds()[i] belongs to collect(i).
+  /// Main only: when finished_fds()[i] is readable, call collect(i).
   [[nodiscard]] std::array<int, 2> finished_fds() const { return {files_.fd(), searches_.fd()}; }
   void collect(std::size_t i) { i == 0 ? files_.collect() : searches_.collect(); }
 
-  /// After the monitor's update, every tick: what planning says, the stop button, the battery.
+  /// To be called every tick, after the monitor's update: handles planning's report, the e-stop, the journal
+  /// and the battery.
   void tick(types::Stamp now);
 
   [[nodiscard]] Json status() const override;
@@ -60,9 +61,9 @@ class Operator final : public Operations {
 
  private:
   types::Status begin(pipeline::Order order, const types::Vector2& target);
-  /// Why the robot cannot be sent off now; empty when it can.
+  /// Why the robot cannot start now; empty when it can.
   [[nodiscard]] std::string obstacle() const;
-  /// As the operator wants it, or as the base reported after the operator's last word on it.
+  /// According to the operator's request, or to a report of the base later than the last clear.
   [[nodiscard]] bool estop_latched() const;
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
@@ -80,14 +81,14 @@ class Operator final : public Operations {
   Announce announce_;
   PlanWatch plan_;
   MissionControl missions_;
-  std::uint64_t commands_ = 0;  ///< that said what the robot is to do; a slow one must not undo a later one
+  std::uint64_t commands_ = 0;  ///< that move or stop the robot; a slow one must not override a later one
   types::Stamp estop_cleared_{};
   MapSaver saver_;
-  SessionControl sessions_;  // before the thread that its jobs run on, which goes first
+  SessionControl sessions_;  // declared before the thread of its jobs, which is destroyed first
   Background files_, searches_;
   BatteryWatch battery_;
   bool ready_ = false;
-  double distance_m_ = 0.0;  ///< driven since the newest mission began
+  double distance_m_ = 0.0;  ///< distance driven since the newest mission began
   types::Vector2 measured_from_{0.0, 0.0};
   bool measuring_ = false;
 };

@@ -14,7 +14,7 @@
 namespace topo::daemon {
 namespace {
 
-/// Room on the disk of a folder that we may write to; of the one above while it is missing.
+/// Free space on the disk of a writable folder; of its parent while the folder is missing.
 std::optional<std::uint64_t> free_bytes(std::string folder) {
   if (::access(folder.c_str(), F_OK) != 0) folder = folder.substr(0, folder.rfind('/') + 1);
   struct stat info {};
@@ -34,7 +34,7 @@ Json Operator::status() const {
   const auto* report = plan_.report();
   if (report == nullptr) return json;
   json["activity"] = to_text(report->activity);
-  const bool paused = missions_.state() == MissionState::kPaused;  // planning does not know by whom
+  const bool paused = missions_.state() == MissionState::kPaused;  // planning does not know the reason
   json["reason"] = paused ? missions_.reason() : report->reason;
   json["goal"] = goal_json(report->goal);
   json["open_goals"] = report->open_goals.size();
@@ -81,7 +81,7 @@ void Operator::doctor(std::function<void(Json)> done) {
   facts.estop_latched = estop_latched();
   facts.session_obstacle = sessions_.obstacle();
   facts.journal = sessions_.journal();
-  // The disk may be a slow one.
+  // The disk may be slow.
   auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {
     for (DoctorFacts::Disk& disk : facts.disks) disk.free_bytes = free_bytes(disk.folder);
     Json checks = Json::array();

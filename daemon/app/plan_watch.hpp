@@ -6,21 +6,21 @@
 
 namespace topo::daemon {
 
-/// Main's eye on planning: pins its newest report, and logs every decision once. Main only.
+/// Main's reader of planning's reports: pins the newest one, and logs every decision once. Main only.
 class PlanWatch {
  public:
   explicit PlanWatch(HandOvers& hand_overs) : reports_(hand_overs.planning->reader(kMainReader)) {}
 
-  /// Takes the newest report; to be called every now and then.
+  /// Takes the newest report; to be called periodically.
   void update();
 
-  /// Null before the first one. Good until the next update().
+  /// Null before the first report. Valid until the next update().
   [[nodiscard]] const pipeline::PlanningReport* report() const { return report_.get(); }
 
  private:
   PlanningReports::Reader reports_;
   PlanningReports::Pin report_;
-  types::Stamp logged_{};  ///< of the newest decision that was logged
+  types::Stamp logged_{};  ///< of the newest logged decision
 };
 
 }  // namespace topo::daemon

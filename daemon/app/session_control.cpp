@@ -25,7 +25,8 @@ namespace {
 constexpr types::Duration kPatience = std::chrono::seconds(5);
 constexpr types::Duration kTryAgain = std::chrono::seconds(10);
 
-/// What is worth a word about a session's file: a journal that was only not closed is a killed daemon's.
+/// Faults of a session's file that are worth a report; that a killed daemon did not close its journal is not
+/// one.
 std::string lacks(const LoadedSession& file) {
   return file.closed || file.damaged > 0 ? damage_text(file) : std::string();
 }
@@ -82,12 +83,13 @@ Status SessionControl::begin_anew() {
       !loading_->stage.compare_exchange_strong(stage, Stage::kDropped, std::memory_order_acq_rel))
     return fail(Errc::kBusy, "the session is being taken over at this moment");
   if (loading_ != nullptr || resuming_) spdlog::info("session: begun anew, on the operator's word");
-  loading_.reset();  // its job ends when it notices; what is asked for next waits behind it
+  loading_.reset();  // its job ends when it notices; the next request waits behind it
   release();
   return {};
 }
 
-/// One that is wanted at a time: who calls has looked at loading_. `job` is run with it in the background.
+/// Runs `job` with `loading` in the background. At most one loading is active at a time: the caller has
+/// checked loading_.
 template <class Job>
 Status SessionControl::dispatch(std::shared_ptr<Loading> loading, Job job) {
   auto added = files_.add([loading, job = std::move(job)] { return job(loading); });
@@ -95,7 +97,7 @@ Status SessionControl::dispatch(std::shared_ptr<Loading> loading, Job job) {
   return added;
 }
 
-/// One that was dropped may have a successor.
+/// A dropped loading may have a successor.
 void SessionControl::end(const std::shared_ptr<Loading>& loading) {
   if (loading_ == loading) loading_.reset();
 }
@@ -112,7 +114,7 @@ Result<std::optional<SessionEntry>> SessionControl::wanted() const {
               fmt::format("{}: there is no such session", session_path(config.folder, config.resume)));
 }
 
-/// What the daemon was told to go on with. One that stopped in order is not taken up again after "killed".
+/// Loads the session of session.resume. With "killed", a session that was closed in order is not resumed.
 SessionControl::Resumed SessionControl::try_resume(Loading& loading) {
   Resumed resumed;
   const auto entry = wanted();
@@ -140,12 +142,12 @@ void SessionControl::resume(types::Stamp now) {
       if (resuming_) settle(resumed);
     };
   };
-  (void)dispatch(std::make_shared<Loading>(), job);  // refused: tried again as after a search
+  (void)dispatch(std::make_shared<Loading>(), job);  // when refused, it is tried again later
 }
 
 void SessionControl::settle(const Resumed& resumed) {
   if (!resumed.unusable.empty()) {
-    // Another map has another origin, from which the areas that are forbidden would be measured.
+    // Another map has another origin, and the forbidden areas would be measured from there.
     return hold_back(
         fmt::format("the session to go on with cannot be used: {} (topoctl session load NAME, or "
                     "topoctl session new)",
@@ -163,7 +165,7 @@ void SessionControl::settle(const Resumed& resumed) {
                   resumed.name, loaded.error().message));
 }
 
-/// It is tried again; what changed is told.
+/// The attempt is repeated; only a changed reason is reported.
 void SessionControl::hold_back(const std::string& why) {
   if (why != obstacle_) spdlog::warn("session.resume: {}", why);
   obstacle_ = why;
@@ -276,15 +278,15 @@ Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file, 
       found->match.T_map_base};
 }
 
-/// Where the newest scan is in the session. When two places look alike, a robot that was only restarted is
-/// where the session's path ended.
+/// The pose of the newest scan in the session. When two places look alike, a robot that was only restarted is
+/// near the end of the session's path.
 Result<slam::Localisation> SessionControl::place(const slam::Session& session, const SessionNews& news,
                                                  const Loading& loading) const {
   const slam::MapperParams params = mapper_params(configuration_);
   slam::Localisation found = loading.near ? slam::localise_near(session, news.cloud, *loading.near, params)
                                           : slam::localise_anywhere(session, news.cloud, params);
   if (!found.found() && found.refusal != slam::LocaliseRefusal::kNothingFits && !loading.asked_for) {
-    slam::LocaliseParams last;  // it rolled on until the firmware's watchdog or the helper stopped it
+    slam::LocaliseParams last;  // it rolled on until the firmware's watchdog or topometric-estop stopped it
     last.window = {3.0, 1.0};
     last.guess_sigma_m = 1.5;
     last.guess_sigma_rad = 0.5;
@@ -294,7 +296,7 @@ Result<slam::Localisation> SessionControl::place(const slam::Session& session, c
   return found;
 }
 
-/// Draws the map here, so that the mapping thread only has to take it.
+/// Draws the map here, so that the mapping thread only has to adopt it.
 Status SessionControl::hand_over(const slam::Session& session, const SessionNews& news,
                                  const slam::Match& match, Loading& loading) {
   auto* slot = hand_overs_.take_over.try_acquire();

@@ -18,40 +18,41 @@
 
 namespace topo::daemon {
 
-/// Hash of what a map is made with: the values of [mapping] and of the scanners' places.
+/// Hash of the parameters that determine a map: the values of [mapping] and of the scanners' sections without
+/// address and serial number.
 [[nodiscard]] std::uint64_t params_hash(const Configuration& configuration);
 
-/// The sessions that the operator saves and loads, and the one that the daemon goes on with after a restart.
-/// Main only, but for the jobs that it gives to the background thread; a map is taken over only when the
-/// robot knows where it is in it, and else everything stays as it is.
+/// The sessions that the operator saves and loads, and the one that the daemon resumes after a restart. Main
+/// only, except for the jobs that it gives to the background thread. A map is taken over only when the robot
+/// is localised in it; otherwise nothing changes.
 class SessionControl {
  public:
   using Done = std::function<void(types::Result<Json>)>;
-  /// `files`: the thread that the jobs run on, one after the other; ended before this.
+  /// `files`: the thread of the jobs, which run one after the other; it ends before this object.
   SessionControl(const Configuration& configuration, HandOvers& hand_overs, Background& files);
 
-  /// Every tick: begins what session.resume asks for as soon as there is a scan, and tries again until it is
-  /// done.
+  /// To be called every tick: starts session.resume as soon as there is a scan, and repeats it until it is
+  /// settled.
   void tick(types::Stamp now, bool has_map);
-  /// Why the robot cannot be sent off because of a session; empty when it can.
+  /// Why a session prevents a mission; empty when none does.
   [[nodiscard]] std::string obstacle() const;
 
   void list(const Done& done);
   void save(const std::string& name, const Done& done);
-  /// Goes on with a session: the robot is looked for around the pose, or anywhere.
+  /// Continues a session: the robot is localised near the pose, or anywhere.
   void load(const std::string& name, const std::optional<types::Se2>& pose, const Done& done);
-  /// Leaves the session alone that the daemon wanted to go on with, be it looked for at this moment: the map
-  /// made since the start is the map. kBusy when the mapping thread is taking that session over.
+  /// Drops the session to be resumed or loaded, even during its search: the map made since the start is kept.
+  /// kBusy when the mapping thread is taking that session over.
   types::Status begin_anew();
 
   [[nodiscard]] Json status() const;
-  /// What is wrong with sessions, for a person; empty: nothing.
+  /// A fault of the sessions, for the operator; empty: none.
   [[nodiscard]] std::string trouble() const;
   [[nodiscard]] const JournalReport& journal() const { return journal_; }
   void note(const JournalReport& journal) { journal_ = journal; }
 
  private:
-  /// What a load found out.
+  /// Result of a load.
   struct Loaded {
     std::size_t keyframes = 0;
     bool closed = false, other_params = false;
@@ -59,22 +60,22 @@ class SessionControl {
     std::string place;   ///< one sentence
     types::Se2 T_map_base;
   };
-  /// What became of session.resume.
+  /// Result of session.resume.
   struct Resumed {
     std::string name;
-    std::string unusable;                         ///< why what it names cannot be read; empty: it can
-    std::optional<types::Result<Loaded>> loaded;  ///< nothing: unusable, or there is none to go on with
+    std::string unusable;                         ///< why the named session cannot be read; empty: it can
+    std::optional<types::Result<Loaded>> loaded;  ///< nothing: unusable, or there is none to resume
   };
-  /// How far a session is that is on its way.
+  /// Progress of a session that is being loaded.
   enum class Stage : std::uint8_t {
     kLookedAt,    ///< can be dropped
     kHandedOver,  ///< is or will be the map
-    kDropped,     ///< nobody wants it any more
+    kDropped,     ///< no longer needed
   };
-  /// A session that is to become the map. Both threads hold it.
+  /// A session that is to become the map. Shared by both threads.
   struct Loading {
-    bool asked_for = false;          ///< by the operator; else by session.resume
-    std::optional<types::Se2> near;  ///< where the robot is looked for; nothing: anywhere
+    bool asked_for = false;          ///< by the operator; false: by session.resume
+    std::optional<types::Se2> near;  ///< search region; nothing: anywhere
     std::atomic<Stage> stage{Stage::kLookedAt};
   };
   template <class Job>
@@ -94,18 +95,18 @@ class SessionControl {
                                           const Loading& loading) const;
   types::Status hand_over(const slam::Session& session, const SessionNews& news, const slam::Match& match,
                           Loading& loading);
-  /// The session that session.resume names; nothing when there is none to go on with.
+  /// The session that session.resume names; nothing when there is none to resume.
   types::Result<std::optional<SessionEntry>> wanted() const;
 
   const Configuration& configuration_;
   HandOvers& hand_overs_;
   Background& files_;
-  SessionClient client_;  ///< background thread
+  SessionClient client_;  ///< used on the background thread
   std::uint64_t params_hash_;
-  std::string obstacle_;              ///< because of session.resume
-  bool held_back_ = false;            ///< it was tried in vain
+  std::string obstacle_;              ///< reason from session.resume
+  bool held_back_ = false;            ///< an attempt failed
   bool resuming_ = false;             ///< session.resume is not settled yet
-  std::shared_ptr<Loading> loading_;  ///< null: none that is wanted
+  std::shared_ptr<Loading> loading_;  ///< null: none is active
   types::Stamp next_try_{};
   JournalReport journal_;
 };

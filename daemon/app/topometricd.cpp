@@ -29,8 +29,8 @@ constexpr int kOk = 0;
 constexpr int kFailed = 1;
 constexpr int kUsersFault = 2;
 
-// The devices are closed first, within their closing times; should one hang, or what the other threads have
-// in hand take long, the kernel ends us, and the robot's own watchdog has stopped the wheels by then.
+// The devices are closed first, within their closing times. When one hangs, or the other threads take long,
+// SIGALRM ends the process; the robot's own watchdog has stopped the wheels by then.
 constexpr unsigned kStopLimit_s = 6;
 
 struct Arguments {
@@ -44,7 +44,7 @@ int complain(const types::Error& error) {
   return user ? kUsersFault : kFailed;
 }
 
-/// Reads a configuration; prints its faults and gives the exit status when it has any.
+/// Reads a configuration; when it has faults, prints them and returns the exit status.
 int load(const std::string& file, LoadedConfiguration& loaded) {
   auto read = load_configuration(file);
   if (!read) {
@@ -57,7 +57,7 @@ int load(const std::string& file, LoadedConfiguration& loaded) {
   return kUsersFault;
 }
 
-/// Where to record: the command line's file, or a new one in the configured folder. Empty: nowhere.
+/// The recording's file: from the command line, or a new one in the configured folder. Empty: no recording.
 std::string recording_path(const LoadedConfiguration& loaded, const Arguments& arguments) {
   if (!arguments.record.empty() || !arguments.replay.empty()) return arguments.record;
   const std::string& folder = loaded.values.record.folder;
@@ -77,7 +77,7 @@ types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file,
   return Recorder::start(std::move(options));
 }
 
-/// A recording that is cut or damaged plays up to there.
+/// A truncated or damaged recording plays up to the damage.
 void tell_damage(const RecordingReader& recording) {
   if (recording.damage()) spdlog::warn("replay: {}; plays up to there", recording.damage()->message);
   if (recording.missing_frames() > 0)
@@ -93,7 +93,7 @@ std::function<bool()> is_at_end(const std::shared_ptr<Replay>& replay) {
   };
 }
 
-/// Says what is in a recording.
+/// Prints the contents of a recording.
 int summarise_recording(const std::string& file) {
   const auto reader = RecordingReader::open(file);
   if (!reader) return complain(reader.error());
@@ -117,7 +117,7 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
     replay = std::move(*opened);
     tell_damage(replay->recording());
   }
-  // Before a recording is begun: another daemon of this robot may be writing it.
+  // Opened before a recording is started: another daemon of this robot may be writing it.
   auto socket = io::ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
   auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));

@@ -4,6 +4,6 @@
 
 namespace topo::daemon {
 
-inline constexpr const char* kVersion = TOPO_VERSION;  // of the CMake project
+inline constexpr const char* kVersion = TOPO_VERSION;  // version of the CMake project
 
 }  // namespace topo::daemon

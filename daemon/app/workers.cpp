@@ -135,7 +135,7 @@ void Workers::stop() {
   hand_overs_.journal_wakeup.post();
   closure_thread_.join();
   planning_thread_.join();
-  journal_thread_.join();  // the mapping thread answers it to the last
+  journal_thread_.join();  // the mapping thread answers it to the end
   hand_overs_.readers_gone.store(true, std::memory_order_release);
   hand_overs_.mapping_wakeup.post();
   mapping_thread_.join();

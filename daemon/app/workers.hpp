@@ -19,15 +19,15 @@
 
 namespace topo::daemon {
 
-/// Makes the connector of a device: "base", "front", "coronal" and its configured address. Real ones, tapped
-/// ones, a recording's or a test's.
+/// Makes the connector of a device from its channel ("base", "front", "coronal") and its configured address:
+/// real, tapped, a recording's or a test's.
 using ConnectorFactory = std::function<types::Result<std::unique_ptr<io::Connector>>(
     const std::string& channel, const std::string& address)>;
 
 /// The workers and their threads, from start to orderly stop.
 class Workers {
  public:
-  /// Builds sessions and workers; touches no device yet.
+  /// Creates connections and workers; accesses no device yet.
   static types::Result<std::unique_ptr<Workers>> make(const Configuration& configuration,
                                                       HandOvers& hand_overs,
                                                       const ConnectorFactory& connectors);
@@ -36,19 +36,20 @@ class Workers {
   ~Workers() { stop(); }
 
   types::Status start();
-  /// Ends the threads of the devices: the robot stands, the lasers are off. Bounded by the sessions' closing
-  /// times, whatever the other threads are busy with.
+  /// Ends the threads of the devices: the robot stands, the lasers are off. Bounded by the connections'
+  /// closing times, independent of the other threads.
   void close_devices();
-  /// The same, then tells all other threads to end and waits for them. Bounded by what they have in hand: a
-  /// mapping step, a search for closures or the graph's solution, a planning step, and of the journal its
-  /// patience with the mapping thread (5 s) and its writes.
+  /// As close_devices(), then ends all other threads and waits for them. Bounded by their current work: a
+  /// mapping step, a search for closures or the graph's solution, a planning step, and for the journal its
+  /// wait for the mapping thread (5 s) and its writes.
   void stop();
 
-  /// Threads that must advance, or the daemon is not alive.
+  /// Threads that must advance for the daemon to count as alive.
   [[nodiscard]] const std::vector<Vitals*>& vital() const { return vital_; }
   /// All threads.
   [[nodiscard]] const std::vector<Vitals*>& all() const { return all_; }
-  /// Main, once a message: what the system refused to a thread (real-time scheduling, CPUs).
+  /// Main only; returns every message once: settings that the system refused to a thread (real-time
+  /// scheduling, CPUs).
   std::vector<std::string> take_refusals();
 
  private:
@@ -68,7 +69,7 @@ class Workers {
   std::unique_ptr<MappingWorker> mapping_;
   std::unique_ptr<PlanningWorker> planning_;
   std::unique_ptr<ClosureWorker> closure_;
-  std::unique_ptr<JournalWorker> journal_;                 ///< null: no sessions are kept
+  std::unique_ptr<JournalWorker> journal_;                 ///< null: no journal is kept
   std::array<sync::Ring<FixedText<160>, 4>, 7> refusals_;  ///< one producer each
   std::size_t launched_ = 0;
   Thread journal_thread_, closure_thread_, mapping_thread_, planning_thread_, coronal_thread_, front_thread_,
