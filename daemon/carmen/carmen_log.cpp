@@ -20,13 +20,13 @@ using types::Status;
 
 namespace {
 
-constexpr double kSickReach_m = 80.0;  // an LMS in 80 m mode sends 81.83 or 81.91 when nothing came back
+constexpr double kSickReach_m = 80.0;  // an LMS in 80 m mode sends 81.83 or 81.91 without a return
 constexpr double kMaxRange_m = 1000.0;
-constexpr std::size_t kTail = 3;  // every message ends in: ipc_ts host logger_ts
+constexpr std::size_t kTail = 3;  // every message ends with: ipc_ts host logger_ts
 
 constexpr float radians(double degrees) { return static_cast<float>(degrees * types::kDegree_rad); }
 
-/// FLASER tells neither angles nor steps: they are known from the number of beams of a SICK LMS 200.
+/// FLASER gives neither start angle nor step: they follow from the number of beams of a SICK LMS 200.
 void set_flaser_angles(CarmenScan& scan, std::size_t beams) {
   double start_deg = -90.0, step_deg = 180.0 / static_cast<double>(beams - 1);
   if (beams == 180) step_deg = 1.0;
@@ -136,7 +136,7 @@ Status read_odometry(const Fields& f, CarmenOdometry& odometry) {
   return read_stamp(f, odometry.stamp_s);
 }
 
-/// Scans by the message that brought them, while a log is being read.
+/// Scans by their type of message, while a log is read.
 struct Collected {
   CarmenLog log;
   std::vector<CarmenScan> flaser;
@@ -176,7 +176,7 @@ Result<CarmenLog> read_carmen_log(const std::string& path) {
   }
   CarmenLog log = std::move(found.log);
   if (!found.robotlaser.empty()) log.flaser_ignored = static_cast<int>(found.flaser.size());
-  const bool states_limit = !found.robotlaser.empty();  // in every message
+  const bool states_limit = !found.robotlaser.empty();  // every ROBOTLASER1 message does
   log.scans = std::move(states_limit ? found.robotlaser : found.flaser);
   if (!states_limit) {
     if (const auto limit_m = piled_up_range_m(log.scans)) {

@@ -26,7 +26,7 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// The file as it lies on the disk, in blocks.
+/// The file's bytes without decompression, in blocks.
 class RawFile {
  public:
   RawFile(std::string path, File file) : path_(std::move(path)), file_(std::move(file)) {}
@@ -63,7 +63,7 @@ class PlainSource final : public ByteSource {
 
 enum class Step { kMore, kMemberEnd, kBroken };
 
-/// zlib's decoder behind the few calls that PackedSource needs.
+/// zlib's decoder with the interface that PackedSource needs.
 class Gzip {
  public:
   Gzip() { ok_ = inflateInit2(&z_, 16 + MAX_WBITS) == Z_OK; }
@@ -92,7 +92,7 @@ class Gzip {
   bool ok_ = false;
 };
 
-/// libbz2's decoder, likewise.
+/// libbz2's decoder with the same interface.
 class Bzip2 {
  public:
   Bzip2() { ok_ = BZ2_bzDecompressInit(&z_, 0, 0) == BZ_OK; }

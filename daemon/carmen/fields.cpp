@@ -15,11 +15,11 @@ using types::Status;
 
 namespace {
 
-constexpr double kMaxCoordinate_m = 1e6;  // beyond it no building is meant
+constexpr double kMaxCoordinate_m = 1e6;  // larger than any building
 constexpr double kMaxAngle_rad = 1e5;     // odometers may count turns without wrapping
 constexpr double kMaxStamp_s = 9.0e9;     // nanoseconds fit 64 bits
 
-/// What a message may quote of a foreign file: printable and short.
+/// A word of a foreign file in a form suitable for messages: printable and short.
 std::string quoted(std::string_view word) {
   std::string text;
   for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';

@@ -12,14 +12,14 @@
 
 namespace topo::daemon {
 
-/// Splits at blanks and tabs; `words` is emptied first and keeps its storage.
+/// Splits at blanks and tabs; `words` is cleared first and keeps its storage.
 void split_words(std::string_view line, std::vector<std::string_view>& words);
 
-/// The whole word as a number ("nan" and "inf" are numbers here); nothing when it is not one.
+/// Parses the whole word as a number ("nan" and "inf" are accepted); nothing when it is not one.
 std::optional<double> parse_number(std::string_view word);
 
-/// The words of one line with errors that say which word of which line was wrong. Indices must exist: check
-/// count() first.
+/// The words of one line, with errors that give the line and the word. Indices must exist: check count()
+/// first.
 class Fields {
  public:
   Fields(const LineSource& source, const std::vector<std::string_view>& words)
@@ -48,8 +48,8 @@ class Fields {
   const std::vector<std::string_view>& words_;
 };
 
-/// Gives `read` every line that has words, up to the end of the source or the first error, be it of the
-/// source or of what `read` found.
+/// Passes every line that has words to `read`, up to the end of the source or the first error of the source
+/// or of `read`.
 types::Status read_lines(LineSource& source, const std::function<types::Status(const Fields&)>& read);
 
 }  // namespace topo::daemon

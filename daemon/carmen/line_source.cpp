@@ -50,7 +50,7 @@ Result<std::optional<std::string_view>> LineSource::next() {
   while (true) {
     const std::string_view rest(buffer_.data() + begin_, end_ - begin_);
     const std::size_t length = rest.find('\n', searched);
-    if (length <= kMaxLine) {  // and so found: npos is greater
+    if (length <= kMaxLine) {  // implies found: npos is greater
       begin_ += length + 1;
       ++line_;
       return std::optional(without_carriage_return(rest.substr(0, length)));

@@ -12,13 +12,13 @@
 
 namespace topo::daemon {
 
-/// The lines of a text file, packed or not, one after the other. One thread uses it.
+/// Reads the lines of a text file, compressed or not. Used by one thread.
 class LineSource {
  public:
-  static constexpr std::size_t kMaxLine = 1U << 20U;  ///< no message of a robot's log comes near it
+  static constexpr std::size_t kMaxLine = 1U << 20U;  ///< much longer than any message of a robot's log
 
   static types::Result<LineSource> open(const std::string& path);
-  /// Lines of any content; `name` stands for the file in messages.
+  /// Reads the lines of any content; `name` replaces the file's name in messages.
   static LineSource over(std::string name, std::unique_ptr<ByteSource> source);
 
   /// The next line without its end ("\n" or "\r\n"), valid until the next call; nothing at the end of the
@@ -26,9 +26,9 @@ class LineSource {
   types::Result<std::optional<std::string_view>> next();
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  [[nodiscard]] int line() const { return line_; }  ///< number of the line given last, from 1
+  [[nodiscard]] int line() const { return line_; }  ///< number of the last line, from 1
 
-  /// kInvalidInput with "FILE:LINE: found WHAT, expected WHAT" for the line given last.
+  /// kInvalidInput with "FILE:LINE: found WHAT, expected WHAT" for the last line.
   [[nodiscard]] tl::unexpected<types::Error> bad(std::string_view found, std::string_view expected) const;
 
  private:
@@ -41,7 +41,7 @@ class LineSource {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   int line_ = 0;
-  bool terminated_ = true;  ///< false: the last line has no end, as a writer that was cut off leaves it
+  bool terminated_ = true;  ///< false: the last line has no end, as when its writer was interrupted
 };
 
 }  // namespace topo::daemon

@@ -7,7 +7,7 @@
 
 namespace topo::daemon {
 
-/// Sorts by stamp, keeping the order of equals; returns how many stood behind a later one in the file.
+/// Sorts by stamp, stable; returns the number of items with a stamp before that of the previous item.
 template <class Stamped>
 int sort_by_stamp(std::vector<Stamped>& items) {
   const auto earlier = [](const Stamped& a, const Stamped& b) { return a.stamp_s < b.stamp_s; };

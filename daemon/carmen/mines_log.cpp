@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The log of the Mines ParisTech robot published with tinySLAM (Steux and El Hamzaoui, 2010): one line a
-// scan, column 0 time in microseconds, 2 and 3 the left and right encoder, from 24 the ranges in millimetres.
+// The log of the Mines ParisTech robot published with tinySLAM (Steux and El Hamzaoui, 2010): one line per
+// scan; column 0 time in microseconds, columns 2 and 3 the left and right encoder, from column 24 the ranges
+// in millimetres.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,15 +25,15 @@ namespace {
 
 constexpr std::size_t kFirstRange = 24, kBeams = 682, kMinColumns = kFirstRange + kBeams;
 constexpr double kWheelRadius_m = 0.077, kHalfAxle_m = 0.165, kLaserAhead_m = 0.145;
-// 2000 ticks a revolution. tinySLAM's "degrees = ticks * 180 / 2000" are halves: it adds both wheels' ways
-// where the robot's is their mean, and divides their difference by half the axle.
+// 2000 ticks per revolution. tinySLAM's "degrees = ticks * 180 / 2000" is half of the angle: tinySLAM adds
+// the distances of both wheels instead of taking the mean, and divides their difference by half the axle.
 constexpr double kWheel_rad_per_tick = 2.0 * std::numbers::pi / 2000.0;
 constexpr double kUrgReach_m = 4.0;
 constexpr double kUrgMin_mm = 20.0;  // below: error codes of the URG-04LX (PROTOCOLS 10.2)
-// The URG-04LX has 1024 steps a revolution and sends steps 44 to 725; step 384 looks ahead (PROTOCOLS 11).
+// The URG-04LX has 1024 steps per revolution and sends steps 44 to 725; step 384 points ahead (PROTOCOLS 11).
 constexpr double kStep_rad = 2.0 * std::numbers::pi / 1024.0;
 constexpr double kFirstStep = 44.0 - 384.0;
-// A sweep takes 67 ms of it, in which this robot turns by up to 7 degrees.
+// A sweep takes 67 ms of a revolution, during which this robot turns by up to 7 degrees.
 constexpr double kRevolution_s = 0.1;
 
 struct Encoders {
@@ -51,7 +52,7 @@ Result<Encoders> read_encoders(const Fields& f) {
   return Encoders{*time_us * 1e-6, *left, *right};
 }
 
-/// Where the robot came to from `pose`, on the arc that the encoders tell.
+/// The pose after the encoders' motion from `pose`, along an arc.
 Se2 drive(const Se2& pose, const Encoders& from, const Encoders& to) {
   const double left_m = (to.left_ticks - from.left_ticks) * kWheel_rad_per_tick * kWheelRadius_m;
   const double right_m = (to.right_ticks - from.right_ticks) * kWheel_rad_per_tick * kWheelRadius_m;
@@ -87,7 +88,7 @@ Status read_scan(const Fields& f, const Se2& pose, double stamp_s, CarmenLog& lo
   return read_ranges(f, scan);
 }
 
-/// The encoders give places only; speeds are those of the step that ends at each.
+/// The encoders give positions only; the speed at each position is that of the step that ends there.
 void fill_speeds(std::vector<CarmenOdometry>& odometry) {
   for (std::size_t i = 1; i < odometry.size(); ++i) {
     const double dt_s = odometry[i].stamp_s - odometry[i - 1].stamp_s;

@@ -11,14 +11,14 @@
 namespace topo::daemon {
 namespace {
 
-/// A SICK LMS sends 8183 to 8191 units, whatever its unit, where it has no range (telegram listing).
+/// A SICK LMS sends 8183 to 8191 units, independent of its unit, when it has no range (telegram listing).
 constexpr float kCodes = 8183.0F / 8192.0F;
-constexpr float kBelow_m = 1.0F;     ///< the band before the pile that it is held against
-constexpr double kShare_min = 1e-3;  ///< of all readings in the pile
+constexpr float kBelow_m = 1.0F;     ///< width of the band below the pile, used for comparison
+constexpr double kShare_min = 1e-3;  ///< fraction of all readings that must be in the pile
 constexpr std::size_t kReadings_min = 50;
-constexpr double kBearings_min = 0.1;   ///< of all beams: fewer may be one wall, seen by a robot that stands
-constexpr std::size_t kStrays = 10000;  ///< readings of which one may be beyond the pile
-constexpr double kSteepness = 20.0;     ///< readings a metre of the pile against those before it
+constexpr double kBearings_min = 0.1;   ///< of all beams: fewer may be one wall, seen by a standing robot
+constexpr std::size_t kStrays = 10000;  ///< one reading in this many may be beyond the pile
+constexpr double kSteepness = 20.0;     ///< minimum ratio of readings per metre in the pile to those below it
 
 template <class Visit>
 void for_each_hit(std::span<const CarmenScan> scans, Visit&& visit) {
@@ -29,7 +29,7 @@ void for_each_hit(std::span<const CarmenScan> scans, Visit&& visit) {
   }
 }
 
-/// The longest reading but for the strays; 0 when there is none.
+/// The longest reading after removal of the strays; 0 when there is none.
 float furthest_m(std::span<const CarmenScan> scans) {
   std::vector<float> ranges;
   for_each_hit(scans, [&](std::size_t, float range) { ranges.push_back(range); });

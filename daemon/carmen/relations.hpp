@@ -11,8 +11,8 @@
 
 namespace topo::daemon {
 
-/// A pose difference that a person found to be true (Kuemmerle et al., On Measuring the Accuracy of SLAM
-/// Algorithms, 2009): the pose at t2 in the frame of the pose at t1.
+/// A pose difference verified by a person (Kuemmerle et al., On Measuring the Accuracy of SLAM Algorithms,
+/// 2009): the pose at t2 in the frame of the pose at t1.
 struct Relation {
   double t1_s = 0.0;
   double t2_s = 0.0;
@@ -36,8 +36,8 @@ struct RelationErrors {
   double rot_max_rad = 0.0;
 };
 
-/// Reads lines `t1 t2 x y z roll pitch yaw`, packed (.gz, .bz2) or not; `#` begins a comment. Errors say
-/// file, line, what was found and what is expected; a file without a relation is kInvalidInput.
+/// Reads lines `t1 t2 x y z roll pitch yaw`, compressed (.gz, .bz2) or not; `#` begins a comment. Errors give
+/// the file, the line, the value found and the expected form; a file without a relation is kInvalidInput.
 types::Result<std::vector<Relation>> read_relations(const std::string& path);
 
 /// Takes the pose nearest in time to t1 and t2, at most `tolerance_s` away, and compares their difference

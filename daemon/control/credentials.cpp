@@ -21,8 +21,7 @@ types::Result<Peer> peer_of(int socket) {
                        errno);
   }
   Peer peer{credentials.uid, credentials.gid, credentials.pid, {}};
-  // NGROUPS_MAX is 65536; who is in more than 256 groups and needs one beyond them has to make it the
-  // primary.
+  // NGROUPS_MAX is 65536; a user in more than 256 groups needs the required one as the primary group.
   std::array<gid_t, 256> groups{};
   size = sizeof groups;
   if (::getsockopt(socket, SOL_SOCKET, SO_PEERGROUPS, groups.data(), &size) == 0) {

@@ -12,8 +12,8 @@
 
 namespace topo::daemon {
 
-/// Who is at the other end of a Unix socket, as the kernel says (SO_PEERCRED, SO_PEERGROUPS): the peer cannot
-/// choose it.
+/// The peer of a Unix socket as reported by the kernel (SO_PEERCRED, SO_PEERGROUPS): the peer cannot forge
+/// it.
 struct Peer {
   uid_t uid = static_cast<uid_t>(-1);
   gid_t gid = static_cast<gid_t>(-1);
@@ -23,10 +23,10 @@ struct Peer {
 
 types::Result<Peer> peer_of(int socket);
 
-/// The group's number; nothing when there is no such group here.
+/// The group's number; nothing when the group does not exist.
 std::optional<gid_t> find_group(const std::string& name);
 
-/// Root, the daemon's own user and members of `group` may command. Everybody else may look and e-stop.
+/// Root, the daemon's own user and members of `group` may command. Any other user may query and e-stop.
 bool may_command(const Peer& peer, uid_t own_uid, std::optional<gid_t> group);
 
 }  // namespace topo::daemon

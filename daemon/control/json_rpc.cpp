@@ -18,7 +18,7 @@ tl::unexpected<RpcError> refuse(RpcCode code, std::string message) {
   return tl::unexpected<RpcError>(RpcError{code, std::move(message)});
 }
 
-/// Deepest nesting of brackets outside strings, which the parser would build before anybody could object.
+/// Maximum nesting of brackets outside strings, computed before the parser builds the nested values.
 int bracket_depth(std::string_view text) {
   int depth = 0, deepest = 0;
   bool in_string = false;
@@ -41,7 +41,7 @@ int bracket_depth(std::string_view text) {
   return deepest;
 }
 
-/// Without exceptions: text of a peer that is no UTF-8 is replaced, not thrown at us.
+/// Does not throw: invalid UTF-8 from a peer is replaced.
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -151,7 +151,7 @@ tl::expected<double, RpcError> real_param(const Json& params, const char* name) 
   const auto found = params.find(name);
   if (found == params.end())
     return refuse(RpcCode::kInvalidParams, fmt::format("{} is missing, expected a number", name));
-  if (!found->is_number() || !(std::abs(found->get<double>()) <= kGreatestReal)) {  // nor NaN
+  if (!found->is_number() || !(std::abs(found->get<double>()) <= kGreatestReal)) {  // also refuses NaN
     return refuse(RpcCode::kInvalidParams, fmt::format("{}: found {}, expected a number from {} to {}", name,
                                                        short_dump(*found), -kGreatestReal, kGreatestReal));
   }

@@ -13,13 +13,13 @@ namespace topo::daemon {
 
 using Json = nlohmann::json;
 
-// JSON-RPC 2.0, one object a line, no batches (https://www.jsonrpc.org/specification). What comes from a
-// client is hostile until parsed: its length and depth are limited, and nothing here throws.
+// JSON-RPC 2.0, one object per line, no batches (https://www.jsonrpc.org/specification). A client's input is
+// untrusted: its length and depth are limited, and no function here throws.
 
 inline constexpr std::size_t kMaxRequestBytes = 16384;
 inline constexpr int kMaxRequestDepth = 8;
 
-/// Error codes: those of the specification, and ours above -32000.
+/// Error codes: those of the specification, and two server-defined ones.
 enum class RpcCode {
   kParseError = -32700,
   kInvalidRequest = -32600,
@@ -27,7 +27,7 @@ enum class RpcCode {
   kInvalidParams = -32602,
   kInternalError = -32603,
   kForbidden = -32001,  ///< the peer may not command
-  kRefused = -32002,    ///< understood, and not done: the message says why
+  kRefused = -32002,    ///< understood but not executed: the message gives the reason
 };
 
 struct RpcError {
@@ -39,10 +39,10 @@ struct RpcRequest {
   std::string method;
   Json params = Json::object();
   Json id;              ///< string, number or null
-  bool notify = false;  ///< no id: no answer is wanted
+  bool notify = false;  ///< no id: no answer is expected
 };
 
-/// A request, or the error to answer with (id null, as the specification wants it).
+/// Parses a request; on failure returns the error for the answer (id null, as the specification requires).
 tl::expected<RpcRequest, RpcError> parse_request(std::string_view line);
 
 /// One line with its line feed.
@@ -51,21 +51,21 @@ std::string error_line(const Json& id, const RpcError& error);
 std::string notification_line(std::string_view method, const Json& params);
 std::string request_line(std::string_view method, const Json& params, int id);
 
-/// The result of an answer with this id; kRefused errors and the like as kUnsupported, kForbidden as
-/// kPermission, kInvalidParams as kInvalidInput, a line that is no answer as kProtocol.
+/// The result of an answer with this id. Errors: kRefused and unknown methods as kUnsupported, kForbidden as
+/// kPermission, kInvalidParams as kInvalidInput, all others and lines that are not an answer as kProtocol.
 types::Result<Json> parse_answer(std::string_view line, int id);
 
-/// The params when the line is a notification (a method without an id), else nothing.
+/// The params when the line is a notification (a method without an id), otherwise nothing.
 std::optional<Json> parse_notification(std::string_view line);
 
-/// Greatest number of a client's, either way: as far as a map reaches, so that no cell's number overflows.
+/// Largest magnitude of a client's number: the extent of a map, so that cell indices do not overflow.
 inline constexpr double kGreatestReal = 1e5;
 
-/// Member `name` of params. The error names the method's parameter, what was found and what is expected.
+/// Member `name` of params. The error gives the parameter's name, the value found and the expected type.
 tl::expected<double, RpcError> real_param(const Json& params, const char* name);
 tl::expected<std::string, RpcError> text_param(const Json& params, const char* name);
 
-/// An error when params hold anything but `allowed`.
+/// An error when params contain a member other than `allowed`.
 std::optional<RpcError> only_params(const Json& params, std::initializer_list<std::string_view> allowed);
 
 }  // namespace topo::daemon

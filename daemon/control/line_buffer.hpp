@@ -9,18 +9,18 @@
 
 namespace topo::daemon {
 
-/// Cuts a stream of bytes into lines, holding at most `limit` bytes of one unfinished line.
+/// Splits a stream of bytes into lines, with at most `limit` bytes of one unfinished line.
 class LineBuffer {
  public:
   explicit LineBuffer(std::size_t limit) : limit_(limit) {}
 
-  /// False when a line grew beyond the limit: the stream is of no use any more.
+  /// False when an unfinished line exceeds the limit: the stream is unusable.
   [[nodiscard]] bool append(std::string_view bytes) {
     buffer_.append(bytes);
     return buffer_.find('\n') != std::string::npos || buffer_.size() <= limit_;
   }
 
-  /// The oldest whole line without its line feed.
+  /// The oldest complete line without its line feed.
   std::optional<std::string> take_line() {
     const std::size_t end = buffer_.find('\n');
     if (end == std::string::npos) return {};

@@ -14,7 +14,7 @@ namespace {
 
 using types::Errc;
 
-/// One method: its parameters' names, whether it needs the right to command, and what it does.
+/// One method: its parameters' names, whether it needs the right to command, and its function.
 struct Method {
   std::string_view name;
   bool commands;
@@ -144,7 +144,7 @@ Answer call_doctor(Operations& o, const Call& call, const Methods::Late& late, b
   return Json();
 }
 
-/// A method whose answer may come after the call; `waits` says that it does.
+/// A method that may answer after the call; it then sets `waits`.
 struct LateMethod {
   std::string_view name;
   bool commands;
@@ -187,7 +187,7 @@ std::optional<Answer> Methods::answer(const Call& call) {
   }
   if (request.method == "events.subscribe") {
     if (const auto wrong = only_params(request.params, {})) return tl::unexpected(*wrong);
-    // The answer is what holds now; what changes later comes as events, so that nothing falls between.
+    // The answer is the current state; later changes are sent as events, so that no change is missed.
     subscribe_(call.client);
     return Answer(operations_.progress());
   }

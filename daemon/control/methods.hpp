@@ -12,7 +12,7 @@
 
 namespace topo::daemon {
 
-/// What an operator can ask of the daemon. Called on the main thread; nothing here may wait.
+/// Operations of the daemon for an operator. Called on the main thread; none may block.
 class Operations {
  public:
   virtual ~Operations() = default;
@@ -22,40 +22,40 @@ class Operations {
   [[nodiscard]] virtual Json config() const = 0;
   /// Latches; the base stops within 100 ms.
   virtual void estop() = 0;
-  /// The goals and why, the places; empty before planning has seen a map.
+  /// The goals with their reasons, and the places; empty before planning has a map.
   [[nodiscard]] virtual Json goals() const = 0;
   [[nodiscard]] virtual Json places() const = 0;
-  /// Everything that keeps the robot from moving, with its cure; calls `done` on the main thread, later.
+  /// Every condition that keeps the robot from moving, with its cure; calls `done` on the main thread, later.
   virtual void doctor(std::function<void(Json)> done) = 0;
-  /// Whether a mission would be taken now, and the newest mission: what scripts wait for.
+  /// Whether a mission would be accepted now, and the newest mission: for scripts that wait.
   [[nodiscard]] virtual Json progress() const = 0;
-  /// Missions. Refused with the reason.
+  /// Missions. A refusal gives the reason.
   virtual types::Status explore() = 0;
   virtual types::Status go_home() = 0;
   virtual types::Status pause() = 0;
   virtual types::Status resume() = 0;
   virtual types::Status clear_estop() = 0;
-  /// Drives for the dead-man's time unless called again.
+  /// Drives for the dead-man's time unless repeated.
   virtual types::Status drive(const types::Twist2& twist) = 0;
   virtual void stop() = 0;
   /// Writes the map's files into a folder and calls `done` on the main thread, later.
   virtual void save_map(const std::string& folder, std::function<void(types::Result<Json>)> done) = 0;
-  /// Sessions, each with an answer on the main thread, later: what is kept; saving the map with all that it
-  /// is made of; going on with a saved one, around a pose of its map or wherever the robot is found.
+  /// Sessions, each answered on the main thread, later: the list of saved ones; saving the map with all its
+  /// data; continuing a saved one, near a pose in its map or with a search for the robot.
   using SessionDone = std::function<void(types::Result<Json>)>;
   virtual void list_sessions(SessionDone done) = 0;
   virtual void save_session(const std::string& name, SessionDone done) = 0;
   virtual void load_session(const std::string& name, const std::optional<types::Se2>& pose,
                             SessionDone done) = 0;
-  /// The map made since the start is the map, whatever session the daemon wanted to go on with.
+  /// Keeps the map made since the start, instead of a session that the daemon would resume.
   virtual types::Status begin_anew() = 0;
-  /// Looks whether the point can be gone to and calls `done` on the main thread, later.
+  /// Checks whether the point can be reached, and calls `done` on the main thread, later.
   virtual void go_to(const types::Vector2& target, std::function<void(types::Status)> done) = 0;
   virtual types::Status set_log_level(const std::string& level) = 0;
 };
 
-/// The methods of the control socket. `late` takes answers that come after answer() has returned;
-/// `subscribe` is told of a client that wants events.
+/// The methods of the control socket. `late` receives answers that come after answer() has returned;
+/// `subscribe` receives the number of a client that subscribes to events.
 class Methods {
  public:
   using Late = std::function<void(const Call&, const Answer&)>;
@@ -63,7 +63,7 @@ class Methods {
   Methods(Operations& operations, Late late, Subscribe subscribe)
       : operations_(operations), late_(std::move(late)), subscribe_(std::move(subscribe)) {}
 
-  /// The answer, or nothing when it comes late.
+  /// The answer, or nothing when it comes later.
   std::optional<Answer> answer(const Call& call);
 
  private:

@@ -15,7 +15,7 @@ namespace topo::daemon {
 
 namespace {
 
-/// Who listens, as the kernel noted it when he began to.
+/// The listening process, as the kernel recorded it at listen().
 pid_t listener(int connection) {
   ucred peer{};
   socklen_t size = sizeof peer;
@@ -32,7 +32,7 @@ Heard ask(int connection, types::Duration patience) {
   return sent && ::recv(connection, &answer, 1, MSG_DONTWAIT) == 1 ? Heard::kAnAnswer : Heard::kHangingUp;
 }
 
-/// Nothing: it hung up.
+/// Nothing when the server closed the connection.
 std::optional<Probe> probe_once(const std::string& socket, types::Duration patience) {
   const auto connection = io::connect_unix(socket, patience);
   if (!connection && connection.error().code == types::Errc::kTimeout)

@@ -10,20 +10,20 @@
 
 namespace topo::daemon {
 
-/// Who is behind a control socket.
+/// State of the server behind a control socket.
 enum class Served {
-  kNobody,    ///< no daemon, or none that we can reach
-  kByHung,    ///< one that holds the socket and answers nothing: stopped, or stuck
-  kByLiving,  ///< one that answers, or at least hangs up time and again
+  kNobody,    ///< no daemon, or none that can be reached
+  kByHung,    ///< a daemon that holds the socket but does not answer: stopped, or stuck
+  kByLiving,  ///< a daemon that answers, or that closes every connection
 };
 
 struct Probe {
   Served served = Served::kNobody;
-  pid_t pid = 0;  ///< of the daemon; 0: not known
+  pid_t pid = 0;  ///< of the daemon; 0: unknown
 };
 
-/// Asks for the version, and waits `patience` for any answer. Who hangs up is asked again: a daemon that ends
-/// is nobody soon. Blocks at most three times as long.
+/// Requests the version, and waits `patience` for any answer. When the server closes the connection, it tries
+/// again: a daemon that is ending will soon be gone. Blocks at most three times as long.
 [[nodiscard]] Probe probe(const std::string& socket, types::Duration patience);
 
 }  // namespace topo::daemon

@@ -64,10 +64,10 @@ int ControlServer::on_client(sd_event_source*, int, std::uint32_t events, void* 
 
 void ControlServer::accept_one(int listening) {
   io::UniqueFd fd(::accept4(listening, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-  if (!fd.valid()) return;  // the client left before we came, or no descriptor is free: it may try again
+  if (!fd.valid()) return;  // the client has left, or no descriptor is free: it may try again
   const auto peer = peer_of(fd.get());
   if (!peer) return;
-  // Anybody may e-stop, so anybody must get in: the oldest client makes room.
+  // Any user may e-stop, so that every client must be accepted: the oldest one is dropped.
   if (clients_.size() >= kMaxClients) clients_.pop_front();
   Client& client = clients_.emplace_back();
   client.server = this;
@@ -131,7 +131,8 @@ void ControlServer::send(Client& client, const std::string& line) {
   client.out += line;
   if (!write_to(client) || client.out.size() > kMaxUnread) client.dead = true;
   if (!client.dead) return;
-  // Dropped by its own event, which a shut-down socket raises at once: the caller still holds the client.
+  // The client is dropped in its own event, which the shut-down socket raises at once: the caller still uses
+  // it.
   ::shutdown(client.fd.get(), SHUT_RDWR);
 }
 

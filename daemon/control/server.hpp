@@ -18,7 +18,7 @@
 
 namespace topo::daemon {
 
-/// What a method gives back.
+/// Result of a method.
 using Answer = tl::expected<Json, RpcError>;
 
 /// One request of one client.
@@ -33,11 +33,11 @@ struct EventSourceDeleter {
 };
 using EventSource = std::unique_ptr<sd_event_source, EventSourceDeleter>;
 
-/// Serves JSON-RPC to several clients on the thread of one sd_event loop. Nothing here waits for a client:
-/// what it does not read is kept, up to a limit, beyond which the client is dropped.
+/// Serves JSON-RPC to several clients on the thread of one sd_event loop. Never waits for a client: unread
+/// output is kept up to a limit, beyond which the client is dropped.
 class ControlServer {
  public:
-  /// Nothing: the answer comes later through answer().
+  /// Returns nothing when the answer comes later through answer().
   using Handler = std::function<std::optional<Answer>(const Call&)>;
 
   /// `socket` is listening; `event` must outlive the server.
@@ -46,15 +46,15 @@ class ControlServer {
   ControlServer(const ControlServer&) = delete;
   ControlServer& operator=(const ControlServer&) = delete;
 
-  /// kIo when the loop does not take the socket.
+  /// kIo when the loop cannot add the socket.
   types::Status start();
 
-  /// The late answer to a call; a client that left meanwhile gets nothing.
+  /// Sends the late answer to a call; ignored when the client has left.
   void answer(const Call& call, const Answer& answer);
 
-  /// From now on the client gets what is published, too.
+  /// From now on the client receives published events.
   void subscribe(std::uint64_t client);
-  /// A notification to all who subscribed: {"jsonrpc": "2.0", "method": "event", "params": {...}}.
+  /// Sends a notification to all subscribers: {"jsonrpc": "2.0", "method": "event", "params": {...}}.
   void publish(const Json& params);
 
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }

@@ -24,16 +24,17 @@ using types::Status;
 
 constexpr Duration kConnectTime = milliseconds(300);
 constexpr Duration kRetryPause = milliseconds(40);
-/// Longer than the 100 ms between two status packets: at the line's own speed an open session is heard.
+/// Longer than the 100 ms between two status packets, so that an open connection is detected at the line's
+/// own speed.
 constexpr Duration kListenFirst = milliseconds(150);
 constexpr Duration kListenOther = milliseconds(70);
-/// For CLOSE to get out. What the robot sent meanwhile is read: a socket closed with unread bytes is reset,
-/// and a reset can take what was written with it.
+/// Time to send CLOSE. Meanwhile input is read: closing a socket with unread bytes resets it, and a reset can
+/// discard what was written.
 constexpr Duration kClosing = milliseconds(60);
 constexpr int kPresentSpeed = 0;
 constexpr std::array kSpeeds{kPresentSpeed, 9600, 38400, 19200, 115200, 57600};  // PROTOCOLS section 1.2
 
-/// One opened port.
+/// The stop on one opened port.
 class Stopping {
  public:
   Stopping(std::unique_ptr<io::ByteStream> stream, Stamp deadline)
@@ -74,12 +75,12 @@ Status Stopping::stop_at(int speed) {
   if (heard_) {
     if (auto s = exchange(braked, true); !s) return s;
   }
-  out.push(encode(Command::kClose, 1));  // without its argument it is SYNC2 to a robot that waits
+  out.push(encode(Command::kClose, 1));  // with its argument: without it, a waiting robot takes it for SYNC2
   const bool last = heard_ || !link_.has_baud();
   return exchange(link_.now() + (last ? kClosing : link_.wire_time(64)), false);
 }
 
-/// Sends what waits and reads what comes; ends early when all is sent and the robot is seen to stand.
+/// Sends waiting commands and reads input; ends early when all are sent and the robot reports standstill.
 Status Stopping::exchange(Stamp until, bool until_standing) {
   while (link_.now() < until || !link_.outbox().empty()) {
     if (auto sent = link_.pump(); !sent) return sent;
@@ -104,7 +105,7 @@ Result<StopOutcome> attempt(io::Connector& connector, Stamp deadline) {
   return Stopping(std::move(*stream), deadline).run();
 }
 
-/// Waiting does not mend it.
+/// True for errors that waiting does not cure.
 bool is_final(Errc code) {
   return code == Errc::kInvalidInput || code == Errc::kNotFound || code == Errc::kPermission;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Run by the service manager after the daemon has stopped, whichever way it did (systemd/topometric.service).
+// Run by the service manager after the daemon has stopped for any reason (systemd/topometric.service).
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -25,13 +25,14 @@ constexpr int kFailed = 1;
 constexpr int kUsersFault = 2;
 constexpr int kDaemonLives = 3;
 
-/// For a daemon's answer; its main loop never works that long at a stretch.
+/// Limit for a daemon's answer; its main loop never runs that long without a pause.
 constexpr types::Duration kPatience = std::chrono::milliseconds(200);
 
-/// stop_robot() is bounded; a name server that does not answer is not. Then the kernel ends us.
+/// stop_robot() is bounded, but the resolution of a host name is not: SIGALRM ends the process then.
 constexpr unsigned kHardLimit_s = 2;
 
-/// Unlike fmt::print() it does not throw where nobody listens: the robot is to be stopped all the same.
+/// Unlike fmt::print() it does not throw when standard error cannot be written: the robot must be stopped
+/// anyway.
 void tell(const std::string& message) {
   static_cast<void>(std::fputs(("topometric-estop: " + message + "\n").c_str(), stderr));
 }
@@ -57,7 +58,7 @@ int stop(const std::string& address) {
   return kOk;
 }
 
-/// A daemon that hangs may hold the port for itself: a serial one always, and many a bridge of TCP.
+/// A daemon that hangs may hold the port exclusively: always a serial port, and often a TCP bridge.
 int stop_beside(const std::string& socket, pid_t daemon, const std::string& address, bool force) {
   tell(fmt::format("the daemon on {}{} does not answer", socket,
                    daemon > 0 ? fmt::format(" (process {})", daemon) : ""));
@@ -76,7 +77,7 @@ int stop_configured(const std::string& file, bool force) {
     static_cast<void>(std::fputs(faults_text(*loaded).c_str(), stderr));
     return kUsersFault;
   }
-  // A port has one master: two that write to it make the robot jerk.
+  // A port must have one master: two writers make the robot jerk.
   const std::string& socket = loaded->values.control.socket;
   const Probe daemon = probe(socket, kPatience);
   if (daemon.served == Served::kByLiving) {
@@ -103,7 +104,7 @@ int start(int argc, char** argv) {
   if (const auto ended = parse_command_line(cli, "topometric-estop", argc, argv)) return *ended;
   if (config.empty() && address.empty())
     return complain("--config FILE or --address ADDRESS is missing (--help tells more)", kUsersFault);
-  ::signal(SIGPIPE, SIG_IGN);  // as with tell()
+  ::signal(SIGPIPE, SIG_IGN);  // for the same reason as in tell()
   ::alarm(kHardLimit_s);
   return config.empty() ? stop(address) : stop_configured(config, force);
 }

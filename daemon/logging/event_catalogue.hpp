@@ -11,32 +11,33 @@
 
 namespace topo::daemon {
 
-/// What the real-time threads report. What an event's three arguments and its text mean is said by its
-/// template in event_catalogue.cpp.
+/// Events of the real-time threads. The templates in event_catalogue.cpp define the meaning of an event's
+/// three arguments and its text.
 enum class EventId : std::uint16_t {
   kScanRingFull,
   kDeadlineMissed,
   kPlanningSlow,
   kJournalFailed,
   kJournalGoesOn,
-  kCount  ///< how many there are; no event
+  kCount  ///< number of events
 };
 
 struct EventTemplate {
   std::string_view name;  ///< for filters and tests
-  /// fmt's syntax; {a} {b} {c} are the arguments, {a_ms} {b_ms} {c_ms} those divided by a million
+  /// Syntax of fmt; {a} {b} {c} are the arguments, {a_ms} {b_ms} {c_ms} the arguments divided by a million
   /// (nanoseconds as milliseconds), {text} is the text.
   std::string_view message;
 };
 
-/// Nothing when the number is no event.
+/// Nothing when the number is not an event.
 [[nodiscard]] std::optional<EventTemplate> template_of(std::uint16_t id);
 
-/// The event as one line for a person. Unprintable bytes of its text become '?': it may come from a wire.
+/// The event as one line for the log. Unprintable bytes of its text become '?': the text may come from a
+/// device.
 [[nodiscard]] std::string format_event(const sync::Event& event);
 
-/// Posts from a real-time thread; wait-free, does not allocate. False, and counted by the ring, when there is
-/// no room.
+/// Posts from a real-time thread; wait-free, does not allocate. False when the ring is full; the ring counts
+/// it.
 template <std::size_t N>
 bool post(sync::EventRing<N>& ring, std::int64_t stamp_ns, EventId id, sync::Severity severity,
           std::array<std::int64_t, 3> args = {}, std::string_view text = {}) noexcept {

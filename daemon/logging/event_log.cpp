@@ -27,7 +27,7 @@ spdlog::level::level_enum level_of(sync::Severity severity) {
 void EventLog::log(std::string_view thread, const sync::Event& event) {
   const auto level = level_of(event.severity);
   if (!logger_->should_log(level)) return;
-  // The log's own time is when this line is written; the event's is when it happened.
+  // The log adds the time of writing; the event's own time is appended.
   logger_->log(level, "{}: {} [at {:.6f} s]", thread, format_event(event),
                static_cast<double>(event.stamp_ns) * 1e-9);
 }

@@ -13,14 +13,14 @@
 
 namespace topo::daemon {
 
-/// Brings what the real-time threads posted into the log. The main thread uses it: formatting allocates, and
-/// a log's sink may lock and block.
+/// Writes the events posted by real-time threads to the log. Used by the main thread: formatting allocates,
+/// and a log's sink may lock and block.
 class EventLog {
  public:
   explicit EventLog(std::shared_ptr<spdlog::logger> logger) : logger_(std::move(logger)) {}
 
-  /// Logs what is in the ring, at most as much as it holds, and a warning when events found no room since the
-  /// last call. Returns how many events were logged. `thread` is whose ring it is, for the message.
+  /// Logs the events in the ring, at most its capacity, and a warning when events were lost since the last
+  /// call. Returns the number of events logged. `thread` is the name of the ring's thread, for the message.
   template <std::size_t N>
   std::size_t drain(std::string_view thread, sync::EventRing<N>& ring) {
     const std::size_t n = ring.drain([&](const sync::Event& event) { log(thread, event); });
@@ -28,7 +28,7 @@ class EventLog {
     return n;
   }
 
-  /// Events of all threads that found no room, as far as they were told.
+  /// Number of lost events of all threads, as of their last drain().
   [[nodiscard]] std::uint64_t lost() const;
 
  private:

@@ -22,7 +22,7 @@ using types::Status;
 
 namespace {
 
-/// A file under another name until it is renamed; removed when it never is.
+/// A temporary file, which commit() renames and the destructor removes otherwise.
 class Temporary {
  public:
   static Result<Temporary> write(const FileContent& file) {
@@ -67,7 +67,7 @@ Status sync_folder_of(const std::string& path) {
   std::string folder = std::filesystem::path(path).parent_path().string();
   if (folder.empty()) folder = ".";
   const io::UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems (FUSE, network) cannot: EINVAL.
+  // Some file systems (FUSE, network) do not support it: EINVAL.
   if (!fd.valid() || (::fsync(fd.get()) != 0 && errno != EINVAL))
     return io::fail_errno(folder, "cannot bring the folder to the disk", errno);
   return {};

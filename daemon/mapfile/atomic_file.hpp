@@ -16,10 +16,10 @@ struct FileContent {
   std::span<const std::byte> bytes;
 };
 
-/// Writes files that are there as a whole or not at all, whatever is killed or pulled meanwhile: each into a
-/// temporary file of the same folder, brought to the disk, then all renamed and their folders brought to the
-/// disk. When one cannot be written, none is replaced (a failed rename can leave the ones before it replaced)
-/// and no temporary file stays. Blocks on the disk. Errors name the file.
+/// Writes files atomically: after a crash or power loss each is complete or absent. Every file is written to
+/// a temporary file in the same folder and synchronised to the disk; then all are renamed and their folders
+/// synchronised. When one cannot be written, none is replaced (after a failed rename, earlier files may
+/// already be replaced) and no temporary file remains. Blocks on the disk. Errors name the file.
 types::Status write_files(std::span<const FileContent> files);
 
 inline types::Status write_file(const std::string& path, std::span<const std::byte> bytes) {

@@ -19,15 +19,14 @@ struct CloudPoint {
   friend bool operator==(const CloudPoint&, const CloudPoint&) = default;
 };
 
-/// One point for each height slab that was seen in a cell: the middle of both, in map.
+/// One point, in map, for each height slab observed in a cell: the centre of cell and slab.
 [[nodiscard]] std::vector<CloudPoint> cloud_of(const walls::WallStore& walls);
 
-/// The bytes of a PLY file (binary, little-endian): x y z as float, and intensity when it is given, one a
-/// point.
+/// The bytes of a PLY file (binary, little-endian): x y z as float and, when given, one intensity per point.
 [[nodiscard]] std::vector<std::byte> encode_ply(
     std::span<const CloudPoint> points, std::optional<std::span<const float>> intensity = std::nullopt);
 
-/// Writes the file as a whole or not at all. Blocks on the disk. Errors name the file.
+/// Writes the file atomically. Blocks on the disk. Errors name the file.
 types::Status save_cloud(const std::string& path, std::span<const CloudPoint> points);
 
 }  // namespace topo::daemon

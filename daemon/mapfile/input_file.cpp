@@ -36,9 +36,10 @@ io::UniqueFd open_to_read(const std::string& path, int more) {
 }
 
 Result<OpenFile> open_file(const std::string& path) {
-  // A FIFO keeps who opens it waiting for a writer, who may never come.
+  // Opening a FIFO would otherwise block until a writer opens it.
   OpenFile file{open_to_read(path, O_NONBLOCK)};
-  // A regular file under a lease (fcntl(2)), as file servers take it: its holder gives it up, or the kernel.
+  // A regular file under a lease (fcntl(2)), as used by file servers: opening waits until the lease is
+  // released.
   if (!file.fd.valid() && errno == EWOULDBLOCK) file.fd = open_to_read(path, 0);
   struct stat info {};
   if (!file.fd.valid() || ::fstat(file.fd.get(), &info) != 0)

@@ -8,13 +8,14 @@
 
 namespace topo::daemon {
 
-/// A whole file; kInvalidInput when it is larger than `max_bytes` or no regular file. Errors name the file.
+/// Reads a whole file; kInvalidInput when it is larger than `max_bytes` or not a regular file. Errors name
+/// the file.
 types::Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
-/// At most the first `bytes` of a file; errors as read_file.
+/// Reads at most the first `bytes` of a file; errors as read_file().
 types::Result<std::string> read_beginning(const std::string& path, std::size_t bytes);
 
-/// "PATH: WHERE: found FOUND, expected EXPECTED"; without the place when `where` is empty.
+/// "PATH: WHERE: found FOUND, expected EXPECTED"; WHERE is left out when `where` is empty.
 tl::unexpected<types::Error> bad_file(const std::string& path, std::string_view where, std::string_view found,
                                       std::string_view expected);
 

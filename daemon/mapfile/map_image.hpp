@@ -14,16 +14,16 @@ namespace topo::daemon {
 
 enum class MapCell : std::uint8_t { kFree, kOccupied, kUnknown };
 
-/// A map as a raster, the form of the files. Cells row by row, the lowest row (smallest y) first: unlike in
-/// the files' images, whose first row is the uppermost.
+/// A map as a raster, as in the files. Cells row by row, the bottom row (smallest y) first; the files' images
+/// have the top row first.
 struct MapImage {
   static constexpr int kMaxSide = 32768;
-  static constexpr std::int64_t kMaxCells = std::int64_t{1} << 27;  ///< 11585 cells a side when square
+  static constexpr std::int64_t kMaxCells = std::int64_t{1} << 27;  ///< 11585 cells per side when square
 
   int width = 0;
   int height = 0;
   double resolution_m = 0.05;
-  types::Se2 origin;  ///< of the lower left corner of cell (0, 0), in map
+  types::Se2 origin;  ///< pose of the lower left corner of cell (0, 0), in map
   std::vector<MapCell> cells;
 
   [[nodiscard]] std::size_t index(int x, int y) const {
@@ -32,20 +32,21 @@ struct MapImage {
   [[nodiscard]] MapCell at(int x, int y) const { return cells[index(x, y)]; }
 };
 
-/// The smallest raster that holds all known cells and a margin around them; one unknown cell when nothing is
-/// known. kInvalidInput when it would be larger than MapImage allows.
+/// The smallest raster that contains all known cells and a margin around them; without known cells, one
+/// unknown cell and the margin. kInvalidInput when it would exceed MapImage's limits.
 types::Result<MapImage> image_of(const grid::OccupancyGrid& grid, int margin_cells = 4);
 
-/// map_server's pair, `map.pgm` and `map.yaml`, in an existing folder; both or none. Blocks on the disk.
+/// Writes map_server's pair, `map.pgm` and `map.yaml`, into an existing folder; both or neither. Blocks on
+/// the disk.
 types::Status save_map(const std::string& folder, const MapImage& map);
 
-/// The bytes of the pair, as save_map writes them.
+/// The bytes of the pair that save_map() writes.
 [[nodiscard]] std::vector<std::byte> encode_pgm(const MapImage& map);
 [[nodiscard]] std::string encode_map_yaml(const MapImage& map, const std::string& image_name);
 
 /// Reads a map_server YAML file and its image (PGM P2 or P5, PNG), whose path is relative to the YAML file's
-/// folder. A key given twice is refused. Errors name the file and key or place, what was found and what is
-/// expected: kInvalidInput, kNotFound, kPermission, kIo.
+/// folder. Duplicate keys are refused. Errors give the file, the key or position, the value found and the
+/// expected form: kInvalidInput, kNotFound, kPermission, kIo.
 types::Result<MapImage> load_map(const std::string& yaml_path);
 
 }  // namespace topo::daemon

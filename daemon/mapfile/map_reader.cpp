@@ -23,18 +23,18 @@ constexpr std::size_t kMaxYamlBytes = 65536;
 constexpr std::size_t kMaxImageBytes = std::size_t{1} << 29U;
 constexpr double kMaxCoordinate_m = 1e6;
 
-/// The keys of a map_server file.
+/// The contents of a map_server YAML file.
 struct MapYaml {
   std::string image;
   double resolution_m = 0.0;
   types::Se2 origin;
   bool negate = false;
-  bool is_raw = false;  ///< the grey values are per cent of occupancy
+  bool is_raw = false;  ///< the grey values are percentages of occupancy
   double occupied_thresh = 0.65;
   double free_thresh = 0.196;
 };
 
-/// Reads keys of one YAML mapping. Holds the only uses of yaml-cpp, whose exceptions end in read_yaml.
+/// Reads keys of one YAML mapping. yaml-cpp is used only here; read_yaml() catches its exceptions.
 class Keys {
  public:
   Keys(const std::string& path, const YAML::Node& root) : path_(path), root_(root) {}
@@ -76,7 +76,7 @@ class Keys {
   const YAML::Node& root_;
 };
 
-/// yaml-cpp would take the first of two and say nothing.
+/// For a duplicate key, yaml-cpp would silently use the first.
 Status no_key_twice(const std::string& path, const YAML::Node& root) {
   std::map<std::string, int> line_of;
   for (const auto& entry : root) {
@@ -111,7 +111,7 @@ Status read_mode(const Keys& keys, MapYaml& map) {
   const std::string text = mode.IsScalar() ? mode.Scalar() : "";
   if (text != "trinary" && text != "scale" && text != "raw")
     return keys.bad("mode", mode, "trinary, scale or raw");
-  map.is_raw = text == "raw";  // the shades that "scale" has between free and occupied are unknown here
+  map.is_raw = text == "raw";  // "scale" has shades between free and occupied; they count as unknown
   return {};
 }
 
@@ -153,12 +153,12 @@ Result<MapYaml> read_keys(const std::string& path, const YAML::Node& root) {
 Result<MapYaml> read_yaml(const std::string& path, const std::string& text) {
   try {
     return read_keys(path, YAML::Load(text));
-  } catch (const YAML::Exception& e) {  // the library has no other way to tell
+  } catch (const YAML::Exception& e) {  // the library reports errors only in this way
     return bad_file(path, fmt::format("line {}", e.mark.line + 1), e.msg, "YAML");
   }
 }
 
-/// Share of occupancy; nothing where the file says that it is not known.
+/// Probability of occupancy; nothing when the file marks it as unknown.
 std::optional<double> occupancy_of(std::uint8_t grey, const MapYaml& yaml) {
   constexpr std::uint8_t kAll = 100;
   if (yaml.is_raw) return grey <= kAll ? std::optional(grey / 100.0) : std::nullopt;

@@ -23,7 +23,7 @@ constexpr std::byte grey_of(MapCell cell) {
   return std::byte{205};
 }
 
-/// Plain decimals: a number such as 1e-07 is text to some YAML readers.
+/// Formats without exponent: some YAML readers take a number such as 1e-07 for text.
 std::string decimal(double value) {
   std::string text = fmt::format("{:.9f}", value);
   text.erase(text.find_last_not_of('0') + 1);

@@ -11,18 +11,18 @@ namespace {
 
 using grid::CellIndex;
 
-/// Walks along the sides of cells with the label on the left hand.
+/// Follows the sides of cells with the label on the left.
 class Walker {
  public:
   Walker(const grid::DenseMap& map, std::span<const std::uint16_t> labels)
       : map_(map), labels_(labels), seen_(labels.size(), false) {}
 
-  /// Is the lower side of this cell part of a boundary that no ring has yet?
+  /// True when the lower side of this cell is part of a boundary that no ring contains yet.
   [[nodiscard]] bool starts_at(std::size_t i) const {
     return labels_[i] != 0 && !seen_[i] && labels_[i - static_cast<std::size_t>(map_.width())] != labels_[i];
   }
 
-  /// The ring that goes east along the lower side of this cell.
+  /// The ring that runs east along the lower side of this cell.
   Ring walk(std::size_t start) {
     label_ = labels_[start];
     const CellIndex first = map_.cell(start);
@@ -43,8 +43,8 @@ class Walker {
  private:
   enum : int { kEast, kNorth, kWest, kSouth };
   static constexpr std::array<CellIndex, 4> kStep = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  /// The cell that has the corner on its own lower left, lower right, upper right, upper left: what lies to
-  /// the left ahead when heading east, north, west, south.
+  /// Offset from a corner to the cell ahead on the left, when heading east, north, west, south: the cell
+  /// whose lower left, lower right, upper right or upper left corner it is.
   static constexpr std::array<CellIndex, 4> kLeftAhead = {{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
 
   [[nodiscard]] bool in(CellIndex corner, int heading) const {
@@ -52,7 +52,7 @@ class Walker {
     const CellIndex cell{corner.x + by.x, corner.y + by.y};
     return map_.contains(cell) && labels_[map_.index(cell)] == label_;
   }
-  /// Right first: cells that touch over a corner belong together.
+  /// Prefers a right turn: cells that touch at a corner are connected.
   [[nodiscard]] int turn(CellIndex corner, int heading) const {
     const int right = (heading + 3) % 4;
     if (in(corner, right)) return right;
@@ -61,7 +61,7 @@ class Walker {
 
   const grid::DenseMap& map_;
   std::span<const std::uint16_t> labels_;
-  std::vector<bool> seen_;  ///< lower sides
+  std::vector<bool> seen_;  ///< lower sides that a ring contains
   std::uint16_t label_ = 0;
 };
 
@@ -71,7 +71,7 @@ void for_each_side(const Ring& ring, F&& f) {
   for (std::size_t k = 0; k < ring.size(); ++k) f(ring[k], ring[(k + 1) % ring.size()]);
 }
 
-/// Twice: positive when counter-clockwise.
+/// Twice the area: positive when counter-clockwise.
 std::int64_t signed_area(const Ring& ring) {
   std::int64_t twice = 0;
   for_each_side(ring, [&](const CellIndex& a, const CellIndex& b) {
@@ -80,7 +80,7 @@ std::int64_t signed_area(const Ring& ring) {
   return twice;
 }
 
-/// The lower side of some cell, on the ring: its left end.
+/// The left end of the lower side of a cell on the ring.
 CellIndex a_lower_side(const Ring& ring) {
   CellIndex found;
   for_each_side(ring, [&](const CellIndex& a, const CellIndex& b) {
@@ -89,7 +89,8 @@ CellIndex a_lower_side(const Ring& ring) {
   return found;
 }
 
-/// No side of a cell is of two rings: one ring is inside of another when one of its sides is.
+/// True when `outer` encloses the ring with this side. Rings do not share sides, so one ring lies inside
+/// another when any of its sides does.
 bool encloses(const Ring& outer, const CellIndex& side) {
   int above = 0;
   for_each_side(outer, [&](const CellIndex& a, const CellIndex& b) {
@@ -110,7 +111,7 @@ std::vector<std::vector<Ring>> parts_of(std::vector<Ring> rings) {
   std::vector<std::vector<Ring>> parts;
   for (auto outer = rings.begin(); outer != holes; ++outer) parts.push_back({std::move(*outer)});
   for (auto hole = holes; hole != rings.end(); ++hole) {
-    // A part may lie in the hole of another: the smallest that encloses it.
+    // A part may lie in a hole of another: the smallest enclosing part is chosen.
     const auto part = std::find_if(parts.rbegin(), parts.rend(), [&](const std::vector<Ring>& p) {
       return encloses(p.front(), a_lower_side(*hole));
     });

@@ -17,11 +17,11 @@ constexpr Rgb kUnknown{205, 205, 205}, kFree{254, 254, 254}, kOccupied{0, 0, 0};
 constexpr Rgb kSkeleton{140, 140, 140}, kWall{220, 30, 30}, kPath{30, 60, 220};
 constexpr Rgb kGoal{0, 130, 50}, kRejected{240, 140, 20}, kText{255, 255, 255};
 
-/// The digits, three by five, a row to three bits from the top.
+/// The digits, three by five pixels, three bits per row from the top.
 constexpr std::array<unsigned, 10> kDigits = {075557, 026227, 071747, 071717, 055711,
                                               074717, 074757, 071244, 075757, 075717};
 
-/// A hue for each place, those of consecutive numbers far apart on the circle (golden ratio).
+/// A hue for each place; consecutive numbers are far apart on the colour circle (golden ratio).
 Rgb colour_of(std::uint16_t label) {
   const double hue = 6.0 * std::fmod(0.618034 * label, 1.0);
   const auto channel = [&](double shift) {
@@ -39,7 +39,7 @@ Rgb mixed(Rgb a, Rgb b, double share_of_b) {
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
 }
 
-/// Where the cells of the map lie in the picture.
+/// The picture, and the mapping from cells to pixels.
 class Sheet {
  public:
   explicit Sheet(const grid::DenseMap& map)
@@ -49,7 +49,7 @@ class Sheet {
   struct Pixel {
     int x, y;
   };
-  /// Of a point in map; far outside is cut off so that no line is endless.
+  /// Pixel of a point in map; clamped far outside, to bound the length of lines.
   [[nodiscard]] Pixel pixel(const types::Vector2& p) const {
     const auto at = [&](double v, double corner) {
       const double x = (v / map_.resolution_m - corner) * scale_;
@@ -60,13 +60,13 @@ class Sheet {
   void line(const types::Vector2& from, const types::Vector2& to, Rgb colour) {
     const Pixel a = pixel(from), b = pixel(to);
     picture.line(a.x, a.y, b.x, b.y, colour);
-    // A second line beside the first one is thick enough in every direction.
+    // A second, parallel line gives sufficient thickness in every direction.
     if (scale_ > 1 && std::abs(b.x - a.x) > std::abs(b.y - a.y))
       picture.line(a.x, a.y + 1, b.x, b.y + 1, colour);
     else if (scale_ > 1)
       picture.line(a.x + 1, a.y, b.x + 1, b.y, colour);
   }
-  /// f(index into the map) gives the colour of a cell, or nothing to leave it as it is.
+  /// f(index into the map) returns the colour of a cell, or nothing to leave it unchanged.
   template <class F>
   void paint_cells(F&& f) {
     for (int y = box_.min.y; y <= box_.max.y; ++y) {
@@ -133,7 +133,7 @@ void draw_trajectory(std::span<const types::Se2> trajectory, Sheet& sheet) {
   sheet.picture.disc(last.x, last.y, 4, kPath);
 }
 
-/// Centred.
+/// Draws the number centred at (x, y).
 void draw_number(Picture& picture, int x, int y, std::size_t number, int scale) {
   const std::string text = std::to_string(number);
   int left = x - (static_cast<int>(text.size()) * 4 - 1) * scale / 2;

@@ -11,11 +11,11 @@
 
 namespace topo::daemon {
 
-/// What the robot makes of its map, for a person: the map in grey levels, its places in translucent colours,
-/// the skeleton in grey, walls in red, the trajectory in blue (a ring where it began, a disc where it is),
-/// the goals that may be chosen as green discs with their numbers (from 1, in the order given), rejected
-/// candidates as small orange squares. One pixel a cell, several for a small map; turned so that y is up.
-/// Cut to the known part of the map; one grey pixel when nothing is known.
+/// Picture of the analysed map for users: the map in grey levels, its places in translucent colours, the
+/// skeleton in grey, walls in red, the trajectory in blue (a ring at its beginning, a disc at its end), the
+/// open goals as green discs with their numbers (from 1, in the given order), rejected candidates as small
+/// orange squares. One pixel per cell, several for a small map; y points up. Cropped to the known part of the
+/// map; one grey pixel when nothing is known.
 [[nodiscard]] Picture overview_of(const analysis::Analysis& analysis, std::span<const types::Se2> trajectory,
                                   std::span<const goals::Goal> open_goals);
 

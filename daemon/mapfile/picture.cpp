@@ -66,7 +66,7 @@ void draw_path(Picture& picture, const MapImage& map, std::span<const types::Se2
   };
   const auto pixel = [&](const types::Se2& pose) {
     const types::Vector2 p = to_image * pose.translation() / map.resolution_m;
-    // A pose far outside must not make a line that never ends, nor overflow.
+    // Clamped, so that a pose far outside causes neither an endless line nor an overflow.
     const auto cell = [](double v) {
       return static_cast<int>(std::clamp(std::isnan(v) ? 0.0 : std::floor(v), -1e5, 1e5));
     };

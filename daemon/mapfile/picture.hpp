@@ -18,7 +18,7 @@ struct Rgb {
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-/// A coloured raster, the uppermost row first. What is drawn outside is cut off.
+/// A coloured raster, top row first. Drawing outside is clipped.
 class Picture {
  public:
   /// Precondition: both sides are from 1 to MapImage::kMaxSide.
@@ -43,13 +43,13 @@ class Picture {
   std::vector<Rgb> pixels_;
 };
 
-/// The map in white (free), black (occupied) and grey (unknown), one pixel a cell.
+/// The map in white (free), black (occupied) and grey (unknown), one pixel per cell.
 [[nodiscard]] Picture picture_of(const MapImage& map);
 
-/// A path in map over such a picture: a line, with a disc at its beginning and at its end.
+/// Draws a path given in map: a line, with a disc at each end.
 void draw_path(Picture& picture, const MapImage& map, std::span<const types::Se2> path, Rgb colour);
 
-/// Writes the picture as PNG, as a whole or not at all. Blocks on the disk. Errors name the file.
+/// Writes the picture as a PNG file, atomically. Blocks on the disk. Errors name the file.
 types::Status save_png(const std::string& path, const Picture& picture);
 
 }  // namespace topo::daemon

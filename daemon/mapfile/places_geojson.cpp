@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Millimetres are more than a map knows.
+/// Rounds to millimetres, which exceed the accuracy of a map.
 double rounded(double v) { return std::round(v * 1000.0) / 1000.0; }
 
 Json pair_of(const types::Vector2& p) { return Json::array({rounded(p.x()), rounded(p.y())}); }
@@ -23,7 +23,7 @@ Json feature(const char* geometry, Json coordinates, Json properties) {
           {"properties", std::move(properties)}};
 }
 
-/// Everything of one analysis, seen from where its frame has its origin.
+/// The features of one analysis, relative to the given origin.
 class Features {
  public:
   explicit Features(const types::Vector2& origin) : origin_(origin) {}
@@ -83,7 +83,7 @@ void Features::add_places(const analysis::Analysis& analysis) {
   }
 }
 
-/// `number`: among those to go for, from 1 on; 0: it is none of them.
+/// `number`: number among the open goals, from 1; 0: not an open goal.
 void Features::add_goal(const goals::Goal& goal, std::size_t number) {
   const bool open = goal.verdict == goals::Verdict::kAccepted;
   features_.push_back(feature("Point", point(goal.p_map),

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// libpng's simplified interface: it reports through return values, not by longjmp.
+// Uses libpng's simplified interface, which reports errors by return values, not by longjmp.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -19,7 +19,7 @@ using types::Status;
 
 namespace {
 
-/// Frees what libpng holds, however reading or writing ended.
+/// Frees libpng's data in all cases.
 struct PngImage {
   png_image image{};
   PngImage() { image.version = PNG_IMAGE_VERSION; }

@@ -36,7 +36,7 @@ class Tokens {
     at_ += static_cast<std::size_t>(end - begin);
     return value;
   }
-  /// What follows the single white space after the last number.
+  /// The data after the single white space behind the last number.
   [[nodiscard]] std::string_view rest() const { return content_.substr(std::min(at_ + 1, content_.size())); }
 
  private:
@@ -108,7 +108,7 @@ Result<GreyImage> decode_pgm(const std::string& path, std::string_view content) 
   const auto greatest = tokens.number("greatest value", 1, kMaxGrey);
   if (!greatest.has_value()) return tl::unexpected(greatest.error());
   const auto pixels = static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height);
-  // A pixel needs a byte at least: nothing is allocated for pixels that the file cannot have.
+  // A pixel needs at least one byte: nothing is allocated for pixels that the file cannot contain.
   const std::size_t needed = raw ? pixels : 2 * pixels - 1;
   if (tokens.rest().size() < needed) {
     return bad_file(path, "", fmt::format("{} bytes of pixels (truncated file)", tokens.rest().size()),
