@@ -20,7 +20,7 @@ constexpr std::string_view kFrameMagic = "TFRM";
 constexpr std::size_t kFixedHeader = 16;  // magic, version, length of the body
 constexpr std::size_t kFixedBody = 26;
 constexpr std::int64_t kMaxSteady_ns = std::int64_t{1}
-                                       << 60;  // 36 years of uptime; sums of two cannot overflow
+                                       << 60;  // 36 years of uptime; the sum of two cannot overflow
 
 std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -41,7 +41,7 @@ DecodedHeader fault(std::size_t offset, std::string found, std::string expected)
   return {std::nullopt, 0, {offset, std::move(found), std::move(expected)}};
 }
 
-/// Names of the channels in a body whose checksum is right; nothing when they do not fill it exactly.
+/// Names of the channels in a body with a valid checksum; nothing when they do not fill it exactly.
 std::optional<std::vector<std::string>> decode_channels(std::span<const std::byte> names, std::size_t count) {
   std::vector<std::string> channels;
   for (std::size_t i = 0; i < count; ++i) {

@@ -18,19 +18,17 @@
 //           body: u64 configuration hash, i64 start on the wall clock (ns since 1970), i64 start on the
 //           steady clock (ns), u16 channels, each: u16 length and name
 //   frame   "TFRM", u32 packed size, u32 unpacked size, u32 mask of its channels, u64 number from 0,
-//           u64 xxh64 of the packed bytes, u64 xxh64 of this head before it; then the packed bytes, one zstd
-//           frame of their own each: what was written stays readable when the writer is killed in the next
-//           one. A number that is skipped is a frame that the disk did not take.
+//           u64 xxh64 of the packed bytes, u64 xxh64 of this head before it; then the packed bytes, one
+//           zstd frame each: earlier frames stay readable when the writer is killed. A missing number is a
+//           frame that could not be written.
 //   record  (within frames) u8 channel, u8 kind, u16 zero, u32 length, i64 stamp on the steady clock (ns),
-//   bytes.
-//           A record is never split over two frames. kGap: u64 bytes and u64 records that were lost before
-//           it.
+//           bytes. A record is never split over two frames. kGap: u64 bytes and u64 records lost before it.
 namespace topo::daemon {
 
 inline constexpr std::uint32_t kRecordingVersion = 1;
-inline constexpr std::size_t kFrameTarget = 256U * 1024U;    ///< a frame is closed before it grows beyond
-inline constexpr std::size_t kMaxFrameBytes = 512U * 1024U;  ///< neither size of a frame's may be greater
-inline constexpr std::size_t kMaxRecordBytes = 32U * 1024U;  ///< longer pieces become several records
+inline constexpr std::size_t kFrameTarget = 256U * 1024U;    ///< a frame is closed before it exceeds this
+inline constexpr std::size_t kMaxFrameBytes = 512U * 1024U;  ///< limit of both sizes of a frame
+inline constexpr std::size_t kMaxRecordBytes = 32U * 1024U;  ///< longer pieces are split into several records
 inline constexpr std::size_t kMaxChannels = 32;
 inline constexpr std::size_t kMaxChannelName = 255;
 inline constexpr std::size_t kMaxHeaderBody = 16384;
@@ -64,7 +62,7 @@ struct RecordHead {
 
 [[nodiscard]] std::vector<std::byte> encode_header(const RecordingHeader& header);
 
-/// Why a file's beginning is no header of ours; `offset` and `found`, `expected` for a message.
+/// Why a file does not begin with a valid header; offset, value found and value expected, for a message.
 struct HeaderFault {
   std::size_t offset = 0;
   std::string found;
@@ -73,21 +71,21 @@ struct HeaderFault {
 
 struct DecodedHeader {
   std::optional<RecordingHeader> header;  ///< nothing: see fault
-  std::size_t bytes = 0;                  ///< where the first frame begins
+  std::size_t bytes = 0;                  ///< offset of the first frame
   HeaderFault fault;
 };
-/// `file`: the file's first bytes, at least 16 + kMaxHeaderBody + 8 of them where it has that many.
+/// `file`: the file's first bytes, at least 16 + kMaxHeaderBody + 8 of them when the file has that many.
 [[nodiscard]] DecodedHeader decode_header(std::span<const std::byte> file);
 
 [[nodiscard]] std::array<std::byte, FrameHead::kSize> encode_frame_head(const FrameHead& head);
-/// Nothing when it is not one: magic, own checksum or sizes are wrong.
+/// Nothing when the magic, the head's checksum or the sizes are wrong.
 [[nodiscard]] std::optional<FrameHead> decode_frame_head(std::span<const std::byte, FrameHead::kSize> bytes);
 
 [[nodiscard]] std::array<std::byte, RecordHead::kSize> encode_record_head(const RecordHead& head) noexcept;
-/// Nothing when kind or length are none. Does not check the channel.
+/// Nothing when kind, length or stamp are invalid. Does not check the channel.
 [[nodiscard]] std::optional<RecordHead> decode_record_head(std::span<const std::byte> bytes) noexcept;
 
-/// xxh64, seed 0: of everything that this project writes to a disk.
+/// xxh64 with seed 0: the checksum of this project's files.
 [[nodiscard]] std::uint64_t checksum(std::span<const std::byte> bytes) noexcept;
 
 }  // namespace topo::daemon

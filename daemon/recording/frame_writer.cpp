@@ -21,7 +21,7 @@ using types::Status;
 
 namespace {
 
-constexpr int kLevel = 3;  // packs a laser's text to a third at a few per cent of one core
+constexpr int kLevel = 3;  // packs a laser's text to a third, at a few per cent of one core
 
 }  // namespace
 

@@ -14,17 +14,18 @@ struct ZSTD_CCtx_s;
 
 namespace topo::daemon {
 
-/// Packs frames and appends them to a recording. One thread uses it. A frame that the disk does not take is
-/// removed again, so that the file always ends with a whole frame, and the next one is tried afresh.
+/// Packs frames and appends them to a recording. Used by one thread. A frame that cannot be written
+/// completely is removed again, so that the file always ends with a complete frame; the next frame is tried
+/// independently.
 class FrameWriter {
  public:
   /// Creates the file (never over an existing one) and writes the header.
   static types::Result<FrameWriter> create(const std::string& path, const RecordingHeader& header);
 
-  /// Packs and writes whole records. On an error the frame is lost and the file is as before.
+  /// Packs and writes complete records. On an error the frame is lost and the file is unchanged.
   types::Status write(std::span<const std::byte> records, std::uint32_t channel_mask);
 
-  /// What was written is on the disk.
+  /// Brings the written frames to the disk.
   types::Status sync();
 
   [[nodiscard]] std::uint64_t file_bytes() const { return size_; }

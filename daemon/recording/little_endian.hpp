@@ -9,7 +9,7 @@
 
 namespace topo::daemon {
 
-/// Writes an integer at `at`; the caller sees to the room.
+/// Writes an integer at `at`; the caller ensures the space.
 template <class Integer>
 void store_le(std::span<std::byte> out, std::size_t at, Integer value) noexcept {
   const auto bits = static_cast<std::uint64_t>(static_cast<std::make_unsigned_t<Integer>>(value));

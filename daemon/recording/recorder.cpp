@@ -67,7 +67,7 @@ Recorder::Recorder(RecorderOptions options, FrameWriter writer)
 }
 
 Recorder::~Recorder() {
-  if (auto s = stop(); !s.has_value()) return;  // told before, through on_warning
+  if (auto s = stop(); !s.has_value()) return;  // already reported through on_warning
 }
 
 io::ByteTap* Recorder::tap(std::string_view channel) {
@@ -100,7 +100,7 @@ void Recorder::run() {
   const auto end = encode_record_head({0, RecordKind::kEnd, 0, io::monotonic_now()});
   frame_.insert(frame_.end(), end.begin(), end.end());
   flush();
-  // What the disk has is on it; that says nothing of what it did not take.
+  // Covers only the frames that were written; a success does not include lost ones.
   if (const Status synced = writer_.sync(); !synced.has_value()) note(synced);
 }
 
@@ -117,7 +117,7 @@ void Recorder::drain() {
 }
 
 void Recorder::drain(ChannelTap& tap) {
-  // Only what is there now, so that a busy channel cannot keep the others waiting.
+  // Only the bytes present at the start, so that a busy channel does not delay the others.
   for (std::size_t left = tap.ring().size(); left >= RecordHead::kSize;) {
     std::array<std::byte, RecordHead::kSize> bytes{};
     tap.ring().peek(bytes);

@@ -17,31 +17,32 @@ namespace topo::daemon {
 
 struct RecorderOptions {
   std::string path;
-  std::vector<std::string> channels;  ///< such as front, coronal, base; at most kMaxChannels
+  std::vector<std::string> channels;  ///< for example front, coronal, base; at most kMaxChannels
   std::uint64_t config_hash = 0;
   std::size_t ring_bytes = 1U << 20U;  ///< per channel, a power of two: about 4 s of a scanner at 40 Hz
   types::Duration frame_period = std::chrono::seconds(1);
-  types::Duration poll_period = std::chrono::milliseconds(50);  ///< how often the rings are emptied
-  /// Called on the recorder thread, once when the disk stops taking frames and once when it takes them again.
+  types::Duration poll_period = std::chrono::milliseconds(50);  ///< period of emptying the rings
+  /// Called on the recorder thread: once when writing to the disk begins to fail, and once when it succeeds
+  /// again.
   std::function<void(const std::string&)> on_warning;
 };
 
 struct RecorderStats {
   std::uint64_t file_bytes = 0;
-  std::uint64_t recorded_bytes = 0;  ///< of the devices, handed to the file
-  std::uint64_t lost_bytes = 0;      ///< found no room in a ring
+  std::uint64_t recorded_bytes = 0;  ///< of the devices, written to the file
+  std::uint64_t lost_bytes = 0;      ///< found a ring full
   std::uint64_t lost_records = 0;
   std::uint64_t frames = 0;
-  std::uint64_t lost_frames = 0;  ///< not taken by the disk
+  std::uint64_t lost_frames = 0;  ///< could not be written
 };
 
-/// Writes what the taps heard to a file, on a thread of its own with normal priority: the threads that talk
-/// to the devices never wait for it, nor for the disk.
+/// Writes the bytes from the taps to a file, on its own thread with normal priority: the threads of the
+/// devices wait neither for it nor for the disk.
 class Recorder {
  public:
   /// Creates the file and starts the thread. Errors name the file.
   static types::Result<std::unique_ptr<Recorder>> start(RecorderOptions options);
-  /// As stop(), with its error dropped.
+  /// As stop(); its error is dropped.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -50,11 +51,11 @@ class Recorder {
   [[nodiscard]] io::ByteTap* tap(std::string_view channel);
 
   /// Blocks: empties the rings, writes the end and brings the file to the disk. To be called after the
-  /// threads of the taps have ended. The first error of the disk, if there was one. A second call does
-  /// nothing.
+  /// threads of the taps have ended. Returns the first error of the disk, if any. A second call has no
+  /// effect.
   types::Status stop();
 
-  /// Any thread.
+  /// Callable from any thread.
   [[nodiscard]] RecorderStats stats() const;
 
  private:
@@ -68,7 +69,7 @@ class Recorder {
   RecorderOptions options_;
   std::vector<std::unique_ptr<ChannelTap>> taps_;
 
-  // The recorder thread's own.
+  // Used by the recorder thread only.
   FrameWriter writer_;
   std::vector<std::byte> frame_;
   std::uint32_t frame_mask_ = 0;
@@ -77,7 +78,7 @@ class Recorder {
   bool disk_failing_ = false;
   types::Status first_error_;
 
-  mutable std::mutex mutex_;  ///< recorder thread, main and reporters; never a tap's thread
+  mutable std::mutex mutex_;  ///< for the recorder thread, main and readers of stats(); never a tap's thread
   std::condition_variable wake_;
   bool stopping_ = false;
   RecorderStats stats_;

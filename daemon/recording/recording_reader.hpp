@@ -23,22 +23,21 @@ struct Record {
   std::span<const std::byte> bytes;
 };
 
-/// A recording, open for reading. Opening reads the header and the heads of the frames; what they hold is
-/// unpacked and checked by the cursors. Constant after opening: any number of threads may read, each with a
-/// cursor of its own.
+/// A recording opened for reading. Opening reads the header and the heads of the frames; cursors unpack and
+/// check the contents. Constant after opening: any number of threads may read, each with its own cursor.
 class RecordingReader {
  public:
-  /// Errors say file, offset, what was found and what is expected: not a recording, another version, a
-  /// damaged header; kNotFound, kPermission, kIo. A file that ends within a frame, or has a damaged frame
-  /// head, opens up to there: see damage().
+  /// Errors give the file, the offset, the value found and the expected value: not a recording, another
+  /// version, a damaged header; kNotFound, kPermission, kIo. A file that ends within a frame, or has a
+  /// damaged frame head, opens up to there: see damage().
   static types::Result<std::shared_ptr<const RecordingReader>> open(const std::string& path);
 
   [[nodiscard]] const RecordingHeader& header() const { return header_; }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::size_t frames() const { return frames_.size(); }
-  /// Frames that the recording's disk did not take: their numbers are missing.
+  /// Frames that could not be written while recording: their numbers are missing.
   [[nodiscard]] std::uint64_t missing_frames() const { return missing_frames_; }
-  /// Why reading ends before the file's end; nothing when all frames are whole.
+  /// Why reading ends before the file's end; nothing when all frames are complete.
   [[nodiscard]] const std::optional<types::Error>& damage() const { return damage_; }
   /// Index of a channel's name.
   [[nodiscard]] std::optional<std::size_t> channel(std::string_view name) const;
@@ -66,15 +65,15 @@ class RecordingReader {
   std::optional<types::Error> damage_;
 };
 
-/// Goes through the records of one channel, or of all, in the file's order: that of the stamps within a
-/// channel. One thread uses it. Memory is taken at construction.
+/// Iterates over the records of one channel, or of all, in the file's order, which within a channel is that
+/// of the stamps. Used by one thread. Memory is allocated at construction.
 class RecordingCursor {
  public:
   explicit RecordingCursor(std::shared_ptr<const RecordingReader> reader,
                            std::optional<std::size_t> channel = std::nullopt);
 
-  /// The next record; nothing at the end, also at the place of reader's damage(). kInvalidInput for a frame
-  /// whose content is damaged; the next call goes on with the frame after it.
+  /// The next record; nothing at the end, or at the reader's damage(). kInvalidInput for a frame with damaged
+  /// content; the next call continues with the frame after it.
   types::Result<std::optional<Record>> next();
 
  private:
@@ -89,7 +88,7 @@ class RecordingCursor {
   std::unique_ptr<ZSTD_DCtx_s, FreeContext> context_;
   std::vector<std::byte> packed_;
   std::vector<std::byte> raw_;
-  std::span<const std::byte> rest_;  ///< records of the loaded frame that are still to come
+  std::span<const std::byte> rest_;  ///< remaining records of the loaded frame
   std::size_t next_frame_ = 0;
 };
 

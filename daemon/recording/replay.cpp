@@ -20,7 +20,7 @@ using types::Result;
 using types::Stamp;
 using types::Status;
 
-/// One channel's records with their place in the host's time. One thread uses it.
+/// One channel's records with their times on the host's clock. Used by one thread.
 class ReplayChannel {
  public:
   ReplayChannel(std::shared_ptr<Replay> replay, std::size_t channel, std::string name)
@@ -32,11 +32,11 @@ class ReplayChannel {
   [[nodiscard]] const ReplayOptions& options() const { return replay_->options_; }
   void count_released_gate() { replay_->gates_released_.fetch_add(1); }
 
-  /// The record that is next, or null at the end of the recording.
+  /// The next record, or null at the end of the recording.
   const Record* front() {
     while (!front_.has_value() && !ended_) {
       auto record = cursor_.next();
-      if (!record.has_value()) continue;  // a damaged frame: its bytes are missing in the play
+      if (!record.has_value()) continue;  // a damaged frame: its bytes are missing in the replay
       front_ = *record;
       if (!front_.has_value() || front_->kind == RecordKind::kEnd) end();
     }
@@ -63,7 +63,7 @@ class ReplayChannel {
 
 namespace {
 
-/// One recorded connection, from its opening to its closing.
+/// One recorded connection, from opening to closing.
 class ReplayStream final : public io::ByteStream {
  public:
   ReplayStream(std::shared_ptr<ReplayChannel> channel, Stamp opened, bool has_baud)
@@ -82,7 +82,7 @@ class ReplayStream final : public io::ByteStream {
       return closed("the recorded connection ended here");
     }
     if (gated(due)) {
-      // Only this thread can write, so what is missing does not come while it waits here.
+      // Only this thread can write, so the missing bytes cannot arrive while it waits here.
       if (!wait(due + channel_->options().gate_timeout, deadline)) return io::ReadResult{0, now()};
       gate_until_ = Stamp{};
       channel_->count_released_gate();
@@ -119,7 +119,7 @@ class ReplayStream final : public io::ByteStream {
 
   [[nodiscard]] bool gated(Stamp due) const { return due < gate_until_ && written_ < recorded_writes_; }
 
-  /// Sleeps until `when`, at most until `deadline`; true when `when` has come.
+  /// Sleeps until `when`, at most until `deadline`; true when `when` has been reached.
   bool wait(Stamp when, Stamp deadline) const {
     if (now() < when) io::sleep_until(std::min(when, deadline));
     return now() >= when;
@@ -129,7 +129,7 @@ class ReplayStream final : public io::ByteStream {
     const std::size_t n = std::min(buffer.size(), record.bytes.size() - taken_);
     std::memcpy(buffer.data(), record.bytes.data() + taken_, n);
     taken_ += n;
-    // An answer in the handshake is never older than its question, or round trips would be negative.
+    // A reply in the handshake is never older than its request; otherwise round trips would be negative.
     const Stamp stamp = answer_ && due < gate_until_ ? std::max(due, last_write_) : due;
     if (taken_ == record.bytes.size()) {
       taken_ = 0;
@@ -142,7 +142,7 @@ class ReplayStream final : public io::ByteStream {
   std::shared_ptr<ReplayChannel> channel_;
   Stamp gate_until_;
   bool has_baud_;
-  bool answer_ = false;  ///< the record in front came after host bytes
+  bool answer_ = false;  ///< the front record followed host bytes
   std::size_t taken_ = 0;
   std::uint64_t written_ = 0;
   std::uint64_t recorded_writes_ = 0;

@@ -13,45 +13,45 @@
 namespace topo::daemon {
 
 struct ReplayOptions {
-  /// Device bytes that came after the n-th host byte wait until the session wrote as many, but no longer than
-  /// this after their time; once that happened, nothing waits any more on that connection.
+  /// Device bytes recorded after the n-th host byte wait until the connection has written as many, but at
+  /// most this long after their time; after such a time-out nothing waits any more on that connection.
   types::Duration gate_timeout = std::chrono::seconds(1);
-  /// Only in this time after the device was opened: it holds the handshake, in which answers follow
-  /// questions. Later the session's commands need not be the recorded ones.
+  /// Waiting applies only in this time after the device was opened: the handshake, in which replies follow
+  /// requests. Later the connection's commands may differ from the recorded ones.
   types::Duration gate_span = std::chrono::seconds(10);
 };
 
-/// A recording that plays as devices, in its own pace on the host's steady clock: the same sessions and
-/// mapper run over it. Its stamps are the recorded ones moved by one offset for all channels, which the first
+/// Replays a recording in place of the devices, in real time on the host's steady clock: the same connections
+/// and mapper run on it. Its stamps are the recorded ones plus one offset for all channels, which the first
 /// connect sets.
 class Replay {
  public:
-  /// Errors as RecordingReader::open.
+  /// Errors as in RecordingReader::open().
   static types::Result<std::shared_ptr<Replay>> open(const std::string& path, ReplayOptions options = {});
 
-  /// Plays one channel. kInvalidInput when the recording has no such channel (the message names those it
-  /// has). `has_baud`: what the streams say of themselves; as the device's transport was when it was
-  /// recorded. One thread uses a connector and its streams; several connectors may be used at once. A channel
-  /// is played once.
+  /// Plays one channel. kInvalidInput when the recording has no such channel (the message lists its
+  /// channels). `has_baud`: result of the streams' has_baud(), to be set as for the recorded transport. One
+  /// thread uses a connector and its streams; several connectors may be used at once. A channel is played
+  /// once.
   static types::Result<std::unique_ptr<io::Connector>> connector(const std::shared_ptr<Replay>& replay,
                                                                  std::string_view channel, bool has_baud);
 
   [[nodiscard]] const RecordingReader& recording() const { return *reader_; }
 
-  /// Any thread. True when every connector has come to the end of its channel (and there is one).
+  /// Callable from any thread. True when there is a connector and all have reached the end of their channels.
   [[nodiscard]] bool finished() const {
     const int made = connectors_.load();
     return made > 0 && ended_.load() >= made;
   }
-  /// Any thread. Connections whose device bytes went on without the session having written as many as
-  /// recorded.
+  /// Callable from any thread. Number of connections on which device bytes continued before the connection
+  /// had written as many bytes as recorded.
   [[nodiscard]] int gates_released() const { return gates_released_.load(); }
 
  private:
   friend class ReplayChannel;
   Replay(std::shared_ptr<const RecordingReader> reader, ReplayOptions options)
       : reader_(std::move(reader)), options_(options) {}
-  /// What is added to a recorded stamp; the first caller fixes it.
+  /// The offset added to a recorded stamp; the first call sets it.
   types::Duration offset(types::Stamp now);
 
   std::shared_ptr<const RecordingReader> reader_;

@@ -14,7 +14,7 @@ struct ChannelSummary {
   std::uint64_t from_device_bytes = 0;
   std::uint64_t to_device_bytes = 0;
   std::uint64_t opens = 0;
-  std::uint64_t lost_bytes = 0;  ///< in the gaps
+  std::uint64_t lost_bytes = 0;  ///< according to the gap records
   std::uint64_t lost_records = 0;
 };
 
@@ -23,15 +23,15 @@ struct RecordingSummary {
   std::vector<ChannelSummary> channels;
   double duration_s = 0.0;  ///< from the start to the last record
   std::uint64_t frames = 0;
-  std::uint64_t missing_frames = 0;  ///< not taken by the disk
-  std::vector<std::string> damages;  ///< frames that cannot be read, and where the file breaks off
+  std::uint64_t missing_frames = 0;  ///< could not be written while recording
+  std::vector<std::string> damages;  ///< unreadable frames, and the position where the file breaks off
   bool ended_orderly = false;        ///< the recorder was stopped, not killed
 };
 
 /// Reads the whole recording once; damage is reported in the summary.
 [[nodiscard]] RecordingSummary summarise(const std::shared_ptr<const RecordingReader>& reader);
 
-/// Some lines for a person.
+/// A few lines for users.
 [[nodiscard]] std::string format_summary(const RecordingSummary& summary);
 
 }  // namespace topo::daemon

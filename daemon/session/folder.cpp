@@ -64,7 +64,7 @@ std::string next_journal_name(std::int64_t seconds, const std::vector<SessionEnt
       fmt::format("{}{:%Y%m%dT%H%M%S}Z", kJournal, fmt::gmtime(static_cast<std::time_t>(seconds)));
   const auto last = newest_journal(sessions);
   if (!last || last->name < name) return name;
-  // The clock stands before the last one, as a robot's without a battery does, or a second was too short.
+  // The clock is behind the last journal's, as on a robot without a clock battery, or the second is the same.
   constexpr std::size_t kStampEnd = kJournal.size() + 16;
   unsigned long number = 0;
   if (last->name.size() > kStampEnd + 1)

@@ -23,7 +23,7 @@ struct SessionEntry {
 
 /// 1 to 64 letters, digits, - and _.
 [[nodiscard]] bool is_session_name(std::string_view name);
-/// Such names are the daemon's own: "journal-...".
+/// True for names that the daemon reserves: "journal-...".
 [[nodiscard]] bool is_journal_name(std::string_view name);
 /// The file of a session in a folder.
 [[nodiscard]] std::string session_path(const std::string& folder, std::string_view name);
@@ -31,14 +31,14 @@ struct SessionEntry {
 /// The sessions in a folder, by name. Blocks on the disk. kNotFound when there is no such folder.
 [[nodiscard]] types::Result<std::vector<SessionEntry>> list_sessions(const std::string& folder);
 
-/// The journal begun last, by its name; nothing when there is none.
+/// The last journal by name; nothing when there is none.
 [[nodiscard]] std::optional<SessionEntry> newest_journal(const std::vector<SessionEntry>& sessions);
 
-/// Name for a journal begun at `seconds` since 1970, after all of `sessions`, whatever the clock did: it
-/// sorts behind them. "journal-20260102T030405Z" and, where that is not so, a number more.
+/// Name for a journal begun at `seconds` since 1970 that sorts after all of `sessions`, independent of the
+/// clock: "journal-20260102T030405Z", with a number appended where the time alone does not sort last.
 [[nodiscard]] std::string next_journal_name(std::int64_t seconds, const std::vector<SessionEntry>& sessions);
 
-/// Removes the oldest journals until `keep` are left; saved sessions stay. How many were removed.
+/// Removes the oldest journals until `keep` remain; saved sessions stay. Returns the number removed.
 std::size_t remove_old_journals(const std::vector<SessionEntry>& sessions, std::size_t keep);
 
 }  // namespace topo::daemon

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<char, 8> kMagic{'T', 'O', 'P', 'O', 'S', 'E', 'S', '\0'};
 constexpr std::size_t kRecordHead = 28;
-constexpr int kLevel = 3;  // higher ones save 2 % of what varints leave
+constexpr int kLevel = 3;  // higher levels save only 2 % after varint encoding
 
 struct RecordHead {
   SessionRecord kind{};
@@ -23,7 +23,7 @@ struct RecordHead {
   std::uint64_t packed_sum = 0;
 };
 
-/// Nothing when it is damaged or not all there.
+/// Nothing when the head is damaged or incomplete.
 std::optional<RecordHead> read_head(std::span<const std::byte> rest) {
   if (rest.size() < kRecordHead) return std::nullopt;
   slam::ByteReader in(rest.first(kRecordHead));

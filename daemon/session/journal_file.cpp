@@ -19,14 +19,14 @@ using types::Status;
 
 namespace {
 
-/// A map whose poses are off by this is as good to go on with: corrections of all poses are not written after
-/// every closure.
+/// A map with pose errors of this size is good enough to be continued: the corrections of all poses need not
+/// be written after every closure.
 constexpr PoseTolerance kTolerance{0.02, 0.002};
 
 }  // namespace
 
 Result<JournalFile> JournalFile::create(const std::string& path, std::uint64_t params_hash) {
-  // Short, for a report of bounded length: the folder is in the configuration.
+  // Without the folder, for a report of bounded length: the folder is in the configuration.
   const std::string name = std::filesystem::path(path).filename().string();
   io::UniqueFd fd(io::retry_interrupted(
       [&] { return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644); }));
@@ -43,7 +43,8 @@ Result<JournalFile> JournalFile::create(const std::string& path, std::uint64_t p
   return journal;
 }
 
-/// Half a record, or the rest of one behind a shorter one, would hide every later one from a reader.
+/// Truncates the file: part of a record, or the rest of a longer one, would hide all later records from a
+/// reader.
 tl::unexpected<types::Error> JournalFile::take_back(const std::string& doing, int error) {
   static_cast<void>(::ftruncate(fd_.get(), static_cast<off_t>(size_)));
   return io::fail_errno(name_, doing, error);

@@ -12,17 +12,17 @@
 
 namespace topo::daemon {
 
-/// The growing file of a session: appended to while mapping goes on, so that a killed daemon's map is there
-/// up to the last append. What the disk did not take is kept back and comes with the next append.
+/// The growing file of a session: appended to while mapping runs, so that the map of a killed daemon is saved
+/// up to the last append. Data that could not be written are written with the next append.
 class JournalFile {
  public:
-  /// A new file; kInvalidInput when there is one of that name.
+  /// Creates a new file; kInvalidInput when the name exists.
   static types::Result<JournalFile> create(const std::string& path, std::uint64_t params_hash);
 
-  /// Appends what `session` has more, and brings it to the disk. When that fails the file ends where it did
-  /// before. True when there was something.
+  /// Appends the changes of `session`, and brings them to the disk. On failure the file is unchanged. True
+  /// when there were changes.
   types::Result<bool> append(const slam::Session& session);
-  /// The exact poses and the record that says that it was closed in order.
+  /// Appends the exact poses and the record that marks the file as closed in order.
   types::Status close(const slam::Session& session);
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -34,7 +34,7 @@ class JournalFile {
   types::Status write(std::span<const std::byte> bytes);
   tl::unexpected<types::Error> take_back(const std::string& doing, int error);
   std::string path_;
-  std::string name_;  ///< without its folder; errors name it
+  std::string name_;  ///< without its folder; used in errors
   io::UniqueFd fd_;
   std::uint64_t size_ = 0;
   SessionWriter writer_;

@@ -11,7 +11,7 @@ namespace topo::daemon {
 
 slam::Origin new_maker(int robot) {
   std::random_device system;
-  // Without 0, which is the run of the sessions from before runs were told apart.
+  // Without 0, which is the run of sessions from before runs were distinguished.
   std::uniform_int_distribution<std::uint32_t> any(1);
   return {static_cast<std::uint16_t>(robot), any(system)};
 }

@@ -7,13 +7,13 @@
 
 namespace topo::daemon {
 
-/// Who makes the keyframes of a map from now on: the robot, and a run that no map before had, be it of this
-/// start of the daemon or of another one. Asks the system for a random number: a robot's clock may stand
-/// where it stood before. `robot`: 1 to 250, as robot.id.
+/// Origin of a map's new keyframes: the robot, and a run number that no earlier map has, of this or another
+/// start of the daemon. The run is a random number from the system, because a robot's clock may repeat times.
+/// `robot`: 1 to 250, as robot.id.
 [[nodiscard]] slam::Origin new_maker(int robot);
 
-/// The session with the robot as the origin of what no robot has signed: daemons once wrote 0 for every
-/// robot, and its keyframes would be taken for a mate's.
+/// The session with the robot as the origin of all keyframes with robot number 0, which earlier daemons wrote
+/// for every robot; they would otherwise be taken for a team-mate's.
 [[nodiscard]] slam::Session claimed(slam::Session session, int robot);
 
 }  // namespace topo::daemon

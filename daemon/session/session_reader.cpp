@@ -20,7 +20,7 @@ using types::Status;
 
 constexpr std::size_t kMaxFileBytes = 1U << 30U;
 constexpr std::size_t kPoseBytes = 24;
-constexpr std::size_t kEdgeBytes = 2 + 1 + 9 * 8;  ///< at least
+constexpr std::size_t kEdgeBytes = 2 + 1 + 9 * 8;  ///< minimum size
 
 types::Se2 read_pose(slam::ByteReader& in) {
   types::Se2 pose;
@@ -43,7 +43,7 @@ slam::Edge read_edge(slam::ByteReader& in) {
   return edge;
 }
 
-/// Items from the number that stands first; false when that leaves a gap or bytes are left over.
+/// Reads items from the number given first; false when that leaves a gap, or bytes remain.
 template <class Item, class Read>
 bool replace_from(slam::ByteReader& in, std::vector<Item>& items, std::size_t bytes_each, Read read) {
   const std::uint64_t first = in.varint();
@@ -67,7 +67,7 @@ bool read_keyframes(std::span<const std::byte> rest, std::vector<slam::KeyframeP
   return true;
 }
 
-/// Takes a record; false when its content is none of its kind.
+/// Applies a record; false when its content is invalid for its kind.
 bool take(const ReadRecord& record, LoadedSession& loaded) {
   slam::Session& session = loaded.session;
   slam::ByteReader in(record.content);
@@ -86,7 +86,7 @@ bool take(const ReadRecord& record, LoadedSession& loaded) {
   return false;
 }
 
-/// Leaves out keyframes whose pose was not written any more, and what hangs on them.
+/// Removes keyframes without a written pose, and the edges that refer to them.
 void trim(slam::Session& session) {
   const std::size_t n = std::min(session.keyframes.size(), session.poses.size());
   session.keyframes.resize(n);

@@ -11,32 +11,32 @@
 
 namespace topo::daemon {
 
-/// A session as its file holds it.
+/// A session as read from its file.
 struct LoadedSession {
   slam::Session session;  ///< checked
   std::uint64_t params_hash = 0;
-  bool closed = false;      ///< the file ends in order; false: its writer was killed or is still at it
-  std::size_t bytes = 0;    ///< of the file that were understood
-  std::size_t damaged = 0;  ///< bytes after them that were not
-  bool cut = false;         ///< they are the beginning of a record
+  bool closed = false;      ///< the file ends in order; false: its writer was killed or still writes
+  std::size_t bytes = 0;    ///< bytes of the file that were read
+  std::size_t damaged = 0;  ///< bytes after them that could not be read
+  bool cut = false;         ///< the unread bytes are the beginning of a record
 };
 
-/// What the file lacks, for a person: where it was cut or damaged, or that it was never closed; empty when it
-/// ends in order.
+/// Description of a file's damage for users: the position at which it is truncated or damaged, or that it was
+/// not closed; empty when it was closed in order.
 [[nodiscard]] std::string damage_text(const LoadedSession& loaded);
 
-/// The session of a file's bytes, up to its last whole record: a cut or damaged file gives what was written
-/// before. kInvalidInput when its beginning is no session, or what it holds is none. Hostile bytes are safe.
+/// Reads a session from a file's bytes, up to its last complete record: a truncated or damaged file gives the
+/// data before the damage. kInvalidInput when the header or the session is invalid. Safe for untrusted input.
 [[nodiscard]] types::Result<LoadedSession> parse_session(std::span<const std::byte> file);
 
-/// The same of a file; errors name it. Blocks on the disk.
+/// As parse_session(), for a file; errors name it. Blocks on the disk.
 [[nodiscard]] types::Result<LoadedSession> load_session(const std::string& path);
 
-/// Whether there is a map in it; kInvalidInput, with what the file lacks, when no keyframe is left.
+/// Checks that there is a map; kInvalidInput, with the file's damage, when no keyframe is left.
 [[nodiscard]] types::Status check_map(const LoadedSession& loaded, const std::string& path);
 
-/// Why a file is no session of this version, by its header alone; empty when it may be one. Blocks on the
-/// disk.
+/// Why a file is not a session of this version, from its header alone; empty when it may be one. Blocks on
+/// the disk.
 [[nodiscard]] std::string header_fault(const std::string& path);
 
 }  // namespace topo::daemon

@@ -19,7 +19,7 @@ using types::Errc;
 using types::Result;
 using types::Status;
 
-constexpr std::size_t kRecordTarget = 256U * 1024U;  ///< a record is closed before it grows beyond
+constexpr std::size_t kRecordTarget = 256U * 1024U;  ///< a record is closed when it reaches this
 constexpr std::size_t kPosesEach = 8192;
 constexpr std::size_t kEdgesEach = 2048;
 
@@ -44,8 +44,8 @@ bool same(const slam::Edge& a, const slam::Edge& b) {
          a.information == b.information;
 }
 
-/// Items from number `first` on, at most `each` a record; one record without items when only the end was cut
-/// off.
+/// Appends items from number `first` on, at most `each` per record; one record without items when the list
+/// was only shortened.
 template <class Item>
 void append_from(std::vector<std::byte>& out, SessionRecord kind, const std::vector<Item>& items,
                  std::size_t first, std::size_t each) {
@@ -105,7 +105,7 @@ Result<std::vector<std::byte>> SessionWriter::changes(const slam::Session& sessi
   const std::size_t edge = first_other_edge(session), pose = first_moved(session, tolerance);
   if (edge < edges_.size() || edge < session.edges.size())
     append_from(out, SessionRecord::kEdges, session.edges, edge, kEdgesEach);
-  // Last: a keyframe without a pose, when the file is cut here, is left out.
+  // Last: when the file is truncated here, keyframes without a pose are left out.
   if (pose < session.poses.size()) append_from(out, SessionRecord::kPoses, session.poses, pose, kPosesEach);
   return out;
 }
@@ -124,7 +124,7 @@ std::vector<std::byte> SessionWriter::end() const {
   content.varint(edges_.size());
   content.varint(poses_.size());
   std::vector<std::byte> out;
-  static_cast<void>(append_record(out, SessionRecord::kEnd, content.bytes()));  // a few bytes
+  static_cast<void>(append_record(out, SessionRecord::kEnd, content.bytes()));  // only a few bytes
   return out;
 }
 

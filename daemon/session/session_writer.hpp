@@ -11,24 +11,24 @@
 
 namespace topo::daemon {
 
-/// How far poses may have moved before they are worth writing again; zero: at all.
+/// Pose change up to which a pose is not written again; zero: every change is written.
 struct PoseTolerance {
   double trans_m = 0.0;
   double rot_rad = 0.0;
 };
 
-/// What a file holds of a growing session, and what is to be appended to bring it up to date.
+/// State of a growing session's file, and the records that bring it up to date.
 class SessionWriter {
  public:
-  /// Records with everything in `session` that the file lacks: new keyframes, edges from the first one that
-  /// is new or another, poses from the first one that is new or moved. Changes nothing: written() does, once
-  /// they are in the file. kInvalidInput when a keyframe is too large for a record.
+  /// Records with everything in `session` that the file lacks: new keyframes, edges from the first new or
+  /// changed one, poses from the first new or moved one. Has no side effects: written() updates the state
+  /// after the records are in the file. kInvalidInput when a keyframe is too large for a record.
   [[nodiscard]] types::Result<std::vector<std::byte>> changes(const slam::Session& session,
                                                               const PoseTolerance& tolerance) const;
-  /// The last changes() of `session` are in the file.
+  /// To be called when the last changes() of `session` are in the file.
   void written(const slam::Session& session, const PoseTolerance& tolerance);
 
-  /// The record that says that the file was closed in order.
+  /// The record that marks the file as closed in order.
   [[nodiscard]] std::vector<std::byte> end() const;
 
  private:
@@ -39,12 +39,11 @@ class SessionWriter {
   std::vector<types::Se2> poses_;
 };
 
-/// Writes a whole session: there as a whole or not at all, whatever is killed meanwhile
-/// (mapfile/atomic_file.hpp). Blocks on the disk.
+/// Writes a whole session atomically (mapfile/atomic_file.hpp). Blocks on the disk.
 [[nodiscard]] types::Status save_session(const std::string& path, const slam::Session& session,
                                          std::uint64_t params_hash);
 
-/// The bytes that save_session writes.
+/// The bytes that save_session() writes.
 [[nodiscard]] types::Result<std::vector<std::byte>> session_bytes(const slam::Session& session,
                                                                   std::uint64_t params_hash);
 

@@ -13,28 +13,28 @@
 
 namespace topo::daemon {
 
-/// One connection to a daemon's control socket. Blocking; one thread uses it.
+/// One connection to a daemon's control socket. Blocking; used by one thread.
 class Client {
  public:
-  /// kNotFound: no daemon serves there. kTimeout: it took nobody up.
+  /// kNotFound: no daemon serves the socket. kTimeout: it did not accept the connection.
   static types::Result<Client> connect(const std::string& socket,
                                        types::Duration patience = std::chrono::seconds(5));
 
-  /// Asks and waits for the answer. kTimeout, kClosed, or as parse_answer.
-  /// Notifications that come meanwhile are kept for next_event().
+  /// Sends a request and waits for the answer. kTimeout, kClosed, or as parse_answer(). Notifications
+  /// received meanwhile are kept for next_event().
   types::Result<Json> call(std::string_view method, const Json& params, types::Duration timeout);
 
   /// The params of the next notification, after "events.subscribe" was called. kTimeout, kClosed.
   types::Result<Json> next_event(types::Duration timeout);
 
-  /// For a poll loop; what was read already does not show there.
+  /// For a poll loop; input that was already read does not show.
   [[nodiscard]] int fd() const { return fd_.get(); }
 
  private:
   explicit Client(io::UniqueFd fd) : fd_(std::move(fd)) {}
   types::Result<std::string> read_line(types::Stamp deadline);
 
-  // An answer may be long; a daemon that never ends a line is none.
+  // An answer may be long, but a daemon that never ends a line is faulty.
   static constexpr std::size_t kMaxAnswerBytes = 4 << 20;
   io::UniqueFd fd_;
   LineBuffer in_{kMaxAnswerBytes};

@@ -15,8 +15,8 @@ namespace {
 
 std::atomic<bool> was_interrupted{false};
 
-// What waits for minutes looks this often whether it is interrupted: a signal between a look and a wait would
-// be lost, and a person at the keyboard does not notice the delay.
+// Long waits check for an interruption in this period: a signal between a check and a longer wait would be
+// lost, and the operator does not notice the delay.
 constexpr types::Duration kSlice = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -62,7 +62,7 @@ types::Result<Json> ask(const Arguments& arguments, const char* method, const Js
   auto client = Client::connect(arguments.socket, patience);
   if (!client) return tl::unexpected(client.error());
   auto answer = client->call(method, params, patience);
-  // What the daemon refuses is no missing daemon, whatever its reason.
+  // A refusal by the daemon must not be taken for a missing daemon.
   if (!answer && answer.error().code == types::Errc::kNotFound)
     return types::fail(types::Errc::kIo, answer.error().message);
   return answer;

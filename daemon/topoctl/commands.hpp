@@ -26,41 +26,41 @@ struct Arguments {
   bool json = false;
   bool why = false;
   std::string folder, level, what, session;
-  bool search = false;       ///< of a session to load: without a pose
+  bool search = false;       ///< load a session without a pose
   std::vector<double> pose;  ///< x, y, theta; or empty
   double v_mps = 0.0, omega_radps = 0.0, seconds = 1.0;
   double x_m = 0.0, y_m = 0.0;
-  double timeout_s = 0.0;   ///< 0: for ever
-  double interval_s = 1.0;  ///< of watch
+  double timeout_s = 0.0;   ///< 0: no limit
+  double interval_s = 1.0;  ///< of the command watch
 };
 
-/// Set by SIGINT, SIGTERM and SIGHUP after catch_signals().
+/// True after SIGINT, SIGTERM or SIGHUP, once catch_signals() was called.
 [[nodiscard]] bool interrupted();
 void catch_signals();
 
-/// Between two things that are told or shown at a pace; ends early when interrupted().
+/// Sleeps until `when`; ends early when interrupted().
 void pause_until(types::Stamp when);
 /// Client::next_event() that ends early, with kTimeout, when interrupted().
 types::Result<Json> next_event_until(Client& client, types::Stamp deadline);
 
-/// The exit status for what went wrong with a daemon.
+/// The exit status for an error of a call to the daemon.
 [[nodiscard]] int status_of(const types::Error& error);
-/// Prints what went wrong; the exit status for it.
+/// Prints the error; returns the exit status for it.
 int complain(const types::Error& error);
 
-/// JSON as this program prints it; text of the wire that is no UTF-8 is replaced.
+/// JSON in this program's output format; invalid UTF-8 is replaced.
 std::string pretty(const Json& json);
 std::string one_line(const Json& json);
 
-/// One question on a connection of its own.
+/// Sends one request on a separate connection.
 types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params = Json::object(),
                         types::Duration patience = kPatience);
 
-/// Asks, and prints the answer as JSON or through `table`. The exit status.
+/// Sends a request, and prints the answer as JSON or through `table`. Returns the exit status.
 int show(const Arguments& arguments, const char* method, std::string (*table)(const Json&),
          const Json& params = Json::object(), types::Duration patience = kPatience);
 
-// Commands with a file of their own: each returns the exit status.
+// Commands in files of their own; each returns the exit status.
 
 int drive_for(const Arguments& arguments);
 int drive_by_keys(const Arguments& arguments);

@@ -8,7 +8,7 @@
 namespace topo::daemon {
 namespace {
 
-/// The one check that only a client can make.
+/// The only check that the client makes.
 Json reachable(const types::Status& status, const std::string& socket) {
   Json check{
       {"check", "daemon"}, {"ok", status.has_value()}, {"found", "answers on " + socket}, {"cure", ""}};

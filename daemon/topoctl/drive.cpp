@@ -16,11 +16,11 @@
 namespace topo::daemon {
 namespace {
 
-constexpr types::Duration kPeriod = std::chrono::milliseconds(100);  // the daemon's dead man waits 300 ms
-// A key that is held repeats after up to half a second at first, then faster.
+constexpr types::Duration kPeriod = std::chrono::milliseconds(100);  // the daemon's dead-man time is 300 ms
+// A held key repeats after up to half a second at first, then faster.
 constexpr types::Duration kKeyHolds = std::chrono::milliseconds(500);
 
-/// Keeps telling the daemon, which stops by itself when we are gone.
+/// Must be repeated: the daemon stops the robot when the client is gone.
 types::Status tell(Client& client, const types::Twist2& twist) {
   const Json params{{"v_mps", twist.v_mps}, {"omega_radps", twist.omega_radps}};
   const auto answer = client.call("drive", params, kPatience);
@@ -28,12 +28,12 @@ types::Status tell(Client& client, const types::Twist2& twist) {
   return {};
 }
 
-/// The key pressed lately, if any; waits up to a period for one.
+/// The last key pressed, if any; waits up to one period for it.
 std::optional<Key> wait_for_key() {
   if (io::wait_for(STDIN_FILENO, POLLIN, kPeriod) <= 0) return {};
   std::array<char, 64> bytes{};
   const ssize_t got = ::read(STDIN_FILENO, bytes.data(), bytes.size());
-  if (got <= 0) return Key::kQuit;  // the terminal is gone
+  if (got <= 0) return Key::kQuit;  // the terminal is closed
   return last_key({bytes.data(), static_cast<std::size_t>(got)});
 }
 
@@ -95,7 +95,7 @@ int drive_by_keys(const Arguments& arguments) {
   if (!client) return complain(client.error());
   const auto status = client->call("status", Json::object(), kPatience);
   if (!status) return complain(status.error());
-  catch_signals();  // before the terminal is changed, which no signal may leave so
+  catch_signals();  // before the terminal's mode is changed, so that a signal does not leave it changed
   const RawTerminal terminal;
   if (!terminal.raw()) {
     fmt::print(stderr, "topoctl: driving by keys needs a terminal; in scripts: topoctl drive V W --for S\n");

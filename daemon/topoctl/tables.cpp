@@ -9,7 +9,7 @@
 namespace topo::daemon {
 namespace {
 
-/// The member at a path such as "/map/keyframes"; null when it is not there.
+/// The member at a path such as "/map/keyframes"; null when it is missing.
 const Json& at(const Json& json, const char* path) {
   static const Json none;
   const Json::json_pointer pointer(path);
@@ -32,7 +32,7 @@ std::string number(const Json& json, const char* path, int decimals) {
   return value.is_number() ? fmt::format("{:.{}f}", value.get<double>(), decimals) : "-";
 }
 
-/// Nothing where no session is kept.
+/// Empty when no session is kept.
 std::string session_row(const Json& session) {
   const std::string folder = text(session, "/folder"), obstacle = text(session, "/obstacle");
   if (!is_said(folder)) return {};
@@ -46,7 +46,7 @@ std::string session_row(const Json& session) {
   return row("session", fmt::format("{} keyframes in {}", text(session, "/journal/keyframes"), name));
 }
 
-/// The daemon has 0 for a voltage that the base does not report.
+/// The daemon reports 0 when the base does not report a voltage.
 std::string battery_text(const Json& status) {
   const Json& battery_v = at(status, "/battery_v");
   const bool reported = battery_v.is_number() && battery_v.get<double>() > 0.0;
@@ -62,7 +62,7 @@ std::string goal_text(const Json& goal) {
                      number(goal, "/opening_m", 2));
 }
 
-/// `line` of every member of the list at `path`.
+/// Concatenates `line` of every member of the list at `path`.
 template <class Line>
 std::string rows(const Json& json, const char* path, Line line) {
   std::string out;
@@ -156,7 +156,7 @@ std::string status_table(const Json& status) {
   out += row("state", text(status, "/state"));
   out += row("activity", fmt::format("{}; {}", text(status, "/activity"), text(status, "/reason")));
   out += row("mission", mission_text(at(status, "/mission")));
-  out.pop_back();  // a line of its own has its end already
+  out.pop_back();  // removes the line end, which row() adds
   out += row("e-stop", text(status, "/estop"));
   out += row("pose", pose_text(status, "/pose"));
   out += row("odometry", pose_text(status, "/odometry"));

@@ -9,7 +9,7 @@
 
 namespace topo::daemon {
 
-// Answers of the daemon for people. Members that are missing show as "-": an older daemon may have fewer.
+// The daemon's answers as tables for users. Missing members show as "-": an older daemon may have fewer.
 
 std::string status_table(const Json& status);
 std::string latency_table(const Json& latency);
@@ -19,14 +19,14 @@ std::string why_table(const Json& goals);
 std::string places_table(const Json& places);
 std::string doctor_table(const Json& doctor);
 std::string sessions_table(const Json& answer);
-/// One line with its end.
+/// One line, with its line end.
 std::string mission_text(const Json& mission);
-/// The status on one line without an end, for watching.
+/// The status on one line without line end, for the command watch.
 std::string watch_line(const Json& status);
 
-/// The member at a path such as "/map/keyframes" as text: "yes" and "no", three decimals; "-" without it.
+/// The member at a path such as "/map/keyframes" as text: "yes" and "no", three decimals; "-" when missing.
 std::string text_at(const Json& json, const char* path);
-/// Whether such a text is one: not "-", nor empty.
+/// True when such a text is neither "-" nor empty.
 bool is_said(std::string_view text);
 
 }  // namespace topo::daemon

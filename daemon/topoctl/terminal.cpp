@@ -79,7 +79,7 @@ std::optional<Key> last_key(std::string_view bytes) {
     } else {
       key = Key::kOther;
     }
-    if (key == Key::kQuit) return key;  // nothing that was typed after it counts
+    if (key == Key::kQuit) return key;  // input after it is ignored
   }
   return key;
 }

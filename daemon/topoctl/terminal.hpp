@@ -11,14 +11,14 @@
 
 namespace topo::daemon {
 
-/// Standard input key by key and without echo, until destroyed.
+/// Switches standard input to single keys without echo, until destroyed.
 class RawTerminal {
  public:
   RawTerminal();
   ~RawTerminal();
   RawTerminal(const RawTerminal&) = delete;
   RawTerminal& operator=(const RawTerminal&) = delete;
-  /// False: standard input is no terminal, nothing was changed.
+  /// False: standard input is not a terminal, and nothing was changed.
   [[nodiscard]] bool raw() const { return raw_; }
 
  private:
@@ -28,11 +28,11 @@ class RawTerminal {
 
 enum class Key { kForward, kBack, kLeft, kRight, kStop, kQuit, kOther };
 
-/// The last key in what one read gave: letters (w a s d, space, q, control-C) and the escape sequences of
-/// arrow keys; nothing for no byte.
+/// The last key in the bytes of one read: letters (w a s d, space, q, control-C) and the escape sequences of
+/// arrow keys; nothing without bytes.
 std::optional<Key> last_key(std::string_view bytes);
 
-/// What a key asks for: a fixed share of what the robot may do; backwards at the rear's limit.
+/// The twist for a key: a fixed fraction of the robot's limits; backwards at the limit for the blind rear.
 types::Twist2 twist_of(Key key, double v_max_mps, double omega_max_radps);
 
 }  // namespace topo::daemon

@@ -17,7 +17,7 @@ constexpr types::Duration kEstopPatience = std::chrono::seconds(1);
 constexpr types::Duration kSavePatience = std::chrono::minutes(2);
 constexpr types::Duration kSearchPatience = std::chrono::seconds(30);
 
-// What nobody means who types a number; the daemon knows the true limits.
+// Bounds against typing errors; the daemon checks the actual limits.
 constexpr double kFar_m = 1e6, kFast = 100.0;
 
 std::string nothing(const Json&) { return {}; }
@@ -27,7 +27,7 @@ std::string member(const Json& answer, const char* name) {
   return found != answer.end() && found->is_string() ? found->get<std::string>() : std::string("-");
 }
 
-/// Who stops a robot cannot wait long to hear that nobody is there to do it.
+/// Uses a short time-out: the operator must learn quickly when there is no daemon.
 int estop(const Arguments& arguments) {
   const int status = show(arguments, "estop", &nothing, Json::object(), kEstopPatience);
   if (status == kNoDaemon)
@@ -39,7 +39,7 @@ int estop(const Arguments& arguments) {
 }
 
 int save_map(const Arguments& arguments) {
-  // The daemon has another working folder than the person who asks.
+  // The daemon's working folder differs from the caller's.
   std::error_code error;
   const auto folder = std::filesystem::absolute(arguments.folder, error).lexically_normal();
   if (error) return complain({types::Errc::kIo, error.message(), 0});
@@ -47,7 +47,7 @@ int save_map(const Arguments& arguments) {
   return show(arguments, "map.save", table, Json{{"dir", folder.string()}}, kSavePatience);
 }
 
-/// One subcommand: its name, help and what it does.
+/// Adds one subcommand with its name, help and action.
 void add(CLI::App& parent, const char* name, const char* help, int& status, std::function<int()> act) {
   parent.add_subcommand(name, help)->callback([&status, act = std::move(act)] { status = act(); });
 }

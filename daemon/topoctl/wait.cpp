@@ -13,10 +13,10 @@
 namespace topo::daemon {
 namespace {
 
-/// Exit status when `state` answers the question, else nothing. `state` is what "progress" gives.
+/// The exit status when `state`, the answer to "progress", ends the wait; otherwise nothing.
 using Verdict = std::function<std::optional<int>(const Json& state)>;
 
-/// Between two looks for a daemon that is not there.
+/// Pause between two attempts to reach a missing daemon.
 constexpr types::Duration kLookAgain = std::chrono::milliseconds(200);
 
 types::Stamp deadline_of(const Arguments& arguments) {
@@ -24,7 +24,7 @@ types::Stamp deadline_of(const Arguments& arguments) {
   return forever ? types::Stamp::max() : io::monotonic_now() + types::from_seconds(arguments.timeout_s);
 }
 
-/// For one answer: no longer than is left.
+/// Time-out of one answer: at most the remaining time.
 types::Duration patience_until(types::Stamp deadline) {
   return std::min(kPatience, deadline - io::monotonic_now());
 }
@@ -34,7 +34,7 @@ int too_late(const Arguments& arguments, const std::string& why) {
   return kTimedOut;
 }
 
-/// Looks at what holds now, then again after every event. An Error when the daemon is not there, or is lost.
+/// Evaluates the current state, and again after every event. An Error when the daemon is missing or lost.
 types::Result<int> follow(const Arguments& arguments, types::Stamp deadline, const Verdict& verdict) {
   auto client = Client::connect(arguments.socket, patience_until(deadline));
   if (!client) return tl::unexpected(client.error());
@@ -50,7 +50,7 @@ types::Result<int> follow(const Arguments& arguments, types::Stamp deadline, con
   }
 }
 
-/// It may come yet, or come back.
+/// True when the daemon may still come, or come back.
 bool is_absence(types::Errc code) {
   return code == types::Errc::kNotFound || code == types::Errc::kTimeout || code == types::Errc::kClosed;
 }

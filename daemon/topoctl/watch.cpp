@@ -16,14 +16,14 @@ void print_status(const Arguments& arguments, const Json& status, bool terminal)
   if (arguments.json) {
     fmt::print("{}\n", one_line(status));
   } else if (terminal) {
-    fmt::print("\r\033[K{}", watch_line(status));  // over the line before
+    fmt::print("\r\033[K{}", watch_line(status));  // overwrites the previous line
   } else {
     fmt::print("{}\n", watch_line(status));
   }
   std::fflush(stdout);
 }
 
-/// Waits for the next round; true when a mission ended meanwhile.
+/// Waits for the next round; true when a mission ended in the meantime.
 types::Result<bool> ended_within(Client& client, types::Duration wait) {
   const types::Stamp deadline = io::monotonic_now() + wait;
   while (!interrupted()) {
