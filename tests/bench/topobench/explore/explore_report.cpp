@@ -93,9 +93,9 @@ json report_of(const JoinedMap& map) {
           {"worst_m", map.error.worst_m},      {"mates_rmse_m", map.mates_error.rmse_m}};
 }
 
-}  // namespace
-
-json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& result, double reachable_m2) {
+/// What the report of a robot alone and that of a team both say. `result`: of the robot, or the sum over the team.
+json common_report(const RunTitle& title, const RunSetup& setup, const RunResult& result,
+                   double reachable_m2) {
   return {{"world", title.world},
           {"strategy", title.strategy},
           {"robots", 1},
@@ -120,7 +120,6 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"collisions", result.collisions},
           {"home", {result.home}},
           {"home_distance_m", result.home_distance_m},
-          {"digest", digest_of(setup, {&result, 1}, result)},
           {"end_s", result.end_s},
           {"ended_as", std::string(to_text(result.activity))},
           {"reason", result.reason},
@@ -143,9 +142,17 @@ json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& re
           {"coverage", coverage_list(result)}};
 }
 
+}  // namespace
+
+json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& result, double reachable_m2) {
+  json report = common_report(title, setup, result, reachable_m2);
+  report["digest"] = digest_of(setup, {&result, 1}, result);
+  return report;
+}
+
 json team_report_of(const RunTitle& title, const TeamSetup& setup, const TeamResult& result,
                     double reachable_m2) {
-  json report = report_of(title, setup.run, result.team, reachable_m2);
+  json report = common_report(title, setup.run, result.team, reachable_m2);
   report["robots"] = setup.robots;
   report["digest"] = digest_of(setup.run, result.robots, result.team);
   report["overlap"] = rounded(result.overlap, 1e-4);
