@@ -12,6 +12,7 @@
 #include "core/places/segmentation/furniture.hpp"
 #include "core/places/segmentation/segment_places.hpp"
 #include "core/places/skeleton/erosion.hpp"
+#include "core/walls/wall_extraction.hpp"
 
 namespace topo::analysis {
 

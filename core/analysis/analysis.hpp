@@ -12,7 +12,7 @@
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/places/segmentation/place_map.hpp"
-#include "core/walls/wall_extraction.hpp"
+#include "core/walls/wall_params.hpp"
 
 namespace topo::analysis {
 

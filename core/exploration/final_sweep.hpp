@@ -7,23 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "core/exploration/sweep_params.hpp"
 #include "core/exploration/viewpoint.hpp"
 #include "core/goals/goal.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::exploration {
-
-struct FinalSweepParams {
-  double opening_min_m = 0.3;  ///< what one can look through
-  double gain_min_m2 = 0.3;    ///< exploration::Viewpoint::gain_m2
-  /// All looks together, of what is known. What a sweep promises and what it shows have little to do with one
-  /// another: from a twelfth of the promise, through slits in furniture, to all of it, in corners of rooms.
-  double promise_min = 0.002;
-  double time_share = 0.25;  ///< of the time without them: what sweeps take while nothing else is left
-  double time_min_s = 60.0;  ///< or this, when that is less
-  double reached_m = 0.2;    ///< half a metre beside it another part of what is behind the gap is seen
-  exploration::ViewpointParams look;
-};
 
 /// Borrowed for the call.
 struct LookedAt {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/exploration/final_sweep.hpp"
 #include "core/exploration/strategy.hpp"
+#include "core/exploration/sweep_params.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::exploration {

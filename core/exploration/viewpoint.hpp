@@ -5,16 +5,11 @@
 #include <optional>
 #include <span>
 
+#include "core/exploration/sweep_params.hpp"
 #include "core/goals/frontiers.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::exploration {
-
-struct ViewpointParams {
-  double reach_m = 4.0;    ///< from the robot to what is looked into
-  double behind_m = 2.0;   ///< around a frontier; what is farther is not counted for it
-  double wall_on_m = 0.6;  ///< so far beyond its seen ends a wall goes on: less than half of a wide door
-};
 
 /// A place from which to look into a gap that is too narrow, or too far behind furniture, to be driven to.
 struct Viewpoint {

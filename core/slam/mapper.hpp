@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/alignment.hpp"
 #include "core/slam/free_ground.hpp"
 #include "core/slam/graph_links.hpp"
 #include "core/slam/graph_solution.hpp"
@@ -19,7 +20,6 @@
 #include "core/slam/refine.hpp"
 #include "core/slam/relation_set.hpp"
 #include "core/slam/session.hpp"
-#include "core/slam/team_alignment.hpp"
 #include "core/slam/unplaced.hpp"
 #include "core/walls/column_collector.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/types/transform.hpp"
-#include "core/walls/column_collector.hpp"
+#include "core/walls/coronal_mount.hpp"
 
 namespace topo::slam {
 

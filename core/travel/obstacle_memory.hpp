@@ -2,24 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <vector>
 
+#include "core/travel/params.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::travel {
-
-struct ObstacleMemoryParams {
-  double same_echo_m = 0.15;      ///< echoes this near to each other are one; sonar resolves no more
-  int echo_times = 3;             ///< an echo heard less often may be a reflection
-  std::size_t echoes_max = 1000;  ///< kept at most
-  /// What no laser sees is glass more often than a person.
-  types::Duration echo_for = std::chrono::minutes(10), blocked_for = std::chrono::minutes(5);
-  types::Duration forget_again = std::chrono::seconds(60);
-  double blocked_radius_m = 0.25;  ///< of what the robot got stuck on, which no sensor outlines
-};
 
 /// Obstacles that no keyframe holds, in map: what only sonar hears or a bumper touched, where the robot got
 /// stuck, and passages in which it does not turn. A value.

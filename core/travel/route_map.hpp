@@ -13,22 +13,12 @@
 #include "core/grid/wavefront.hpp"
 #include "core/travel/coarse_map.hpp"
 #include "core/travel/far_route.hpp"
+#include "core/travel/params.hpp"
 #include "core/travel/travel_map.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/keyframe_pose.hpp"
 
 namespace topo::travel {
-
-struct RouteMapParams {
-  double live_noise_m = 0.05;  ///< of a point of the newest scan: the scanner's and the pose's error
-  double live_range_m = 3.0;   ///< what is farther is scanned again before it matters
-  double mate_m = 1.2;         ///< around a team-mate, where a route is dear
-  double near_m = 6.0;         ///< longer routes are found on the coarse map
-  int coarse_doublings = 2;    ///< cells of the coarse map: four times as wide
-  double aim_search_m = 2.0;   ///< around the robot, searched before a cell near a point is looked for
-  double aim_beside_m = 0.5;   ///< between a point and the cell that stands for it
-  double tight_ahead_m = 1.2;  ///< of a route: a passage that the robot stands before and does not enter
-};
 
 /// Points in map that no keyframe holds.
 struct Overlays {

@@ -12,7 +12,12 @@
 #include <cstring>
 
 #include "daemon/app/logging.hpp"
+#include "daemon/app/monitor.hpp"
+#include "daemon/app/operator.hpp"
 #include "daemon/app/version.hpp"
+#include "daemon/app/workers.hpp"
+#include "daemon/control/methods.hpp"
+#include "daemon/logging/event_log.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -51,6 +56,7 @@ Result<std::unique_ptr<App>> App::make(AppOptions options) {
   return app;
 }
 
+App::App(AppOptions options) : options_(std::move(options)) {}
 App::~App() = default;
 
 Status App::prepare() {

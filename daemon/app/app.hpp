@@ -7,13 +7,19 @@
 #include <memory>
 #include <string>
 
-#include "daemon/app/monitor.hpp"
-#include "daemon/app/operator.hpp"
-#include "daemon/app/workers.hpp"
-#include "daemon/control/methods.hpp"
-#include "daemon/logging/event_log.hpp"
+#include "daemon/app/connector_factory.hpp"
+#include "daemon/config/configuration.hpp"
+#include "daemon/control/server.hpp"
+#include "daemon/threads/wakeup.hpp"
 
 namespace topo::daemon {
+
+class EventLog;
+class Methods;
+class Monitor;
+class Operator;
+class Workers;
+struct HandOvers;
 
 struct AppOptions {
   Configuration configuration;
@@ -43,7 +49,7 @@ class App {
   void request_stop() { stop_requested_.post(); }
 
  private:
-  explicit App(AppOptions options) : options_(std::move(options)) {}
+  explicit App(AppOptions options);
   types::Status prepare();
   types::Status serve_control();
   types::Status add_events();

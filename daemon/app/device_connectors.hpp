@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "daemon/app/workers.hpp"
+#include "daemon/app/connector_factory.hpp"
 #include "daemon/recording/recorder.hpp"
 #include "daemon/recording/replay.hpp"
 

@@ -24,7 +24,7 @@ struct SavedMap {
 class MapSaver {
  public:
   explicit MapSaver(HandOvers& hand_overs)
-      : snapshots_(hand_overs.map->reader(kFilesReader)),
+      : snapshots_(hand_overs.mapping.map->reader(kFilesReader)),
         reports_(hand_overs.planning->reader(kFilesReader)) {}
 
   /// Writes map.pgm, map.yaml, cloud.ply, trajectory.txt and, when the map was analysed, goals.json,

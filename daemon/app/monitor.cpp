@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include "daemon/app/workers.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {
@@ -60,7 +61,7 @@ Json bus_json(const io::BusFaults& faults) {
 
 Monitor::Monitor(const Configuration& configuration, HandOvers& hand_overs, const Workers& workers)
     : configuration_(configuration), hand_overs_(hand_overs), workers_(workers) {
-  devices_.push_back({"base", &hand_overs.base_device, {}});
+  devices_.push_back({"base", &hand_overs.base.device, {}});
   devices_.push_back({"front", &hand_overs.front.report, {}});
   if (configuration.coronal.present) devices_.push_back({"coronal", &hand_overs.coronal.report, {}});
   for (const Vitals* vitals : workers.vital()) {
@@ -71,7 +72,7 @@ Monitor::Monitor(const Configuration& configuration, HandOvers& hand_overs, cons
 
 void Monitor::update(types::Stamp now) {
   update_devices();
-  if (const auto* report = hand_overs_.base_report.take_new(); report != nullptr) {
+  if (const auto* report = hand_overs_.base.report.take_new(); report != nullptr) {
     if (state_text(*report) != state_text(base_)) spdlog::info("base: {}", state_text(*report));
     const pipeline::ControlReport& heard = report->control;
     if (heard.recoveries > base_.control.recoveries)
@@ -80,7 +81,7 @@ void Monitor::update(types::Stamp now) {
       spdlog::warn("base: stuck, recovery did not help; the goal is given up");
     base_ = *report;
   }
-  if (const auto* report = hand_overs_.mapping_report.take_new(); report != nullptr) mapping_ = *report;
+  if (const auto* report = hand_overs_.mapping.report.take_new(); report != nullptr) mapping_ = *report;
   update_pulses(now);
   update_tallies(now);
 }
@@ -218,7 +219,7 @@ Json Monitor::map() const {
           {"scans_rejected", front.rejected() + coronal.rejected()},
           {"scans_without_odometry", mapping_.losses.without_odometry},
           {"scans_waited_in_vain", mapping_.losses.queue_full},
-          {"odometry_rejected", hand_overs_.odometry.rejected()},
+          {"odometry_rejected", hand_overs_.base.odometry.rejected()},
           {"closures", {{"accepted", mapping_.closures_accepted}, {"rejected", mapping_.closures_rejected}}},
           {"response", mapping_.response}};
 }

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "daemon/app/doctor.hpp"
-#include "daemon/app/workers.hpp"
 #include "daemon/control/json_rpc.hpp"
+#include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/vitals.hpp"
 
 namespace topo::daemon {
+
+class Workers;
 
 /// Main's view of the other threads: the newest of every report, and whether the threads advance. Main only.
 class Monitor {

@@ -10,6 +10,7 @@
 
 #include "daemon/app/battery_text.hpp"
 #include "daemon/app/logging.hpp"
+#include "daemon/app/monitor.hpp"
 #include "daemon/app/plan_json.hpp"
 #include "drivers/io/posix.hpp"
 
@@ -51,7 +52,7 @@ void Operator::tick(types::Stamp now) {
       });
     }
   }
-  if (const auto* journal = hand_overs_.journal_report.take_new(); journal != nullptr)
+  if (const auto* journal = hand_overs_.journal.report.take_new(); journal != nullptr)
     sessions_.note(*journal);
   sessions_.tick(now, monitor_.has_map());
   watch_battery(now);
@@ -134,8 +135,8 @@ void Operator::interrupt(const std::string& why) {
 }
 
 void Operator::send_mission() {
-  hand_overs_.mission.store(missions_.mission());
-  hand_overs_.planning_wakeup.post();
+  hand_overs_.to_planning.mission.store(missions_.mission());
+  hand_overs_.to_planning.wakeup.post();
 }
 
 void Operator::end_driving() { hand_overs_.drive.store({io::monotonic_now() - std::chrono::hours(1), {}}); }

@@ -9,12 +9,13 @@
 #include "daemon/app/battery_watch.hpp"
 #include "daemon/app/map_saver.hpp"
 #include "daemon/app/mission_control.hpp"
-#include "daemon/app/monitor.hpp"
 #include "daemon/app/plan_watch.hpp"
 #include "daemon/app/session_control.hpp"
 #include "daemon/control/methods.hpp"
 
 namespace topo::daemon {
+
+class Monitor;
 
 /// Executes the operator's requests. Main only, except for the jobs that it gives to the background threads.
 class Operator final : public Operations {
@@ -36,7 +37,7 @@ class Operator final : public Operations {
 
   [[nodiscard]] Json status() const override;
   [[nodiscard]] Json health() const override;
-  [[nodiscard]] Json latency() const override { return monitor_.latency(); }
+  [[nodiscard]] Json latency() const override;
   [[nodiscard]] Json config() const override { return Json{{"text", effective_}}; }
   [[nodiscard]] Json goals() const override;
   [[nodiscard]] Json places() const override;

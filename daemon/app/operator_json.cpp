@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "daemon/app/doctor.hpp"
+#include "daemon/app/monitor.hpp"
 #include "daemon/app/operator.hpp"
 #include "daemon/app/plan_json.hpp"
 #include "drivers/io/posix.hpp"
@@ -42,6 +43,8 @@ Json Operator::status() const {
   json["known_m2"] = report->known_m2;
   return json;
 }
+
+Json Operator::latency() const { return monitor_.latency(); }
 
 Json Operator::health() const {
   Json json = monitor_.health();

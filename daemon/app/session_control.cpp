@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "core/pipeline/mapping_step.hpp"
 #include "daemon/config/key_table.hpp"
 #include "daemon/recording/format.hpp"
 #include "daemon/session/origin.hpp"
@@ -52,13 +53,13 @@ SessionControl::SessionControl(const Configuration& configuration, HandOvers& ha
     : configuration_(configuration),
       hand_overs_(hand_overs),
       files_(files),
-      client_(hand_overs.files_desk, hand_overs.mapping_wakeup),
+      client_(hand_overs.files_desk, hand_overs.mapping.wakeup),
       params_hash_(params_hash(configuration)) {
   const SessionConfig& config = configuration_.session;
   resuming_ = !config.folder.empty() && !config.resume.empty();
   if (!resuming_) return;
   obstacle_ = "the last session is being looked for";
-  hand_overs_.journal_held.store(true, std::memory_order_release);
+  hand_overs_.journal.held.store(true, std::memory_order_release);
 }
 
 void SessionControl::tick(types::Stamp now, bool has_map) {
@@ -69,8 +70,8 @@ void SessionControl::tick(types::Stamp now, bool has_map) {
 void SessionControl::release() {
   resuming_ = held_back_ = false;
   obstacle_.clear();
-  hand_overs_.journal_held.store(false, std::memory_order_release);
-  hand_overs_.journal_wakeup.post();
+  hand_overs_.journal.held.store(false, std::memory_order_release);
+  hand_overs_.journal.wakeup.post();
 }
 
 std::string SessionControl::obstacle() const {
@@ -299,7 +300,7 @@ Result<slam::Localisation> SessionControl::place(const slam::Session& session, c
 /// Draws the map here, so that the mapping thread only has to adopt it.
 Status SessionControl::hand_over(const slam::Session& session, const SessionNews& news,
                                  const slam::Match& match, Loading& loading) {
-  auto* slot = hand_overs_.take_over.try_acquire();
+  auto* slot = hand_overs_.mapping.take_over.try_acquire();
   if (slot == nullptr)
     return fail(Errc::kBusy, "the mapping thread has not taken the session before over yet");
   slot->content = std::make_unique<pipeline::MappingState>(
@@ -311,7 +312,7 @@ Status SessionControl::hand_over(const slam::Session& session, const SessionNews
     slot->content.reset();
     return fail(Errc::kBusy, "a map was begun anew meanwhile (topoctl session new)");
   }
-  hand_overs_.take_over.commit();
+  hand_overs_.mapping.take_over.commit();
   SessionAsk known;
   known.map = news.map;
   known.revision = news.revision;

@@ -4,6 +4,12 @@
 
 #include "daemon/app/session_control.hpp"
 #include "daemon/session/origin.hpp"
+#include "daemon/threads/base_worker.hpp"
+#include "daemon/threads/closure_worker.hpp"
+#include "daemon/threads/journal_worker.hpp"
+#include "daemon/threads/mapping_worker.hpp"
+#include "daemon/threads/planning_worker.hpp"
+#include "daemon/threads/scan_worker.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -11,7 +17,7 @@ namespace {
 using types::Result;
 using types::Status;
 
-hokuyo::ConnectionConfig session_config(const std::string& name, const ScannerConfig& scanner) {
+hokuyo::ConnectionConfig connection_config(const std::string& name, const ScannerConfig& scanner) {
   hokuyo::ConnectionConfig config;
   config.name = name;
   config.serial_number = scanner.serial_number;
@@ -21,7 +27,7 @@ hokuyo::ConnectionConfig session_config(const std::string& name, const ScannerCo
   return config;
 }
 
-pioneer::ConnectionConfig session_config(const Configuration& configuration) {
+pioneer::ConnectionConfig connection_config(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
   pioneer::ConnectionConfig config;
   config.expected_subclass = configuration.robot.model == RobotModel::kP3at ? "p3at-sh" : "p3dx-sh";
@@ -34,119 +40,123 @@ pioneer::ConnectionConfig session_config(const Configuration& configuration) {
 
 Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers& hand_overs,
                                                const ConnectorFactory& connectors) {
-  std::unique_ptr<Workers> workers(new Workers(c, hand_overs));
+  std::unique_ptr<Workers> made(new Workers(c, hand_overs));
+  Workers& w = *made;
   auto base = connectors("base", c.base.address);
   if (!base) return tl::unexpected(base.error());
-  workers->base_ = std::make_unique<BaseWorker>(
+  w.base_.worker = std::make_unique<BaseWorker>(
       hand_overs, control_setup(c),
-      std::make_unique<pioneer::Connection>(session_config(c), std::move(*base)), workers->base_vitals_);
+      std::make_unique<pioneer::Connection>(connection_config(c), std::move(*base)), w.base_.vitals);
   auto front = connectors("front", c.front.address);
   if (!front) return tl::unexpected(front.error());
-  workers->front_ = std::make_unique<ScanWorker>(
+  w.front_.worker = std::make_unique<ScanWorker>(
       hand_overs, hand_overs.front, true,
-      std::make_unique<hokuyo::Connection>(session_config("front", c.front), std::move(*front)),
-      workers->front_vitals_);
-  workers->vital_ = {&workers->base_vitals_, &workers->front_vitals_};
+      std::make_unique<hokuyo::Connection>(connection_config("front", c.front), std::move(*front)),
+      w.front_.vitals);
   if (c.coronal.present) {
     auto coronal = connectors("coronal", c.coronal.address);
     if (!coronal) return tl::unexpected(coronal.error());
-    workers->coronal_ = std::make_unique<ScanWorker>(
+    w.coronal_.worker = std::make_unique<ScanWorker>(
         hand_overs, hand_overs.coronal, false,
-        std::make_unique<hokuyo::Connection>(session_config("coronal", c.coronal), std::move(*coronal)),
-        workers->coronal_vitals_);
-    workers->vital_.push_back(&workers->coronal_vitals_);
+        std::make_unique<hokuyo::Connection>(connection_config("coronal", c.coronal), std::move(*coronal)),
+        w.coronal_.vitals);
   }
-  workers->mapping_ = std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id),
-                                                      workers->mapping_vitals_);
-  workers->planning_ = std::make_unique<PlanningWorker>(hand_overs, planner_params(c),
+  w.mapping_.worker =
+      std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id), w.mapping_.vitals);
+  w.planning_.worker = std::make_unique<PlanningWorker>(hand_overs, planner_params(c),
                                                         types::from_seconds(c.exploration.planning_period_s),
-                                                        workers->planning_vitals_);
-  workers->closure_ = std::make_unique<ClosureWorker>(hand_overs, workers->closure_vitals_);
+                                                        w.planning_.vitals);
+  w.closure_.worker = std::make_unique<ClosureWorker>(hand_overs, w.closure_.vitals);
   if (!c.session.folder.empty() && c.session.journal) {
     const JournalSettings settings{c.session.folder, types::from_seconds(c.session.journal_period_s),
                                    static_cast<std::size_t>(c.session.keep), params_hash(c)};
-    workers->journal_ = std::make_unique<JournalWorker>(hand_overs, settings, workers->journal_vitals_);
+    w.journal_.worker = std::make_unique<JournalWorker>(hand_overs, settings, w.journal_.vitals);
   }
-  workers->vital_.push_back(&workers->mapping_vitals_);
-  workers->vital_.push_back(&workers->planning_vitals_);
-  workers->all_ = workers->vital_;
-  workers->all_.push_back(&workers->closure_vitals_);
-  if (workers->journal_ != nullptr) workers->all_.push_back(&workers->journal_vitals_);
-  return workers;
+  w.list_vitals();
+  return made;
 }
 
-ThreadSettings Workers::real_time(std::string name, int priority) const {
+std::array<Workers::Post*, 7> Workers::posts() {
+  return {&base_, &front_, &coronal_, &mapping_, &planning_, &closure_, &journal_};
+}
+
+void Workers::list_vitals() {
+  for (Post* post : posts()) {
+    if (post->worker == nullptr) continue;
+    all_.push_back(&post->vitals);
+    if (post != &closure_ && post != &journal_) vital_.push_back(&post->vitals);
+  }
+}
+
+ThreadSettings Workers::real_time(int priority) const {
   const RealtimeConfig& config = configuration_.realtime;
   ThreadSettings settings;
-  settings.name = std::move(name);
   settings.fifo_priority = config.policy == RealtimePolicy::kOff ? 0 : priority;
   settings.cpus = config.cpus;
   return settings;
 }
 
-template <class Worker>
-Status Workers::launch(Thread& thread, const ThreadSettings& settings, Worker& worker) {
-  auto& refusals = refusals_.at(launched_++);
-  return thread.start(settings, [settings, &worker, &refusals] {
+Status Workers::launch(Post& post, ThreadSettings settings) {
+  if (post.worker == nullptr) return {};
+  settings.name = post.vitals.name;
+  return post.thread.start(settings, [settings, &post] {
     for (const std::string& refusal : apply_settings(settings)) {
-      if (auto* slot = refusals.try_acquire(); slot != nullptr) {
+      if (auto* slot = post.refusals.try_acquire(); slot != nullptr) {
         *slot = refusal;
-        refusals.commit();
+        post.refusals.commit();
       }
     }
-    worker.run();
+    post.worker->run();
   });
 }
 
 Status Workers::start() {
+  constexpr std::size_t kLargeStack = 8 << 20;
+  constexpr int kBehind = 5;  // niceness: after mapping and planning
   const RealtimeConfig& config = configuration_.realtime;
-  ThreadSettings closure, mapping, planning, journal;
-  closure.name = "closure";
-  journal.name = "journal";
-  closure.nice = journal.nice = 5;
-  mapping.name = "mapping";
-  planning.name = "planning";
-  closure.stack_bytes = mapping.stack_bytes = planning.stack_bytes = 8 << 20;
-  if (auto s = launch(closure_thread_, closure, *closure_); !s) return s;
-  if (auto s = launch(mapping_thread_, mapping, *mapping_); !s) return s;
-  if (auto s = launch(planning_thread_, planning, *planning_); !s) return s;
-  if (journal_ != nullptr) {
-    if (auto s = launch(journal_thread_, journal, *journal_); !s) return s;
+  const std::array<std::pair<Post*, ThreadSettings>, 7> in_order{{
+      {&closure_, {.name = {}, .nice = kBehind, .cpus = {}, .stack_bytes = kLargeStack}},
+      {&mapping_, {.name = {}, .cpus = {}, .stack_bytes = kLargeStack}},
+      {&planning_, {.name = {}, .cpus = {}, .stack_bytes = kLargeStack}},
+      {&journal_, {.name = {}, .nice = kBehind, .cpus = {}}},
+      {&coronal_, real_time(config.scan_priority)},
+      {&front_, real_time(config.scan_priority)},
+      {&base_, real_time(config.base_priority)},
+  }};
+  for (const auto& [post, settings] : in_order) {
+    if (auto started = launch(*post, settings); !started) return started;
   }
-  if (coronal_ != nullptr) {
-    if (auto s = launch(coronal_thread_, real_time("coronal", config.scan_priority), *coronal_); !s) return s;
-  }
-  if (auto s = launch(front_thread_, real_time("front", config.scan_priority), *front_); !s) return s;
-  return launch(base_thread_, real_time("base", config.base_priority), *base_);
+  return {};
 }
 
 void Workers::close_devices() {
-  hand_overs_.devices_closing.store(true, std::memory_order_release);
-  base_thread_.join();
-  front_thread_.join();
-  coronal_thread_.join();
+  hand_overs_.ending.devices_closing.store(true, std::memory_order_release);
+  base_.thread.join();
+  front_.thread.join();
+  coronal_.thread.join();
 }
 
 void Workers::stop() {
   close_devices();
-  hand_overs_.stopping.store(true, std::memory_order_release);
-  hand_overs_.planning_wakeup.post();
-  hand_overs_.closure_wakeup.post();
-  hand_overs_.journal_wakeup.post();
-  closure_thread_.join();
-  planning_thread_.join();
-  journal_thread_.join();  // the mapping thread answers it to the end
-  hand_overs_.readers_gone.store(true, std::memory_order_release);
-  hand_overs_.mapping_wakeup.post();
-  mapping_thread_.join();
+  hand_overs_.ending.stopping.store(true, std::memory_order_release);
+  hand_overs_.to_planning.wakeup.post();
+  hand_overs_.closure.wakeup.post();
+  hand_overs_.journal.wakeup.post();
+  closure_.thread.join();
+  planning_.thread.join();
+  journal_.thread.join();  // the mapping thread answers it to the end
+  hand_overs_.ending.readers_gone.store(true, std::memory_order_release);
+  hand_overs_.mapping.wakeup.post();
+  mapping_.thread.join();
 }
 
 std::vector<std::string> Workers::take_refusals() {
   std::vector<std::string> texts;
-  for (auto& ring : refusals_) {
-    for (const auto* text = ring.front(); text != nullptr; text = ring.front()) {
+  for (Post* post : posts()) {
+    auto& refusals = post->refusals;
+    for (const auto* text = refusals.front(); text != nullptr; text = refusals.front()) {
       texts.push_back(text->str());
-      ring.pop();
+      refusals.pop();
     }
   }
   return texts;

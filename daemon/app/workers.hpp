@@ -3,26 +3,22 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/sync/ring.hpp"
+#include "daemon/app/connector_factory.hpp"
 #include "daemon/config/configuration.hpp"
-#include "daemon/threads/base_worker.hpp"
-#include "daemon/threads/closure_worker.hpp"
-#include "daemon/threads/journal_worker.hpp"
-#include "daemon/threads/mapping_worker.hpp"
-#include "daemon/threads/planning_worker.hpp"
-#include "daemon/threads/scan_worker.hpp"
+#include "daemon/threads/fixed_text.hpp"
 #include "daemon/threads/thread.hpp"
+#include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 
 namespace topo::daemon {
 
-/// Makes the connector of a device from its channel ("base", "front", "coronal") and its configured address:
-/// real, tapped, a recording's or a test's.
-using ConnectorFactory = std::function<types::Result<std::unique_ptr<io::Connector>>(
-    const std::string& channel, const std::string& address)>;
+struct HandOvers;
 
 /// The workers and their threads, from start to orderly stop.
 class Workers {
@@ -53,27 +49,27 @@ class Workers {
   std::vector<std::string> take_refusals();
 
  private:
+  /// A worker, its thread and what other threads see of it.
+  struct Post {
+    explicit Post(std::string_view name) : vitals(name) {}
+    Vitals vitals;
+    std::unique_ptr<Worker> worker;          ///< null: the configuration has none
+    sync::Ring<FixedText<160>, 4> refusals;  ///< settings that the system refused to the thread
+    Thread thread;
+  };
+
   Workers(const Configuration& configuration, HandOvers& hand_overs)
       : configuration_(configuration), hand_overs_(hand_overs) {}
-  template <class Worker>
-  types::Status launch(Thread& thread, const ThreadSettings& settings, Worker& worker);
-  [[nodiscard]] ThreadSettings real_time(std::string name, int priority) const;
+  [[nodiscard]] std::array<Post*, 7> posts();
+  void list_vitals();
+  types::Status launch(Post& post, ThreadSettings settings);
+  [[nodiscard]] ThreadSettings real_time(int priority) const;
 
   const Configuration& configuration_;
   HandOvers& hand_overs_;
-  Vitals base_vitals_{"base"}, front_vitals_{"front"}, coronal_vitals_{"coronal"}, mapping_vitals_{"mapping"},
-      planning_vitals_{"planning"}, closure_vitals_{"closure"}, journal_vitals_{"journal"};
+  Post base_{"base"}, front_{"front"}, coronal_{"coronal"}, mapping_{"mapping"}, planning_{"planning"},
+      closure_{"closure"}, journal_{"journal"};
   std::vector<Vitals*> vital_, all_;
-  std::unique_ptr<BaseWorker> base_;
-  std::unique_ptr<ScanWorker> front_, coronal_;
-  std::unique_ptr<MappingWorker> mapping_;
-  std::unique_ptr<PlanningWorker> planning_;
-  std::unique_ptr<ClosureWorker> closure_;
-  std::unique_ptr<JournalWorker> journal_;                 ///< null: no journal is kept
-  std::array<sync::Ring<FixedText<160>, 4>, 7> refusals_;  ///< one producer each
-  std::size_t launched_ = 0;
-  Thread journal_thread_, closure_thread_, mapping_thread_, planning_thread_, coronal_thread_, front_thread_,
-      base_thread_;
 };
 
 }  // namespace topo::daemon

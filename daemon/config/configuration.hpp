@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/pipeline/control_step.hpp"
-#include "core/pipeline/planning_step.hpp"
+#include "core/pipeline/planning_params.hpp"
 #include "core/slam/params.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/battery.hpp"
@@ -53,7 +53,7 @@ struct ScannerConfig {
 /// The planner's settings. Defaults that the planner has too are taken from there.
 struct ExplorationConfig {
   exploration::Strategy strategy = pipeline::PlannerParams{}.explore.strategy;
-  pipeline::Finish finish = pipeline::PlannerParams{}.explore.finish;
+  exploration::Finish finish = pipeline::PlannerParams{}.explore.finish;
   double planning_period_s = 0.4;
   double frontier_min_m = pipeline::PlannerParams{}.explore.frontier_min_m;
   double goal_reached_m = pipeline::PlannerParams{}.explore.pursuit.goal_reached_m;

@@ -15,7 +15,7 @@ BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setu
 
 void BaseWorker::run() noexcept {
   Period period(io::monotonic_now() + kPeriod, kPeriod);
-  while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
+  while (!hand_overs_.ending.devices_closing.load(std::memory_order_acquire)) {
     const types::Stamp due = period.next();
     serve_until(due);
     const types::Stamp woken = io::monotonic_now();
@@ -46,10 +46,10 @@ void BaseWorker::serve_until(types::Stamp deadline) {
 void BaseWorker::take_state() {
   state_ = incoming_;
   has_state_ = true;
-  if (types::Odometry* slot = hand_overs_.odometry.try_acquire(); slot != nullptr) {
+  if (types::Odometry* slot = hand_overs_.base.odometry.try_acquire(); slot != nullptr) {
     *slot = state_.odometry;
-    hand_overs_.odometry.commit();
-    hand_overs_.mapping_wakeup.post();
+    hand_overs_.base.odometry.commit();
+    hand_overs_.mapping.wakeup.post();
   }
 }
 
@@ -80,14 +80,14 @@ void BaseWorker::decide() {
 }
 
 void BaseWorker::report() {
-  fill_report(hand_overs_.base_device.writable(), *connection_);
-  hand_overs_.base_device.publish();
-  BaseReport& report = hand_overs_.base_report.writable();
+  fill_report(hand_overs_.base.device.writable(), *connection_);
+  hand_overs_.base.device.publish();
+  BaseReport& report = hand_overs_.base.report.writable();
   report.state = state_;
   report.ready = connection_->health() == pioneer::Health::kReady;
   report.control = control_report_;
-  hand_overs_.base_report.publish();
-  hand_overs_.control_to_planning.store(control_report_);
+  hand_overs_.base.report.publish();
+  hand_overs_.to_planning.control.store(control_report_);
 }
 
 }  // namespace topo::daemon

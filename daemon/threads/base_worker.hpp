@@ -7,13 +7,14 @@
 #include "core/pipeline/control_step.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 #include "drivers/pioneer/connection.hpp"
 
 namespace topo::daemon {
 
 /// The base thread: sole user of the robot's connection. Reads status packets as they arrive, and at every
 /// whole 50 ms decides on and sends one command. Allocates nothing while the connection streams.
-class BaseWorker {
+class BaseWorker final : public Worker {
  public:
   static constexpr types::Duration kPeriod = types::kBasePeriod;
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(800);
@@ -21,8 +22,8 @@ class BaseWorker {
   BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
              std::unique_ptr<pioneer::Connection> connection, Vitals& vitals);
 
-  /// The thread's body: runs until hand_overs.devices_closing, then closes the connection in order.
-  void run() noexcept;
+  /// The thread's body: runs until hand_overs.ending.devices_closing, then closes the connection in order.
+  void run() noexcept override;
 
  private:
   void serve_until(types::Stamp deadline);

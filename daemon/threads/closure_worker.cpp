@@ -9,23 +9,23 @@
 namespace topo::daemon {
 
 void ClosureWorker::run() noexcept {
-  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
-    hand_overs_.closure_wakeup.wait(std::chrono::milliseconds(500));
+  while (!hand_overs_.ending.stopping.load(std::memory_order_acquire)) {
+    hand_overs_.closure.wakeup.wait(std::chrono::milliseconds(500));
     vitals_.beat();
-    while (!hand_overs_.stopping.load(std::memory_order_acquire) && answer_one()) vitals_.beat();
+    while (!hand_overs_.ending.stopping.load(std::memory_order_acquire) && answer_one()) vitals_.beat();
   }
 }
 
 /// False when no query waits.
 bool ClosureWorker::answer_one() {
-  if (const auto* query = hand_overs_.graph_queries.front(); query != nullptr) {
+  if (const auto* query = hand_overs_.closure.graph_queries.front(); query != nullptr) {
     answer(*query);
-    hand_overs_.graph_queries.pop();
+    hand_overs_.closure.graph_queries.pop();
     return true;
   }
-  if (const auto* query = hand_overs_.loop_queries.front(); query != nullptr) {
+  if (const auto* query = hand_overs_.closure.loop_queries.front(); query != nullptr) {
     answer(*query);
-    hand_overs_.loop_queries.pop();
+    hand_overs_.closure.loop_queries.pop();
     return true;
   }
   return false;
@@ -33,12 +33,12 @@ bool ClosureWorker::answer_one() {
 
 void ClosureWorker::answer(const slam::GraphQuery& query) {
   const types::Stamp begin = io::monotonic_now();
-  hand_back(hand_overs_.graph_solutions, slam::solve_graph(query), begin);
+  hand_back(hand_overs_.closure.graph_solutions, slam::solve_graph(query), begin);
 }
 
 void ClosureWorker::answer(const slam::LoopQuery& query) {
   const types::Stamp begin = io::monotonic_now();
-  hand_back(hand_overs_.loop_answers, slam::find_closures(query), begin);
+  hand_back(hand_overs_.closure.loop_answers, slam::find_closures(query), begin);
 }
 
 template <class Answer, std::size_t N>
@@ -48,7 +48,7 @@ void ClosureWorker::hand_back(sync::Ring<Answer, N>& ring, Answer answer, types:
   if (Answer* slot = ring.try_acquire(); slot != nullptr) {
     *slot = std::move(answer);
     ring.commit();
-    hand_overs_.mapping_wakeup.post();
+    hand_overs_.mapping.wakeup.post();
   }
 }
 

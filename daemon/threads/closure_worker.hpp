@@ -4,17 +4,18 @@
 
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 
 namespace topo::daemon {
 
 /// The loop closure thread: answers the mapping thread's queries one by one, graph queries first. A slow
 /// answer is late but never blocks.
-class ClosureWorker {
+class ClosureWorker final : public Worker {
  public:
   ClosureWorker(HandOvers& hand_overs, Vitals& vitals) : hand_overs_(hand_overs), vitals_(vitals) {}
 
-  /// The thread's body: runs until hand_overs.stopping.
-  void run() noexcept;
+  /// The thread's body: runs until hand_overs.ending.stopping.
+  void run() noexcept override;
 
  private:
   bool answer_one();

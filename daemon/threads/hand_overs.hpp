@@ -10,7 +10,7 @@
 #include "core/motion/velocity_gate.hpp"
 #include "core/pipeline/control_step.hpp"
 #include "core/pipeline/map_snapshot.hpp"
-#include "core/pipeline/mapping_step.hpp"
+#include "core/pipeline/mapping_losses.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/graph_solution.hpp"
@@ -88,54 +88,70 @@ struct ScanHandOver {
   sync::Latest<DeviceReport> report;
 };
 
-/// All data passed between threads (DESIGN section 2). Large: allocate it on the heap.
-struct HandOvers {
-  std::atomic<bool> devices_closing{false};  ///< first: the base's and the scanners' threads end
-  std::atomic<bool> stopping{false};         ///< then: all other threads except mapping end
+/// The order in which the threads end.
+struct Ending {
+  std::atomic<bool> devices_closing{false};  ///< first: the base's and the scanners' threads
+  std::atomic<bool> stopping{false};         ///< then: all other threads except mapping
   std::atomic<bool> readers_gone{false};     ///< last: no reader pins maps, and the mapping thread ends
+};
 
-  ScanHandOver front, coronal;
-
-  // Main to base.
-  sync::EStopLine<> estop;
-  sync::Latest<pipeline::Teleop> drive;
-
-  // Main to planning.
-  Wakeup planning_wakeup;
+/// From main, base and mapping.
+struct ToPlanning {
+  Wakeup wakeup;
   sync::Latest<pipeline::Mission> mission;
+  sync::Latest<pipeline::ControlReport> control;
+  sync::Latest<pipeline::TrackedPose> tracked;
+};
 
-  // Planning to base and main.
-  sync::Latest<pipeline::Plan> plan;
-  /// Created before the threads start, destroyed by the planning thread, which alone destroys reports.
-  std::unique_ptr<PlanningReports> planning = std::make_unique<PlanningReports>();
+/// Output of the base thread.
+struct BaseHandOver {
+  sync::Ring<types::Odometry, kOdometryRing> odometry;  ///< to mapping
+  sync::Latest<DeviceReport> device;
+  sync::Latest<BaseReport> report;
+};
 
-  // Base to planning, mapping and main.
-  sync::Latest<pipeline::ControlReport> control_to_planning;
-  sync::Ring<types::Odometry, kOdometryRing> odometry;
-  sync::Latest<DeviceReport> base_device;
-  sync::Latest<BaseReport> base_report;
-
-  // Mapping.
-  Wakeup mapping_wakeup;
-  sync::Latest<MappingReport> mapping_report;
-  sync::Latest<pipeline::TrackedPose> tracked;  ///< to planning
+struct MappingHandOver {
+  MappingHandOver();
+  ~MappingHandOver();
+  Wakeup wakeup;
+  sync::Latest<MappingReport> report;
   /// Created before the threads start, destroyed by the mapping thread, which alone may destroy snapshots.
-  std::unique_ptr<MapSnapshots> map = std::make_unique<MapSnapshots>();
+  std::unique_ptr<MapSnapshots> map;
+  /// From main's background thread: a map that replaces the current one.
+  sync::Ring<Parcel<pipeline::MappingState>, 2> take_over;
+};
 
-  // Mapping to loop closure and back.
-  Wakeup closure_wakeup;
+/// From mapping to loop closure and back.
+struct ClosureHandOver {
+  Wakeup wakeup;
   sync::Ring<slam::LoopQuery, 4> loop_queries;
   sync::Ring<slam::LoopAnswer, 8> loop_answers;
   sync::Ring<slam::GraphQuery, 2> graph_queries;
   sync::Ring<slam::GraphSolution, 2> graph_solutions;
+};
 
-  // Sessions: the journal thread and main's background thread send requests, the mapping thread answers.
-  SessionDesk journal_desk, files_desk;
-  /// Main's background thread to mapping: a map that replaces the current one.
-  sync::Ring<Parcel<pipeline::MappingState>, 2> take_over;
-  std::atomic<bool> journal_held{false};  ///< set by main: nothing is written for the time being
-  Wakeup journal_wakeup;
-  sync::Latest<JournalReport> journal_report;
+struct JournalHandOver {
+  SessionDesk desk;               ///< requests of the journal thread, answered by mapping
+  std::atomic<bool> held{false};  ///< set by main: nothing is written for the time being
+  Wakeup wakeup;
+  sync::Latest<JournalReport> report;
+};
+
+/// All data passed between threads (DESIGN section 2). Large: allocate it on the heap.
+struct HandOvers {
+  Ending ending;
+  ScanHandOver front, coronal;
+  sync::EStopLine<> estop;               ///< main to base
+  sync::Latest<pipeline::Teleop> drive;  ///< main to base
+  ToPlanning to_planning;
+  sync::Latest<pipeline::Plan> plan;  ///< planning to base and main
+  /// Created before the threads start, destroyed by the planning thread, which alone destroys reports.
+  std::unique_ptr<PlanningReports> planning = std::make_unique<PlanningReports>();
+  BaseHandOver base;
+  MappingHandOver mapping;
+  ClosureHandOver closure;
+  JournalHandOver journal;
+  SessionDesk files_desk;  ///< requests of main's background thread, answered by mapping
 };
 
 }  // namespace topo::daemon

@@ -26,8 +26,8 @@ std::string reason_of(const types::Error& error) {
 }  // namespace
 
 void JournalWorker::run() noexcept {
-  while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
-    hand_overs_.journal_wakeup.wait(settings_.period);
+  while (!hand_overs_.ending.stopping.load(std::memory_order_acquire)) {
+    hand_overs_.journal.wakeup.wait(settings_.period);
     vitals_.beat();
     const types::Stamp begin = io::monotonic_now();
     pull();
@@ -39,7 +39,7 @@ void JournalWorker::run() noexcept {
 
 void JournalWorker::pull() {
   // While the robot is not localised in an older map, that map's journal stays the newest.
-  if (hand_overs_.journal_held.load(std::memory_order_acquire)) return;
+  if (hand_overs_.journal.held.load(std::memory_order_acquire)) return;
   const auto news = client_.ask(known_, kPatience);
   if (news == nullptr) return;
   if (news->changed) take(*news);
@@ -108,7 +108,7 @@ void JournalWorker::note(const types::Status& kept) {
            {static_cast<std::int64_t>(report_.failures)}, reason_of(kept.error()));
     }
   }
-  hand_overs_.journal_report.store(report_);
+  hand_overs_.journal.report.store(report_);
 }
 
 }  // namespace topo::daemon

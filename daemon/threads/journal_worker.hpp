@@ -9,6 +9,7 @@
 #include "daemon/session/journal_file.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 
 namespace topo::daemon {
 
@@ -23,17 +24,17 @@ struct JournalSettings {
 /// The journal thread: writes the session into a file while it grows, so that mapping can continue the map of
 /// a killed daemon. It requests keyframes by their numbers and loses none: keyframes that a full disk did not
 /// accept are written later.
-class JournalWorker {
+class JournalWorker final : public Worker {
  public:
   JournalWorker(HandOvers& hand_overs, JournalSettings settings, Vitals& vitals)
       : hand_overs_(hand_overs),
         settings_(std::move(settings)),
         vitals_(vitals),
-        client_(hand_overs.journal_desk, hand_overs.mapping_wakeup) {}
+        client_(hand_overs.journal.desk, hand_overs.mapping.wakeup) {}
 
-  /// The thread's body: runs until hand_overs.stopping; then writes the last keyframes and the record that
-  /// the file is complete. The mapping thread must still answer then.
-  void run() noexcept;
+  /// The thread's body: runs until hand_overs.ending.stopping; then writes the last keyframes and the record
+  /// that the file is complete. The mapping thread must still answer then.
+  void run() noexcept override;
 
  private:
   void pull();

@@ -17,33 +17,33 @@ MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& pa
 void MappingWorker::run() noexcept {
   auto state = std::make_unique<pipeline::MappingState>(params_, maker_);
   publish(*state);
-  while (!hand_overs_.readers_gone.load(std::memory_order_acquire)) {
-    hand_overs_.mapping_wakeup.wait(std::chrono::milliseconds(250));
-    serve_desk(hand_overs_.journal_desk, *state, report_.map);
+  while (!hand_overs_.ending.readers_gone.load(std::memory_order_acquire)) {
+    hand_overs_.mapping.wakeup.wait(std::chrono::milliseconds(250));
+    serve_desk(hand_overs_.journal.desk, *state, report_.map);
     // On a machine that is too slow the rings are never empty: the loop skips scans, reports and beats
     // nevertheless.
     bool more = true;
-    while (more && !hand_overs_.stopping.load(std::memory_order_acquire)) {
+    while (more && !hand_overs_.ending.stopping.load(std::memory_order_acquire)) {
       take_over(state);
       more = serve(*state);
       // Before the desks are served: a client that learns of a map there must find it in the report too.
-      hand_overs_.mapping_report.store(report_);
-      serve_desk(hand_overs_.journal_desk, *state, report_.map);
+      hand_overs_.mapping.report.store(report_);
+      serve_desk(hand_overs_.journal.desk, *state, report_.map);
       serve_desk(hand_overs_.files_desk, *state, report_.map);
       vitals_.beat();
     }
   }
-  take_over(state);         // a late parcel is adopted, because this thread must destroy its nodes
-  hand_overs_.map.reset();  // snapshots hold nodes of the states' arenas
+  take_over(state);                 // a late parcel is adopted, because this thread must destroy its nodes
+  hand_overs_.mapping.map.reset();  // snapshots hold nodes of the states' arenas
   former_.clear();
 }
 
 /// Continues with the map that another thread prepared. The current one is destroyed when no reader uses it.
 void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
-  for (const auto* parcel = hand_overs_.take_over.front(); parcel != nullptr;
-       parcel = hand_overs_.take_over.front()) {
+  for (const auto* parcel = hand_overs_.mapping.take_over.front(); parcel != nullptr;
+       parcel = hand_overs_.mapping.take_over.front()) {
     std::unique_ptr<pipeline::MappingState> next = std::move(parcel->content);
-    hand_overs_.take_over.pop();
+    hand_overs_.mapping.take_over.pop();
     next->adopt();
     next->follow(state->revision());
     former_.push_back(std::exchange(state, std::move(next)));
@@ -53,14 +53,14 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
     publish(*state);
     hand_over_pose(*state, state->cloud().stamp, true);
   }
-  if (!former_.empty() && hand_overs_.map->reclaim() == 0) former_.clear();
+  if (!former_.empty() && hand_overs_.mapping.map->reclaim() == 0) former_.clear();
 }
 
 /// Processes all waiting answers and odometry, and the oldest scan of each scanner; false when there was
 /// neither odometry nor a scan.
 bool MappingWorker::serve(pipeline::MappingState& state) {
-  take_answers(hand_overs_.loop_answers, loops_, state);
-  take_answers(hand_overs_.graph_solutions, graphs_, state);
+  take_answers(hand_overs_.closure.loop_answers, loops_, state);
+  take_answers(hand_overs_.closure.graph_solutions, graphs_, state);
   skip_backlog(hand_overs_.front.to_mapping);
   skip_backlog(hand_overs_.coronal.to_mapping);
   take_odometry();
@@ -78,10 +78,10 @@ void MappingWorker::take_answers(sync::Ring<Answer, N>& ring, Questions& questio
 
 void MappingWorker::take_odometry() {
   odometry_.clear();
-  for (auto* o = hand_overs_.odometry.front(); o != nullptr && odometry_.size() < kOdometryRing;
-       o = hand_overs_.odometry.front()) {
+  for (auto* o = hand_overs_.base.odometry.front(); o != nullptr && odometry_.size() < kOdometryRing;
+       o = hand_overs_.base.odometry.front()) {
     odometry_.push_back(*o);
-    hand_overs_.odometry.pop();
+    hand_overs_.base.odometry.pop();
   }
 }
 
@@ -123,14 +123,15 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
   if (!output.matches.empty())
     hand_over_pose(state, output.matches.back().stamp, output.matches.back().matched);
   // A full ring means that the search is slow: this query is dropped, and the next keyframe sends another.
-  for (slam::LoopQuery& query : output.loop_queries) (void)ask(hand_overs_.loop_queries, loops_, query);
-  if (output.graph_query && !ask(hand_overs_.graph_queries, graphs_, *output.graph_query))
+  for (slam::LoopQuery& query : output.loop_queries)
+    (void)ask(hand_overs_.closure.loop_queries, loops_, query);
+  if (output.graph_query && !ask(hand_overs_.closure.graph_queries, graphs_, *output.graph_query))
     state.offer(slam::GraphSolution{});
 }
 
 void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched) {
   report_.T_map_odom = types::Transform2<types::Map, types::Odom>(state.mapper().T_map_odom());
-  hand_overs_.tracked.store({stamp, report_.revision, report_.T_map_odom, matched});
+  hand_overs_.to_planning.tracked.store({stamp, report_.revision, report_.T_map_odom, matched});
 }
 
 /// False when the ring is full; the ring counts it.
@@ -141,7 +142,7 @@ bool MappingWorker::ask(sync::Ring<Query, N>& ring, Questions& questions, Query&
   *slot = std::move(query);
   ring.commit();
   ++questions.asked;
-  hand_overs_.closure_wakeup.post();
+  hand_overs_.closure.wakeup.post();
   return true;
 }
 
@@ -149,7 +150,7 @@ void MappingWorker::publish(pipeline::MappingState& state) {
   std::unique_ptr<const pipeline::MapSnapshot> snapshot = state.make_snapshot();
   report_.revision = snapshot->revision;
   report_.keyframes = snapshot->keyframes.size();
-  hand_overs_.map->publish(std::move(snapshot));
+  hand_overs_.mapping.map->publish(std::move(snapshot));
 }
 
 }  // namespace topo::daemon

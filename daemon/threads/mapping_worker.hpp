@@ -9,12 +9,13 @@
 #include "core/pipeline/mapping_step.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 
 namespace topo::daemon {
 
 /// The mapping thread: sole writer of keyframes, grid, wall store and snapshots. It owns the nodes of all
 /// maps in use: it builds them, or adopts those of a session that another thread built, and frees them.
-class MappingWorker {
+class MappingWorker final : public Worker {
  public:
   /// When more scans wait, all but the newest are skipped.
   static constexpr std::size_t kBacklog = 12;
@@ -23,9 +24,9 @@ class MappingWorker {
   MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, const slam::Origin& origin,
                 Vitals& vitals);
 
-  /// The thread's body: runs until hand_overs.readers_gone, because it destroys the map cell; it stops
-  /// mapping at hand_overs.stopping.
-  void run() noexcept;
+  /// The thread's body: runs until hand_overs.ending.readers_gone, because it destroys the map cell; it stops
+  /// mapping at hand_overs.ending.stopping.
+  void run() noexcept override;
 
  private:
   /// Counts of queries of one kind to the loop closure thread.

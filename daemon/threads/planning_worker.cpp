@@ -12,14 +12,14 @@ namespace topo::daemon {
 
 void PlanningWorker::run() noexcept {
   {
-    MapSnapshots::Reader maps = hand_overs_.map->reader(kPlanningReader);
+    MapSnapshots::Reader maps = hand_overs_.mapping.map->reader(kPlanningReader);
     pipeline::PlanningState state(params_);
     Period period(io::monotonic_now() + period_, period_);
-    while (!hand_overs_.stopping.load(std::memory_order_acquire)) {
+    while (!hand_overs_.ending.stopping.load(std::memory_order_acquire)) {
       const types::Duration left = period.next() - io::monotonic_now();
-      hand_overs_.planning_wakeup.wait(std::max(left, types::Duration::zero()));
+      hand_overs_.to_planning.wakeup.wait(std::max(left, types::Duration::zero()));
       vitals_.beat();
-      if (hand_overs_.stopping.load(std::memory_order_acquire)) break;
+      if (hand_overs_.ending.stopping.load(std::memory_order_acquire)) break;
       const types::Stamp begin = io::monotonic_now();
       const bool due = begin >= period.next();
       if (due) vitals_.wake.record((begin - period.next()).count());
@@ -36,11 +36,12 @@ void PlanningWorker::run() noexcept {
 
 void PlanningWorker::decide(pipeline::PlanningState& state, MapSnapshots::Reader& maps) {
   const MapSnapshots::Pin map = maps.pin();
-  if (const auto* mission = hand_overs_.mission.take_new(); mission != nullptr) mission_ = *mission;
+  if (const auto* mission = hand_overs_.to_planning.mission.take_new(); mission != nullptr)
+    mission_ = *mission;
   pipeline::PlanningInput input;
   input.map = map.get();
-  input.tracked = hand_overs_.tracked.read();
-  input.control = hand_overs_.control_to_planning.read();
+  input.tracked = hand_overs_.to_planning.tracked.read();
+  input.control = hand_overs_.to_planning.control.read();
   input.front = hand_overs_.front.to_planning.read();
   input.mission = mission_;
   input.now = io::monotonic_now();  // after everything was taken: nothing in the input is from the future

@@ -5,20 +5,21 @@
 #include "core/pipeline/planning_step.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 
 namespace topo::daemon {
 
 /// The planning thread: sole writer of the plan and of planning's reports. Decides at whole periods, and at
 /// once when the mission changes.
-class PlanningWorker {
+class PlanningWorker final : public Worker {
  public:
   PlanningWorker(HandOvers& hand_overs, const pipeline::PlannerParams& params, types::Duration period,
                  Vitals& vitals)
       : hand_overs_(hand_overs), params_(params), period_(period), vitals_(vitals) {}
 
-  /// The thread's body: until hand_overs.stopping. Ends the reports' cell, so that its readers must be gone
-  /// by then.
-  void run() noexcept;
+  /// The thread's body: until hand_overs.ending.stopping. Ends the reports' cell, so that its readers must be
+  /// gone by then.
+  void run() noexcept override;
 
  private:
   void decide(pipeline::PlanningState& state, MapSnapshots::Reader& maps);

@@ -17,7 +17,7 @@ ScanWorker::ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
       vitals_(vitals) {}
 
 void ScanWorker::run() noexcept {
-  while (!hand_overs_.devices_closing.load(std::memory_order_acquire)) {
+  while (!hand_overs_.ending.devices_closing.load(std::memory_order_acquire)) {
     // Paced by the sensor, or by the time-out: a connection returns earlier only with a scan or a change.
     const hokuyo::StepOutcome outcome = step();
     vitals_.beat();
@@ -42,7 +42,7 @@ hokuyo::StepOutcome ScanWorker::step() {
   }
   if (slot != nullptr) {
     out_.to_mapping.commit();
-    hand_overs_.mapping_wakeup.post();
+    hand_overs_.mapping.wakeup.post();
   } else {
     out_.to_mapping.reject();
   }

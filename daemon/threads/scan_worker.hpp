@@ -6,13 +6,14 @@
 
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/vitals.hpp"
+#include "daemon/threads/worker.hpp"
 #include "drivers/hokuyo/connection.hpp"
 
 namespace topo::daemon {
 
 /// A scan thread: sole user of one scanner. Decodes scans into the ring's slot. Allocates nothing while the
 /// connection streams.
-class ScanWorker {
+class ScanWorker final : public Worker {
  public:
   static constexpr types::Duration kTimeout = std::chrono::milliseconds(100);
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(500);
@@ -22,8 +23,8 @@ class ScanWorker {
   ScanWorker(HandOvers& hand_overs, ScanHandOver& out, bool front,
              std::unique_ptr<hokuyo::Connection> connection, Vitals& vitals);
 
-  /// The thread's body: runs until hand_overs.devices_closing, then switches the laser off.
-  void run() noexcept;
+  /// The thread's body: runs until hand_overs.ending.devices_closing, then switches the laser off.
+  void run() noexcept override;
 
  private:
   hokuyo::StepOutcome step();

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/pipeline/mapping_step.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {

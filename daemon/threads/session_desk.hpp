@@ -6,10 +6,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/pipeline/mapping_step.hpp"
 #include "core/slam/session.hpp"
 #include "core/sync/ring.hpp"
 #include "daemon/threads/wakeup.hpp"
+
+namespace topo::pipeline {
+class MappingState;
+}
 
 namespace topo::daemon {
 

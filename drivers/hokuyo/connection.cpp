@@ -22,8 +22,8 @@ constexpr Duration kOpenLimit = 3s;
 
 Connection::Impl::Impl(ConnectionConfig config_in, std::unique_ptr<io::Connector> connector_in)
     : config(std::move(config_in)), connector(std::move(connector_in)) {
-  message = place() + ": not connected yet";
-  deadline = connector->now();
+  verdict.message = place() + ": not connected yet";
+  pending.deadline = connector->now();
 }
 
 Stamp Connection::Impl::now() const { return line.is_open() ? line.now() : connector->now(); }
@@ -37,9 +37,9 @@ std::string Connection::Impl::place() const {
 StepOutcome Connection::Impl::step(types::Scan& out, Duration timeout) {
   const Stamp until = now() + timeout;
   for (;;) {
-    if (std::exchange(changed, false)) return StepOutcome::kChanged;
+    if (std::exchange(verdict.changed, false)) return StepOutcome::kChanged;
     if (advance(out, until)) return StepOutcome::kScan;
-    if (!changed && now() >= until) return StepOutcome::kNothing;
+    if (!verdict.changed && now() >= until) return StepOutcome::kNothing;
   }
 }
 
@@ -48,36 +48,36 @@ bool Connection::Impl::advance(types::Scan& out, Stamp until) {
     advance_closed(until);
     return false;
   }
-  const auto event = line.poll(std::min(until, deadline));
+  const auto event = line.poll(std::min(until, pending.deadline));
   counters.bytes = line.bytes();
   if (!event) {
     lose(Health::kDisconnected, event.error().message);
     return false;
   }
   const bool scan = on_event(*event, out);
-  if (!scan && line.is_open() && now() >= deadline) on_timeout();
+  if (!scan && line.is_open() && now() >= pending.deadline) on_timeout();
   return scan;
 }
 
 void Connection::Impl::advance_closed(Stamp until) {
-  if (phase == Phase::kBackoff) {
-    if (now() < deadline) {
-      connector->pause(std::min(until, deadline) - now());
+  if (pending.phase == Phase::kBackoff) {
+    if (now() < pending.deadline) {
+      connector->pause(std::min(until, pending.deadline) - now());
       return;
     }
-    phase = Phase::kOpening;
-    deadline = now() + kOpenLimit;
+    pending.phase = Phase::kOpening;
+    pending.deadline = now() + kOpenLimit;
   }
-  auto stream = connector->connect(std::max<Duration>(std::min(until, deadline) - now(), 1ms));
-  if (!stream) {
+  auto opened = connector->connect(std::max<Duration>(std::min(until, pending.deadline) - now(), 1ms));
+  if (!opened) {
     // A connection attempt in progress continues in the next step.
-    if (stream.error().code != Errc::kTimeout || now() >= deadline)
-      lose(Health::kDisconnected, stream.error().message);
+    if (opened.error().code != Errc::kTimeout || now() >= pending.deadline)
+      lose(Health::kDisconnected, opened.error().message);
     return;
   }
-  line.open(std::move(*stream));
-  if (++connections > 1) ++counters.reconnects;
-  if (failures == 0) set_health(Health::kConnecting, place() + ": connected, asking for identity");
+  line.open(std::move(*opened));
+  if (++retry.connections > 1) ++counters.reconnects;
+  if (retry.failures == 0) set_health(Health::kConnecting, place() + ": connected, asking for identity");
   start_finding();
 }
 
@@ -98,10 +98,10 @@ bool Connection::Impl::on_event(ScipParser::Event event, types::Scan& out) {
 }
 
 void Connection::Impl::on_reply() {
-  if (phase == Phase::kStreaming) return on_stream_status();
+  if (pending.phase == Phase::kStreaming) return on_stream_status();
   // Late replies to earlier requests may arrive: only the reply to the current request counts.
-  if (line.reply().echo() != sent.view()) return;
-  switch (phase) {
+  if (line.reply().echo() != pending.sent.view()) return;
+  switch (pending.phase) {
     case Phase::kFind:
       return on_find_reply();
     case Phase::kLeaveAdjust:
@@ -140,7 +140,7 @@ void Connection::Impl::on_reply() {
 }
 
 void Connection::Impl::on_timeout() {
-  switch (phase) {
+  switch (pending.phase) {
     case Phase::kFind:
       return find_next();
     case Phase::kLeaveAdjust:
@@ -176,36 +176,36 @@ void Connection::Impl::on_timeout() {
 
 /// Sends the phase's request and waits for its reply for `limit`.
 void Connection::Impl::enter(Phase next, std::string_view text, Duration limit) {
-  phase = next;
-  sent = RequestText{};
-  sent.append(text);
-  asked = now();
-  deadline = asked + limit;
+  pending.phase = next;
+  pending.sent = RequestText{};
+  pending.sent.append(text);
+  pending.asked = now();
+  pending.deadline = pending.asked + limit;
   if (auto written = line.send(text); !written) lose(Health::kDisconnected, written.error().message);
 }
 
 void Connection::Impl::lose(Health state, const std::string& why) {
   line.close();
-  has_last = false;
-  good_in_a_row = 0;
-  ++failures;
-  phase = Phase::kBackoff;
-  deadline = now() + backoff;
-  backoff = std::min(2 * backoff, kBackoffMax);
+  last_device_ms.reset();
+  faults.good_in_a_row = 0;
+  ++retry.failures;
+  pending.phase = Phase::kBackoff;
+  pending.deadline = now() + retry.backoff;
+  retry.backoff = std::min(2 * retry.backoff, kBackoffMax);
   set_health(state, why);
 }
 
 void Connection::Impl::set_health(Health state, std::string text) {
-  if (state == health && text == message) return;
-  health = state;
-  message = std::move(text);
-  changed = true;
+  if (state == verdict.health && text == verdict.message) return;
+  verdict.health = state;
+  verdict.message = std::move(text);
+  verdict.changed = true;
 }
 
 void Connection::Impl::close(Duration timeout) {
   if (!line.is_open()) return;
   const Stamp until = now() + timeout;
-  const bool adjusting = phase == Phase::kAdjust || phase == Phase::kSample;
+  const bool adjusting = pending.phase == Phase::kAdjust || pending.phase == Phase::kSample;
   if (adjusting) (void)line.send("TM2");  // QT is refused in adjust mode; a failure of TM2 shows at QT
   bool quiet = !line.send("QT");
   while (!quiet && now() < until) {
@@ -213,10 +213,10 @@ void Connection::Impl::close(Duration timeout) {
     quiet = !event || (*event == ScipParser::Event::kReply && line.reply().echo() == "QT");
   }
   line.close();
-  phase = Phase::kBackoff;
-  deadline = now();
-  health = Health::kDisconnected;
-  message = place() + ": closed";
+  pending.phase = Phase::kBackoff;
+  pending.deadline = now();
+  verdict.health = Health::kDisconnected;
+  verdict.message = place() + ": closed";
 }
 
 Connection::Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector)
@@ -224,8 +224,8 @@ Connection::Connection(ConnectionConfig config, std::unique_ptr<io::Connector> c
 Connection::~Connection() = default;
 StepOutcome Connection::step(types::Scan& out, Duration timeout) { return impl_->step(out, timeout); }
 void Connection::close(Duration timeout) { impl_->close(timeout); }
-Health Connection::health() const { return impl_->health; }
-const std::string& Connection::message() const { return impl_->message; }
+Health Connection::health() const { return impl_->verdict.health; }
+const std::string& Connection::message() const { return impl_->verdict.message; }
 const std::optional<SensorInfo>& Connection::info() const { return impl_->info; }
 const Counters& Connection::counters() const { return impl_->counters; }
 

@@ -29,28 +29,25 @@ bool is_good(std::string_view status) { return status == "00" || status == "02";
 }  // namespace
 
 void Connection::Impl::start_finding() {
-  baud_index = 0;
-  find_index = 0;
-  tries = 0;
-  ladder = 0;
-  faulty = false;
-  bad_in_a_row = 0;
+  line_search = {};
+  pending.tries = 0;
+  faults = {};
   found = SensorInfo{};
   find_step();
 }
 
 void Connection::Impl::find_step() {
-  if (find_index == 0 && line.stream().has_baud()) {
-    if (auto set = line.stream().set_baud(kBauds[baud_index]); !set)
+  if (line_search.find_index == 0 && line.stream().has_baud()) {
+    if (auto set = line.stream().set_baud(kBauds[line_search.baud_index]); !set)
       return lose(Health::kDisconnected, set.error().message);
   }
-  enter(Phase::kFind, kFindRequests[find_index], kFindLimit);
+  enter(Phase::kFind, kFindRequests[line_search.find_index], kFindLimit);
 }
 
 void Connection::Impl::find_next() {
-  if (++find_index == kFindRequests.size()) {
-    find_index = 0;
-    if (!line.stream().has_baud() || ++baud_index == kBauds.size()) return not_found();
+  if (++line_search.find_index == kFindRequests.size()) {
+    line_search.find_index = 0;
+    if (!line.stream().has_baud() || ++line_search.baud_index == kBauds.size()) return not_found();
   }
   find_step();
 }
@@ -72,38 +69,38 @@ void Connection::Impl::not_found() {
 
 void Connection::Impl::on_find_reply() {
   const Reply& reply = line.reply();
-  if (sent.view() != "QT") return find_next();
+  if (pending.sent.view() != "QT") return find_next();
   if (reply.scip1()) {
-    if (tries++ == kMaxTries) {
+    if (pending.tries++ == kMaxTries) {
       return lose(Health::kWrongDevice,
                   place() + ": the sensor speaks SCIP 1.1 and does not switch; expected SCIP 2.0");
     }
-    find_index = 0;  // the next request switches to SCIP 2.0
+    line_search.find_index = 0;  // the next request switches to SCIP 2.0
     return find_next();
   }
   // Refused in adjust mode: status 10, with some firmware 0D or 0E. TM2 is tried once; if it has no effect,
   // VV fails.
   const bool refused = reply.status() == "10" || reply.status() == "0E" || reply.status() == "0D";
-  if (refused && tries++ == 0) return enter(Phase::kLeaveAdjust, "TM2", kFindLimit);
-  tries = 0;
+  if (refused && pending.tries++ == 0) return enter(Phase::kLeaveAdjust, "TM2", kFindLimit);
+  pending.tries = 0;
   enter_version();
 }
 
 void Connection::Impl::enter_version() { enter(Phase::kVersion, "VV", kAskLimit); }
 
 void Connection::Impl::retry_version() {
-  if (++tries >= kMaxTries) {
+  if (++pending.tries >= kMaxTries) {
     return lose(Health::kSilent, place() +
                                      ": the sensor stopped answering while it was asked for its identity (" +
-                                     std::string(sent.view()) + ")");
+                                     std::string(pending.sent.view()) + ")");
   }
-  const RequestText again = sent;
-  enter(phase, again.view(), kAskLimit);
+  const RequestText again = pending.sent;
+  enter(pending.phase, again.view(), kAskLimit);
 }
 
 void Connection::Impl::on_version() {
   if (auto read = read_version(line.reply(), found); !read) {
-    if (++tries < kMaxTries) return enter_version();
+    if (++pending.tries < kMaxTries) return enter_version();
     return lose(Health::kFault, place() + ": " + read.error().message);
   }
   if (!config.serial_number.empty() && !same_serial(config.serial_number, found.serial_number)) {
@@ -111,53 +108,55 @@ void Connection::Impl::on_version() {
                                           found.serial_number + "; expected " + config.serial_number +
                                           ": are the sensors exchanged?");
   }
-  tries = 0;
+  pending.tries = 0;
   enter(Phase::kParameters, "PP", kAskLimit);
 }
 
 void Connection::Impl::on_parameters() {
   if (auto read = read_parameters(line.reply(), found); !read) {
-    if (++tries < kMaxTries) return enter(Phase::kParameters, "PP", kAskLimit);
+    if (++pending.tries < kMaxTries) return enter(Phase::kParameters, "PP", kAskLimit);
     return lose(Health::kFault, place() + ": " + read.error().message);
   }
-  tries = 0;
+  pending.tries = 0;
   enter(Phase::kState, "II", kAskLimit);
 }
 
 StreamRequest Connection::Impl::make_request() const {
   StreamRequest made;
-  made.kind = intensity ? StreamRequest::Kind::kRangeIntensity : StreamRequest::Kind::kRange;
+  made.kind = stream.intensity ? StreamRequest::Kind::kRangeIntensity : StreamRequest::Kind::kRange;
   made.start = static_cast<std::uint16_t>(found.step_min);
   made.end = static_cast<std::uint16_t>(found.step_max);
   made.interval = static_cast<std::uint8_t>(std::clamp(config.skip_scans, 0, 9));
   // Intensities over a wide angle corrupt or crash a UTM-30LX on USB: at most 95 degrees per cluster unit,
   // 190 with firmware 1.16.01 (section 13).
-  if (intensity && family == Family::kUtm) made.cluster = found.firmware.starts_with("1.16.01") ? 2 : 3;
+  if (stream.intensity && stream.family == Family::kUtm)
+    made.cluster = found.firmware.starts_with("1.16.01") ? 2 : 3;
   return made;
 }
 
 /// Computes all constants of streaming once, from validated parameters.
 void Connection::Impl::prepare_stream() {
   info = found;
-  family = family_of(found.product);
-  intensity = config.intensity && has_intensity(family);
-  request = make_request();
-  decode = RangeDecoder(family, found.distance_min_mm, found.distance_max_mm);
+  stream.family = family_of(found.product);
+  stream.intensity = config.intensity && has_intensity(stream.family);
+  stream.request = make_request();
+  stream.decode = RangeDecoder(stream.family, found.distance_min_mm, found.distance_max_mm);
 
   const double turn_s = 60.0 / found.rpm;
   const double step_rad = 2.0 * std::numbers::pi / found.steps_per_turn;
   const double step_s = turn_s / found.steps_per_turn;
-  const double period_s = turn_s * (request.interval + 1);
-  const double centre = request.start + (request.cluster - 1) / 2.0;  // of the first group of steps
-  geometry.angle_min_rad = static_cast<float>((centre - found.step_front) * step_rad);
-  geometry.angle_increment_rad = static_cast<float>(request.cluster * step_rad);
-  geometry.time_increment_s = static_cast<float>(request.cluster * step_s);
-  geometry.period_s = static_cast<float>(period_s);
-  geometry.range_min_m = static_cast<float>(found.distance_min_mm * 1e-3);
-  geometry.range_max_m = static_cast<float>(found.distance_max_mm * 1e-3);
-  turn = types::from_seconds(turn_s);
-  first_offset = types::from_seconds(centre * step_s + config.stamp_offset_s);
-  silence_limit = std::max<Duration>(types::from_seconds(10.0 * period_s), 500ms);
+  const double period_s = turn_s * (stream.request.interval + 1);
+  const double centre =
+      stream.request.start + (stream.request.cluster - 1) / 2.0;  // of the first group of steps
+  stream.geometry.angle_min_rad = static_cast<float>((centre - found.step_front) * step_rad);
+  stream.geometry.angle_increment_rad = static_cast<float>(stream.request.cluster * step_rad);
+  stream.geometry.time_increment_s = static_cast<float>(stream.request.cluster * step_s);
+  stream.geometry.period_s = static_cast<float>(period_s);
+  stream.geometry.range_min_m = static_cast<float>(found.distance_min_mm * 1e-3);
+  stream.geometry.range_max_m = static_cast<float>(found.distance_max_mm * 1e-3);
+  stream.turn = types::from_seconds(turn_s);
+  stream.first_offset = types::from_seconds(centre * step_s + config.stamp_offset_s);
+  stream.silence_limit = std::max<Duration>(types::from_seconds(10.0 * period_s), 500ms);
 
   restart_stream();
 }
@@ -165,12 +164,13 @@ void Connection::Impl::prepare_stream() {
 /// Starts with the clock: TM is refused while the sensor measures.
 void Connection::Impl::restart_stream() {
   // The sensor sends the data when the last step is measured (section 12).
-  clock.reset(turn * found.step_max / found.steps_per_turn);
-  has_last = false;
+  clock.reset(stream.turn * found.step_max / found.steps_per_turn);
+  last_device_ms.reset();
   samples = 0;
-  tries = 0;
+  pending.tries = 0;
   // The message of the last failure stays until a scan proves it cured.
-  if (!faulty && (failures == 0 || health == Health::kDisconnected || health == Health::kWrongDevice)) {
+  if (!faults.faulty && (retry.failures == 0 || verdict.health == Health::kDisconnected ||
+                         verdict.health == Health::kWrongDevice)) {
     set_health(Health::kStarting,
                place() + ": " + found.product + " " + found.serial_number + " is starting");
   }
@@ -184,27 +184,27 @@ void Connection::Impl::on_adjust_reply() {
 
 void Connection::Impl::on_sample() {
   const auto time = read_time(line.reply());
-  if (time) clock.add_round_trip(*time, asked, line.arrival());
+  if (time) clock.add_round_trip(*time, pending.asked, line.arrival());
   if (++samples < kSamples) return enter(Phase::kSample, "TM1", 300ms);
   enter(Phase::kAdjusted, "TM2", 300ms);
 }
 
 void Connection::Impl::enter_laser() {
-  tries = 0;
+  pending.tries = 0;
   laser_deadline = now() + kSpinUpLimit;
   enter(Phase::kLaser, "BM", 500ms);
 }
 
 void Connection::Impl::on_laser_reply() {
   if (!is_good(line.reply().status())) return retry_laser();
-  enter(Phase::kStart, encode(request).view(), silence_limit);
+  enter(Phase::kStart, encode(stream.request).view(), stream.silence_limit);
 }
 
 /// The first BM after power-up fails while the motor spins up (section 13).
 void Connection::Impl::retry_laser() {
   if (now() < laser_deadline) {
-    phase = Phase::kLaserPause;
-    deadline = now() + kLaserPause;
+    pending.phase = Phase::kLaserPause;
+    pending.deadline = now() + kLaserPause;
     return;
   }
   const bool answered = line.reply().echo() == "BM";
@@ -221,18 +221,18 @@ void Connection::Impl::retry_laser() {
 void Connection::Impl::on_start_reply() {
   const std::string_view status = line.reply().status();
   if (status == "00") {
-    phase = Phase::kStreaming;
-    deadline = now() + silence_limit;
+    pending.phase = Phase::kStreaming;
+    pending.deadline = now() + stream.silence_limit;
     return;
   }
-  const std::string what = place() + ": " + std::string(sent.view()) + " is answered with status " +
+  const std::string what = place() + ": " + std::string(pending.sent.view()) + " is answered with status " +
                            std::string(status) + ", " + std::string(describe_status(status));
-  if (intensity && status.front() == '0') {  // a firmware without intensities
-    intensity = false;
-    request = make_request();
-    return enter(Phase::kStart, encode(request).view(), silence_limit);
+  if (stream.intensity && status.front() == '0') {  // a firmware without intensities
+    stream.intensity = false;
+    stream.request = make_request();
+    return enter(Phase::kStart, encode(stream.request).view(), stream.silence_limit);
   }
-  faulty = true;
+  faults.faulty = true;
   set_health(Health::kFault, what);
   probe();
 }

@@ -39,6 +39,55 @@ enum class Phase : std::uint8_t {
   kReboot,      ///< RB, RB
 };
 
+/// What the connection reports of itself.
+struct Verdict {
+  Health health = Health::kDisconnected;
+  std::string message;
+  bool changed = false;  ///< since the caller's last look
+};
+
+/// The phase, its request and its deadline.
+struct Pending {
+  Phase phase = Phase::kBackoff;
+  types::Stamp deadline{};
+  RequestText sent;      ///< request whose reply the phase waits for
+  types::Stamp asked{};  ///< time of that request
+  int tries = 0;         ///< of that request
+};
+
+/// Attempts to reach the sensor.
+struct Retry {
+  types::Duration backoff = kBackoffMin;
+  int failures = 0;  ///< consecutive attempts without a scan: only the first is reported
+  std::uint64_t connections = 0;
+};
+
+/// Position in the search for SCIP: line speed and request.
+struct LineSearch {
+  std::size_t baud_index = 0;
+  std::size_t find_index = 0;
+};
+
+/// Faults of a connection: consecutive scans and the measures against silence.
+struct Faults {
+  int bad_in_a_row = 0;
+  int good_in_a_row = 0;
+  int ladder = 0;       ///< measures taken against silence: 0 none, 1 QT and II, 2 RS, 3 RB
+  bool faulty = false;  ///< the sensor itself reported a fault
+};
+
+/// The stream: its request and the constants that its validated parameters give.
+struct StreamPlan {
+  Family family = Family::kUnknown;
+  bool intensity = false;
+  StreamRequest request;
+  RangeDecoder decode;
+  types::ScanGeometry geometry;
+  types::Duration turn{};          ///< rotation period of the mirror
+  types::Duration first_offset{};  ///< from the sensor's stamp to the first beam
+  types::Duration silence_limit{};
+};
+
 /// The state machine behind Connection. Every phase has sent one request and waits for its reply or its
 /// deadline; no handler waits.
 struct Connection::Impl {
@@ -95,45 +144,21 @@ struct Connection::Impl {
   ConnectionConfig config;
   std::unique_ptr<io::Connector> connector;
   Line line;
+  Verdict verdict;
+  Pending pending;
+  Retry retry;
+  LineSearch line_search;
+  Faults faults;
 
-  Phase phase = Phase::kBackoff;
-  types::Stamp deadline{};  ///< of the phase
-  RequestText sent;         ///< request whose reply the phase waits for
-
-  Health health = Health::kDisconnected;
-  std::string message;
-  bool changed = false;
   std::optional<SensorInfo> info;
   Counters counters;
-  std::uint64_t connections = 0;
-
-  types::Duration backoff = kBackoffMin;
-  int failures = 0;  ///< consecutive attempts without a scan: only the first is reported
-  std::size_t baud_index = 0;
-  std::size_t find_index = 0;
-  int tries = 0;         ///< of the current request
-  int samples = 0;       ///< replies to TM1
-  types::Stamp asked{};  ///< time of the last request
-  types::Stamp laser_deadline{};
-
   SensorInfo found;  ///< data of VV, PP and II so far
-  Family family = Family::kUnknown;
-  bool intensity = false;
-  StreamRequest request;
-  RangeDecoder decode;
+  StreamPlan stream;
   SensorClock clock;
-  types::ScanGeometry geometry;
-  types::Duration turn{};          ///< rotation period of the mirror
-  types::Duration first_offset{};  ///< from the sensor's stamp to the first beam
-  types::Duration silence_limit{};
-
-  bool has_last = false;
-  std::int64_t last_device_ms = 0;
+  int samples = 0;  ///< replies to TM1
+  types::Stamp laser_deadline{};
+  std::optional<std::int64_t> last_device_ms;  ///< of the newest scan of this stream
   std::uint64_t sequence = 0;
-  int bad_in_a_row = 0;
-  int good_in_a_row = 0;
-  int ladder = 0;       ///< measures taken against silence: 0 none, 1 QT and II, 2 RS, 3 RB
-  bool faulty = false;  ///< the sensor itself reported a fault
 };
 
 }  // namespace topo::hokuyo

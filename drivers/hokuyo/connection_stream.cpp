@@ -24,13 +24,14 @@ constexpr Duration kProbeLimit = 500ms;
 }  // namespace
 
 bool Connection::Impl::on_scan(types::Scan& out) {
-  if (phase != Phase::kStreaming && phase != Phase::kStart) return false;  // a remainder of an earlier stream
-  if (!line.scan().echo.same_stream(request)) {
+  if (pending.phase != Phase::kStreaming && pending.phase != Phase::kStart)
+    return false;  // a remainder of an earlier stream
+  if (!line.scan().echo.same_stream(stream.request)) {
     on_garbage();
     return false;
   }
-  phase = Phase::kStreaming;
-  deadline = now() + silence_limit;
+  pending.phase = Phase::kStreaming;
+  pending.deadline = now() + stream.silence_limit;
   const SensorClock::Result time = clock.on_scan(line.scan().time_ms, line.arrival());
   if (time.frozen) {
     set_health(Health::kFault, place() + ": the sensor's clock stands still; resetting the sensor");
@@ -39,14 +40,14 @@ bool Connection::Impl::on_scan(types::Scan& out) {
   }
   if (time.repeated) return false;  // it has no stamp of its own; the gap counts it as lost
   if (is_late(time)) return false;
-  bad_in_a_row = 0;
-  if (++good_in_a_row >= kProvenScans) {
-    ladder = 0;
-    backoff = kBackoffMin;
+  faults.bad_in_a_row = 0;
+  if (++faults.good_in_a_row >= kProvenScans) {
+    faults.ladder = 0;
+    retry.backoff = kBackoffMin;
   }
-  failures = 0;
-  faulty = false;
-  if (health != Health::kStreaming) set_health(Health::kStreaming, streaming_text());
+  retry.failures = 0;
+  faults.faulty = false;
+  if (verdict.health != Health::kStreaming) set_health(Health::kStreaming, streaming_text());
   count_gap(time);
   fill(out, time);
   return true;
@@ -59,20 +60,19 @@ bool Connection::Impl::is_late(const SensorClock::Result& time) {
   if (time.jumped || line.arrival() - time.host <= kLatestMax) return false;
   set_health(Health::kSilent,
              place() + ": scans arrive more than 1 s late, the line is too slow; starting the stream anew");
-  good_in_a_row = 0;
+  faults.good_in_a_row = 0;
   probe();
   return true;
 }
 
 void Connection::Impl::count_gap(const SensorClock::Result& time) {
-  if (has_last && !time.jumped) {
-    const double periods =
-        static_cast<double>(time.device_ms - last_device_ms) * 1e-3 / static_cast<double>(geometry.period_s);
+  if (last_device_ms && !time.jumped) {
+    const double periods = static_cast<double>(time.device_ms - *last_device_ms) * 1e-3 /
+                           static_cast<double>(stream.geometry.period_s);
     const auto lost = static_cast<std::uint64_t>(std::max(std::lround(periods) - 1, 0L));
     counters.lost_scans += lost;
     sequence += lost;
   }
-  has_last = true;
   last_device_ms = time.device_ms;
   ++sequence;
   ++counters.scans;
@@ -80,26 +80,27 @@ void Connection::Impl::count_gap(const SensorClock::Result& time) {
 
 void Connection::Impl::fill(types::Scan& out, const SensorClock::Result& time) const {
   const RawScan& raw = line.scan();
-  out.first_beam = time.host + first_offset;
+  out.first_beam = time.host + stream.first_offset;
   out.arrival = line.arrival();
   out.sequence = sequence;
-  out.geometry = geometry;
+  out.geometry = stream.geometry;
   types::require(raw.points <= types::Scan::kMaxBeams, "hokuyo: more points than a scan holds");
   out.beams = static_cast<std::uint16_t>(raw.points);
-  out.has_intensity = intensity;
-  for (std::size_t i = 0; i < raw.points; ++i) out.range_m[i] = decode(raw.range_mm[i]);
-  if (!intensity) return;
+  out.has_intensity = stream.intensity;
+  for (std::size_t i = 0; i < raw.points; ++i) out.range_m[i] = stream.decode(raw.range_mm[i]);
+  if (!stream.intensity) return;
   for (std::size_t i = 0; i < raw.points; ++i) {
     out.intensity[i] = static_cast<std::uint16_t>(std::min<std::uint32_t>(raw.intensity[i], 0xFFFF));
   }
 }
 
 void Connection::Impl::on_garbage() {
-  if (phase != Phase::kStreaming) return;  // from an earlier stream, or another protocol: kFind decides
+  if (pending.phase != Phase::kStreaming)
+    return;  // from an earlier stream, or another protocol: kFind decides
   ++counters.checksum_errors;
-  good_in_a_row = 0;
-  if (++bad_in_a_row < kMaxBadInARow) return;
-  bad_in_a_row = 0;
+  faults.good_in_a_row = 0;
+  if (++faults.bad_in_a_row < kMaxBadInARow) return;
+  faults.bad_in_a_row = 0;
   ++counters.resyncs;
   probe();
 }
@@ -115,62 +116,63 @@ void Connection::Impl::on_stream_status() {
   if (status == "98") return;  // the following scans show the same
   set_health(Health::kFault, text);
   if (status >= "21" && status <= "49") return;  // it checks itself and resumes; else on_silence() follows
-  faulty = true;
+  faults.faulty = true;
   probe();
 }
 
 void Connection::Impl::on_silence() {
-  if (!faulty) {
+  if (!faults.faulty) {
     char limit[16];
-    std::snprintf(limit, sizeof limit, "%.1f s", types::to_seconds(silence_limit));
+    std::snprintf(limit, sizeof limit, "%.1f s", types::to_seconds(stream.silence_limit));
     set_health(Health::kSilent, place() + ": no scan for " + limit);
   }
-  if (ladder == 0) return probe();
-  if (ladder == 1) return reset_sensor();
+  if (faults.ladder == 0) return probe();
+  if (faults.ladder == 1) return reset_sensor();
   reboot_or_reconnect();
 }
 
 /// The mildest measure first: end the stream, request the state, start again.
 void Connection::Impl::probe() {
-  ladder = std::max(ladder, 1);  // the clock continues: scans missed meanwhile count as lost
+  faults.ladder = std::max(faults.ladder, 1);  // the clock continues: scans missed meanwhile count as lost
   enter(Phase::kProbe, "QT", kProbeLimit);
 }
 
 void Connection::Impl::after_probe() {
   read_state(line.reply(), found);
   info = found;
-  if (!faulty) return enter_laser();
-  set_health(Health::kFault, message + "; its own words: \"" + found.status + "\"");
+  if (!faults.faulty) return enter_laser();
+  set_health(Health::kFault, verdict.message + "; its own words: \"" + found.status + "\"");
   reset_sensor();
 }
 
 void Connection::Impl::reset_sensor() {
-  if (ladder >= 2) return reboot_or_reconnect();
-  ladder = 2;
-  has_last = false;
+  if (faults.ladder >= 2) return reboot_or_reconnect();
+  faults.ladder = 2;
+  last_device_ms.reset();
   enter(Phase::kReset, "RS", kProbeLimit);
 }
 
 void Connection::Impl::reboot_or_reconnect() {
-  const bool rebooting = phase == Phase::kReboot;
-  if (!line.stream().has_baud() && !rebooting && ladder < 3) {
-    ladder = 3;
-    tries = 0;
+  const bool rebooting = pending.phase == Phase::kReboot;
+  if (!line.stream().has_baud() && !rebooting && faults.ladder < 3) {
+    faults.ladder = 3;
+    pending.tries = 0;
     return enter(Phase::kReboot, "RB", kProbeLimit);
   }
   // Two RB within a second reboot the sensor (section 10).
-  if (rebooting && tries++ == 0) return enter(Phase::kReboot, "RB", kProbeLimit);
-  ladder = 0;
-  const Health last = health == Health::kFault ? Health::kFault : Health::kSilent;
-  lose(last, message + (rebooting ? "; it was rebooted" : "; connecting again"));
+  if (rebooting && pending.tries++ == 0) return enter(Phase::kReboot, "RB", kProbeLimit);
+  faults.ladder = 0;
+  const Health last = verdict.health == Health::kFault ? Health::kFault : Health::kSilent;
+  lose(last, verdict.message + (rebooting ? "; it was rebooted" : "; connecting again"));
 }
 
 std::string Connection::Impl::streaming_text() const {
   char text[160];
   std::snprintf(text, sizeof text, ": %s %s streams %zu beams at %.1f Hz", found.product.c_str(),
-                found.serial_number.c_str(), request.points(), 1.0 / static_cast<double>(geometry.period_s));
+                found.serial_number.c_str(), stream.request.points(),
+                1.0 / static_cast<double>(stream.geometry.period_s));
   std::string whole = place() + text;
-  if (config.intensity && !intensity) whole += "; this model has no intensities";
+  if (config.intensity && !stream.intensity) whole += "; this model has no intensities";
   return whole;
 }
 

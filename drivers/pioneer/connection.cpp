@@ -28,6 +28,22 @@ constexpr int kSilentCycles = 5;
 }  // namespace
 
 struct Connection::Impl {
+  /// What the connection reports of itself.
+  struct Verdict {
+    Health health = Health::kDisconnected;
+    std::string message = "not connected yet";
+    bool changed = false;  ///< since the caller's last look
+  };
+
+  /// The next attempt to reach the robot.
+  struct Retry {
+    bool first_attempt = true;
+    Duration back_off = kBackOffMin;
+    Stamp retry_at{};
+    Stamp
+        may_drive_until{};  ///< until the watchdog expires, a setpoint of the lost connection may be in force
+  };
+
   Impl(ConnectionConfig connection_config, std::unique_ptr<io::Connector> connection_connector)
       : config(std::move(connection_config)), connector(std::move(connection_connector)) {}
 
@@ -51,16 +67,11 @@ struct Connection::Impl {
 
   ConnectionConfig config;
   std::unique_ptr<io::Connector> connector;
-  Health health = Health::kDisconnected;
-  std::string message = "not connected yet";
-  bool changed = false;
+  Verdict verdict;
   bool closed = false;
-  bool first_attempt = true;
   std::optional<RobotInfo> info;
   Counters counters;
-  Duration back_off = kBackOffMin;
-  Stamp retry_at{};
-  Stamp may_drive_until{};  ///< until the watchdog expires, a setpoint of the lost connection may be in force
+  Retry retry;
   int good_baud = 0;
 
   std::optional<Link> link;
@@ -74,10 +85,10 @@ struct Connection::Impl {
 };
 
 void Connection::Impl::set_health(Health value, std::string text) {
-  if (health == value && message == text) return;
-  health = value;
-  message = std::move(text);
-  changed = true;
+  if (verdict.health == value && verdict.message == text) return;
+  verdict.health = value;
+  verdict.message = std::move(text);
+  verdict.changed = true;
 }
 
 /// Closes the line and waits before the next attempt; sends a last E_STOP if possible.
@@ -87,13 +98,13 @@ void Connection::Impl::lose(Health value, std::string text) {
     std::ignore = link->send_at_once(encode(Command::kEStop));
     // A controller that was reset holds no setpoint.
     if (drive->may_be_moving() && value != Health::kReset)
-      may_drive_until = time + milliseconds(info->watchdog_ms);
+      retry.may_drive_until = time + milliseconds(info->watchdog_ms);
   }
   drive.reset();
   handshake.reset();
   link.reset();
-  retry_at = time + back_off;
-  back_off = std::min(back_off * 2, kBackOffMax);
+  retry.retry_at = time + retry.back_off;
+  retry.back_off = std::min(retry.back_off * 2, kBackOffMax);
   set_health(value, std::move(text));
 }
 
@@ -109,14 +120,14 @@ void Connection::Impl::open(Duration timeout) {
     return;
   }
   link.emplace(std::move(*stream), counters);
-  handshake.emplace(*link, config.expected_subclass, connector->name(), good_baud, may_drive_until);
+  handshake.emplace(*link, config.expected_subclass, connector->name(), good_baud, retry.may_drive_until);
   if (auto begun = handshake->begin(); !begun) {
     lose(Health::kDisconnected, begun.error().message);
     return;
   }
   // After a failure its message stays until the robot answers, so that the state of a device that is off does
   // not alternate.
-  if (std::exchange(first_attempt, false))
+  if (std::exchange(retry.first_attempt, false))
     set_health(Health::kConnecting, device() + ": looking for the robot");
 }
 
@@ -144,7 +155,7 @@ void Connection::Impl::advance(Handshake::Progress progress) {
     if (handshake->heard_robot()) std::ignore = link->send_at_once(encode(Command::kClose, 1));
     return lose(handshake->failure(), handshake->message());
   }
-  if (handshake->heard_robot() && health != Health::kConnecting)
+  if (handshake->heard_robot() && verdict.health != Health::kConnecting)
     set_health(Health::kConnecting, device() + ": the robot answers");
   if (progress == Handshake::Progress::kDone) start_running();
 }
@@ -156,7 +167,7 @@ void Connection::Impl::start_running() {
   info = make_robot_info(handshake->name(), model, packet);
   good_baud = handshake->baud();
   handshake.reset();
-  back_off = kBackOffMin;
+  retry.back_off = kBackOffMin;
   const std::string fault = watchdog_fault(packet);
   drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty(), now());
   delay.emplace(milliseconds(info->sip_cycle_ms));
@@ -223,9 +234,9 @@ bool Connection::Impl::run(types::BaseState& out, Stamp deadline) {
 StepOutcome Connection::Impl::step(types::BaseState& out, Duration timeout) {
   const Stamp deadline = now() + timeout;
   do {
-    if (std::exchange(changed, false)) return StepOutcome::kChanged;
-    if (closed || (!link && now() < retry_at)) {
-      const Stamp until = closed ? deadline : std::min(deadline, retry_at);
+    if (std::exchange(verdict.changed, false)) return StepOutcome::kChanged;
+    if (closed || (!link && now() < retry.retry_at)) {
+      const Stamp until = closed ? deadline : std::min(deadline, retry.retry_at);
       connector->pause(until - now());
     } else if (!link) {
       open(std::max(deadline - now(), Duration::zero()));
@@ -235,7 +246,7 @@ StepOutcome Connection::Impl::step(types::BaseState& out, Duration timeout) {
       return StepOutcome::kState;
     }
   } while (now() < deadline);
-  return std::exchange(changed, false) ? StepOutcome::kChanged : StepOutcome::kNothing;
+  return std::exchange(verdict.changed, false) ? StepOutcome::kChanged : StepOutcome::kNothing;
 }
 
 types::Status Connection::Impl::command(const types::BaseCommand& command) {
@@ -292,8 +303,8 @@ StepOutcome Connection::step(types::BaseState& out, types::Duration timeout) {
 }
 types::Status Connection::command(const types::BaseCommand& command) { return impl_->command(command); }
 void Connection::close(types::Duration timeout) { impl_->close(timeout); }
-Health Connection::health() const { return impl_->health; }
-const std::string& Connection::message() const { return impl_->message; }
+Health Connection::health() const { return impl_->verdict.health; }
+const std::string& Connection::message() const { return impl_->verdict.message; }
 const std::optional<RobotInfo>& Connection::info() const { return impl_->info; }
 const Counters& Connection::counters() const { return impl_->counters; }
 

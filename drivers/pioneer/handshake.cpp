@@ -43,18 +43,18 @@ Handshake::Handshake(Link& link, std::string expected_subclass, std::string_view
       expected_subclass_(std::move(expected_subclass)),
       device_(device),
       may_drive_until_(may_drive_until) {
-  static_assert(kBaudOrder.size() + 1 == std::tuple_size_v<decltype(bauds_)>,
+  static_assert(kBaudOrder.size() + 1 == std::tuple_size_v<decltype(bauds_.rates)>,
                 "every rate, and the first one");
   if (!link.has_baud()) return;
-  if (first_baud != 0) bauds_[baud_count_++] = first_baud;
+  if (first_baud != 0) bauds_.rates.at(bauds_.count++) = first_baud;
   for (const int baud : kBaudOrder)
-    if (baud != first_baud) bauds_[baud_count_++] = baud;
+    if (baud != first_baud) bauds_.rates.at(bauds_.count++) = baud;
 }
 
 types::Status Handshake::begin() {
-  if (baud_count_ > 0) {
-    baud_ = bauds_[0];
-    auto set = link_.set_baud(baud_);
+  if (bauds_.count > 0) {
+    bauds_.current = bauds_.rates[0];
+    auto set = link_.set_baud(bauds_.current);
     if (!set) return set;
   }
   begin_stopping();
@@ -148,17 +148,18 @@ Handshake::Progress Handshake::sync_timed_out() {
 
 Handshake::Progress Handshake::next_baud() {
   if (link_.heard_anything() && foreign_.empty())
-    foreign_ = link_.heard() + (baud_ == 0 ? "" : " at " + std::to_string(baud_) + " baud");
-  if (++baud_index_ >= baud_count_) return no_answer();
-  baud_ = bauds_[baud_index_];
-  if (auto set = link_.set_baud(baud_); !set) return fail(Health::kDisconnected, set.error().message);
+    foreign_ = link_.heard() + (bauds_.current == 0 ? "" : " at " + std::to_string(bauds_.current) + " baud");
+  if (++bauds_.index >= bauds_.count) return no_answer();
+  bauds_.current = bauds_.rates[bauds_.index];
+  if (auto set = link_.set_baud(bauds_.current); !set)
+    return fail(Health::kDisconnected, set.error().message);
   return begin_stopping();
 }
 
 Handshake::Progress Handshake::no_answer() {
   const std::string expected = "; expected a Pioneer that answers SYNC0 with fa fb 03 00 00 00";
   if (!foreign_.empty()) return fail(Health::kWrongDevice, device_ + ": found " + foreign_ + expected);
-  const std::string speeds = baud_count_ == 0 ? "" : " at 9600 to 115200 baud";
+  const std::string speeds = bauds_.count == 0 ? "" : " at 9600 to 115200 baud";
   return fail(Health::kSilent, device_ + ": nothing answers" + speeds + expected + "; is it switched on?");
 }
 

@@ -38,7 +38,7 @@ class Handshake {
 
   /// True after the robot has answered SYNC0.
   [[nodiscard]] bool heard_robot() const { return heard_robot_; }
-  [[nodiscard]] int baud() const { return baud_; }
+  [[nodiscard]] int baud() const { return bauds_.current; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] const std::optional<ConfigPacket>& config() const { return config_; }
@@ -47,6 +47,13 @@ class Handshake {
   [[nodiscard]] const std::string& message() const { return message_; }
 
  private:
+  /// The line speeds in the order in which they are tried; none on a line without a speed.
+  struct Bauds {
+    std::array<int, 6> rates{};
+    std::size_t count = 0;
+    std::size_t index = 0;
+    int current = 0;
+  };
   enum class Phase { kStopping, kQuiet, kSync, kFirstStatus, kConfig };
 
   void enter(Phase phase, types::Duration wait);
@@ -67,10 +74,7 @@ class Handshake {
   Link& link_;
   std::string expected_subclass_;
   std::string device_;
-  std::array<int, 6> bauds_{};
-  std::size_t baud_count_ = 0;
-  std::size_t baud_index_ = 0;
-  int baud_ = 0;
+  Bauds bauds_;
   types::Stamp may_drive_until_;
 
   Phase phase_ = Phase::kQuiet;

@@ -93,7 +93,7 @@ json report_of(const JoinedMap& map) {
           {"worst_m", map.error.worst_m},      {"mates_rmse_m", map.mates_error.rmse_m}};
 }
 
-/// What the report of a robot alone and that of a team both say. `result`: of the robot, or the sum over the team.
+/// The part that reports of robots and of teams share. `result`: of the robot, or the sum over the team.
 json common_report(const RunTitle& title, const RunSetup& setup, const RunResult& result,
                    double reachable_m2) {
   return {{"world", title.world},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/slam/known_starts.hpp"
+#include "core/slam/team_alignment.hpp"
 #include "tests/bench/topobench/explore/map_source.hpp"
 
 namespace topo::bench {

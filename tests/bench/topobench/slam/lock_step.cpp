@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/slam/team_alignment.hpp"
 #include "tests/bench/topobench/stopwatch.hpp"
 
 namespace topo::bench {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/slam/known_starts.hpp"
+#include "core/slam/team_alignment.hpp"
 #include "tests/bench/topobench/log_run.hpp"
 
 namespace topo::bench {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "daemon/app/device_connectors.hpp"
+#include "daemon/app/workers.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -28,7 +29,7 @@ class MonitorOf : public testing::Test {
   void report_passive(std::uint64_t times, types::Stamp now) {
     DeviceReport report;
     report.bus[BusFault::kPassive] = times;
-    hand_overs_->base_device.store(report);
+    hand_overs_->base.device.store(report);
     monitor_->update(now);
   }
   [[nodiscard]] Json base_counters() const { return monitor_->status()["devices"]["base"]["counters"]; }

@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "core/pipeline/mapping_step.hpp"
 #include "daemon/session/session_writer.hpp"
 #include "drivers/io/posix.hpp"
 #include "tests/mocks/flat_world.hpp"
@@ -59,12 +60,12 @@ class SessionControlTest : public ::testing::Test {
   }
 
   bool serve_until_handed_over() {
-    return serve_until([this] { return hand_overs->take_over.front() != nullptr; });
+    return serve_until([this] { return hand_overs->mapping.take_over.front() != nullptr; });
   }
   void take_over() {
-    hand_overs->take_over.front()->content->adopt();
-    hand_overs->take_over.front()->content.reset();
-    hand_overs->take_over.pop();
+    hand_overs->mapping.take_over.front()->content->adopt();
+    hand_overs->mapping.take_over.front()->content.reset();
+    hand_overs->mapping.take_over.pop();
     ++map;
   }
 
@@ -95,7 +96,7 @@ TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByASessionThatIsStillLo
   ASSERT_TRUE(control.begin_anew());
   EXPECT_EQ(control.obstacle(), "");
   ASSERT_TRUE(serve_until_answered());
-  EXPECT_EQ(hand_overs->take_over.front(), nullptr);
+  EXPECT_EQ(hand_overs->mapping.take_over.front(), nullptr);
   ASSERT_FALSE(*answer);
   EXPECT_EQ(answer->error().code, types::Errc::kBusy);
 }
@@ -130,7 +131,7 @@ TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByTheSessionToResume) {
   // Its job comes first.
   control.save("after", [this](const types::Result<Json>& r) { answer = r; });
   ASSERT_TRUE(serve_until_answered());
-  EXPECT_EQ(hand_overs->take_over.front(), nullptr);
+  EXPECT_EQ(hand_overs->mapping.take_over.front(), nullptr);
   EXPECT_EQ(control.obstacle(), "");
 }
 

@@ -9,6 +9,7 @@
 #include <random>
 #include <thread>
 
+#include "core/pipeline/mapping_step.hpp"
 #include "daemon/logging/event_catalogue.hpp"
 #include "daemon/session/folder.hpp"
 #include "daemon/session/session_reader.hpp"
@@ -48,14 +49,14 @@ class JournalWorkerTest : public ::testing::Test {
     thread = std::thread([this] { worker->run(); });
   }
   void stop() {
-    hand_overs->stopping = true;
+    hand_overs->ending.stopping = true;
     if (!thread.joinable()) return;
     std::thread joiner([this] { thread.join(), joined = true; });
     while (!joined) serve();
     joiner.join();
   }
   void serve() {
-    serve_desk(hand_overs->journal_desk, *state, map);
+    serve_desk(hand_overs->journal.desk, *state, map);
     std::this_thread::sleep_for(1ms);  // as the mapping thread between two scans; who calls has the deadline
   }
   /// Serves until the journal's report pleases.
@@ -64,7 +65,7 @@ class JournalWorkerTest : public ::testing::Test {
     const types::Stamp limit = io::monotonic_now() + 60s;
     while (io::monotonic_now() < limit) {
       serve();
-      const JournalReport* report = hand_overs->journal_report.read();
+      const JournalReport* report = hand_overs->journal.report.read();
       if (report != nullptr && pleases(*report)) return true;
     }
     return false;
@@ -123,7 +124,7 @@ TEST_F(JournalWorkerTest, AnotherMapGetsAJournalOfItsOwn) {
   for (int i = 0; i < 3; ++i) {
     drive(4);
     ASSERT_TRUE(until_all_is_kept());
-    const std::string name = hand_overs->journal_report.read()->name.str();
+    const std::string name = hand_overs->journal.report.read()->name.str();
     begin_map();
     scans = 0;
     ++map;
@@ -136,13 +137,13 @@ TEST_F(JournalWorkerTest, AnotherMapGetsAJournalOfItsOwn) {
 }
 
 TEST_F(JournalWorkerTest, HeldBackItWritesNothing) {
-  hand_overs->journal_held = true;
+  hand_overs->journal.held = true;
   start({folder.str()});
   drive(4);
   const types::Stamp limit = io::monotonic_now() + 100ms;
   while (io::monotonic_now() < limit) serve();
   EXPECT_TRUE(journals().empty());
-  hand_overs->journal_held = false;
+  hand_overs->journal.held = false;
   EXPECT_TRUE(until_all_is_kept());
   EXPECT_EQ(journals().size(), 1U);
 }

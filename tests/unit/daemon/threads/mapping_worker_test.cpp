@@ -17,9 +17,9 @@ using namespace std::chrono_literals;
 class MappingWorkerTest : public ::testing::Test {
  protected:
   ~MappingWorkerTest() override {
-    hand_overs->stopping = true;
-    hand_overs->readers_gone = true;
-    hand_overs->mapping_wakeup.post();
+    hand_overs->ending.stopping = true;
+    hand_overs->ending.readers_gone = true;
+    hand_overs->mapping.wakeup.post();
     thread.join();
   }
 
@@ -34,13 +34,13 @@ TEST_F(MappingWorkerTest, BeatsAndSkipsWhileItNeverCatchesUp) {
   const types::Stamp limit = io::monotonic_now() + 60s;
   // As from a base and a scanner that are faster than this machine maps: the rings are never seen empty.
   while (vitals.beats.load() < 20 && io::monotonic_now() < limit) {
-    while (hand_overs->odometry.try_push(odometry)) odometry.stamp += 1ms;
+    while (hand_overs->base.odometry.try_push(odometry)) odometry.stamp += 1ms;
     while (types::Scan* scan = hand_overs->front.to_mapping.try_acquire()) {
       scan->beams = 0;
       scan->first_beam = odometry.stamp;
       hand_overs->front.to_mapping.commit();
     }
-    hand_overs->mapping_wakeup.post();
+    hand_overs->mapping.wakeup.post();
   }
   EXPECT_GE(vitals.beats.load(), 20U) << "the service manager would take it for dead";
   EXPECT_GT(hand_overs->front.to_mapping.skipped(), 0U);
@@ -54,11 +54,11 @@ TEST_F(MappingWorkerTest, ReportsTheScansThatItHadNoOdometryFor) {
     scan->beams = 0;
     hand_overs->front.to_mapping.commit();
   }
-  hand_overs->mapping_wakeup.post();
+  hand_overs->mapping.wakeup.post();
   const types::Stamp limit = io::monotonic_now() + 60s;
   std::uint64_t lost = 0;
   while (lost < kScans && io::monotonic_now() < limit) {
-    if (const auto* report = hand_overs->mapping_report.take_new(); report != nullptr)
+    if (const auto* report = hand_overs->mapping.report.take_new(); report != nullptr)
       lost = report->losses.without_odometry;
     else
       std::this_thread::yield();

@@ -22,8 +22,8 @@ TEST(PlanningWorker, IsToldToBeSlowOnceNotAtEveryPeriod) {
   const types::Stamp begin = io::monotonic_now();
   std::thread thread([&worker] { worker.run(); });
   while (vitals.run.summary().count < 20 && io::monotonic_now() < begin + 60s) std::this_thread::yield();
-  hand_overs->stopping = true;
-  hand_overs->planning_wakeup.post();
+  hand_overs->ending.stopping = true;
+  hand_overs->to_planning.wakeup.post();
   thread.join();
   EXPECT_GE(vitals.run.summary().count, 20U);
   int told = 0;

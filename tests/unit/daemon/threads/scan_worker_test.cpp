@@ -26,7 +26,7 @@ TEST(ScanWorker, CountsTheScansThatAFullRingRefusedAndNothingElse) {
     if (sensor.measured.size() < kScans) return;
     if (!sensor.mute_scans) silent_since = line.now;
     sensor.mute_scans = true;
-    if (line.now - silent_since > 300ms) hand_overs->devices_closing = true;
+    if (line.now - silent_since > 300ms) hand_overs->ending.devices_closing = true;
   };
   ScanWorker worker(*hand_overs, hand_overs->front, true,
                     std::make_unique<hokuyo::Connection>(hokuyo::ConnectionConfig{},
