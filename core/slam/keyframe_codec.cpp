@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/slam/bytes.hpp"
+#include "core/types/bytes.hpp"
 
 namespace topo::slam {
 namespace {
@@ -52,7 +52,7 @@ void quantise_positions(std::vector<T>& items) {
 }
 
 template <class T>
-void write_positions(ByteWriter& out, const std::vector<T>& items) {
+void write_positions(types::ByteWriter& out, const std::vector<T>& items) {
   std::int64_t last = 0;
   for (const T& item : items) out.zigzag(quanta(x_of(item)) - std::exchange(last, quanta(x_of(item))));
   last = 0;
@@ -60,7 +60,7 @@ void write_positions(ByteWriter& out, const std::vector<T>& items) {
 }
 
 /// One axis of the positions; false when one is out of reach.
-bool read_axis(ByteReader& in, std::vector<float>& axis) {
+bool read_axis(types::ByteReader& in, std::vector<float>& axis) {
   std::int64_t at = 0;
   for (float& v : axis) {
     const std::int64_t step = in.zigzag();
@@ -73,7 +73,7 @@ bool read_axis(ByteReader& in, std::vector<float>& axis) {
 
 /// As many items, with their positions. What is left to read bounds `count`: whoever calls has looked.
 template <class T>
-bool read_positions(ByteReader& in, std::size_t count, std::vector<T>& items) {
+bool read_positions(types::ByteReader& in, std::size_t count, std::vector<T>& items) {
   std::vector<float> x(count), y(count);
   if (!in.ok() || !read_axis(in, x) || !read_axis(in, y)) return false;
   items.resize(count);
@@ -83,7 +83,7 @@ bool read_positions(ByteReader& in, std::size_t count, std::vector<T>& items) {
 
 /// Where each match point stands among the hits, as gaps; nothing when they are not taken from there in
 /// order.
-bool gaps_among(const std::vector<Point>& points, const std::vector<Point>& hits, ByteWriter& gaps) {
+bool gaps_among(const std::vector<Point>& points, const std::vector<Point>& hits, types::ByteWriter& gaps) {
   std::size_t next = 0;
   for (const Point& point : points) {
     const std::size_t from = next;
@@ -95,9 +95,9 @@ bool gaps_among(const std::vector<Point>& points, const std::vector<Point>& hits
   return true;
 }
 
-void write_match_points(ByteWriter& out, const Keyframe& keyframe) {
+void write_match_points(types::ByteWriter& out, const Keyframe& keyframe) {
   out.varint(keyframe.match_points.size());
-  ByteWriter gaps;
+  types::ByteWriter gaps;
   if (gaps_among(keyframe.match_points, keyframe.hits, gaps)) {
     out.integer(std::uint8_t{1});
     out.append(gaps.bytes());
@@ -107,7 +107,7 @@ void write_match_points(ByteWriter& out, const Keyframe& keyframe) {
   }
 }
 
-bool read_match_points(ByteReader& in, Keyframe& keyframe) {
+bool read_match_points(types::ByteReader& in, Keyframe& keyframe) {
   const std::size_t count = in.count(1);
   const auto kind = in.integer<std::uint8_t>();
   if (kind == 0) return count <= in.remaining() / 2 && read_positions(in, count, keyframe.match_points);
@@ -122,7 +122,7 @@ bool read_match_points(ByteReader& in, Keyframe& keyframe) {
   return true;
 }
 
-void write_surfels(ByteWriter& out, const std::vector<Surfel>& surfels) {
+void write_surfels(types::ByteWriter& out, const std::vector<Surfel>& surfels) {
   out.varint(surfels.size());
   write_positions(out, surfels);
   for (const Surfel& s : surfels) out.integer(static_cast<std::uint8_t>(part_of(s.normal) & 0xFFU));
@@ -135,7 +135,7 @@ void write_surfels(ByteWriter& out, const std::vector<Surfel>& surfels) {
   }
 }
 
-bool read_surfels(ByteReader& in, std::vector<Surfel>& surfels) {
+bool read_surfels(types::ByteReader& in, std::vector<Surfel>& surfels) {
   const std::size_t count = in.count(4);
   if (!read_positions(in, count, surfels)) return false;
   std::vector<std::uint16_t> parts(count);
@@ -151,7 +151,7 @@ bool read_surfels(ByteReader& in, std::vector<Surfel>& surfels) {
   return in.ok();
 }
 
-bool read_columns(ByteReader& in, std::vector<walls::ColumnPoint>& columns) {
+bool read_columns(types::ByteReader& in, std::vector<walls::ColumnPoint>& columns) {
   const std::size_t count = in.count(3);
   if (!read_positions(in, count, columns)) return false;
   for (walls::ColumnPoint& column : columns) {
@@ -162,7 +162,7 @@ bool read_columns(ByteReader& in, std::vector<walls::ColumnPoint>& columns) {
   return in.ok();
 }
 
-bool read_head(ByteReader& in, bool with_run, Keyframe& keyframe) {
+bool read_head(types::ByteReader& in, bool with_run, Keyframe& keyframe) {
   keyframe.id.robot = in.integer<std::uint16_t>();
   if (with_run) keyframe.id.run = in.integer<std::uint32_t>();
   keyframe.id.sequence = in.integer<std::uint32_t>();
@@ -177,7 +177,7 @@ bool read_head(ByteReader& in, bool with_run, Keyframe& keyframe) {
          std::abs(pose.y_m) <= kOdometryReach_m && std::abs(pose.theta_rad) <= kOdometryReach_m;
 }
 
-bool read_body(ByteReader& in, Keyframe& keyframe) {
+bool read_body(types::ByteReader& in, Keyframe& keyframe) {
   return read_positions(in, in.count(2), keyframe.hits) && read_match_points(in, keyframe) &&
          read_surfels(in, keyframe.surfels) && read_columns(in, keyframe.columns) && in.complete();
 }
@@ -196,7 +196,7 @@ void quantise(Keyframe& keyframe) {
 std::vector<std::byte> encode_keyframe(const Keyframe& given) {
   Keyframe keyframe = given;
   quantise(keyframe);
-  ByteWriter out;
+  types::ByteWriter out;
   const bool with_run = keyframe.id.run != 0;
   out.integer(with_run ? kKeyframeVersionWithRun : kKeyframeVersion);
   out.integer(keyframe.id.robot);
@@ -219,7 +219,7 @@ std::vector<std::byte> encode_keyframe(const Keyframe& given) {
 }
 
 Result<Keyframe> decode_keyframe(std::span<const std::byte> bytes) {
-  ByteReader in(bytes);
+  types::ByteReader in(bytes);
   const auto version = in.integer<std::uint8_t>();
   const bool with_run = version == kKeyframeVersionWithRun;
   if (in.ok() && version != kKeyframeVersion && !with_run) {

@@ -4,270 +4,275 @@
 #include "core/slam/mapper.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "core/slam/information.hpp"
 #include "core/slam/make_keyframe.hpp"
-#include "core/slam/search.hpp"
 
 namespace topo::slam {
 namespace {
 
-constexpr double kLocalHalfWidth_m = 32.0;  ///< beyond the scanner's reach
-constexpr double kRecentre_m = 6.0;         ///< how far the robot may get from the window's centre
-constexpr double kTurnedScore = 0.35;       ///< likelihood below which a heading is no find
-constexpr double kTurnedApart_rad = 0.3;    ///< nearer headings are one
-constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by this to be preferred
-
-constexpr double kUnheard = 9.0;  ///< a way that is guessed has three times the deviation
-
-/// Is it a way that a robot can have come? Odometry that was set to another place (a base that was switched
-/// off and on) says that it came a way that none can.
-bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
-  const double way_m = std::hypot(motion.x_m, motion.y_m);
-  return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
-}
-
-bool is_good(const Match& match, const TrackParams& params) {
-  return match.fit() >= params.response_good && match.response >= params.response_lost;
-}
-
-SearchWindow window_around(const Prior& prior, const TrackParams& params) {
-  const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
-  const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
-  return {std::min(params.search_max_m, params.search_floor_m + params.search_sigmas * sigma_m),
-          std::min(params.search_max_rad, params.search_floor_rad + params.search_sigmas * sigma_rad)};
-}
-
-bool is_within(const SearchWindow& window, const types::Se2& off) {
-  return std::hypot(off.x_m, off.y_m) <= window.half_m && std::abs(off.theta_rad) <= window.half_rad;
-}
+constexpr double kNeighbour_m = 10.0;     ///< resumed: old keyframes this near help to track at first
+constexpr int kClosuresBeforeSolve = 10;  ///< closures that agree with the graph wait for others
 
 }  // namespace
 
 Mapper::Mapper(const MapperParams& params, const Origin& origin, const types::Se2& start)
     : params_(params),
-      maker_(origin),
+      origin_(origin),
       start_(start),
-      local_map_(params.refine.reach_m),
+      graph_(origin.robot, params.loop, params.graph),
+      local_map_(params.keyframe, params.refine.reach_m),
       open_questions_(0.5 * params.loop.search_floor_m, 0.5 * params.loop.search_floor_rad,
                       static_cast<std::size_t>(params.loop.group_half)) {}
+
+void Mapper::resume(const Session& session, const Arrival& arrival) {
+  // The sequence continues: the key of the grow-only set never comes twice.
+  for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
+    const KeyframeId& id = session.keyframes[i]->id;
+    if (id.origin() == origin_) next_sequence_ = std::max(next_sequence_, id.sequence + 1);
+    if (id.robot == origin_.robot)
+      graph_.add_own(session.keyframes[i], session.poses[i]);
+    else
+      graph_.add_mates(session.keyframes[i], session.poses[i]);
+  }
+  for (const Edge& edge : session.edges) add_found_edge(edge);  // found once more, under this run
+  solving_.asked = solving_.solved = graph_.edges().size();
+  const types::Se2& here = arrival.T_map_base;
+  motion_.T_map_base = here;
+  motion_.T_odom_base = arrival.T_odom_base;
+  motion_.stamp = arrival.cloud.stamp;
+  Edge edge;  // to the nearest keyframe
+  std::vector<std::size_t> neighbours;
+  const auto poses = graph_.poses();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double d = distance_m(poses[i], here);
+    if (d < distance_m(poses[edge.from], here)) edge.from = i;
+    if (d < kNeighbour_m) neighbours.push_back(i);
+  }
+  edge.T_from_to = poses[edge.from].inverse() * here;
+  edge.information = edge_information(arrival.information, here.theta_rad, params_.graph.loop_trans_floor_m,
+                                      params_.graph.loop_rot_floor_rad);
+  select_points(arrival.cloud, params_.cloud, points_);
+  edge.to = graph_.add_own(keyframe_of(arrival.cloud, {}), here);
+  add_found_edge(edge);
+  local_map_.resume(graph_, here, std::move(neighbours));
+}
 
 MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns) {
   MatchReport report;
   report.stamp = cloud.stamp;
   select_points(cloud, params_.cloud, points_);
-  if (keyframes_.empty()) {
-    T_map_base_ = report.T_map_base = start_;
-    T_odom_base_ = T_odom_base;
-    stamp_ = cloud.stamp;
+  if (graph_.keyframes().empty()) {
+    motion_.T_map_base = report.T_map_base = start_;
+    motion_.T_odom_base = T_odom_base;
+    motion_.stamp = cloud.stamp;
     report.matched = true;
-    add_keyframe(cloud, report, {}, columns);
     report.keyframe = true;
+    add_keyframe(cloud, report, {}, columns);
     return report;
   }
-  const types::Se2 motion = T_odom_base_.inverse() * T_odom_base;
-  const double seconds = types::to_seconds(cloud.stamp - stamp_);
-  const Prior prior = predict(motion, seconds);
-  const types::Se2& predicted = prior.T_map_base;
-  report.match = track(prior, going_on(seconds), cloud.sensor, report.searched);
+  const double seconds = types::to_seconds(cloud.stamp - motion_.stamp);
+  const Prior prior = predict(motion_, T_odom_base, seconds, params_.motion);
+  const Tracked tracked =
+      track({local_map_.surfels(), [this] { return local_map_.ground(graph_); }}, {points_, cloud.sensor},
+            motion_, prior, continued(motion_, seconds, params_.motion), params_);
+  report.match = tracked.match;
+  report.searched = tracked.searched;
   report.matched = report.match.response >= params_.track.response_lost && report.match.overlap > 0.0;
-  const types::Se2 pose = report.matched ? report.match.T_map_base : predicted;
-  T_previous_last_ = T_map_base_.inverse() * pose;
-  previous_last_s_ = seconds;
-  T_map_base_ = pose;
-  T_odom_base_ = T_odom_base;
-  stamp_ = cloud.stamp;
-  report.T_map_base = T_map_base_;
-  const bool due = is_apart(own_.back(), params_.keyframe.travel_m, params_.keyframe.turn_rad) ||
-                   cloud.invalid_share < invalid_share_ - params_.keyframe.unveiled_share;
-  if (due && has_enough_alike()) {
+  report.T_map_base = report.matched ? report.match.T_map_base : prior.T_map_base;
+  motion_ = {cloud.stamp, report.T_map_base, T_odom_base, motion_.T_map_base.inverse() * report.T_map_base,
+             seconds};
+  const types::Se2& newest = graph_.poses()[graph_.own().back()];
+  const KeyframeParams& limits = params_.keyframe;
+  const bool due = is_apart(newest, report.T_map_base, limits.travel_m, limits.turn_rad) ||
+                   cloud.invalid_share < invalid_share_ - limits.unveiled_share;
+  if (due && local_map_.has_enough_alike(graph_, report.T_map_base)) {
     columns.drop();
   } else if (due) {
     add_keyframe(cloud, report, prior, columns);
     report.keyframe = true;
   }
-  report.node = own_.back();
-  report.T_node_base = poses_[report.node].inverse() * T_map_base_;
+  report.node = graph_.own().back();
+  report.T_node_base = graph_.poses()[report.node].inverse() * report.T_map_base;
   return report;
 }
 
-/// Where odometry says a way that no robot drives, this one is held to have gone on as before.
-Prior Mapper::predict(const types::Se2& motion, double seconds) const {
-  if (!is_drivable(motion, seconds, params_.motion)) return going_on(seconds);
-  return {T_map_base_ * motion, motion_information(motion, params_.motion)};
-}
-
-Prior Mapper::going_on(double seconds) const {
-  const double times = previous_last_s_ > 0.0 ? std::clamp(seconds / previous_last_s_, 0.0, 1.0) : 0.0;
-  const types::Se2 guess = types::interpolate({}, T_previous_last_, times);
-  return {T_map_base_ * guess, motion_information(guess, params_.motion) / kUnheard};
-}
-
-/// Where nothing fits near what odometry says, the robot is looked for. After a long way it is also where
-/// what fits is little: wheels that slip, or that do not tell forwards from backwards, make it up to twice as
-/// wrong as it is long, and half of another room may fit there.
-Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched) {
-  const types::Se2& predicted = prior.T_map_base;
-  const TrackParams& limits = params_.track;
-  Match match = refine(local_map_, points_, sensor, predicted, prior, params_.refine);
-  const SearchWindow near = window_around(prior, limits);
-  const double astray_m = limits.search_ways * distance_m(T_map_base_, predicted);
-  const auto is_doubtful = [&] {
-    return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned_response);
-  };
-  if (!is_doubtful()) return match;
-  searched = true;
-  const LikelihoodPyramid pyramid(local_map_, params_.search);
-  if (!is_good(match, limits)) match = search_near(pyramid, prior, going_on, sensor, match);
-  if (astray_m > near.half_m && is_doubtful()) {
-    const SearchWindow far{std::min(limits.search_max_m, near.half_m + astray_m), near.half_rad};
-    if (const auto other = find_elsewhere(pyramid, predicted, far, sensor)) return *other;
-  }
-  if (match.response >= limits.response_lost) return match;
-  const SearchWindow all_round{limits.turned_m, std::numbers::pi};
-  return find_elsewhere(pyramid, predicted, all_round, sensor).value_or(match);
-}
-
-/// Beside the window a robot that went on as before is tried: odometry that was held up for a second says
-/// nothing and then everything at once, which has been matched meanwhile.
-Match Mapper::search_near(const LikelihoodPyramid& pyramid, const Prior& prior, const Prior& going_on,
-                          const Point& sensor, Match match) const {
-  const SearchWindow window = window_around(prior, params_.track);
-  if (const auto hit = search(pyramid, points_, prior.T_map_base, window, 0.2, params_.search)) {
-    const Match other = refine(local_map_, points_, sensor, hit->T_map_base, prior, params_.refine);
-    if (other.response > match.response + kSearchResponse) match = other;
-  }
-  if (!is_within(window, prior.T_map_base.inverse() * going_on.T_map_base)) {
-    const Match gone_on = refine(local_map_, points_, sensor, going_on.T_map_base, going_on, params_.refine);
-    if (is_good(gone_on, params_.track) && gone_on.response > match.response + kSearchResponse)
-      match = gone_on;
-  }
-  return match;
-}
-
-/// Wheels slip and robots are turned by hand, and odometry hears nothing of it. Where two places fit (a
-/// corridor up and down), odometry is followed, and so it is where it leads to ground that nobody has seen:
-/// there nothing can fit, and what does elsewhere is chance.
-std::optional<Match> Mapper::find_elsewhere(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
-                                            const SearchWindow& window, const Point& sensor) const {
-  const TrackParams& track = params_.track;
-  const auto hit = search(pyramid, points_, predicted, window, kTurnedScore, params_.search);
-  if (!hit) return std::nullopt;
-  const Exclusion found{hit->T_map_base, track.turned_m, kTurnedApart_rad};
-  if (search(pyramid, points_, predicted, window, track.turned_peak_ratio * hit->score, params_.search,
-             found))
-    return std::nullopt;
-  const Match match = refine(local_map_, points_, sensor, hit->T_map_base, std::nullopt, params_.refine);
-  if (match.response < track.turned_response || match.degenerate) return std::nullopt;
-  const FreeGround ground = local_ground();
-  const double as_heard = ground.contradiction(local_map_, points_, predicted);
-  if (as_heard < track.turned_contradiction_min ||
-      2.0 * ground.contradiction(local_map_, points_, match.T_map_base) > as_heard)
-    return std::nullopt;
-  return match;
-}
-
-/// What the keyframes of the local map saw through.
-FreeGround Mapper::local_ground() const {
-  std::vector<KeyframePtr> keyframes;
-  std::vector<types::Se2> poses;
-  for (std::size_t k = window_first_; k < own_.size(); ++k) {
-    keyframes.push_back(keyframes_[own_[k]]);
-    poses.push_back(poses_[own_[k]]);
-  }
-  return seen_through(keyframes, poses, local_map_);
-}
-
-/// Is the robot that far from where a keyframe was made, or turned that much?
-bool Mapper::is_apart(std::size_t node, double way_m, double turn_rad) const {
-  const types::Se2& pose = poses_[node];
-  return distance_m(pose, T_map_base_) > way_m ||
-         std::abs(types::wrap_angle(T_map_base_.theta_rad - pose.theta_rad)) > turn_rad;
-}
-
-/// Does the tracking window have as many keyframes of here as it needs?
-bool Mapper::has_enough_alike() const {
-  const KeyframeParams& params = params_.keyframe;
-  const auto alike =
-      std::count_if(own_.begin() + static_cast<std::ptrdiff_t>(window_first_), own_.end(),
-                    [&](std::size_t node) { return !is_apart(node, params.alike_m, params.alike_rad); });
-  return alike >= params.alike_max;
+KeyframePtr Mapper::keyframe_of(const Cloud& cloud, std::vector<walls::ColumnPoint> columns) {
+  return make_keyframe({origin_.robot, next_sequence_++, origin_.run}, cloud, points_, motion_.T_odom_base,
+                       std::move(columns), params_.cloud);
 }
 
 void Mapper::add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                           walls::ColumnCollector& columns) {
-  auto keyframe = make_keyframe({maker_.robot, next_sequence_++, maker_.run}, cloud, points_, T_odom_base_,
-                                columns.take(T_odom_base_.inverse()), params_.cloud);
+  const types::Se2& here = motion_.T_map_base;
+  const bool first = graph_.own().empty();
+  const std::size_t before = first ? 0 : graph_.own().back();
+  const std::size_t node =
+      graph_.add_own(keyframe_of(cloud, columns.take(motion_.T_odom_base.inverse())), here);
   invalid_share_ = cloud.invalid_share;
-  const bool first = own_.empty();
-  const std::size_t before = first ? 0 : own_.back();
-  const std::size_t node = add_own_node(std::move(keyframe), T_map_base_);
   if (!first) {
+    Eigen::Matrix3d information = prior.information;
+    if (report.matched) {
+      information += report.match.scan_information;
+    } else {
+      const types::Se2& T_odom_before = graph_.keyframes()[before]->T_odom_base;
+      information = motion_information(T_odom_before.inverse() * motion_.T_odom_base, params_.motion);
+    }
     Edge edge;
     edge.from = before;
     edge.to = node;
-    edge.T_from_to = poses_[before].inverse() * T_map_base_;
-    Eigen::Matrix3d information = report.matched ? report.match.scan_information : Eigen::Matrix3d::Zero();
-    information +=
-        report.matched
-            ? prior.information
-            : motion_information(keyframes_[before]->T_odom_base.inverse() * T_odom_base_, params_.motion);
-    edge.information =
-        edge_information(information, T_map_base_.theta_rad, params_.graph.odometry_trans_floor_m,
-                         params_.graph.odometry_rot_floor_rad);
+    edge.T_from_to = graph_.poses()[before].inverse() * here;
+    edge.information = edge_information(information, here.theta_rad, params_.graph.odometry_trans_floor_m,
+                                        params_.graph.odometry_rot_floor_rad);
     add_found_edge(edge);
   }
-  extend_local_map();
+  local_map_.extend(graph_, here);
   ask(node);
 }
 
-std::size_t Mapper::add_node(KeyframePtr keyframe, const types::Se2& pose) {
-  const std::size_t node = keyframes_.size();
-  nodes_[keyframe->id] = node;
-  keyframes_.push_back(std::move(keyframe));
-  poses_.push_back(pose);
-  return node;
+LoopQuery Mapper::query_about(std::size_t node) const {
+  LoopQuery query;
+  query.node = node;
+  query.keyframe = graph_.keyframes()[node];
+  query.pose = graph_.poses()[node];
+  query.params = params_;
+  return query;
 }
 
-std::size_t Mapper::add_own_node(KeyframePtr keyframe, const types::Se2& pose) {
-  own_.push_back(add_node(std::move(keyframe), pose));
-  return own_.back();
+void Mapper::ask(std::size_t node) {
+  open_questions_.ask(node, graph_.poses()[node]);
+  const auto own = graph_.own();
+  const std::size_t end = end_of_other_visits(graph_.poses(), own, own.size() - 1, params_.loop);
+  if (end == 0 && graph_.mates().empty()) return;
+  const std::vector<double> distances_m = graph_.distances_m(node);
+  LoopQuery query = query_about(node);
+  query.groups = own_groups(graph_, node, end, distances_m, params_.loop);
+  for (LoopGroup& group : mates_groups(graph_, node, distances_m, params_.loop))
+    query.groups.push_back(std::move(group));
+  if (!query.groups.empty()) query_ = std::move(query);
 }
 
-void Mapper::extend_local_map() {
-  const Point here = T_map_base_.translation().cast<float>();
-  const std::size_t held = own_.size() - window_first_;
-  const bool first = own_.size() == 1;
-  // Dropping one keyframe means building the map again: let a few gather.
-  if (first || (here - local_centre_).norm() > static_cast<float>(kRecentre_m) ||
-      held > static_cast<std::size_t>(2 * params_.keyframe.window_travel_m / params_.keyframe.travel_m)) {
-    rebuild_local_map();
-  } else {
-    local_map_.add(keyframes_[own_.back()]->surfels, poses_[own_.back()]);
-  }
+std::optional<LoopQuery> Mapper::take_query() { return std::exchange(query_, std::nullopt); }
+
+std::optional<LoopQuery> Mapper::take_second_query() {
+  const auto node = open_questions_.take();
+  if (!node) return std::nullopt;
+  open_questions_.ask(*node, graph_.poses()[*node]);
+  const auto own = graph_.own();
+  const auto place = static_cast<std::size_t>(std::lower_bound(own.begin(), own.end(), *node) - own.begin());
+  const std::size_t end = end_of_other_visits(graph_.poses(), own, place, params_.loop);
+  LoopQuery query = query_about(*node);
+  query.groups = own_groups(graph_, *node, end, graph_.distances_m(*node), params_.loop);
+  if (query.groups.empty()) return std::nullopt;
+  return query;
 }
 
-void Mapper::rebuild_local_map() {
-  local_centre_ = T_map_base_.translation().cast<float>();
-  local_map_.reset(local_centre_, kLocalHalfWidth_m);
-  double travelled = 0.0;
-  window_first_ = own_.size() - 1;
-  while (window_first_ > 0 &&
-         (travelled < params_.keyframe.window_travel_m ||
-          own_.size() - window_first_ < static_cast<std::size_t>(params_.keyframe.window_min))) {
-    travelled += distance_m(poses_[own_[window_first_]], poses_[own_[window_first_ - 1]]);
-    --window_first_;
+std::vector<LoopQuery> Mapper::take_mate_queries(std::size_t count_max) {
+  std::vector<LoopQuery> queries;
+  while (queries.size() < count_max) {
+    const auto node = intake_.take_untied(graph_);
+    if (!node) break;
+    LoopQuery query = query_about(*node);
+    query.groups = own_groups(graph_, *node, graph_.own().size(), graph_.distances_m(*node), params_.loop);
+    if (!query.groups.empty()) queries.push_back(std::move(query));
   }
-  for (std::size_t k = window_first_; k < own_.size(); ++k)
-    local_map_.add(keyframes_[own_[k]]->surfels, poses_[own_[k]]);
-  // A resumed path is short at first: what was mapped here before helps, until the window has left that
-  // place.
-  if (window_first_ > resumed_at_) neighbours_.clear();
-  for (const std::size_t i : neighbours_) {
-    if (i < own_[window_first_]) local_map_.add(keyframes_[i]->surfels, poses_[i]);
+  return queries;
+}
+
+std::optional<AlignmentQuery> Mapper::take_alignment_query() {
+  return intake_.take_alignment_query(graph_, params_);
+}
+
+LoopVerdict Mapper::apply(const LoopAnswer& answer) {
+  LoopVerdict verdict;
+  for (const LoopCandidate& candidate : answer.candidates) {
+    if (candidate.rejection != LoopRejection::kNone) {
+      ++verdict.rejected;
+      continue;
+    }
+    ++verdict.accepted;
+    open_questions_.close(answer.node);
+    if (!is_known(graph_.key_of(candidate.edge))) add_found_edge(candidate.edge);
   }
+  return verdict;
+}
+
+JoinVerdict Mapper::join(std::span<const KeyframePtr> keyframes, std::span<const FoundRelation> relations) {
+  return intake_.join(keyframes, relations, graph_);
+}
+
+JoinVerdict Mapper::relate(const RelationKey& key, const Relation& relation) {
+  if (is_known(key)) return {};
+  note_found(key, relation);
+  const FoundRelation found = found_.back();
+  return join({}, {&found, 1});
+}
+
+bool Mapper::is_known(const RelationKey& key) const { return graph_.has(key) || intake_.knows(key); }
+
+void Mapper::add_found_edge(const Edge& edge) {
+  graph_.add(edge);
+  note_found(graph_.key_of(edge), {edge.T_from_to, edge.information, edge.robust});
+}
+
+void Mapper::note_found(const RelationKey& key, const Relation& relation) {
+  const auto number = static_cast<std::uint32_t>(found_.size());
+  found_.push_back({{origin_.robot, number, origin_.run}, key, relation});
+}
+
+std::span<const FoundRelation> Mapper::found_since(std::uint32_t number) const {
+  return std::span(found_).subspan(std::min<std::size_t>(number, found_.size()));
+}
+
+bool Mapper::has_something_new() const {
+  int closures = 0;
+  for (const Edge& edge : graph_.edges().subspan(solving_.asked)) {
+    closures += edge.robust ? 1 : 0;
+    if (closures >= kClosuresBeforeSolve || graph_.is_tense(edge)) return true;
+  }
+  return false;
+}
+
+GraphQuery Mapper::graph_query() const {
+  const auto poses = graph_.poses();
+  const auto edges = graph_.edges();
+  return {{poses.begin(), poses.end()}, {edges.begin(), edges.end()}, params_.graph};
+}
+
+std::optional<GraphQuery> Mapper::take_graph_query() {
+  if (solving_.out || !has_something_new()) return std::nullopt;
+  solving_.out = true;
+  solving_.asked = graph_.edges().size();
+  return graph_query();
+}
+
+std::vector<types::Se2> Mapper::corrected(const GraphSolution& solution) const {
+  return corrected_poses(solution.poses, graph_.poses(), graph_.edges().subspan(solving_.asked));
+}
+
+void Mapper::adopt(std::vector<types::Se2> poses) {
+  const std::size_t newest = graph_.own().back();
+  const types::Se2 T_newest_base = graph_.poses()[newest].inverse() * motion_.T_map_base;
+  graph_.move(std::move(poses));
+  motion_.T_map_base = graph_.poses()[newest] * T_newest_base;
+  solving_.out = false;
+  solving_.solved = solving_.asked;
+  open_questions_.correct(graph_.poses());
+  local_map_.rebuild(graph_, motion_.T_map_base);
+}
+
+void Mapper::give_up_solving() {
+  solving_.out = false;
+  solving_.asked = solving_.solved;
+}
+
+SolveReport Mapper::optimise() {
+  if (graph_.own().empty()) return {};
+  solving_.asked = graph_.edges().size();
+  const GraphSolution solution = solve_graph(graph_query());
+  adopt(solution.poses);
+  return solution.report;
 }
 
 }  // namespace topo::slam

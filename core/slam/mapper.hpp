@@ -2,25 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <deque>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
-#include "core/slam/alignment.hpp"
-#include "core/slam/free_ground.hpp"
-#include "core/slam/graph_links.hpp"
 #include "core/slam/graph_solution.hpp"
-#include "core/slam/keyframe.hpp"
-#include "core/slam/loop_candidates.hpp"
+#include "core/slam/local_map.hpp"
 #include "core/slam/loop_closure.hpp"
+#include "core/slam/map_graph.hpp"
 #include "core/slam/open_questions.hpp"
-#include "core/slam/refine.hpp"
-#include "core/slam/relation_set.hpp"
-#include "core/slam/session.hpp"
-#include "core/slam/unplaced.hpp"
+#include "core/slam/team_intake.hpp"
+#include "core/slam/tracking.hpp"
 #include "core/walls/column_collector.hpp"
 
 namespace topo::slam {
@@ -35,17 +28,6 @@ struct MatchReport {
   bool keyframe = false;  ///< the scan became one
   std::size_t node = 0;   ///< keyframe that the pose hangs on: correct it with that keyframe's correction
   types::Se2 T_node_base;
-};
-
-/// What became of what was joined.
-struct JoinVerdict {
-  int placed = 0;  ///< keyframes of team-mates that entered the map
-  int tied = 0;    ///< relations that entered the graph
-  JoinVerdict& operator+=(const JoinVerdict& other) {
-    placed += other.placed;
-    tied += other.tied;
-    return *this;
-  }
 };
 
 /// Tracks the robot against the keyframes of its recent path and keeps the pose graph (front and back end
@@ -84,7 +66,7 @@ class Mapper {
   /// Where on the robot's own way a team-mate's keyframes may have been seen, for those that came since and
   /// that nothing ties to it: at most `count_max` questions, the oldest first.
   std::vector<LoopQuery> take_mate_queries(std::size_t count_max);
-  [[nodiscard]] bool has_mates_to_ask_about() const { return !unasked_.empty(); }
+  [[nodiscard]] bool has_mates_to_ask_about() const { return intake_.has_new(); }
 
   /// Whether a team-mate's map, of which nothing ties anything to this one, lies on it: asked when enough has
   /// come, and again when both have grown.
@@ -99,7 +81,7 @@ class Mapper {
   /// The graph, to be solved beside tracking, when what came since says something new. Not again until
   /// adopt() or give_up_solving().
   std::optional<GraphQuery> take_graph_query();
-  [[nodiscard]] bool is_solving() const { return solving_; }
+  [[nodiscard]] bool is_solving() const { return solving_.out; }
 
   /// Where a solution of the graph that was asked about puts all nodes that are there now.
   [[nodiscard]] std::vector<types::Se2> corrected(const GraphSolution& solution) const;
@@ -111,95 +93,58 @@ class Mapper {
   /// Solves the graph with everything in it, at once. What was asked about is no longer waited for.
   SolveReport optimise();
 
-  [[nodiscard]] std::span<const KeyframePtr> keyframes() const { return keyframes_; }
-  [[nodiscard]] std::span<const types::Se2> poses() const { return poses_; }
-  [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
+  [[nodiscard]] std::span<const KeyframePtr> keyframes() const { return graph_.keyframes(); }
+  [[nodiscard]] std::span<const types::Se2> poses() const { return graph_.poses(); }
+  [[nodiscard]] std::span<const Edge> edges() const { return graph_.edges(); }
   /// A keyframe's place in these lists; nothing when it is not in the map.
-  [[nodiscard]] std::optional<std::size_t> node_of(const KeyframeId& id) const;
-  [[nodiscard]] const Origin& origin() const { return maker_; }
+  [[nodiscard]] std::optional<std::size_t> node_of(const KeyframeId& id) const { return graph_.node_of(id); }
+  [[nodiscard]] const Origin& origin() const { return origin_; }
   /// Nodes of the robot's own way, in its order, and of each other origin in the order of the keys.
-  [[nodiscard]] std::span<const std::size_t> own_way() const { return own_; }
-  [[nodiscard]] const std::map<Origin, std::vector<std::size_t>>& mates_ways() const { return mates_; }
-  [[nodiscard]] Session session() const { return {keyframes_, poses_, edges_}; }
-  [[nodiscard]] types::Se2 T_map_odom() const { return T_map_base_ * T_odom_base_.inverse(); }
-  [[nodiscard]] const types::Se2& T_map_base() const { return T_map_base_; }
-  [[nodiscard]] const types::Se2& T_odom_base() const { return T_odom_base_; }  ///< of the scan placed last
+  [[nodiscard]] std::span<const std::size_t> own_way() const { return graph_.own(); }
+  [[nodiscard]] const std::map<Origin, std::vector<std::size_t>>& mates_ways() const {
+    return graph_.mates();
+  }
+  [[nodiscard]] Session session() const { return graph_.session(); }
+  [[nodiscard]] types::Se2 T_map_odom() const { return motion_.T_map_base * motion_.T_odom_base.inverse(); }
+  [[nodiscard]] const types::Se2& T_map_base() const { return motion_.T_map_base; }
+  [[nodiscard]] const types::Se2& T_odom_base() const {
+    return motion_.T_odom_base;
+  }  ///< of the scan placed last
   [[nodiscard]] const MapperParams& params() const { return params_; }
 
  private:
-  [[nodiscard]] Prior predict(const types::Se2& motion, double seconds) const;
-  [[nodiscard]] Prior going_on(double seconds) const;
-  Match track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched);
-  [[nodiscard]] Match search_near(const LikelihoodPyramid& pyramid, const Prior& prior, const Prior& going_on,
-                                  const Point& sensor, Match match) const;
-  [[nodiscard]] std::optional<Match> find_elsewhere(const LikelihoodPyramid& pyramid,
-                                                    const types::Se2& predicted, const SearchWindow& window,
-                                                    const Point& sensor) const;
-  [[nodiscard]] FreeGround local_ground() const;
-  [[nodiscard]] bool is_apart(std::size_t node, double way_m, double turn_rad) const;
-  [[nodiscard]] bool has_enough_alike() const;
+  /// The graph's solution beside tracking: numbers of edges.
+  struct Solving {
+    std::size_t asked = 0;   ///< that the newest query has
+    std::size_t solved = 0;  ///< that the poses obey
+    bool out = false;        ///< the query waits for its answer
+  };
+
   void add_keyframe(const Cloud& cloud, const MatchReport& report, const Prior& prior,
                     walls::ColumnCollector& columns);
+  KeyframePtr keyframe_of(const Cloud& cloud, std::vector<walls::ColumnPoint> columns);
   void ask(std::size_t node);
-  [[nodiscard]] bool is_known(const Edge& edge) const;
-  void extend_local_map();
-  void rebuild_local_map();
-
-  std::size_t add_node(KeyframePtr keyframe, const types::Se2& pose);
-  std::size_t add_own_node(KeyframePtr keyframe, const types::Se2& pose);
-  std::size_t add_mates_node(KeyframePtr keyframe, const types::Se2& pose);
-  [[nodiscard]] bool is_own(std::size_t node) const;
+  [[nodiscard]] LoopQuery query_about(std::size_t node) const;
+  [[nodiscard]] bool is_known(const RelationKey& key) const;
   void add_found_edge(const Edge& edge);
-  void add_edge(const Edge& edge);
-  [[nodiscard]] bool is_tense(const Edge& edge) const { return edge_chi2(edge, poses_) > kTensionChi2; }
-  [[nodiscard]] bool is_far_off(const Edge& edge) const;
+  void note_found(const RelationKey& key, const Relation& relation);
   [[nodiscard]] bool has_something_new() const;
-  void relink();
-  [[nodiscard]] bool is_as_sure_as_a_match(const Edge& edge) const;
-  LoopGroup group_of(const LoopRun& run, Way way) const;
-  LoopQuery query_about(std::size_t node) const;
-  std::vector<LoopGroup> groups_of_mates(std::size_t node, std::span<const double> distances_m) const;
-  [[nodiscard]] bool is_tied_to_own_way(std::size_t node) const;
-  struct Joining;
-
-  static constexpr int kClosuresBeforeSolve = 10;  ///< closures that agree with the graph wait for company
-  static constexpr double kTensionChi2 = 1.0;      ///< what is further off than this is solved for at once
+  [[nodiscard]] GraphQuery graph_query() const;
 
   MapperParams params_;
-  Origin maker_;
+  Origin origin_;
   types::Se2 start_;
-  std::vector<KeyframePtr> keyframes_;  ///< in the order in which they came, the first one holds the map
-  std::vector<types::Se2> poses_;       ///< of base_link at each keyframe, in map
-  std::vector<Edge> edges_;
+  MapGraph graph_;
+  LocalMap local_map_;
+  TrackedMotion motion_;
+  double invalid_share_ = 0.0;  ///< of the beams of the robot's newest keyframe
   std::uint32_t next_sequence_ = 0;
-  types::Se2 T_map_base_, T_odom_base_;
-  double invalid_share_ = 0.0;    ///< of the beams of the robot's newest keyframe
-  types::Stamp stamp_{};          ///< of the scan placed last
-  types::Se2 T_previous_last_;    ///< the way between the two scans placed last
-  double previous_last_s_ = 0.0;  ///< and its time
-  SurfelMap local_map_;
-  std::size_t window_first_ = 0;  ///< first keyframe in the local map
-  Point local_centre_ = Point::Zero();
+  std::vector<Point> points_;  ///< scratch: the points of the scan for matching
   std::optional<LoopQuery> query_;
   OpenQuestions open_questions_;
-  std::vector<Point> points_;            ///< scratch
-  std::size_t edges_asked_ = 0;          ///< that the newest question about the graph had
-  std::size_t edges_solved_ = 0;         ///< that the poses obey
-  bool solving_ = false;                 ///< the question is out
-  GraphLinks links_;                     ///< of the edges that the poses obey, more or less
-  std::vector<std::size_t> unlinked_;    ///< the other edges
-  std::size_t resumed_at_ = 0;           ///< place on the own way of the first keyframe since resume()
-  std::vector<std::size_t> neighbours_;  ///< older keyframes around it
-
-  std::vector<std::size_t> own_;                      ///< the robot's own nodes, in the order of its way
-  std::map<Origin, std::vector<std::size_t>> mates_;  ///< others' nodes in the order of their keys
-  std::map<KeyframeId, std::size_t> nodes_;
-  std::set<RelationKey> known_;       ///< relations in the graph or waiting
+  Solving solving_;
   std::vector<FoundRelation> found_;  ///< by this robot
-  Unplaced unplaced_;
-  std::deque<std::size_t> unasked_;           ///< nodes of team-mates
-  std::set<std::size_t> tied_;                ///< nodes of team-mates with an edge to the own way
-  std::map<Origin, std::size_t> aligned_at_;  ///< keyframes, own and theirs, at the last question about them
+  TeamIntake intake_;
 };
 
 }  // namespace topo::slam

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <vector>
 
-#include "daemon/app/plan_json.hpp"
+#include "daemon/app/json/plan_json.hpp"
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/cloud.hpp"
 #include "daemon/mapfile/map_image.hpp"

@@ -15,6 +15,9 @@ namespace topo::daemon {
 
 class Workers;
 
+/// The state of the base in words, for operators.
+std::string_view state_text(const BaseReport& base);
+
 /// Main's view of the other threads: the newest of every report, and whether the threads advance. Main only.
 class Monitor {
  public:

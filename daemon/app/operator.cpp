@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "daemon/app/battery_text.hpp"
+#include "daemon/app/json/plan_json.hpp"
 #include "daemon/app/logging.hpp"
 #include "daemon/app/monitor.hpp"
-#include "daemon/app/plan_json.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "daemon/recording/little_endian.hpp"
+#include "core/types/bytes.hpp"
 
 namespace topo::daemon {
 
@@ -21,8 +21,8 @@ void ChannelTap::on_bytes(io::Direction direction, types::Stamp stamp,
 
 bool ChannelTap::put_gap(types::Stamp stamp) noexcept {
   std::array<std::byte, 16> body{};
-  store_le(std::span(body), 0, gap_bytes_);
-  store_le(std::span(body), 8, gap_records_);
+  types::store_le(std::span(body), 0, gap_bytes_);
+  types::store_le(std::span(body), 8, gap_records_);
   const auto head = encode_record_head({channel_, RecordKind::kGap, body.size(), stamp});
   if (!ring_.try_write(head, body)) return false;
   gap_bytes_ = 0;

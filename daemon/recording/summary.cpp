@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "daemon/recording/little_endian.hpp"
+#include "core/types/bytes.hpp"
 
 namespace topo::daemon {
 
@@ -25,8 +25,8 @@ void count(const Record& record, ChannelSummary& channel) {
       break;
     case RecordKind::kGap:
       if (record.bytes.size() < 16) break;
-      channel.lost_bytes += load_le<std::uint64_t>(record.bytes, 0);
-      channel.lost_records += load_le<std::uint64_t>(record.bytes, 8);
+      channel.lost_bytes += types::load_le<std::uint64_t>(record.bytes, 0);
+      channel.lost_records += types::load_le<std::uint64_t>(record.bytes, 8);
       break;
     case RecordKind::kClose:
     case RecordKind::kEnd:

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/slam/bytes.hpp"
+#include "core/types/bytes.hpp"
 #include "daemon/recording/format.hpp"
 
 namespace topo::daemon {
@@ -26,7 +26,7 @@ struct RecordHead {
 /// Nothing when the head is damaged or incomplete.
 std::optional<RecordHead> read_head(std::span<const std::byte> rest) {
   if (rest.size() < kRecordHead) return std::nullopt;
-  slam::ByteReader in(rest.first(kRecordHead));
+  types::ByteReader in(rest.first(kRecordHead));
   RecordHead head;
   head.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
   head.packed_bytes = in.integer<std::uint32_t>();
@@ -40,7 +40,7 @@ std::optional<RecordHead> read_head(std::span<const std::byte> rest) {
 }  // namespace
 
 std::vector<std::byte> encode_session_header(const SessionHeader& header) {
-  slam::ByteWriter out;
+  types::ByteWriter out;
   out.append(std::as_bytes(std::span(kMagic)));
   out.integer(kSessionVersion);
   out.integer(header.params_hash);
@@ -52,7 +52,7 @@ std::optional<SessionHeader> decode_session_header(std::span<const std::byte> fi
   version = 0;
   if (file.size() < SessionHeader::kSize) return std::nullopt;
   if (!std::ranges::equal(file.first(kMagic.size()), std::as_bytes(std::span(kMagic)))) return std::nullopt;
-  slam::ByteReader in(file.subspan(kMagic.size()));
+  types::ByteReader in(file.subspan(kMagic.size()));
   version = in.integer<std::uint32_t>();
   SessionHeader header{in.integer<std::uint64_t>()};
   const bool whole = in.integer<std::uint64_t>() == checksum(file.first(SessionHeader::kSize - 8));
@@ -66,7 +66,7 @@ bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::span<co
   const std::size_t n = ZSTD_compress(packed.data(), packed.size(), content.data(), content.size(), kLevel);
   if (ZSTD_isError(n) != 0U || n > kSessionRecordBytesMax) return false;
   packed.resize(n);
-  slam::ByteWriter head;
+  types::ByteWriter head;
   head.integer(static_cast<std::uint32_t>(kind));
   head.integer(static_cast<std::uint32_t>(n));
   head.integer(static_cast<std::uint32_t>(content.size()));

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "core/slam/bytes.hpp"
 #include "core/slam/keyframe_codec.hpp"
+#include "core/types/bytes.hpp"
 #include "daemon/mapfile/input_file.hpp"
 #include "daemon/session/format.hpp"
 
@@ -22,7 +22,7 @@ constexpr std::size_t kMaxFileBytes = 1U << 30U;
 constexpr std::size_t kPoseBytes = 24;
 constexpr std::size_t kEdgeBytes = 2 + 1 + 9 * 8;  ///< minimum size
 
-types::Se2 read_pose(slam::ByteReader& in) {
+types::Se2 read_pose(types::ByteReader& in) {
   types::Se2 pose;
   pose.x_m = in.real64();
   pose.y_m = in.real64();
@@ -30,7 +30,7 @@ types::Se2 read_pose(slam::ByteReader& in) {
   return pose;
 }
 
-slam::Edge read_edge(slam::ByteReader& in) {
+slam::Edge read_edge(types::ByteReader& in) {
   slam::Edge edge;
   edge.from = static_cast<std::size_t>(in.varint());
   edge.to = static_cast<std::size_t>(in.varint());
@@ -45,7 +45,7 @@ slam::Edge read_edge(slam::ByteReader& in) {
 
 /// Reads items from the number given first; false when that leaves a gap, or bytes remain.
 template <class Item, class Read>
-bool replace_from(slam::ByteReader& in, std::vector<Item>& items, std::size_t bytes_each, Read read) {
+bool replace_from(types::ByteReader& in, std::vector<Item>& items, std::size_t bytes_each, Read read) {
   const std::uint64_t first = in.varint();
   if (!in.ok() || first > items.size()) return false;
   items.resize(static_cast<std::size_t>(first));
@@ -55,7 +55,7 @@ bool replace_from(slam::ByteReader& in, std::vector<Item>& items, std::size_t by
 
 bool read_keyframes(std::span<const std::byte> rest, std::vector<slam::KeyframePtr>& keyframes) {
   while (!rest.empty()) {
-    slam::ByteReader in(rest);
+    types::ByteReader in(rest);
     const std::size_t size = in.count(1);
     if (!in.ok() || size > in.remaining()) return false;
     rest = rest.last(in.remaining());
@@ -70,7 +70,7 @@ bool read_keyframes(std::span<const std::byte> rest, std::vector<slam::KeyframeP
 /// Applies a record; false when its content is invalid for its kind.
 bool take(const ReadRecord& record, LoadedSession& loaded) {
   slam::Session& session = loaded.session;
-  slam::ByteReader in(record.content);
+  types::ByteReader in(record.content);
   switch (record.kind) {
     case SessionRecord::kKeyframes:
       return read_keyframes(record.content, session.keyframes);

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/slam/bytes.hpp"
 #include "core/slam/keyframe_codec.hpp"
+#include "core/types/bytes.hpp"
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/session/format.hpp"
 
@@ -23,13 +23,13 @@ constexpr std::size_t kRecordTarget = 256U * 1024U;  ///< a record is closed whe
 constexpr std::size_t kPosesEach = 8192;
 constexpr std::size_t kEdgesEach = 2048;
 
-void put(slam::ByteWriter& out, const types::Se2& pose) {
+void put(types::ByteWriter& out, const types::Se2& pose) {
   out.real(pose.x_m);
   out.real(pose.y_m);
   out.real(pose.theta_rad);
 }
 
-void put(slam::ByteWriter& out, const slam::Edge& edge) {
+void put(types::ByteWriter& out, const slam::Edge& edge) {
   out.varint(edge.from);
   out.varint(edge.to);
   out.integer(static_cast<std::uint8_t>(edge.robust ? 1 : 0));
@@ -50,7 +50,7 @@ template <class Item>
 void append_from(std::vector<std::byte>& out, SessionRecord kind, const std::vector<Item>& items,
                  std::size_t first, std::size_t each) {
   do {
-    slam::ByteWriter content;
+    types::ByteWriter content;
     content.varint(first);
     const std::size_t last = std::min(items.size(), first + each);
     for (; first < last; ++first) put(content, items[first]);
@@ -60,7 +60,7 @@ void append_from(std::vector<std::byte>& out, SessionRecord kind, const std::vec
 
 Status append_keyframes(std::vector<std::byte>& out, const std::vector<slam::KeyframePtr>& keyframes,
                         std::size_t first) {
-  slam::ByteWriter content;
+  types::ByteWriter content;
   for (std::size_t i = first; i < keyframes.size(); ++i) {
     const auto bytes = slam::encode_keyframe(*keyframes[i]);
     content.varint(bytes.size());
@@ -119,7 +119,7 @@ void SessionWriter::written(const slam::Session& session, const PoseTolerance& t
 }
 
 std::vector<std::byte> SessionWriter::end() const {
-  slam::ByteWriter content;
+  types::ByteWriter content;
   content.varint(keyframes_);
   content.varint(edges_.size());
   content.varint(poses_.size());

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "drivers/pioneer/byte_reader.hpp"
+#include "core/types/bytes.hpp"
 #include "drivers/pioneer/sip.hpp"
 
 namespace topo::pioneer {
@@ -198,7 +198,7 @@ Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
 }
 
 Handshake::Progress Handshake::on_names(const PacketView& packet) {
-  ByteReader in(packet.payload.subspan(1));
+  types::ByteReader in(packet.payload.subspan(1));
   name_ = in.text();
   const std::string robot_class = in.text();
   const std::string subclass = in.text();

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/types/bytes.hpp"
 #include "drivers/pioneer/arcos_codec.hpp"
-#include "drivers/pioneer/byte_reader.hpp"
 
 namespace topo::pioneer {
 namespace {
@@ -15,40 +15,41 @@ constexpr unsigned kFlagStopButton = 1U << 5U;
 constexpr unsigned kFlagChargerPower = 1U << 10U;
 constexpr std::size_t kFixedPart = 20;  ///< type to sonar count
 
-void read_fixed_part(ByteReader& in, StatusPacket& out) {
-  out.x_counts = *in.u16();
-  out.y_counts = *in.u16();
-  out.heading_units = *in.i16();
-  out.left_velocity = *in.i16();
-  out.right_velocity = *in.i16();
-  out.battery_decivolt = *in.u8();
-  out.stall_bump = *in.u16();
-  in.u16();  // CONTROL: legacy
-  out.flags = *in.u16();
-  in.u8();  // COMPASS
+void read_fixed_part(types::ByteReader& in, StatusPacket& out) {
+  out.x_counts = *in.optional<std::uint16_t>();
+  out.y_counts = *in.optional<std::uint16_t>();
+  out.heading_units = *in.optional<std::int16_t>();
+  out.left_velocity = *in.optional<std::int16_t>();
+  out.right_velocity = *in.optional<std::int16_t>();
+  out.battery_decivolt = *in.optional<std::uint8_t>();
+  out.stall_bump = *in.optional<std::uint16_t>();
+  in.optional<std::uint16_t>();  // CONTROL: legacy
+  out.flags = *in.optional<std::uint16_t>();
+  in.optional<std::uint8_t>();  // COMPASS
 }
 
-bool read_sonar(ByteReader& in, StatusPacket& out) {
-  const std::size_t count = *in.u8();
+bool read_sonar(types::ByteReader& in, StatusPacket& out) {
+  const std::size_t count = *in.optional<std::uint8_t>();
   if (count > StatusPacket::kMaxEchoes || in.remaining() < count * 3) return false;
   out.echoes = count;
-  for (std::size_t i = 0; i < count; ++i) out.echo[i] = {*in.u8(), *in.u16()};
+  for (std::size_t i = 0; i < count; ++i)
+    out.echo[i] = {*in.optional<std::uint8_t>(), *in.optional<std::uint16_t>()};
   return true;
 }
 
-void read_optional_part(ByteReader& in, StatusPacket& out) {
-  in.u8();  // GRIP_STATE
-  in.u8();  // ANPORT
-  in.u8();  // ANALOG
-  out.digital_in = in.u8();
-  out.digital_out = in.u8();
-  out.battery_x10 = in.u16();
-  out.charge_state = in.u8();
-  out.rotation_decidegps = in.i16();
-  out.fault_flags = in.u16();
-  in.u16();  // LATVEL
-  out.temperature_c = in.i8();
-  out.state_of_charge_percent = in.u8();
+void read_optional_part(types::ByteReader& in, StatusPacket& out) {
+  in.optional<std::uint8_t>();  // GRIP_STATE
+  in.optional<std::uint8_t>();  // ANPORT
+  in.optional<std::uint8_t>();  // ANALOG
+  out.digital_in = in.optional<std::uint8_t>();
+  out.digital_out = in.optional<std::uint8_t>();
+  out.battery_x10 = in.optional<std::uint16_t>();
+  out.charge_state = in.optional<std::uint8_t>();
+  out.rotation_decidegps = in.optional<std::int16_t>();
+  out.fault_flags = in.optional<std::uint16_t>();
+  in.optional<std::uint16_t>();  // LATVEL
+  out.temperature_c = in.optional<std::int8_t>();
+  out.state_of_charge_percent = in.optional<std::uint8_t>();
 }
 
 float battery_v(const StatusPacket& p) {
@@ -70,8 +71,8 @@ float state_of_charge(const StatusPacket& p) {
 
 std::optional<StatusPacket> decode_status(std::span<const std::byte> payload) {
   if (payload.size() < kFixedPart) return std::nullopt;
-  ByteReader in(payload);
-  const auto type = static_cast<PacketType>(*in.u8());
+  types::ByteReader in(payload);
+  const auto type = static_cast<PacketType>(*in.optional<std::uint8_t>());
   if (type != PacketType::kStatusStopped && type != PacketType::kStatusMoving) return std::nullopt;
   StatusPacket out;
   out.moving = type == PacketType::kStatusMoving;

@@ -16,7 +16,7 @@
 
 namespace {
 
-class FuzzedSource final : public topo::daemon::ByteSource {
+class FuzzedSource final : public topo::bench::ByteSource {
  public:
   FuzzedSource(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
   topo::types::Result<std::size_t> read(std::span<char> buffer) override {
@@ -38,7 +38,7 @@ void require(bool held) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto graph = topo::bench::read_graph(
-      topo::daemon::LineSource::over("fuzz.g2o", std::make_unique<FuzzedSource>(data, size)));
+      topo::bench::LineSource::over("fuzz.g2o", std::make_unique<FuzzedSource>(data, size)));
   if (!graph) {
     require(graph.error().message.starts_with("fuzz.g2o:"));
     require(graph.error().message.find("expected") != std::string::npos);

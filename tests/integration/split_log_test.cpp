@@ -23,14 +23,14 @@ class SplitLog : public ::testing::TestWithParam<const char*> {
     auto log = read_log(data + "/slam_logs/" + name + ".clf.bz2");
     ASSERT_TRUE(log) << log.error().message;
     log_ = std::move(*log);
-    auto relations = daemon::read_relations(data + "/relations/" + name + ".relations.bz2");
+    auto relations = read_relations(data + "/relations/" + name + ".relations.bz2");
     ASSERT_TRUE(relations) << relations.error().message;
     relations_ = std::move(*relations);
   }
 
   void expect_as_good(const SplitRun& split, const MappingRun& whole) const {
-    const auto joined = daemon::evaluate_relations(relations_, split.trajectory);
-    const auto alone = daemon::evaluate_relations(relations_, whole.trajectory);
+    const auto joined = evaluate_relations(relations_, split.trajectory);
+    const auto alone = evaluate_relations(relations_, whole.trajectory);
     EXPECT_EQ(joined.skipped, 0) << "nothing of either robot is left out";
     EXPECT_EQ(joined.used, alone.used);
     EXPECT_LE(joined.trans_mean_m, kAsGood * alone.trans_mean_m);
@@ -38,8 +38,8 @@ class SplitLog : public ::testing::TestWithParam<const char*> {
     EXPECT_GT(split.ties, 50);
   }
 
-  daemon::CarmenLog log_;
-  std::vector<daemon::Relation> relations_;
+  CarmenLog log_;
+  std::vector<Relation> relations_;
 };
 
 TEST_P(SplitLog, isJoinedAsWellAsOneRobotMapsItAlone) {

@@ -7,12 +7,11 @@
 
 namespace topo::bench {
 
-types::Result<daemon::CarmenLog> read_log(const std::string& path) {
-  return path.find(".dat") != std::string::npos ? daemon::read_mines_log(path)
-                                                : daemon::read_carmen_log(path);
+types::Result<CarmenLog> read_log(const std::string& path) {
+  return path.find(".dat") != std::string::npos ? read_mines_log(path) : read_carmen_log(path);
 }
 
-void fill_scan(const daemon::CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to) {
+void fill_scan(const CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to) {
   to.beams = static_cast<std::uint16_t>(std::min(from.range_m.size(), types::Scan::kMaxBeams));
   to.arrival = types::stamp_from_seconds(stamp_s);
   const int gaps = to.beams > 0 ? to.beams - 1 : 0;
@@ -24,7 +23,7 @@ void fill_scan(const daemon::CarmenScan& from, double stamp_s, std::uint64_t seq
   std::copy_n(from.range_m.begin(), to.beams, to.range_m.begin());
 }
 
-MappingRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state) {
+MappingRun run_log(const CarmenLog& log, pipeline::MappingState& state) {
   LockStep lock_step(state);
   types::Scan scan;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
@@ -36,7 +35,7 @@ MappingRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state) 
   return lock_step.finish();
 }
 
-slam::MapperParams params_for(const daemon::CarmenLog& log) {
+slam::MapperParams params_for(const CarmenLog& log) {
   slam::MapperParams params;
   if (!log.scans.empty()) {
     params.T_base_laser = log.scans.front().robot_odom.inverse() * log.scans.front().laser_odom;

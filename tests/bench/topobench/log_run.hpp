@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "daemon/carmen/carmen_log.hpp"
+#include "tests/bench/carmen/carmen_log.hpp"
 #include "tests/bench/topobench/slam/lock_step.hpp"
 
 namespace topo::bench {
 
 /// Maps a whole log. `state` holds the map afterwards. The stamps are the log's own.
-MappingRun run_log(const daemon::CarmenLog& log, pipeline::MappingState& state);
+MappingRun run_log(const CarmenLog& log, pipeline::MappingState& state);
 
 /// A log of either kind: Mines logs are tables of numbers (MANIFEST of the data), everything else is CARMEN
 /// text.
-types::Result<daemon::CarmenLog> read_log(const std::string& path);
+types::Result<CarmenLog> read_log(const std::string& path);
 
 /// A log's scan as the mapper takes it, its last beam at `stamp_s`.
-void fill_scan(const daemon::CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to);
+void fill_scan(const CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to);
 
 /// Mapper parameters for a log: the tree's defaults and the laser's place on that robot.
-slam::MapperParams params_for(const daemon::CarmenLog& log);
+slam::MapperParams params_for(const CarmenLog& log);
 
 }  // namespace topo::bench

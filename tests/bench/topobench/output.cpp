@@ -23,7 +23,7 @@ constexpr daemon::Rgb kClosureColour{230, 60, 40};
 
 std::string trajectory_text(const MappingRun& run) {
   std::string text;
-  for (const daemon::TimedPose& timed : run.trajectory) {
+  for (const TimedPose& timed : run.trajectory) {
     fmt::format_to(std::back_inserter(text), "{:.6f} {:.6f} {:.6f} {:.7f}\n", timed.stamp_s, timed.pose.x_m,
                    timed.pose.y_m, timed.pose.theta_rad);
   }
@@ -68,7 +68,7 @@ types::Status write_map_files(const std::filesystem::path& folder, const pipelin
     daemon::draw_path(picture, *image, ends, kClosureColour);
   }
   std::vector<types::Se2> path;
-  for (const daemon::TimedPose& timed : run.trajectory) path.push_back(timed.pose);
+  for (const TimedPose& timed : run.trajectory) path.push_back(timed.pose);
   daemon::draw_path(picture, *image, path, kPathColour);
   if (auto saved = daemon::save_png((folder / "map.png").string(), picture); !saved) return saved;
   return daemon::write_file((folder / "trajectory.txt").string(), trajectory_text(run));

@@ -53,8 +53,8 @@ nlohmann::json sizes(const slam::Session& session, std::size_t file_bytes) {
 
 /// Scans of the log, evenly spread, that are looked for anywhere; wrong: more than 0.5 m from where the
 /// mapper had them.
-nlohmann::json localise(const SessionCommand& command, const daemon::CarmenLog& log,
-                        const std::vector<daemon::TimedPose>& trajectory, const slam::Session& session,
+nlohmann::json localise(const SessionCommand& command, const CarmenLog& log,
+                        const std::vector<TimedPose>& trajectory, const slam::Session& session,
                         const slam::MapperParams& params) {
   std::size_t found = 0, ambiguous = 0, refused = 0, wrong = 0;
   std::vector<double> seconds{0.0};

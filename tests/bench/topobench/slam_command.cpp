@@ -22,15 +22,15 @@ namespace {
 
 double degrees(double rad) { return rad / types::kDegree_rad; }
 
-using Relations = std::vector<daemon::Relation>;
+using Relations = std::vector<Relation>;
 
-types::Result<Relations> relations_of(const SlamCommand& command, const daemon::CarmenLog& log) {
+types::Result<Relations> relations_of(const SlamCommand& command, const CarmenLog& log) {
   if (command.relations.empty()) return Relations();
   return read_relations_of(log, command.relations);
 }
 
-nlohmann::json relation_errors(const Relations& relations, std::span<const daemon::TimedPose> trajectory) {
-  const daemon::RelationErrors errors = daemon::evaluate_relations(relations, trajectory);
+nlohmann::json relation_errors(const Relations& relations, std::span<const TimedPose> trajectory) {
+  const RelationErrors errors = evaluate_relations(relations, trajectory);
   return nlohmann::json{{"used", errors.used},
                         {"skipped", errors.skipped},
                         {"trans_mean_m", errors.trans_mean_m},
@@ -41,7 +41,7 @@ nlohmann::json relation_errors(const Relations& relations, std::span<const daemo
                         {"rot_max_deg", degrees(errors.rot_max_rad)}};
 }
 
-nlohmann::json split_report(const SlamCommand& command, const daemon::CarmenLog& log, const MappingRun& alone,
+nlohmann::json split_report(const SlamCommand& command, const CarmenLog& log, const MappingRun& alone,
                             const Relations& relations) {
   std::optional<types::Se2> second_start;
   if (command.split == "known") second_start = alone.trajectory[log.scans.size() / 2].pose;

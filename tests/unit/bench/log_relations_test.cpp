@@ -11,8 +11,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-daemon::CarmenLog log_with_stamps(std::initializer_list<double> stamps_s) {
-  daemon::CarmenLog log;
+CarmenLog log_with_stamps(std::initializer_list<double> stamps_s) {
+  CarmenLog log;
   for (const double stamp_s : stamps_s) log.scans.emplace_back().stamp_s = stamp_s;
   return log;
 }

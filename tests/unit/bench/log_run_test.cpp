@@ -8,7 +8,7 @@ namespace topo::bench {
 namespace {
 
 TEST(LogRun, PutsTheLastBeamOfASlowSweepAtTheStamp) {
-  daemon::CarmenScan from;
+  CarmenScan from;
   from.range_m.assign(101, 2.0F);
   from.time_increment_s = 1e-3F;
   types::Scan scan;

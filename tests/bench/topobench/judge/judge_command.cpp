@@ -17,7 +17,6 @@
 namespace topo::bench {
 namespace {
 
-using daemon::TimedPose;
 using nlohmann::json;
 
 struct Covered {

@@ -9,10 +9,9 @@
 
 namespace topo::bench {
 
-std::vector<PosePair> pair_up(std::span<const daemon::TimedPose> estimate,
-                              std::span<const daemon::TimedPose> truth) {
+std::vector<PosePair> pair_up(std::span<const TimedPose> estimate, std::span<const TimedPose> truth) {
   std::vector<PosePair> pairs;
-  for (const daemon::TimedPose& pose : estimate) {
+  for (const TimedPose& pose : estimate) {
     if (const auto true_pose = pose_at(truth, pose.stamp_s)) pairs.push_back({pose.pose, *true_pose});
   }
   return pairs;

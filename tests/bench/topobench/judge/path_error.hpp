@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "daemon/carmen/relations.hpp"
+#include "tests/bench/carmen/relations.hpp"
 
 namespace topo::bench {
 
@@ -16,8 +16,7 @@ struct PosePair {
 };
 
 /// The poses of an estimated path for whose stamps there is a truth.
-std::vector<PosePair> pair_up(std::span<const daemon::TimedPose> estimate,
-                              std::span<const daemon::TimedPose> truth);
+std::vector<PosePair> pair_up(std::span<const TimedPose> estimate, std::span<const TimedPose> truth);
 
 struct PathError {
   double rmse_m = 0.0;

@@ -38,10 +38,10 @@ std::optional<std::string_view> read_numbers(std::string_view line, std::array<d
 
 }  // namespace
 
-types::Result<std::vector<daemon::TimedPose>> read_poses(const std::string& path) {
+types::Result<std::vector<TimedPose>> read_poses(const std::string& path) {
   const auto text = daemon::read_file(path, kBytesMax);
   if (!text) return tl::unexpected(text.error());
-  std::vector<daemon::TimedPose> poses;
+  std::vector<TimedPose> poses;
   std::string_view rest = *text;
   for (int number = 1; !rest.empty(); ++number) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -59,13 +59,13 @@ types::Result<std::vector<daemon::TimedPose>> read_poses(const std::string& path
   return poses;
 }
 
-std::optional<types::Se2> pose_at(std::span<const daemon::TimedPose> poses, double stamp_s) {
+std::optional<types::Se2> pose_at(std::span<const TimedPose> poses, double stamp_s) {
   const auto after = std::lower_bound(poses.begin(), poses.end(), stamp_s,
-                                      [](const daemon::TimedPose& p, double t) { return p.stamp_s < t; });
+                                      [](const TimedPose& p, double t) { return p.stamp_s < t; });
   if (after == poses.end()) return std::nullopt;
   if (after->stamp_s == stamp_s) return after->pose;
   if (after == poses.begin()) return std::nullopt;
-  const daemon::TimedPose& before = *std::prev(after);
+  const TimedPose& before = *std::prev(after);
   const double part = (stamp_s - before.stamp_s) / (after->stamp_s - before.stamp_s);
   return types::interpolate(before.pose, after->pose, part);
 }

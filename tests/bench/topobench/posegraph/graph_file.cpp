@@ -11,13 +11,11 @@
 #include <utility>
 
 #include "core/slam/graph_pattern.hpp"
-#include "daemon/carmen/fields.hpp"
+#include "tests/bench/carmen/fields.hpp"
 
 namespace topo::bench {
 namespace {
 
-using daemon::Fields;
-using daemon::LineSource;
 using types::Errc;
 using types::Result;
 using types::Status;
@@ -48,7 +46,7 @@ class Reader {
       const auto line = source_.next();
       if (!line) return tl::unexpected(line.error());
       if (!line->has_value()) break;
-      daemon::split_words(**line, words);
+      split_words(**line, words);
       if (words.empty() || words.front().front() == '#') continue;
       if (auto taken = take(Fields(source_, words)); !taken) return tl::unexpected(taken.error());
     }

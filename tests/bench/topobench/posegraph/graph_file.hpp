@@ -9,7 +9,7 @@
 
 #include "core/slam/pose_graph.hpp"
 #include "core/types/result.hpp"
-#include "daemon/carmen/line_source.hpp"
+#include "tests/bench/carmen/line_source.hpp"
 
 namespace topo::bench {
 
@@ -30,6 +30,6 @@ struct GraphFile {
 /// information matrix that is not positive semidefinite, more than one fixed node, no edge at all, nodes that
 /// no chain of edges ties together.
 types::Result<GraphFile> read_graph(const std::string& path);
-types::Result<GraphFile> read_graph(daemon::LineSource source);
+types::Result<GraphFile> read_graph(LineSource source);
 
 }  // namespace topo::bench

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/pipeline/mapping_step.hpp"
-#include "daemon/carmen/relations.hpp"
+#include "tests/bench/carmen/relations.hpp"
 
 namespace topo::bench {
 
@@ -38,9 +38,9 @@ struct Hung {
 
 /// What a mapping run produced, with the time that each stage cost.
 struct MappingRun {
-  std::vector<daemon::TimedPose> trajectory;  ///< every scan (its last beam), corrected by what came later
-  std::vector<daemon::TimedPose> live;        ///< every scan, as it was told at once
-  std::vector<Hung> hung;                     ///< every scan, by the mapper's nodes
+  std::vector<TimedPose> trajectory;  ///< every scan (its last beam), corrected by what came later
+  std::vector<TimedPose> live;        ///< every scan, as it was told at once
+  std::vector<Hung> hung;             ///< every scan, by the mapper's nodes
   StageTimes
       scan;  ///< a front scan's part of its step: odometry comes seldom, and a step places several scans
   StageTimes step;         ///< all that the mapping thread does at once; of these

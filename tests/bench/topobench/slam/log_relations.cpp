@@ -7,14 +7,13 @@
 
 namespace topo::bench {
 
-types::Result<std::vector<daemon::Relation>> read_relations_of(const daemon::CarmenLog& log,
-                                                               const std::string& path) {
-  auto relations = daemon::read_relations(path);
+types::Result<std::vector<Relation>> read_relations_of(const CarmenLog& log, const std::string& path) {
+  auto relations = read_relations(path);
   if (!relations) return relations;
-  std::vector<daemon::TimedPose> stamps;  // that some relation finds its stamps does not depend on the poses
-  for (const daemon::CarmenScan& scan : log.scans) stamps.push_back({scan.stamp_s, {}});
-  if (daemon::evaluate_relations(*relations, stamps).used > 0) return relations;
-  const daemon::Relation& first = relations->front();
+  std::vector<TimedPose> stamps;  // that some relation finds its stamps does not depend on the poses
+  for (const CarmenScan& scan : log.scans) stamps.push_back({scan.stamp_s, {}});
+  if (evaluate_relations(*relations, stamps).used > 0) return relations;
+  const Relation& first = relations->front();
   return types::fail(
       types::Errc::kInvalidInput,
       fmt::format("{}: none of {} relations has its stamps in the log: found {:.3f} and {:.3f} in the first, "

@@ -19,7 +19,7 @@ constexpr double kStandingPeriod_s = 1.0;
 /// One half of the log with its mapper.
 class Half {
  public:
-  Half(const daemon::CarmenLog& log, std::uint16_t robot, std::size_t first, std::size_t last,
+  Half(const CarmenLog& log, std::uint16_t robot, std::size_t first, std::size_t last,
        const types::Se2& start, std::vector<std::string>& alignments)
       : log_(log),
         next_(first),
@@ -69,14 +69,14 @@ class Half {
   MappingRun finish() { return lock_step_.finish(); }
 
  private:
-  void step(const daemon::CarmenScan& from, double stamp_s) {
+  void step(const CarmenScan& from, double stamp_s) {
     fill_scan(from, stamp_s, sequence_++, scan_);
     const types::Odometry odometry{
         scan_.arrival, types::Transform2<types::Odom, types::Base>(from.robot_odom), {}};
     lock_step_.step({{&odometry, 1}, &scan_, nullptr});
   }
 
-  const daemon::CarmenLog& log_;
+  const CarmenLog& log_;
   std::size_t next_, last_, first_;
   types::Se2 start_;
   pipeline::MappingState state_;
@@ -106,7 +106,7 @@ int count_ties(const slam::Mapper& mapper) {
 
 }  // namespace
 
-SplitRun run_split(const daemon::CarmenLog& log, const std::optional<types::Se2>& second_start) {
+SplitRun run_split(const CarmenLog& log, const std::optional<types::Se2>& second_start) {
   SplitRun out;
   const std::size_t middle = log.scans.size() / 2;
   Half first(log, 0, 0, middle, {}, out.alignments);

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-#include "core/slam/bytes.hpp"
+#include "core/types/bytes.hpp"
 #include "tests/unit/core/slam/keyframe_sample.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
@@ -107,7 +107,7 @@ TEST(KeyframeCodec, EveryFlippedByteIsRefusedOrAnotherKeyframe) {
 }
 
 TEST(KeyframeCodec, ACountIsNotBelieved) {
-  ByteWriter out;
+  types::ByteWriter out;
   const auto empty = encode_keyframe({});
   out.append(std::span(empty).first(empty.size() - 5));
   out.varint(std::uint64_t{1} << 60U);

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
-#include "core/slam/bytes.hpp"
 #include "core/slam/map_builder.hpp"
 #include "core/slam/mapper.hpp"
+#include "core/types/bytes.hpp"
 #include "daemon/session/format.hpp"
 #include "daemon/session/session_reader.hpp"
 #include "daemon/session/session_writer.hpp"
@@ -124,14 +124,14 @@ TEST(SessionFile, AFlippedByteAnywhereTakesNothingWrong) {
 
 // With checksums that fit, as an enemy can make them: what the records say is checked too.
 TEST(SessionFile, HostileRecordsAreNotBelieved) {
-  const auto with = [](SessionRecord kind, const slam::ByteWriter& content) {
+  const auto with = [](SessionRecord kind, const types::ByteWriter& content) {
     auto file = encode_session_header({1});
     const auto changes = SessionWriter().changes(sample_session(4, 4), {});
     file.insert(file.end(), changes->begin(), changes->end());
     EXPECT_TRUE(append_record(file, kind, content.bytes()));
     return parse_session(file);
   };
-  slam::ByteWriter gap;
+  types::ByteWriter gap;
   gap.varint(std::uint64_t{1} << 40U);
   for (const auto kind : {SessionRecord::kEdges, SessionRecord::kPoses, SessionRecord::kEnd}) {
     const auto loaded = with(kind, gap);
@@ -139,13 +139,13 @@ TEST(SessionFile, HostileRecordsAreNotBelieved) {
     EXPECT_EQ(loaded->session.keyframes.size(), 4U);
     EXPECT_FALSE(loaded->closed);
   }
-  slam::ByteWriter nowhere;
+  types::ByteWriter nowhere;
   nowhere.varint(0);
   nowhere.real(1e300);
   nowhere.real(0.0);
   nowhere.real(0.0);
   EXPECT_FALSE(with(SessionRecord::kPoses, nowhere)) << "a pose out of range";
-  slam::ByteWriter huge;
+  types::ByteWriter huge;
   huge.varint(std::uint64_t{1} << 50U);
   EXPECT_EQ(with(SessionRecord::kKeyframes, huge)->session.keyframes.size(), 4U);
   EXPECT_EQ(with(static_cast<SessionRecord>(77), huge)->session.keyframes.size(), 4U);

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/map_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/types/invariant.hpp"
+
+namespace topo::slam {
+namespace {
+
+/// Keyframes on either side of a tied one count as tied.
+constexpr std::size_t kTiedReach = 3;
+constexpr double kTension_chi2 = 1.0;  ///< a greater error is solved for at once
+
+}  // namespace
+
+MapGraph::MapGraph(std::uint16_t robot, const LoopParams& loop, const GraphParams& graph)
+    : robot_(robot),
+      obeyed_m_(0.5 * loop.search_floor_m),
+      obeyed_rad_(0.5 * loop.search_floor_rad),
+      match_sigma_m_(2.0 * graph.loop_trans_floor_m) {}
+
+std::size_t MapGraph::add_node(KeyframePtr keyframe, const types::Se2& pose) {
+  const std::size_t node = keyframes_.size();
+  nodes_[keyframe->id] = node;
+  keyframes_.push_back(std::move(keyframe));
+  poses_.push_back(pose);
+  return node;
+}
+
+std::size_t MapGraph::add_own(KeyframePtr keyframe, const types::Se2& pose) {
+  types::require(keyframe->id.robot == robot_, "map graph: another robot's keyframe on the own path");
+  own_.push_back(add_node(std::move(keyframe), pose));
+  return own_.back();
+}
+
+std::size_t MapGraph::add_mates(KeyframePtr keyframe, const types::Se2& pose) {
+  const KeyframeId id = keyframe->id;
+  std::vector<std::size_t>& path = mates_[id.origin()];
+  const auto at = std::upper_bound(path.begin(), path.end(), id,
+                                   [&](const KeyframeId& a, std::size_t b) { return a < keyframes_[b]->id; });
+  path.insert(at, keyframes_.size());
+  return add_node(std::move(keyframe), pose);
+}
+
+void MapGraph::add(const Edge& edge) {
+  if (is_far_off(edge))
+    unlinked_.push_back(edges_.size());
+  else
+    links_.add(edge);
+  edges_.push_back(edge);
+  related_.insert(key_of(edge));
+  const bool from_own = is_own(edge.from), to_own = is_own(edge.to);
+  if (from_own != to_own && is_as_certain_as_a_match(edge)) tied_.insert(from_own ? edge.to : edge.from);
+}
+
+void MapGraph::move(std::vector<types::Se2> poses) {
+  types::require(poses.size() == poses_.size(), "map graph: not a pose for every node");
+  poses_ = std::move(poses);
+  relink();
+}
+
+void MapGraph::relink() {
+  std::erase_if(unlinked_, [&](std::size_t i) {
+    if (is_far_off(edges_[i])) return false;
+    links_.add(edges_[i]);
+    return true;
+  });
+}
+
+std::optional<std::size_t> MapGraph::node_of(const KeyframeId& id) const {
+  const auto at = nodes_.find(id);
+  return at == nodes_.end() ? std::nullopt : std::optional(at->second);
+}
+
+bool MapGraph::is_own(std::size_t node) const { return std::binary_search(own_.begin(), own_.end(), node); }
+
+bool MapGraph::is_tense(const Edge& edge) const { return edge_chi2(edge, poses_) > kTension_chi2; }
+
+bool MapGraph::is_far_off(const Edge& edge) const {
+  const Eigen::Vector3d error = edge_error(edge, poses_[edge.from], poses_[edge.to]);
+  return error.head<2>().norm() > obeyed_m_ || std::abs(error.z()) > obeyed_rad_;
+}
+
+/// A start pose that a person gave is less certain: those maps are still to be matched.
+bool MapGraph::is_as_certain_as_a_match(const Edge& edge) const {
+  const double information = edge.information.topLeftCorner<2, 2>().diagonal().minCoeff();
+  return information * match_sigma_m_ * match_sigma_m_ > 1.0;
+}
+
+bool MapGraph::is_tied_to_own(std::size_t mates_node) const {
+  const std::vector<std::size_t>& path = mates_.at(keyframes_[mates_node]->id.origin());
+  const auto place = static_cast<std::size_t>(std::find(path.begin(), path.end(), mates_node) - path.begin());
+  const std::size_t first = place > kTiedReach ? place - kTiedReach : 0;
+  const std::size_t last = std::min(place + kTiedReach, path.size() - 1);
+  for (std::size_t k = first; k <= last; ++k) {
+    if (tied_.contains(path[k])) return true;
+  }
+  return false;
+}
+
+LoopGroup loop_group(const MapGraph& graph, const LoopRun& run, Way path) {
+  LoopGroup group;
+  group.reference = path[run.nearest];
+  group.reference_pose = graph.poses()[group.reference];
+  group.window = run.window;
+  for (std::size_t i = run.first; i <= run.last; ++i) {
+    group.keyframes.push_back(graph.keyframes()[path[i]]);
+    group.poses.push_back(graph.poses()[path[i]]);
+  }
+  return group;
+}
+
+std::vector<LoopGroup> own_groups(const MapGraph& graph, std::size_t node, std::size_t end,
+                                  std::span<const double> distances_m, const LoopParams& params) {
+  std::vector<LoopGroup> groups;
+  for (const LoopRun& run : find_loop_runs(graph.poses(), distances_m, node, graph.own(), end, params))
+    groups.push_back(loop_group(graph, run, graph.own()));
+  return groups;
+}
+
+std::vector<LoopGroup> mates_groups(const MapGraph& graph, std::size_t node,
+                                    std::span<const double> distances_m, const LoopParams& params) {
+  std::vector<std::pair<LoopRun, Way>> runs;
+  for (const auto& [origin, path] : graph.mates()) {
+    for (const LoopRun& run : find_loop_runs(graph.poses(), distances_m, node, path, path.size(), params))
+      runs.emplace_back(run, path);
+  }
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const auto& a, const auto& b) { return a.first.distance_m < b.first.distance_m; });
+  std::vector<LoopGroup> groups;
+  for (const auto& [run, path] : runs) {
+    if (groups.size() == static_cast<std::size_t>(params.groups_max)) break;
+    groups.push_back(loop_group(graph, run, path));
+  }
+  return groups;
+}
+
+}  // namespace topo::slam

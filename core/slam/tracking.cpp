@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "core/slam/tracking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/slam/information.hpp"
+#include "core/slam/search.hpp"
+
+namespace topo::slam {
+namespace {
+
+constexpr double kNearScore = 0.2;        ///< likelihood from which a place near the prior is refined
+constexpr double kTurnedScore = 0.35;     ///< the same for a heading of a robot that is lost
+constexpr double kTurnedApart_rad = 0.3;  ///< nearer headings are one
+constexpr double kSearchResponse = 0.05;  ///< by which a found pose must be better to be preferred
+constexpr double kContinuedVariance = 9.0;
+
+/// One search for a scan that does not fit where it is expected.
+class ScanSearch {
+ public:
+  ScanSearch(const TrackingMap& map, const TrackedPoints& scan, const MapperParams& params)
+      : map_(map), scan_(scan), params_(params), pyramid_(map.surfels, params.search) {}
+
+  [[nodiscard]] Match near(const Prior& prior, const Prior& continued, Match match) const;
+  [[nodiscard]] std::optional<Match> elsewhere(const types::Se2& predicted, const SearchWindow& window) const;
+
+ private:
+  const TrackingMap& map_;
+  const TrackedPoints& scan_;
+  const MapperParams& params_;
+  LikelihoodPyramid pyramid_;
+};
+
+bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
+  const double way_m = std::hypot(motion.x_m, motion.y_m);
+  return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
+}
+
+bool is_good(const Match& match, const TrackParams& params) {
+  return match.fit() >= params.response_good && match.response >= params.response_lost;
+}
+
+SearchWindow window_around(const Prior& prior, const TrackParams& params) {
+  const double sigma_m = 1.0 / std::sqrt(prior.information(0, 0));
+  const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
+  return {std::min(params.search_max_m, params.search_floor_m + params.search_sigmas * sigma_m),
+          std::min(params.search_max_rad, params.search_floor_rad + params.search_sigmas * sigma_rad)};
+}
+
+bool is_within(const SearchWindow& window, const types::Se2& off) {
+  return std::hypot(off.x_m, off.y_m) <= window.half_m && std::abs(off.theta_rad) <= window.half_rad;
+}
+
+/// The continued motion is tried beside the window: odometry that was held up for a second reports nothing
+/// and then the whole motion at once, which scans have been matched for meanwhile.
+Match ScanSearch::near(const Prior& prior, const Prior& continued, Match match) const {
+  const SurfelMap& map = map_.surfels;
+  const SearchWindow window = window_around(prior, params_.track);
+  if (const auto hit = search(pyramid_, scan_.points, prior.T_map_base, window, kNearScore, params_.search)) {
+    const Match other = refine(map, scan_.points, scan_.sensor, hit->T_map_base, prior, params_.refine);
+    if (other.response > match.response + kSearchResponse) match = other;
+  }
+  if (!is_within(window, prior.T_map_base.inverse() * continued.T_map_base)) {
+    const Match other =
+        refine(map, scan_.points, scan_.sensor, continued.T_map_base, continued, params_.refine);
+    if (is_good(other, params_.track) && other.response > match.response + kSearchResponse) match = other;
+  }
+  return match;
+}
+
+/// Wheels slip and robots are turned by hand, which odometry does not measure. Odometry is kept where two
+/// places fit (a corridor in both directions), and where it leads to unknown ground: there nothing can fit,
+/// and a fit elsewhere is chance.
+std::optional<Match> ScanSearch::elsewhere(const types::Se2& predicted, const SearchWindow& window) const {
+  const TrackParams& track = params_.track;
+  const auto hit = search(pyramid_, scan_.points, predicted, window, kTurnedScore, params_.search);
+  if (!hit) return std::nullopt;
+  const Exclusion found{hit->T_map_base, track.turned_m, kTurnedApart_rad};
+  if (search(pyramid_, scan_.points, predicted, window, track.turned_peak_ratio * hit->score, params_.search,
+             found))
+    return std::nullopt;
+  const Match match =
+      refine(map_.surfels, scan_.points, scan_.sensor, hit->T_map_base, std::nullopt, params_.refine);
+  if (match.response < track.turned_response || match.degenerate) return std::nullopt;
+  const FreeGround ground = map_.ground();
+  const double as_predicted = ground.contradiction(map_.surfels, scan_.points, predicted);
+  if (as_predicted < track.turned_contradiction_min ||
+      2.0 * ground.contradiction(map_.surfels, scan_.points, match.T_map_base) > as_predicted)
+    return std::nullopt;
+  return match;
+}
+
+}  // namespace
+
+Prior predict(const TrackedMotion& last, const types::Se2& T_odom_base, double seconds,
+              const MotionNoise& noise) {
+  const types::Se2 motion = last.T_odom_base.inverse() * T_odom_base;
+  if (!is_drivable(motion, seconds, noise)) return continued(last, seconds, noise);
+  return {last.T_map_base * motion, motion_information(motion, noise)};
+}
+
+Prior continued(const TrackedMotion& last, double seconds, const MotionNoise& noise) {
+  const double times =
+      last.previous_last_s > 0.0 ? std::clamp(seconds / last.previous_last_s, 0.0, 1.0) : 0.0;
+  const types::Se2 motion = types::interpolate({}, last.T_previous_last, times);
+  return {last.T_map_base * motion, motion_information(motion, noise) / kContinuedVariance};
+}
+
+Tracked track(const TrackingMap& map, const TrackedPoints& scan, const TrackedMotion& last,
+              const Prior& prior, const Prior& continued, const MapperParams& params) {
+  const types::Se2& predicted = prior.T_map_base;
+  const TrackParams& limits = params.track;
+  Match match = refine(map.surfels, scan.points, scan.sensor, predicted, prior, params.refine);
+  const SearchWindow near = window_around(prior, limits);
+  const double astray_m = limits.search_ways * distance_m(last.T_map_base, predicted);
+  const auto is_doubtful = [&] {
+    return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned_response);
+  };
+  if (!is_doubtful()) return {match, false};
+  const ScanSearch search(map, scan, params);
+  if (!is_good(match, limits)) match = search.near(prior, continued, match);
+  if (astray_m > near.half_m && is_doubtful()) {
+    const SearchWindow far{std::min(limits.search_max_m, near.half_m + astray_m), near.half_rad};
+    if (const auto other = search.elsewhere(predicted, far)) return {*other, true};
+  }
+  if (match.response >= limits.response_lost) return {match, true};
+  const SearchWindow all_round{limits.turned_m, std::numbers::pi};
+  return {search.elsewhere(predicted, all_round).value_or(match), true};
+}
+
+}  // namespace topo::slam
