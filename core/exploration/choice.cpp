@@ -72,13 +72,6 @@ Choice choose(std::span<const Candidate> candidates, const Candidate* present, d
               const Situation& situation, Searches searches, const ExplorationParams& params) {
   const StrategyRow& strategy = row_of(params.strategy);
   Choice choice;
-  if (!situation.team.has_mates()) {
-    std::vector<const Candidate*> all;
-    for (const Candidate& c : candidates) all.push_back(&c);
-    choice.best = strategy.tours ? first_of_tour(std::move(all), present, searches, params.tour)
-                                 : choose(candidates, present, params.switch_gain);
-    return choice;
-  }
   for (const Candidate& c : candidates) {
     choice.bids.push_back({place_for_team(c.goal), weighed_cost_m(c, present, params.switch_gain),
                            c.goal.side != goals::Side::kNone});

@@ -68,18 +68,9 @@ std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, 
 Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,
                               travel::RouteMap& map, const DeferredGoals& deferred,
                               const ExplorationParams& params) {
-  // The nearest frontier is mostly near, and the building large. In a team it may be a team-mate's.
-  const double first_m = situation.team.has_mates() ? HUGE_VAL : params.ending.frontier_search_m;
-  for (double bound_m = first_m;; bound_m *= 2.0) {
-    map.settle(bound_m);
-    Reachable found = reachable(goals_at(frontiers, Source::kFrontier, 0.0, situation, map), situation, map,
-                                deferred, params);
-    const double settled_m = map.settled_m();
-    const bool is_enough =
-        std::any_of(found.candidates.begin(), found.candidates.end(),
-                    [&](const Candidate& c) { return c.cost_m < params.switch_gain * settled_m; });
-    if (std::isinf(settled_m) || is_enough) return found;
-  }
+  map.settle(HUGE_VAL);
+  return reachable(goals_at(frontiers, Source::kFrontier, 0.0, situation, map), situation, map, deferred,
+                   params);
 }
 
 }  // namespace topo::exploration

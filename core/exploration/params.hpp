@@ -55,8 +55,6 @@ struct EndingParams {
   int resumes_max = 8;        ///< times that an exploration turns round on its way home
   int stuck_max = 16;         ///< times that getting stuck takes one of those back
   double resume_for_m = 1.2;  ///< a narrower opening does not turn a robot round
-  /// A frontier strategy searches this far first, then twice as far, until the cheapest goal is certain.
-  double frontier_search_m = 6.0;
   /// Between two searches for viewpoints: when the robot waits for the answer, and while others explore.
   types::Duration sweep_again = std::chrono::seconds(1), sweep_again_meanwhile = std::chrono::seconds(30);
 };

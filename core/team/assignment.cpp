@@ -47,7 +47,8 @@ std::size_t CostTable::able_robots() const {
 
 std::vector<std::size_t> clusters_of(const CostTable& table, bool clusters) {
   const std::vector<types::Vector2>& goals = table.goals();
-  if (!clusters) return k_means(goals, goals.size());
+  // Single goals; a robot alone has nothing to share out, and one cluster holds all.
+  if (!clusters) return k_means(goals, table.robots().size() > 1 ? goals.size() : 1);
   const std::size_t k = table.able_robots();
   std::vector<types::Vector2> essential;
   for (std::size_t goal = 0; goal < goals.size(); ++goal)

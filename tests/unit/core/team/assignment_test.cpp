@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/unit/core/team/generators.hpp"
 
 namespace topo::team {
@@ -54,6 +56,15 @@ TEST(AssignClusters, theCheapestPairOfAllIsTaken) {
     RC_ASSERT(taken_m == least_m);
     RC_ASSERT(busy(assignment) <= table.able_robots());
   }));
+}
+
+TEST(AssignClusters, aRobotAloneHasOneClusterOfAllGoals) {
+  const CostTable alone({4}, {{5.0, 0.0}, {40.0, 0.0}, {41.0, 0.0}});
+  EXPECT_EQ(clusters_of(alone, true), (std::vector<std::size_t>{0, 0, 0}));
+  EXPECT_EQ(clusters_of(alone, false), (std::vector<std::size_t>{0, 0, 0}));
+  const CostTable pair({4, 5}, {{5.0, 0.0}, {40.0, 0.0}, {41.0, 0.0}});
+  const std::vector<std::size_t> single = clusters_of(pair, false);
+  EXPECT_EQ((std::set<std::size_t>{single.begin(), single.end()}.size()), 3U);
 }
 
 TEST(AssignClusters, oneGoalSendsOneRobotAndTheOtherWaits) {  // figure 8 (a)
