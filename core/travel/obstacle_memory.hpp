@@ -12,35 +12,35 @@
 namespace topo::travel {
 
 struct ObstacleMemoryParams {
-  double same_echo_m = 0.15;      ///< echoes this near to each other are one; sonar resolves no more
-  int echo_times = 3;             ///< an echo heard less often may be a reflection
-  std::size_t echoes_max = 1000;  ///< kept at most
-  /// What no laser sees is glass more often than a person.
+  double same_echo_m = 0.15;      ///< echoes within this distance are one; the resolution of the sonar
+  int echo_times = 3;             ///< an echo noted less often may be a reflection
+  std::size_t echoes_max = 1000;  ///< limit of the stored echoes
+  /// An obstacle that no laser detects is glass more often than a person.
   types::Duration echo_for = std::chrono::minutes(10), blocked_for = std::chrono::minutes(5);
   types::Duration forget_again = std::chrono::seconds(60);
-  double blocked_radius_m = 0.25;  ///< of what the robot got stuck on, which no sensor outlines
+  double blocked_radius_m = 0.25;  ///< of an obstacle at which the robot got stuck, which no sensor outlines
 };
 
-/// Obstacles that no keyframe holds, in map: what only sonar hears or a bumper touched, where the robot got
-/// stuck, and passages in which it does not turn. A value.
+/// Obstacles that no keyframe contains, in map: detected only by sonar or a bumper, places where the robot
+/// got stuck, and passages in which it cannot turn. A value.
 class ObstacleMemory {
  public:
   explicit ObstacleMemory(const ObstacleMemoryParams& params = {}) : params_(params) {}
 
-  /// A sonar echo where no laser sees anything.
+  /// A sonar echo where no laser detects anything.
   void note_echo(const types::Vector2& p_map, types::Stamp now) { note(p_map, 1, now); }
-  /// A bumper or a stalled wheel: no reflection, it counts at once.
+  /// A bumper contact or a stalled wheel. It cannot be a reflection, so it counts at once.
   void note_touch(const types::Vector2& p_map, types::Stamp now) { note(p_map, params_.echo_times, now); }
-  /// The robot did not get on here.
+  /// The robot got stuck here.
   void block(const types::Vector2& p_map, types::Stamp now);
-  /// A passage in which the robot does not get on. It stays closed until open_passages().
+  /// A passage in which the robot gets stuck. It stays closed until open_passages().
   void close_passage(const types::Vector2& p_map) { too_tight_.push_back(p_map); }
   void open_passages() { too_tight_.clear(); }
 
-  /// Drops what is older than its time.
+  /// Drops expired entries.
   void expire(types::Stamp now);
-  /// Drops echoes and blocked places. False when there are none, or the last time was less than
-  /// `forget_again` ago.
+  /// Drops echoes and blocked places. False when there are none, or when the last call that dropped any was
+  /// less than `forget_again` ago.
   bool forget(types::Stamp now);
 
   /// Echoes that were noted often enough.
