@@ -18,8 +18,8 @@ namespace topo::analysis {
 /// State that the wall search of one map leaves to the next.
 struct WallSearchMemory {
   compass::CompassMemory compass;
-  std::vector<types::Vector2>
-      wall_points;  ///< of the wall store; empty: the walls are those of the occupied cells
+  std::vector<types::Vector2> wall_points;  ///< of the wall store; empty: the walls are those of the occupied
+                                            ///< cells
   walls::WallMemory walls;
 };
 
@@ -67,8 +67,7 @@ class Stages {
     // The walls of the store are reliable. Without a coronal scanner there are none, and the occupied cells
     // replace them.
     if (!params_.wall_store) wall_points_.clear();
-    if (wall_points_.empty() != memory.wall_points.empty())
-      memory.walls = {};  // the old walls came from other points
+    if (wall_points_.empty() != memory.wall_points.empty()) memory.walls = {};  // came from other points
     const compass::PointsChange store = compass::points_change(memory.wall_points, wall_points_);
     a_.walls = walls::extract_walls(store.now.empty() ? occupied : store, compass_rad(), params_.walls,
                                     memory.walls);

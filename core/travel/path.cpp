@@ -37,8 +37,7 @@ std::size_t shortcut(const DenseMap& map, std::span<const float> clearance_m,
   std::size_t best = from + 1;
   for (std::size_t to = from + 1; to < std::min(route.size(), from + kShortcutCells); ++to) {
     needed = std::min(needed, clearance_m[map.index(route[to])]);
-    if (to % 4 != 0 && to + 1 != route.size())
-      continue;  // every fourth cell: a finer choice has no visible effect
+    if (to % 4 != 0 && to + 1 != route.size()) continue;  // every fourth: finer steps change little
     if (clearance_along(map, clearance_m, map.centre_of(route[from]), map.centre_of(route[to])) >= needed)
       best = to;
   }
