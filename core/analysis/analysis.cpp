@@ -16,34 +16,36 @@
 
 namespace topo::analysis {
 
-/// What finding the walls of one map leaves to that of the next.
+/// State that the wall search of one map leaves to the next.
 struct WallSearchMemory {
   compass::CompassMemory compass;
-  std::vector<types::Vector2> wall_points;  ///< of the wall store; none: walls are of what is occupied
+  std::vector<types::Vector2> wall_points;  ///< of the wall store; empty: the walls are those of the occupied
+                                            ///< cells
   walls::WallMemory walls;
 };
 
-/// What one analysis leaves to the next.
+/// State that one analysis leaves to the next.
 struct IncrementalAnalysis::Memory {
   compass::OccupiedPoints occupied;
   WallSearchMemory walls;
   places::FurnitureUpdate furniture;
   grid::ClearanceUpdate open;  ///< of the map without furniture
   places::Erosion erosion;
-  bool is_own = false;  ///< erosion and labels are by the distances of `open`
+  bool is_own = false;  ///< erosion and labels use the distances of `open`
   places::FirstLabels first;
   places::ReductionMemory reduction;
 };
 
 namespace {
 
-/// The map without furniture, with its distances.
+/// The map without furniture, and its distances.
 struct OpenMap {
   const grid::DenseMap& map;
   std::span<const float> clearance_m;
 };
 
-/// The stages from the compass to the furniture, and those behind: what lies between is done in two ways.
+/// The stages of one analysis. For furniture and first labels there is one version for a single map and one
+/// for updates.
 class Stages {
  public:
   Stages(AnalysisInput input, const AnalysisParams& params, const StageWatch& done)
@@ -63,10 +65,10 @@ class Stages {
     compass.cell_m = a_.map.resolution_m;
     a_.compass = compass::entropy_compass(occupied, compass, memory.compass);
     tell(Stage::kCompass);
-    // The store's walls are the confident ones; without a coronal scanner there are none, and what is
-    // occupied must do.
+    // The walls of the store are reliable. Without a coronal scanner there are none, and the occupied cells
+    // replace them.
     if (!params_.wall_store) wall_points_.clear();
-    if (wall_points_.empty() != memory.wall_points.empty()) memory.walls = {};  // they were of other points
+    if (wall_points_.empty() != memory.wall_points.empty()) memory.walls = {};  // came from other points
     const compass::PointsChange store = compass::points_change(memory.wall_points, wall_points_);
     a_.walls = walls::extract_walls(store.now.empty() ? occupied : store, compass_rad(), params_.walls,
                                     memory.walls);
@@ -81,7 +83,7 @@ class Stages {
   [[nodiscard]] grid::DenseMap without_furniture() const {
     return places::without_furniture(a_.map, a_.walls, params_.places.furniture_m);
   }
-  /// What is occupied, as against the map before.
+  /// The occupied points, and their change since the previous map.
   [[nodiscard]] compass::PointsChange take_map(places::FurnitureUpdate& furniture,
                                                compass::OccupiedPoints& occupied) const {
     return occupied.take(a_.map, furniture.take(a_.map, params_.places.furniture_m));
@@ -100,13 +102,14 @@ class Stages {
                places::FirstLabels& first) const {
     places::relabel(open.map, open.clearance_m, a_.skeleton, params_.places.piece_m, changed, first);
   }
-  /// `occupied`: how the open map differs from that of which the memory is, if it does in that alone.
+  /// `occupied`: the change of the open map since the one in `memory`, when it consists of occupied cells
+  /// only.
   void find_places_and_goals(const OpenMap& open, const places::FirstLabels& first,
                              const grid::OccupiedChange& occupied, places::ReductionMemory& memory) {
     tell(Stage::kLabels);
     a_.places = places::reduce_labels(open.map, open.clearance_m, first, a_.walls, compass_rad(),
                                       params_.places, occupied, memory);
-    a_.places.labels = a_.places.labels.on_free_cells(a_.map);  // not where furniture stands
+    a_.places.labels = a_.places.labels.on_free_cells(a_.map);  // not on cells of furniture
     tell(Stage::kReduction);
     a_.goals =
         goals::essential_goals({a_.map, clearance_m_, a_.skeleton, a_.places, visited_}, params_.goals);
@@ -148,7 +151,7 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
   const OpenMap open{map, open_m};
   stages.find_skeleton(open, places::erode(map, open_m));
   places::FirstLabels first = stages.first_labels(open);
-  first.slopes = {};  // nothing is labelled again
+  first.slopes = {};  // unused: nothing is labelled again
   places::ReductionMemory no_regions;
   stages.find_places_and_goals(open, first, {}, no_regions);
   return stages.take();
@@ -165,7 +168,7 @@ Analysis IncrementalAnalysis::take(AnalysisInput input, const AnalysisParams& pa
   stages.find_walls(stages.take_map(memory.furniture, memory.occupied), memory.walls);
   const grid::DenseMap& map = stages.without_furniture(memory.furniture);
   memory.open.take(map, memory.furniture.others());
-  // A coarse map's distances are not its own: they count where there is no furniture.
+  // The distances given with a coarse map are not its own: they apply when there is no furniture.
   const std::span<const float> own_m = memory.open.clearance_m();
   const bool is_own = map.cells != stages.map().cells || std::ranges::equal(own_m, given_m);
   const OpenMap open{map, is_own ? own_m : given_m};

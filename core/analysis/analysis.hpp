@@ -17,18 +17,18 @@
 namespace topo::analysis {
 
 struct AnalysisParams {
-  bool wall_store = true;  ///< false, an ablation: walls of what is occupied, as without a coronal scanner
+  bool wall_store = true;  ///< false, an ablation: walls from occupied cells, as without a coronal scanner
   compass::CompassParams compass;
   walls::WallParams walls;
   places::PlaceParams places;
   goals::GoalParams goals;
 };
 
-/// Everything the topometric analysis says of one map (paper sections II-A to II-E). A value.
+/// Result of the topometric analysis of one map (paper sections II-A to II-E). A value.
 struct Analysis {
   std::uint64_t revision = 0;
   grid::DenseMap map;
-  /// Of a coarse map, whose distances are not those between its own cells (coarse_map.hpp); else empty.
+  /// Distances of a coarse map, which are not those between its own cells (coarse_map.hpp); else empty.
   std::vector<float> coarse_m;
   compass::Compass compass;
   std::vector<types::Segment> walls;
@@ -37,24 +37,24 @@ struct Analysis {
   goals::GoalSet goals;
 };
 
-/// That by which the map was analysed, with kOccupiedOrUnknown.
+/// The clearance used for the analysis, with kOccupiedOrUnknown.
 std::vector<float> clearance_of(const Analysis& analysis);
 
 enum class Stage : std::uint8_t { kCompass, kWalls, kFurniture, kSkeleton, kLabels, kReduction, kGoals };
 
-/// Told after each stage, in the order of the enumeration: who measures brings the clock.
+/// Called after each stage, in the order of the enumeration. A caller that measures times supplies the clock.
 using StageWatch = std::function<void(Stage)>;
 
-/// What is analysed: whoever analyses it needs no snapshot.
+/// Input of an analysis, which needs no snapshot.
 struct AnalysisInput {
   std::uint64_t revision = 0;
-  grid::DenseMap map;                                ///< made of a snapshot (travel_map.hpp)
-  std::span<const float> clearance_m;                ///< of the map, or of a finer one; borrowed for the call
-  std::vector<types::Vector2> wall_points;           ///< of the wall store; none without a coronal scanner
+  grid::DenseMap map;                       ///< made from a snapshot (travel_map.hpp)
+  std::span<const float> clearance_m;       ///< of this map, or of a finer one; borrowed for the call
+  std::vector<types::Vector2> wall_points;  ///< of the wall store; empty without a coronal scanner
   std::vector<std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map
 };
 
-/// All stages on one map.
+/// Runs all stages on one map.
 Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageWatch& done = {});
 
 }  // namespace topo::analysis

@@ -8,10 +8,10 @@
 
 namespace topo::analysis {
 
-/// analyse() of one map after the other, equal to the bit, by what the analysis before it left: of a map that
-/// has grown or was corrected, distances and thinning are redone where something has changed; first labels,
-/// too, while the box stays the same, and the compass's histograms while its walls' box does; walls and
-/// regions while, too, the compass does not turn. Regions are always merged anew. One thread.
+/// analyse() of successive maps, with bit-identical results, reusing the previous analysis. Distances and
+/// thinning are redone only where the map has changed. The same holds for first labels while the box stays
+/// the same, for the compass's histograms while the box of its points stays the same, and for walls and
+/// regions while, in addition, the compass angle stays the same. Regions are always merged anew. One thread.
 class IncrementalAnalysis {
  public:
   IncrementalAnalysis();

@@ -16,8 +16,8 @@ namespace {
 
 using types::Vector2;
 
-/// The area expected to be seen from a goal, m2: of a pocket its own, of an opening that leads on the mean of
-/// what openings like it led to.
+/// Expected information gain of a goal: the area behind it in m2. For a pocket this is its own area, for an
+/// opening that leads on the mean area behind such openings.
 double information_gain_m2(const goals::Goal& goal, const TourParams& params) {
   const double beyond_m2 = params.shadow_m2 + goal.chance * params.leads_on_m2;
   const double behind_m2 = std::isinf(goal.behind_m2) ? beyond_m2 : goal.behind_m2;
@@ -36,7 +36,7 @@ TourGoals tour_goals(std::span<const Candidate* const> candidates, Searches sear
     tour.from_start_m[i] = candidates[i]->cost_m;
     tour.worth[i] = information_gain_m2(candidates[i]->goal, params);
     for (std::size_t j = 0; j < tour.count; ++j) {
-      // A route through where the robot is exists always.
+      // A route through the robot's position always exists.
       tour.between(i, j) =
           i == j ? 0.0
                  : std::min(searches.ways.between_m(i, j), candidates[i]->cost_m + candidates[j]->cost_m);

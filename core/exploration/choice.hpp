@@ -10,19 +10,19 @@
 
 namespace topo::exploration {
 
-/// Which of the candidates the robot goes for, and what it bids for all of them.
+/// The candidate that the robot chooses, and its bids for all of them.
 struct Choice {
-  const Candidate* best = nullptr;  ///< null: none, or team-mates have them
+  const Candidate* best = nullptr;  ///< null: there is none, or team-mates have them
   std::vector<team::Bid> bids;
 };
 
-/// By what the team knows: goals are shared out, then the tour or the cost decides. `present`: the candidate
-/// that the present goal has become, or null; `claimed_m`: what the route to it counted when it was taken.
+/// Assigns goals within the team, then chooses by tour or by cost. `present`: the candidate that succeeds the
+/// present goal, or null; `claimed_m`: the weighed cost of the present goal when it was taken.
 Choice choose(std::span<const Candidate> candidates, const Candidate* present, double claimed_m,
               const Situation& situation, Searches searches, const ExplorationParams& params);
 
-/// Where the cheapest tour of some candidates begins, unless one that begins with `present` costs hardly
-/// more. Null for no candidates.
+/// The first goal of the cheapest tour of the candidates; `present`, when a tour that begins with it costs
+/// little more. Null for no candidates.
 const Candidate* first_of_tour(std::vector<const Candidate*> candidates, const Candidate* present,
                                Searches searches, const TourParams& params);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A robot that has heard of no team-mate for long goes back to where it last did, then on.
+// A robot that has not heard any team-mate for long returns to the place of last contact, then continues.
 #include <utility>
 
 #include "core/exploration/intent.hpp"
@@ -30,7 +30,7 @@ Intent keep_contact(const Situation& situation, Searches searches, const Explora
   if (!seeks) {
     intent.phase = next(std::move(intent.phase), event::ContactLost{});
     intent.log.note(situation.now, *place, "out of contact for long: back to where another was last heard");
-    intent.pursuit = without_goal(std::move(intent.pursuit));  // control's report is not about this route
+    intent.pursuit = without_goal(std::move(intent.pursuit));  // control's report refers to another route
   }
   const bool about_this = situation.is_about(intent.pursuit) && intent.pursuit.goal;
   const bool arrived = about_this && situation.feedback.arrived;

@@ -8,7 +8,7 @@
 namespace topo::exploration {
 namespace {
 
-/// With a low battery the robot gives its goal up and returns.
+/// With a low battery the robot gives up its goal and returns.
 Intent heed_battery(const Situation& situation, Intent intent) {
   if (!situation.battery_low) return intent;
   const bool was_homing = is_homing(intent.phase);
@@ -50,7 +50,7 @@ Intent decide(const Situation& situation, Searches searches, const ExplorationPa
   if (std::holds_alternative<GoingTo>(intent.phase))
     return go_to_target(situation, searches, params, std::move(intent));
   if (!is_homing(intent.phase)) return explore(situation, searches, params, std::move(intent));
-  // An exploration on its way home goes on when an opening comes up, unless the battery is low.
+  // An exploration on its way home resumes when an opening is found, unless the battery is low.
   const bool may_resume = situation.mission.order == Order::kExplore && !situation.battery_low;
   return may_resume ? explore(situation, searches, params, std::move(intent))
                     : go_home(situation, searches, params, std::move(intent));

@@ -13,14 +13,14 @@
 
 namespace topo::exploration {
 
-/// A decision that an operator can read ("topoctl goals --why").
+/// A decision, readable for the operator ("topoctl goals --why").
 struct Decision {
   types::Stamp stamp{};
   types::Vector2 p_map{0.0, 0.0};
   std::string text;  ///< "taken: east side of place 3, opening 1.9 m, 12.3 m to go"
 };
 
-/// The last decisions of a mission, oldest first, and counts over all of it.
+/// The latest decisions of a mission, oldest first, and counts over the whole mission.
 struct DecisionLog {
   static constexpr std::size_t kKept = 64;
 

@@ -28,7 +28,7 @@ std::string description(const goals::Goal& goal) {
 
 bool is_viewpoint(const Pursuit& pursuit) { return pursuit.id.source == Source::kViewpoint; }
 
-/// A viewpoint that is left says nothing of a goal beside it.
+/// Giving up a viewpoint does not defer a goal beside it.
 Intent give_up(const Situation& situation, const PursuitParams& params, std::string why, Intent intent) {
   const types::Vector2 p_map = intent.pursuit.goal->p_map;
   intent.log.note(situation.now, p_map, "given up: " + why);
@@ -38,8 +38,8 @@ Intent give_up(const Situation& situation, const PursuitParams& params, std::str
   return intent;
 }
 
-/// A robot that is stuck finds goals and loses them again where it stands. Those did not open the building,
-/// and once it is free the exploration goes on: they do not count among the times that it turned round.
+/// A stuck robot finds goals and loses them again without moving. They do not lead on, and the exploration
+/// resumes once the robot is free, so they do not count as resumptions.
 Intent give_up_stuck(const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params,
                      std::string why, Intent intent) {
   intent = block_ahead(situation, map, params.pursuit, std::move(intent));
@@ -51,8 +51,8 @@ Intent give_up_stuck(const Situation& situation, const travel::RouteMap& map, co
   return give_up(situation, params.pursuit, std::move(why), std::move(intent));
 }
 
-/// What is still open after a visit cannot be seen from there. The final sweep finds viewpoints from where it
-/// can; without it a second visit is all that is left to do.
+/// What is still open after a visit is not visible from there. The final sweep finds other viewpoints for it;
+/// without a sweep only a second visit is left.
 Intent reach(const Situation& situation, const ExplorationParams& params, Intent intent) {
   const types::Vector2 p_map = intent.pursuit.goal->p_map;
   if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.arrive(intent.pursuit.id.number)) {
@@ -97,7 +97,7 @@ Intent wait_for_goal(const Situation& situation, std::string why, Intent intent)
   return intent;
 }
 
-/// No goal is in reach. That is not at once the end: a person may stand in a doorway.
+/// No goal is in reach. The exploration does not end at once: a person may stand in a doorway.
 Intent run_dry(const Situation& situation, Searches searches, const ExplorationParams& params, bool cut_off,
                Intent intent) {
   intent.pursuit.has_target = false;
@@ -125,7 +125,7 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
   return intent;
 }
 
-/// True when a candidate is worth turning round for on the way home, and this robot would get it.
+/// True when a candidate justifies turning round on the way home, and this robot would get it.
 bool is_worth_resuming(std::span<const Candidate> candidates, const Situation& situation, Searches searches,
                        const ExplorationParams& params, const Attempts& attempts) {
   const bool is_wide = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
@@ -135,7 +135,8 @@ bool is_worth_resuming(std::span<const Candidate> candidates, const Situation& s
          choose(candidates, nullptr, 0.0, situation, searches, params).best != nullptr;
 }
 
-/// The chosen candidate as the goal: the present one, which recedes as the map grows, or another.
+/// Takes the chosen candidate as the goal: the successor of the present one, which recedes as the map grows,
+/// or another.
 Intent take(const Situation& situation, const ExplorationParams& params, const Candidate& best,
             bool is_present, Intent intent) {
   Pursuit& pursuit = intent.pursuit;

@@ -15,13 +15,13 @@ bool is_same_opening(const types::Vector2& a, const types::Vector2& b) {
   return (a - b).norm() < kSameLook_m;
 }
 
-/// Several openings may have one viewpoint: the centre of one cell.
+/// Several openings may share one viewpoint: the centre of one cell.
 bool is_same_stand(const types::Vector2& a, const types::Vector2& b) {
   constexpr double kRounding_m = 1e-3;
   return (a - b).norm() < kRounding_m;
 }
 
-/// Cells of a frontier that did not change have the same centroid but for rounding.
+/// The centroids of an unchanged frontier differ by rounding only.
 bool is_same_frontier(const types::Vector2& a, const types::Vector2& b) { return is_same_stand(a, b); }
 
 }  // namespace
@@ -84,7 +84,7 @@ bool FinalSweep::was_offered(const types::Vector2& opening) const {
                      [&](const types::Vector2& p) { return is_same_opening(p, opening); });
 }
 
-/// While a robot waits it asks every second, and of a frontier whose cells are the same the answer is, too.
+/// A waiting robot repeats the search every second. A frontier with the same cells keeps its result.
 std::optional<exploration::Viewpoint> FinalSweep::viewpoint_into(const goals::Frontier& frontier,
                                                                  const LookedAt& in, types::Stamp now) {
   const auto holds = [&](const Answer& a) {
@@ -100,7 +100,7 @@ std::optional<exploration::Viewpoint> FinalSweep::viewpoint_into(const goals::Fr
 
 void FinalSweep::find(const LookedAt& in, types::Stamp now, types::Duration again) {
   const auto& [map, revision, known_m2, field, walls] = in;
-  if (!open_.empty() && !sweeps_since_) sweeps_since_ = now;  // those left of a sweep that was interrupted
+  if (!open_.empty() && !sweeps_since_) sweeps_since_ = now;  // viewpoints left by an interrupted sweep
   if (!open_.empty() || is_over(now) || revision == asked_ || now - asked_at_ < again) return;
   asked_ = revision;
   asked_at_ = now;
@@ -108,7 +108,7 @@ void FinalSweep::find(const LookedAt& in, types::Stamp now, types::Duration agai
   double promise_m2 = 0.0;
   for (const goals::Frontier& frontier : goals::find_frontiers(map, params_.opening_min_m)) {
     if (was_offered(frontier.centroid)) continue;
-    // Costs a fiftieth of a look, and most frontiers are rims of pockets.
+    // Costs a fiftieth of the search for a viewpoint, and most frontiers are rims of pockets.
     if (goals::unknown_behind_m2(map, frontier) < params_.gain_min_m2) continue;
     const auto look = viewpoint_into(frontier, in, now);
     if (!look || look->gain_m2 < params_.gain_min_m2) continue;

@@ -14,7 +14,7 @@
 
 namespace topo::exploration {
 
-/// Borrowed for the call.
+/// Input of a search for viewpoints, borrowed for the call.
 struct LookedAt {
   const grid::DenseMap& map;
   std::uint64_t revision = 0;
@@ -23,34 +23,34 @@ struct LookedAt {
   std::span<const types::Segment> walls;
 };
 
-/// The last sweep of an exploration that is to be complete. When no other goal can be gone for now, cluttered
-/// rooms may still have corners that were never in sight, behind gaps through which one cannot drive: each is
-/// looked into, once by one robot of the team, if all of them together promise enough.
+/// The final sweep of an exploration that has to be complete. When no other goal is reachable, cluttered
+/// rooms may still have corners that were never visible, behind gaps too narrow to drive through. One robot
+/// of the team looks into each of them once, if their total expected gain is large enough.
 class FinalSweep {
  public:
   FinalSweep() = default;
   explicit FinalSweep(const FinalSweepParams& params) : params_(params) {}
 
-  /// Another mission.
+  /// Begins another mission.
   void begin(types::Stamp now);
-  /// Looks for looks, unless some are left, or the time is over, or this map was asked already, or one was
-  /// less than `again` ago: it costs a tenth of a millisecond for every frontier of which it was not asked in
-  /// the last half minute.
+  /// Searches for viewpoints. Does nothing when some are left, the time is over, this revision of the map was
+  /// searched, or the last search was less than `again` ago. Costs a tenth of a millisecond for every
+  /// frontier without a result of the last half minute.
   void find(const LookedAt& in, types::Stamp now, types::Duration again);
-  /// Other goals are there again: what is open stays open, and the sweep's time stands still.
+  /// Other goals have come up: open viewpoints stay open, and the time of the sweep stops.
   void interrupt(types::Stamp now);
-  /// Takes away those whose sight is known by now; all, when the time is over.
+  /// Removes viewpoints whose sight cell is known by now; all, when the time is over.
   void settle(const grid::DenseMap& map, types::Stamp now);
-  /// The robot was at a viewpoint. False when the sweep has none of that number.
+  /// The robot has reached a viewpoint. False when the sweep has none with this number.
   bool arrive(std::uint64_t number);
-  /// It could not get there; the same.
+  /// The robot cannot reach a viewpoint. Returns as arrive().
   bool leave(std::uint64_t number);
-  /// A mate has looked into these openings.
+  /// A team-mate has looked into these openings.
   void share(std::span<const types::Vector2> looked);
-  /// Openings that this robot has looked into.
+  /// Openings into which this robot has looked.
   [[nodiscard]] const std::vector<types::Vector2>& looked() const { return looked_; }
   [[nodiscard]] bool has(std::uint64_t number) const;
-  /// How near the robot has to come to a viewpoint.
+  /// Distance to a viewpoint at which it counts as reached.
   [[nodiscard]] double reached_m() const { return params_.reached_m; }
   [[nodiscard]] bool empty() const { return open_.empty(); }
   /// The open viewpoints as goals, and their numbers, in the same order.
@@ -61,7 +61,7 @@ class FinalSweep {
   struct Open {
     goals::Goal goal;
     std::uint64_t number = 0;
-    types::Vector2 sight{0.0, 0.0};  ///< unknown, and in sight from the goal
+    types::Vector2 sight{0.0, 0.0};  ///< an unknown cell, visible from the goal
   };
   [[nodiscard]] std::vector<Open>::const_iterator find_number(std::uint64_t number) const;
   [[nodiscard]] bool is_over(types::Stamp now) const;
@@ -78,13 +78,14 @@ class FinalSweep {
   FinalSweepParams params_;
   std::vector<Open> open_;
   std::uint64_t numbered_ = 0;           ///< the newest viewpoint's number
-  std::vector<types::Vector2> offered_;  ///< openings, here or to a mate; each is looked into once
+  std::vector<types::Vector2> offered_;  ///< openings taken by this robot or a team-mate; each is inspected
+                                         ///< once
   std::vector<types::Vector2> looked_;
   std::vector<Answer> answers_;
-  std::uint64_t asked_ = 0;  ///< revision of the map
+  std::uint64_t asked_ = 0;  ///< revision of the map searched last
   types::Stamp begun_{}, asked_at_{};
   std::optional<types::Stamp> sweeps_since_;
-  types::Duration swept_{};  ///< in sweeps before
+  types::Duration swept_{};  ///< in earlier sweeps
 };
 
 }  // namespace topo::exploration

@@ -10,7 +10,7 @@
 namespace topo::exploration {
 namespace {
 
-/// Label of the place that a point is in; 0: none. The places may be those of an older map.
+/// Label of the place that contains a point; 0: none. The places may be those of an older map.
 std::uint16_t place_at(const analysis::Analysis& analysis, const types::Vector2& p_map) {
   const grid::CellIndex cell = analysis.map.cell_at(p_map);
   if (!analysis.map.contains(cell) || analysis.places.labels.empty()) return 0;
@@ -25,7 +25,7 @@ std::vector<ProposedGoal> goals_at(std::span<const goals::Frontier> frontiers, S
   return proposed_by(source, openings);
 }
 
-/// True when one of the candidates has `member` within some distance of a point.
+/// True when `member` of a candidate is within some distance of a point.
 bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidates,
                types::Vector2 goals::Goal::*member, double within_m) {
   return std::any_of(candidates.begin(), candidates.end(),

@@ -13,13 +13,13 @@
 namespace topo::exploration {
 namespace {
 
-constexpr double kGoalReach_m = 0.6;      // a goal whose own cell is closed by what stands there now
-constexpr double kUnseenWay_m = 3.0;      // from a goal, at most, to where a robot goes to see the way to it
-constexpr double kFrontierReach_m = 1.0;  // a frontier is seen from this near
-constexpr double kSuccessor_m = 2.5;      // how far a goal may move from one map to the next and be the same
+constexpr double kGoalReach_m = 0.6;      // search radius for a goal whose own cell is closed by an obstacle
+constexpr double kUnseenWay_m = 3.0;      // from a goal to the end of the known route, at most
+constexpr double kFrontierReach_m = 1.0;  // a frontier is visible from this distance
+constexpr double kSuccessor_m = 2.5;      // largest displacement of a goal from one map to the next
 
-constexpr double kTurnCost_m_per_rad = 1.0;  // stopping, turning on the spot and speeding up again
-constexpr double kBeginning_m = 1.0;         // of a route: says in which direction it sets out
+constexpr double kTurnCost_m_per_rad = 1.0;  // to stop, turn on the spot and accelerate again
+constexpr double kBeginning_m = 1.0;         // stretch of a route that defines its initial direction
 
 }  // namespace
 

@@ -14,16 +14,16 @@
 
 namespace topo::exploration {
 
-/// What proposes goals.
+/// The origin of a goal.
 enum class Source : std::uint8_t {
-  kEssential,  ///< the analysis: where the building goes on
+  kEssential,  ///< the analysis: where the building continues
   kGap,        ///< a frontier beside the essential goals
   kFrontier,   ///< a frontier strategy
   kViewpoint,  ///< the final sweep
-  kPlace,      ///< an order, a home, a place of last contact
+  kPlace,      ///< an order, a home, or a place of last contact
 };
 
-/// Which goal it is: kept from period to period while it is the same opening.
+/// Identity of a goal, kept from period to period while its opening is the same.
 struct GoalId {
   Source source = Source::kPlace;
   std::uint64_t number = 0;  ///< within the source; 0: not numbered yet
@@ -37,7 +37,8 @@ struct ProposedGoal {
 /// Goals of one source, not numbered.
 std::vector<ProposedGoal> proposed_by(Source source, std::span<const goals::Goal> goals);
 
-/// A goal, the cell from which it is seen to, and what going there costs: the route, and turning into it.
+/// A goal, the cell from which the robot attends to it, and the cost of that: the route, and the turn into
+/// it.
 struct Candidate {
   goals::Goal goal;
   GoalId id;
@@ -45,40 +46,40 @@ struct Candidate {
   double cost_m = 0.0;
 };
 
-/// What going to a cell costs: the way, and turning into it from where the robot looks. A search of the field
-/// that was paused has to have settled the cell.
+/// Cost of going to a cell: the route, and the turn into it from the robot's heading. A paused search must
+/// have settled the cell.
 double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
                   const types::Se2& T_map_base);
 
-/// What a robot can get to: by the map, and by what stands there now.
+/// What a robot can reach, by the map and by the present obstacles.
 struct Reach {
   const grid::DenseMap& map;
-  std::span<const float> clearance_m;  ///< by the map alone, as long as its cells
-  const grid::TravelField& field;      ///< by both
+  std::span<const float> clearance_m;  ///< from the map alone; as map.cells
+  const grid::TravelField& field;      ///< from map and obstacles
   double radius_m = 0.0;
 };
 
-/// Goals that can be reached and are not put off, in the order given; with those that only what is unknown
-/// keeps the robot from, to be looked at from where the way ends (grid/end_of_way.hpp). `cut_off` becomes
-/// true when one is left out because no way leads there now.
+/// Goals that are reachable and not deferred, in the given order. Includes goals that only unknown space cuts
+/// off; the candidate's cell is then the end of the known route (grid/end_of_way.hpp). Sets `cut_off` when a
+/// goal is left out because no route leads there now.
 std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const Reach& reach,
                                      const DeferredGoals& deferred, const types::Se2& T_map_base,
                                      types::Stamp now, bool& cut_off);
 
-/// Those frontiers that a robot can get to, and with at least so much unknown space behind them, as goals:
-/// gaps beside the essential ones, and all there are for the baselines.
+/// Frontiers that a robot can reach, with at least this much unknown space behind them, as goals: the gaps
+/// beside essential goals, and all goals of the baselines.
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
                                         std::span<const goals::Frontier> frontiers,
                                         double behind_min_m2 = 0.0);
 
-/// The candidate that a present goal has become: goals recede as the map grows (paper section III).
+/// The candidate that succeeds a present goal: goals recede as the map grows (paper section III).
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);
 
-/// What a candidate costs all in all: the present goal's successor counts `switch_gain` of its cost.
+/// Weighed cost of a candidate: for the successor of the present goal, `switch_gain` times its cost.
 double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain);
 
-/// The cheapest candidate; the present goal's successor stays unless another costs less than `switch_gain` of
-/// it. Null when there is none.
+/// The cheapest candidate; the successor of the present goal, unless another costs less than `switch_gain`
+/// times its cost. Null when there is none.
 const Candidate* choose(std::span<const Candidate> candidates, const Candidate* present, double switch_gain);
 
 }  // namespace topo::exploration

@@ -11,8 +11,8 @@
 namespace topo::exploration {
 namespace {
 
-constexpr double kReach_m = 0.6;   // to the nearest cell that a way leads to: goals stand near walls
-constexpr double kBeside_m = 1.0;  // so near, what is known of the one is a good guess at the other
+constexpr double kReach_m = 0.6;   // to the nearest reachable cell: goals are near walls
+constexpr double kBeside_m = 1.0;  // within this distance the costs of one cell approximate those of another
 constexpr std::size_t kSearches = 3;
 
 double cells_apart(const grid::CellIndex& a, const grid::CellIndex& b) {
@@ -32,7 +32,7 @@ void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, co
     return map.contains(cells_[goal]) &&
            static_cast<double>(field_.cost_m[map.index(cells_[goal])]) < search_.settled_m();
   };
-  // Mostly all are found before all of the map is.
+  // Usually all goals are found before the whole map is searched.
   for (double bound_m = kFarther * straight_m;; bound_m *= kFarther) {
     search_.advance(bound_m);
     if (std::isinf(search_.settled_m()) || std::all_of(to.begin(), to.end(), is_found)) break;
@@ -45,14 +45,14 @@ void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, co
   }
 }
 
-/// What is known of the old cells is known of these: of the same ones, and, until they are searched
-/// themselves, of those that lie beside an old one. A goal recedes as the robot comes nearer.
+/// Takes over the known costs from the old cells to the same ones and, until these are searched themselves,
+/// to cells beside an old one: a goal recedes as the robot approaches.
 void GoalWays::take_over(std::span<const grid::CellIndex> cells, double cell_m) {
   const std::vector<grid::CellIndex> old_cells = std::exchange(cells_, {cells.begin(), cells.end()});
   const std::size_t n = cells_.size(), old_n = old_cells.size();
   const std::vector<double> old_m = std::exchange(cost_m_, std::vector<double>(n * n, HUGE_VAL));
   const std::vector<bool> was_searched = std::exchange(is_searched_, std::vector<bool>(n, false));
-  std::vector<std::size_t> old;  // of each cell; `old_n`: none
+  std::vector<std::size_t> old;  // index of the old cell of each cell; `old_n`: none
   for (std::size_t i = 0; i < n; ++i) {
     const auto nearest = std::min_element(old_cells.begin(), old_cells.end(),
                                           [&](const grid::CellIndex& a, const grid::CellIndex& b) {
@@ -72,7 +72,7 @@ void GoalWays::take_over(std::span<const grid::CellIndex> cells, double cell_m) 
   }
 }
 
-/// One of the old in turn, and of the others those that are farthest from all that are searched.
+/// Chooses one of the searched cells in turn, and of the others those farthest from all searched ones.
 std::vector<std::size_t> GoalWays::to_search() {
   std::vector<std::size_t> chosen;
   const std::size_t n = cells_.size();
@@ -96,7 +96,7 @@ std::vector<std::size_t> GoalWays::to_search() {
   return chosen;
 }
 
-/// Between cells of which nothing is known, by way of one that was searched now.
+/// Estimates unknown costs by routes through a cell searched now.
 void GoalWays::bridge(std::span<const std::size_t> searched) {
   const std::size_t n = cells_.size();
   for (std::size_t a = 0; a < n; ++a) {

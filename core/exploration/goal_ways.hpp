@@ -10,23 +10,23 @@
 
 namespace topo::exploration {
 
-/// What the ways between goals cost. Most goals are the same from one decision to the next, and so are most
-/// ways: only those of new goals are searched, and in turn one of the old, since doors open and close. When a
-/// map is corrected all are new at once; then a few are searched every time, and the rest is estimated by
-/// what was known beside them and by ways over those that were searched.
+/// Costs of routes between goals. Most goals, and so most routes, are the same from one decision to the next:
+/// only the routes of new goals are searched and, in turn, one of the old, since doors open and close. When a
+/// correction of the map changes all goals at once, a few are searched at each update. The others are
+/// estimated from earlier costs beside them and from routes through searched goals.
 class GoalWays {
  public:
-  /// Costs among `cells` on this map from now on; travel_field has the other arguments. Costs at most three
-  /// searches of the map, as far as the other cells.
+  /// Updates the costs to `cells` on this map; the other arguments are those of travel_field. Costs at most
+  /// three searches of the map, each as far as the other cells.
   void update(const grid::DenseMap& map, std::span<const float> clearance_m, const grid::TravelRules& rules,
               std::span<const grid::CellIndex> cells);
 
-  /// The map was corrected, or time has passed: all are searched again, in their turns.
+  /// The map was corrected, or time has passed: all are searched again in turn.
   void doubt() { is_searched_.assign(is_searched_.size(), false); }
 
-  /// Metres of open travel between two of the cells, the same both ways; HUGE_VAL where no way was found.
-  /// That of the search once each had its turn: after as many updates with these cells as they are, at the
-  /// latest.
+  /// Metres of open travel between two of the cells, equal in both directions; HUGE_VAL where no route was
+  /// found. Exact once each cell had its turn: at the latest after as many updates with these cells as there
+  /// are cells.
   [[nodiscard]] double between_m(std::size_t a, std::size_t b) const {
     return cost_m_[a * cells_.size() + b];
   }
@@ -40,8 +40,8 @@ class GoalWays {
 
   std::vector<grid::CellIndex> cells_;
   std::vector<double> cost_m_;     ///< cells times cells, symmetric
-  std::vector<bool> is_searched_;  ///< its ways were searched for, and need not be estimated
-  std::size_t turn_ = 0;           ///< counts updates: whose turn it is
+  std::vector<bool> is_searched_;  ///< its routes were searched and are not estimates
+  std::size_t turn_ = 0;           ///< number of updates, which defines the turn
   grid::TravelSearch search_;
   grid::TravelField field_;
 };

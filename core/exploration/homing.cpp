@@ -13,7 +13,7 @@ namespace {
 
 using types::Vector2;
 
-/// At the end of a team's exploration; not when the operator orders this robot home.
+/// True at the end of a team's exploration; false when the operator orders this robot home.
 bool comes_home_with_mates(const Situation& situation) {
   return situation.team.has_mates() && situation.mission.order == Order::kExplore;
 }
@@ -30,7 +30,7 @@ Intent without_target(Intent intent) {
   return intent;
 }
 
-/// One decision on the way to a place.
+/// One decision on the route to a position.
 Headed head_for(const Vector2& p_map, double reached_m, const Situation& situation, travel::RouteMap& map,
                 const ExplorationParams& params, Intent intent) {
   if (!intent.pursuit.goal) {
@@ -45,7 +45,7 @@ Headed head_for(const Vector2& p_map, double reached_m, const Situation& situati
     return {without_target(std::move(intent)), Outcome::kArrived};
   if (about_this && situation.feedback.stuck) {
     intent = block_ahead(situation, map, params.pursuit, std::move(intent));
-    ++intent.pursuit.number;  // another route, and control begins anew
+    ++intent.pursuit.number;  // makes control start anew, on another route
   }
   intent.pursuit = with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
   if (situation.now - intent.pursuit.last_progress >
@@ -55,17 +55,17 @@ Headed head_for(const Vector2& p_map, double reached_m, const Situation& situati
   if (intent.pursuit.has_target) return {std::move(intent), Outcome::kUnderWay};
   intent.reason = "no way there just now";
   (void)intent.obstacles.forget(situation.now);
-  intent.obstacles.open_passages();  // what was too tight to explore may be the only way home
+  intent.obstacles.open_passages();  // a passage too tight for exploration may be the only route home
   return {std::move(intent), Outcome::kUnderWay};
 }
 
 struct Destination {
-  std::optional<team::Home> home;    ///< a start, its own or a team-mate's
-  std::optional<team::Home> before;  ///< the one so far, if a route leads there
+  std::optional<team::Home> home;    ///< a start: the robot's own or a team-mate's
+  std::optional<team::Home> before;  ///< the previous one, if a route leads there
   Vector2 p_map{0.0, 0.0};
 };
 
-/// The start, or with team-mates one of all robots' starts.
+/// The robot's start; in a team, one of the starts of all robots.
 Destination destination(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
                         const Pursuit& pursuit, const Offer& offer) {
   if (!comes_home_with_mates(situation)) return {offer.home, offer.home, situation.start};
@@ -96,7 +96,7 @@ Destination destination(const Situation& situation, travel::RouteMap& map, const
   return {home, present, home ? home->p_map : situation.start};
 }
 
-/// The other home's route is another one: what control reports of the old one is not about it.
+/// A change of home changes the route: control's report then refers to the old one.
 Intent bound_for(const std::optional<team::Home>& home, const std::optional<team::Home>& before,
                  Intent intent) {
   const bool same = home && before ? home->robot == before->robot : !home && !before;
@@ -108,7 +108,7 @@ Intent bound_for(const std::optional<team::Home>& home, const std::optional<team
   return intent;
 }
 
-/// The reason that an ended mission is left with.
+/// The reason shown after the mission.
 std::string reason_at_home(const Phase& phase, Order order) {
   const auto& way = std::get<Returning>(phase);
   if (way.cut_short) return way.why + ": came home";

@@ -23,7 +23,7 @@
 
 namespace topo::exploration {
 
-/// What a decision is made by: facts of one period. Borrowed for the call.
+/// Input of a decision: facts of one period. Borrowed for the call.
 struct Situation {
   types::Stamp now{};
   types::Se2 T_map_base;
@@ -32,7 +32,7 @@ struct Situation {
   bool battery_low = false;
   Feedback feedback;
   const analysis::Analysis& analysis;
-  const goals::GoalParams& essential;                  ///< that the analysis was made with
+  const goals::GoalParams& essential;                  ///< parameters of the analysis
   std::span<const std::vector<types::Vector2>> paths;  ///< driven by all robots, in map
   std::span<const types::Vector2> route;               ///< the present one, in map
   TeamView team;
@@ -41,41 +41,42 @@ struct Situation {
   [[nodiscard]] bool is_about(const Pursuit& pursuit) const { return feedback.number == pursuit.number; }
 };
 
-/// Searches of the map, as far as decisions need them; they remember, and give what they would give anew.
+/// Searches of the map, as far as decisions need them. They keep results, which equal those of a new search.
 struct Searches {
   travel::RouteMap& map;
   GoalWays& ways;  ///< between goals
 };
 
-/// How often an exploration that was about to end went on.
+/// Counts of an exploration that was about to end and continued.
 struct Attempts {
-  int resumed = 0;               ///< on its way home
-  int stuck = 0;                 ///< times that getting stuck took one of those back
-  types::Stamp nothing_since{};  ///< when the last goal in reach was gone; zero: there is one
+  int resumed = 0;               ///< resumed on its way home
+  int stuck = 0;                 ///< resumptions not counted because the robot was stuck
+  types::Stamp nothing_since{};  ///< since when no goal is in reach; zero: there is one
 };
 
 struct SweepState {
   FinalSweep sweep;
-  bool meanwhile = false;  ///< it goes on although there are goals, to which no route leads
+  bool meanwhile = false;  ///< the sweep runs although goals without a route are left
 };
 
-/// What the robot offers its team.
+/// What the robot offers to its team.
 struct Offer {
   std::vector<team::Bid> bids;
-  double claimed_m = 0.0;               ///< what the route to the goal counted when the goal was taken
-  std::optional<team::Home> home;       ///< the start that the robot comes home to
-  types::Stamp ignore_passing_until{};  ///< standing aside did not help: for a while each goes its way
+  double claimed_m = 0.0;               ///< weighed cost of the goal when it was taken
+  std::optional<team::Home> home;       ///< the start to which the robot returns
+  types::Stamp ignore_passing_until{};  ///< standing aside did not help: for a while every robot keeps its
+                                        ///< route
 };
 
-/// What there was to choose among at the last decision.
+/// The alternatives at the last decision.
 struct Outlook {
   std::vector<goals::Goal> open_goals;
   bool only_gaps = false;
   int clusters = 0;  ///< of frontiers, at least ExplorationParams::frontier_min_m wide
 };
 
-/// What the robot is about, and what it remembers of what it tried. A value: decide() takes one and gives the
-/// next.
+/// The robot's present purpose, and its memory of earlier attempts. A value: decide() takes one and returns
+/// the next.
 struct Intent {
   Phase phase;
   std::string reason = "no mission yet";
@@ -88,29 +89,29 @@ struct Intent {
   travel::ObstacleMemory obstacles;
   DecisionLog log;
   Outlook outlook;
-  /// Something happened that this period's costs do not know of: the next period decides anew.
+  /// An event has invalidated the costs of this period: the next period decides anew.
   bool is_outdated = false;
 };
 
 /// The intent of a new mission.
 Intent begin_mission(Intent intent, Order order, types::Stamp now);
 
-/// One decision (paper sections I-A, II-E and II-F): where to go, and why.
+/// One decision (paper sections I-A, II-E and II-F): the next target, and the reason.
 Intent decide(const Situation& situation, Searches searches, const ExplorationParams& params, Intent intent);
 
-// Parts of a decision; each takes the intent at its beginning and gives that at its end.
+// Parts of a decision; each takes an intent and returns the updated one.
 
-/// Goals proposed, shared out and chosen.
+/// Collects goals, assigns them within the team, and chooses one.
 Intent explore(const Situation& situation, Searches searches, const ExplorationParams& params, Intent intent);
-/// Towards home; what follows there is decided by the team (core/team/homes.hpp).
+/// Leads home; the team decides what follows there (core/team/homes.hpp).
 Intent go_home(const Situation& situation, Searches searches, const ExplorationParams& params, Intent intent);
-/// Towards the operator's target.
+/// Leads to the operator's target.
 Intent go_to_target(const Situation& situation, Searches searches, const ExplorationParams& params,
                     Intent intent);
-/// Begins, goes on with or ends standing aside for a team-mate.
+/// Begins, continues or ends standing aside for a team-mate.
 Intent give_way(const Situation& situation, Searches searches, const ExplorationParams& params,
                 Intent intent);
-/// Begins, goes on with or ends the search for a team-mate that was not heard of for long.
+/// Begins, continues or ends the return to the place of last contact with a team-mate.
 Intent keep_contact(const Situation& situation, Searches searches, const ExplorationParams& params,
                     Intent intent);
 

@@ -12,7 +12,7 @@ namespace {
 
 using types::Vector2;
 
-/// True when this robot, at home, goes on to where a team-mate that wants to pass is bound for
+/// True when this robot is at home and moves on to the destination of a team-mate that needs to pass
 /// (core/team/homes.hpp).
 bool moves_up_for(const team::StatusMessage& mate, const Situation& situation, const Intent& intent) {
   if (!is_homing(intent.phase) || situation.mission.order != Order::kExplore) return false;
@@ -31,7 +31,7 @@ const team::StatusMessage* find_mate(std::span<const team::StatusMessage* const>
 Intent begin(const team::StatusMessage& mate, const Situation& situation, Intent intent) {
   const Passage passage{mate.robot, situation.here(), situation.now, intent.pursuit.target};
   intent.phase = next(std::move(intent.phase), event::RightOfWay{passage});
-  ++intent.pursuit.number;  // what control reports of this route is not about the goal
+  ++intent.pursuit.number;  // control's report on this route does not refer to the goal
   intent.log.note(situation.now, situation.here(), "makes room for robot " + std::to_string(mate.robot));
   return intent;
 }

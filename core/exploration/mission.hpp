@@ -8,11 +8,11 @@
 
 namespace topo::exploration {
 
-/// What the operator orders.
+/// An order of the operator.
 enum class Order : std::uint8_t { kStand, kExplore, kHome, kGoTo };
 
 struct Mission {
-  std::uint64_t number = 0;  ///< a new number is a new mission
+  std::uint64_t number = 0;  ///< a new number means a new mission
   Order order = Order::kStand;
   bool paused = false;
   types::Vector2 target{0.0, 0.0};  ///< kGoTo, in map

@@ -8,7 +8,7 @@
 namespace topo::exploration {
 namespace {
 
-/// Of several lambdas the one that fits.
+/// A visitor built from lambdas.
 template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
@@ -36,7 +36,7 @@ Phase ordered(Order order) {
   return Idle{};
 }
 
-/// Where a low battery leads: home, unless the robot is on its way there.
+/// A low battery leads an exploring or travelling robot home; other phases stay.
 template <class Here>
 Phase on_low_battery(Here here) {
   if constexpr (std::is_same_v<Here, Exploring> || std::is_same_v<Here, SeekingContact> ||

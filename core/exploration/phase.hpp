@@ -11,7 +11,7 @@
 #include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
-// What the robot is about. A phase is a value; next() is the only function that leads from one to another.
+// The robot's present activity. A phase is a value; next() is the only function that changes it.
 namespace topo::exploration {
 
 struct Idle {
@@ -20,13 +20,13 @@ struct Idle {
 struct Exploring {
   friend bool operator==(const Exploring&, const Exploring&) = default;
 };
-/// An exploration that goes back to where a team-mate was last heard.
+/// An exploration that returns to the place where a team-mate was last heard.
 struct SeekingContact {
   friend bool operator==(const SeekingContact&, const SeekingContact&) = default;
 };
 struct Returning {
   std::string why;
-  bool cut_short = false;  ///< by the battery: being home does not fulfil what was ordered
+  bool cut_short = false;  ///< by the battery: being home does not complete the order
   friend bool operator==(const Returning&, const Returning&) = default;
 };
 /// At home, while team-mates are still out.
@@ -38,17 +38,17 @@ struct GoingTo {
   friend bool operator==(const GoingTo&, const GoingTo&) = default;
 };
 
-/// What a robot does for a mission.
+/// The robot's activity for a mission.
 using Task = std::variant<Exploring, SeekingContact, Returning, WaitingAtHome, GoingTo>;
 
-/// A team-mate that cannot pass.
+/// A team-mate that cannot pass this robot.
 struct Passage {
   std::uint16_t mate = 0;
-  types::Vector2 asked_at{0.0, 0.0};  ///< where this robot was
+  types::Vector2 asked_at{0.0, 0.0};  ///< position of this robot at that time
   types::Stamp since{};
-  grid::CellIndex target;  ///< where this robot was bound for, and is again afterwards
+  grid::CellIndex target;  ///< of this robot, before and after standing aside
 };
-/// Stands aside for a team-mate; the task goes on afterwards.
+/// Stands aside for a team-mate; the task continues afterwards.
 struct MakingWay {
   Passage passage;
   Task task;
@@ -78,17 +78,17 @@ struct Ordered {  ///< a new mission
 struct PauseOrdered {};
 struct ResumeOrdered {};
 struct BatteryLow {};
-struct GoalsExhausted {};  ///< no goal is left in reach, for any robot
-struct GoalFound {};       ///< one that is worth turning round for on the way home
+struct GoalsExhausted {};  ///< no goal is left in reach, also for coordinated team-mates
+struct GoalFound {};       ///< a goal that justifies turning round on the way home
 struct ContactLost {};
-struct ContactEnded {};  ///< a team-mate is heard again, or the search for one was in vain
-struct RightOfWay {      ///< a team-mate has to pass
+struct ContactEnded {};  ///< a team-mate is heard again, or the search for one has failed
+struct RightOfWay {      ///< a team-mate needs to pass
   Passage passage;
 };
 struct Passed {};     ///< it has passed, or standing aside did not help
-struct Arrived {};    ///< at the target; at home when no team-mate is waited for
+struct Arrived {};    ///< at the target; at home when the robot need not wait for team-mates
 struct MatesOut {};   ///< at home, and team-mates are not
-struct Rechecked {};  ///< a decision begins: whether the robot is still at home is found out anew
+struct Rechecked {};  ///< a decision begins: whether the robot is still at home is tested again
 struct NoProgress {};
 
 }  // namespace event
@@ -98,10 +98,10 @@ using Event = std::variant<event::Ordered, event::PauseOrdered, event::ResumeOrd
                            event::RightOfWay, event::Passed, event::Arrived, event::MatesOut,
                            event::Rechecked, event::NoProgress>;
 
-/// The phase after an event. One that does not concern the present phase leaves it as it is.
+/// The phase after an event. An event that does not concern the present phase has no effect.
 Phase next(Phase phase, const Event& event);
 
-/// True when nothing is left to be done for the mission.
+/// True when the mission needs no further action.
 bool has_ended(const Phase& phase);
 /// True on the way home and at home, also while the robot stands aside or is paused.
 bool is_homing(const Phase& phase);

@@ -11,7 +11,7 @@
 namespace topo::exploration {
 namespace {
 
-/// Candidates that the fine search has not come to get the costs of the coarse map.
+/// Candidates beyond the settled part of the fine search get the costs of the coarse map.
 void estimate_far_ones(std::vector<Candidate>& candidates, const types::Se2& T_map_base,
                        travel::RouteMap& map, double reach_m) {
   struct FarOne {
@@ -30,7 +30,7 @@ void estimate_far_ones(std::vector<Candidate>& candidates, const types::Se2& T_m
     const grid::CellIndex beside = coarse.map.cell_at(map.map().centre_of(one.candidate->cell));
     one.coarse_cell = grid::nearest_reachable(coarse.map, coarse_field, beside, reach_m);
   }
-  // Where one has a route on the fine map alone, the costs of all are taken from that map.
+  // When one of them has a route on the fine map only, the costs of all come from that map.
   const bool has_all =
       std::all_of(far.begin(), far.end(), [](const FarOne& one) { return one.coarse_cell.has_value(); });
   if (!has_all) map.settle(HUGE_VAL);
@@ -55,10 +55,9 @@ void append(std::vector<Candidate>& candidates, const std::vector<Candidate>& mo
   candidates.insert(candidates.end(), more.begin(), more.end());
 }
 
-/// Essential goals and gaps: all gaps when the exploration is to be complete; else, when no essential goal is
-/// left, those through which the building goes on all the same. With viewpoints when neither is left. A sweep
-/// that has begun goes on in one tour with what comes up, else the robot would leave a corner that is at
-/// hand.
+/// Essential goals and gaps: all gaps when the exploration has to be complete; otherwise, when no essential
+/// goal is left, the gaps through which the building continues. Viewpoints when neither is left. A sweep that
+/// has begun continues in one tour with new goals; otherwise the robot would leave a corner that is close.
 Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
                       bool homing, const DeferredGoals& deferred, SweepState sweep) {
   Proposal proposal;

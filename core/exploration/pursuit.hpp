@@ -14,36 +14,36 @@
 
 namespace topo::exploration {
 
-/// The goal that the robot is on its way to, and how it gets on. A value.
+/// The present goal, and the progress towards it. A value.
 struct Pursuit {
-  /// Counts goals and new attempts at one; control's report names the number that it is about.
+  /// Counts goals and new attempts at them; control's report contains the number to which it refers.
   std::uint64_t number = 0;
   std::optional<goals::Goal> goal;
   GoalId id;  ///< of the goal
   grid::CellIndex target;
-  bool has_target = false;  ///< a route is wanted to `target`
+  bool has_target = false;  ///< a route to `target` is required
   types::Stamp taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
 };
 
-/// What control reports of a pursuit, as far as planning needs it.
+/// The part of control's report on a pursuit that planning needs.
 struct Feedback {
-  std::uint64_t number = 0;  ///< of the pursuit that it is about
+  std::uint64_t number = 0;  ///< of the pursuit to which it refers
   bool arrived = false;      ///< at the end of a path that ends at the goal
   bool stuck = false;        ///< recovery did not help
 };
 
-/// The pursuit of another goal.
+/// Begins the pursuit of another goal.
 Pursuit set_out(Pursuit pursuit, const goals::Goal& goal, GoalId id, types::Stamp now,
                 const types::Vector2& here);
-/// The pursuit after the robot was seen at `here`.
+/// Updates the progress to the robot's position `here`.
 Pursuit with_progress(Pursuit pursuit, const types::Vector2& here, types::Stamp now,
                       const PursuitParams& params);
-/// Without a goal. The target stays.
+/// Drops the goal. The target stays.
 Pursuit without_goal(Pursuit pursuit);
 
 enum class Settled : std::uint8_t { kUnderWay, kReached, kStuck, kNoProgress, kTooLong };
-/// What became of a pursuit with a goal. `target_map`: centre of its target. `reached_m`: how near counts as
+/// State of a pursuit with a goal. `target_map`: centre of its target. `reached_m`: distance that counts as
 /// visited.
 Settled settled(const Pursuit& pursuit, const Feedback& feedback, const types::Vector2& here,
                 const types::Vector2& target_map, double reached_m, types::Stamp now,

@@ -10,22 +10,22 @@
 #include "core/exploration/params.hpp"
 #include "core/goals/frontiers.hpp"
 
-// Sources of candidates, each in a file of its own. None changes anything but the searches of the map.
+// Sources of candidates, each in its own file. They change only the searches of the map.
 namespace topo::exploration {
 
 /// Goals that can be reached and are not deferred.
 struct Reachable {
   std::vector<Candidate> candidates;
-  bool cut_off = false;  ///< one was left out because no route leads there now
+  bool cut_off = false;  ///< a goal was left out because no route leads there now
 };
 
-/// Of goals of any source: what is reachable, not deferred, and not visited by a team-mate that counts.
+/// The goals, from any source, that are reachable, not deferred, and not visited by a team-mate that counts.
 Reachable reachable(std::span<const ProposedGoal> goals, const Situation& situation,
                     const travel::RouteMap& map, const DeferredGoals& deferred,
                     const ExplorationParams& params);
 
-/// Essential goals of the analysis (essential_source.cpp). Cut off also when one that the analysis held
-/// unlikely has no route now: it is worth a moment's patience. `homing`: not then.
+/// Essential goals of the analysis (essential_source.cpp). `cut_off` is also set when a goal that the
+/// analysis considers unlikely has no route now: it justifies a short wait. Not when `homing`.
 Reachable essential_candidates(const Situation& situation, const travel::RouteMap& map,
                                const DeferredGoals& deferred, const ExplorationParams& params, bool homing);
 
@@ -34,28 +34,29 @@ Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<c
                          const Situation& situation, const travel::RouteMap& map,
                          const DeferredGoals& deferred, const ExplorationParams& params);
 
-/// Frontiers behind which more than a room is unknown: what Finish::kEssential inspects before going home.
+/// Frontiers with more than a room of unknown space behind them, which Finish::kEssential inspects before the
+/// return.
 std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, const travel::RouteMap& map,
                                         const goals::GoalParams& essential, const TourParams& params);
 
-/// All frontiers, as the goals of a frontier strategy (gap_source.cpp). Searches the map only as far as
-/// the cheapest goal is certain. `clusters`: how many frontiers there are.
+/// All frontiers, as the goals of a frontier strategy (gap_source.cpp). Searches the map only until the
+/// cheapest goal is certain.
 Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,
                               travel::RouteMap& map, const DeferredGoals& deferred,
                               const ExplorationParams& params);
 
-/// The final sweep after this period (sweep_source.cpp): it begins or goes on when `others` is empty, and
-/// stands still otherwise. `cut_off`: goals are left that no route leads to.
+/// The final sweep after this period (sweep_source.cpp): begins or continues when `others` is empty, and does
+/// not search otherwise. `cut_off`: goals without a route are left.
 SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_off,
                  const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params);
-/// Its open viewpoints.
+/// The open viewpoints of a sweep.
 Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
                                const travel::RouteMap& map);
 
 /// True when a final sweep follows an exploration.
 bool has_final_sweep(const ExplorationParams& params);
 
-/// Everything there is to choose among now.
+/// All alternatives of a decision.
 struct Proposal {
   std::vector<Candidate> candidates;
   bool cut_off = false;
@@ -63,7 +64,8 @@ struct Proposal {
   int clusters = 0;  ///< frontiers
   SweepState sweep;
 };
-/// By the sources of the strategy (proposal.cpp). `homing`: the robot is on its way home.
+/// Collects the candidates from the sources of the strategy (proposal.cpp). `homing`: the robot is on its way
+/// home.
 Proposal propose(const Situation& situation, Searches searches, const ExplorationParams& params, bool homing,
                  const DeferredGoals& deferred, SweepState sweep);
 

@@ -7,12 +7,12 @@
 
 namespace topo::exploration {
 
-/// The robot did not get on here: whatever stands ahead, the next route leads round it. A passage that is too
-/// tight stays closed for the mission.
+/// The robot is stuck: blocks the obstacle ahead, so that the next route leads round it. A passage that is
+/// too tight stays closed for the mission.
 Intent block_ahead(const Situation& situation, const travel::RouteMap& map, const PursuitParams& params,
                    Intent intent);
 
-/// The pursuit after going on towards a place: a cell near it as target, if one is reachable.
+/// Sets the target of a pursuit to a reachable cell near a position, if there is one.
 Pursuit aimed_at(const types::Vector2& p_map, travel::RouteMap& map, Pursuit pursuit);
 
 }  // namespace topo::exploration

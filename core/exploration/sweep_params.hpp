@@ -5,20 +5,23 @@
 namespace topo::exploration {
 
 struct ViewpointParams {
-  double reach_m = 4.0;    ///< from the robot to what is looked into
-  double behind_m = 2.0;   ///< around a frontier; what is farther is not counted for it
-  double wall_on_m = 0.6;  ///< so far beyond its seen ends a wall goes on: less than half of a wide door
+  double reach_m = 4.0;    ///< from the robot to the frontier
+  double behind_m = 2.0;   ///< around a frontier; cells farther away are not counted for it
+  double wall_on_m = 0.6;  ///< a wall continues this far beyond its visible ends: less than half of a wide
+                           ///< door
 };
 
 struct FinalSweepParams {
-  double opening_min_m = 0.3;  ///< what one can look through
-  double gain_min_m2 = 0.3;    ///< exploration::Viewpoint::gain_m2
-  /// All looks together, of what is known. What a sweep promises and what it shows have little to do with one
-  /// another: from a twelfth of the promise, through slits in furniture, to all of it, in corners of rooms.
+  double opening_min_m = 0.3;  ///< least width of a gap to look through
+  double gain_min_m2 = 0.3;    ///< least Viewpoint::gain_m2
+  /// Least total gain of a sweep, as a share of the known area. Expected and actual gain of a sweep are
+  /// hardly related: the actual one varies from a twelfth, through slits in furniture, to all, in corners of
+  /// rooms.
   double promise_min = 0.002;
-  double time_share = 0.25;  ///< of the time without them: what sweeps take while nothing else is left
-  double time_min_s = 60.0;  ///< or this, when that is less
-  double reached_m = 0.2;    ///< half a metre beside it another part of what is behind the gap is seen
+  double time_share = 0.25;  ///< limit of the time in sweeps with no other goal left, as a share of the time
+                             ///< without them
+  double time_min_s = 60.0;  ///< lower bound of that limit
+  double reached_m = 0.2;    ///< half a metre beside a viewpoint another part behind the gap is visible
   ViewpointParams look;
 };
 

@@ -31,7 +31,7 @@ Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situati
   std::vector<ProposedGoal> viewpoints;
   for (std::size_t i = 0; i < goals.size(); ++i)
     viewpoints.push_back({goals[i], {Source::kViewpoint, numbers[i]}});
-  // From beside a goal that the robot visited another part is seen: nothing is deferred here.
+  // From beside a visited goal another part is visible: nothing is deferred here.
   Reachable found;
   const Reach reach{map.map(), map.clearance_m(), map.field(), map.rules().radius_m};
   found.candidates =

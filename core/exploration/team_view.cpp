@@ -11,9 +11,9 @@ namespace {
 
 using types::Vector2;
 
-constexpr double kWay_m = 6.0;         // of a route in a status message
-constexpr double kWaySpacing_m = 0.3;  // finer than a robot is wide
-constexpr double kBehind_m = 1.5;      // half a metre of backing off, and two robots' length
+constexpr double kWay_m = 6.0;         // length of the route in a status message
+constexpr double kWaySpacing_m = 0.3;  // less than the width of a robot
+constexpr double kBehind_m = 1.5;      // half a metre of backing off, and the length of two robots
 
 }  // namespace
 

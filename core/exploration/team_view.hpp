@@ -16,45 +16,44 @@
 
 namespace topo::exploration {
 
-/// The team as a decision sees it. A robot alone is a team of one: its roster is empty.
+/// The team as input of a decision. A single robot is a team of one: its roster is empty.
 struct TeamView {
   std::uint16_t robot = 0;  ///< this one
   const team::Roster& roster;
   std::span<const types::Vector2> going_at;  ///< Roster::going_at() of this period
 
-  /// Team-mates exist: at least one was ever heard.
+  /// True when at least one team-mate was ever heard.
   [[nodiscard]] bool has_mates() const { return !roster.empty(); }
 };
 
-/// True when a point is on a team-mate that will go on. One that stands for good is an obstacle like any
-/// other.
+/// True when a point is on a team-mate that will move on. One that stays is an obstacle like any other.
 bool is_going_mate(std::span<const types::Vector2> going_at, const types::Vector2& p_map);
 
-/// Which robots' claims count, and where.
+/// Robots whose claims count, and the claimed goals.
 using Claims = std::vector<std::pair<std::uint16_t, std::optional<types::Vector2>>>;
 Claims claims_of_mates(const team::Roster& roster, types::Stamp now);
 bool are_same_claims(const Claims& a, const Claims& b);
 
 /// True when a team-mate has a goal, or bids for one.
 bool mates_have_goals(const team::Roster& roster, types::Stamp now);
-/// True when a team-mate was at a goal and could see no more from there.
+/// True when a team-mate was at a goal and sees nothing more from there.
 bool mate_was_at(const team::Roster& roster, types::Stamp now, const types::Vector2& p_map, double within_m);
 
-/// Where a goal is, for the team: at the opening, which all robots see at one place. Where a robot stands to
-/// look into it depends on what else it sees from there, and may be metres away
-/// (core/goals/greedy_cover.hpp). Gaps are inspected from beside them.
+/// Position of a goal for the team: its opening, which is the same for all robots. The viewpoint of a robot
+/// depends on what else is visible from there, and may be metres away (core/goals/greedy_cover.hpp). Gaps are
+/// inspected from beside them.
 const types::Vector2& place_for_team(const goals::Goal& goal);
 
 /// The next metres of a route, thinned out for status messages.
 std::vector<types::Vector2> beginning_of(std::span<const types::Vector2> route);
 
-/// True when the robot has to drive slowly for a team-mate that moves (core/team/right_of_way.hpp).
+/// True when the robot has to slow down for a moving team-mate (core/team/right_of_way.hpp).
 bool slows_for_mate(const TeamView& team, const types::Se2& T_map_base, types::Stamp now);
-/// True when backing off would lead towards a team-mate: the rear is blind, and the way the robot came is
-/// taken.
+/// True when backing off would lead towards a team-mate: the rear has no sensor, and the path behind is
+/// occupied.
 bool is_mate_behind(const TeamView& team, const types::Se2& T_map_base, types::Stamp now);
-/// The team-mate that this robot has to make way for; null when there is none. `way`: this robot's next
-/// metres.
+/// The team-mate to which this robot has to give way; null when there is none. `way`: the next metres of this
+/// robot's route.
 const team::StatusMessage* who_has_to_pass(const TeamView& team, const types::Se2& T_map_base,
                                            std::span<const types::Vector2> way, types::Stamp now);
 

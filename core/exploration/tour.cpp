@@ -8,7 +8,7 @@
 namespace topo::exploration {
 namespace {
 
-constexpr double kLeastGain_m = 1e-6;  // less is rounding, and would go on for ever
+constexpr double kLeastGain_m = 1e-6;  // a smaller gain is rounding, and the search would not end
 constexpr std::size_t kPieceMax = 3;
 
 Tour by_nearest(const TourGoals& goals, std::optional<std::size_t> first) {
@@ -27,7 +27,7 @@ Tour by_nearest(const TourGoals& goals, std::optional<std::size_t> first) {
   return tour;
 }
 
-/// The best tour so far, and one that may be better.
+/// The best tour so far, and a trial that may be better.
 class Search {
  public:
   Search(const TourGoals& goals, double length_share, Tour first)

@@ -19,12 +19,12 @@ using grid::CellState;
 using grid::DenseMap;
 using types::Vector2;
 
-constexpr std::size_t kSources = 8;  // unknown cells that are to be seen, at most
+constexpr std::size_t kSources = 8;  // limit of the unknown cells to observe
 constexpr std::size_t kSourceRays = 180;
 constexpr std::size_t kRobotRays = 270;
-constexpr int kRim = 2;  // cells: an unknown cell beside a frontier is as near as this to what is free
-constexpr double kNearlyAll = 0.7;  // of the sources that the best cell sees
-constexpr int kLeast = 2;           // of the sources: one is seen by chance
+constexpr int kRim = 2;  // in cells: largest distance of an unknown cell beside a frontier from free space
+constexpr double kNearlyAll = 0.7;  // share of the sources that the best cell sees
+constexpr int kLeast = 2;           // least number of sources: a single one is seen by chance
 
 /// A value for each cell of a box.
 template <class T>
@@ -46,7 +46,7 @@ class Window {
   std::vector<T> values_;
 };
 
-/// So many directions all around.
+/// Directions at equal angles over a full turn.
 template <std::size_t kRays>
 const std::array<Vector2, kRays>& directions() {
   static const std::array<Vector2, kRays> all = [] {
@@ -60,7 +60,7 @@ const std::array<Vector2, kRays>& directions() {
   return all;
 }
 
-/// Calls meet(cell) for the cells of a ray, without the first, until it says that the ray ends.
+/// Calls meet(cell) for the cells of a ray, without the first, until it returns false.
 template <class Meet>
 void cast_ray(CellIndex from, const Vector2& direction, int steps, Meet meet) {
   for (int k = 1; k <= steps; ++k) {
@@ -70,7 +70,7 @@ void cast_ray(CellIndex from, const Vector2& direction, int steps, Meet meet) {
   }
 }
 
-/// Unknown cells beside a frontier, spread over it.
+/// Unknown cells beside a frontier, sampled evenly.
 std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier& frontier) {
   std::vector<CellIndex> all;
   for (const std::uint32_t i : frontier.cells) {
@@ -82,7 +82,7 @@ std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier
       break;
     }
   }
-  // One cell may be beside several of a frontier's, and counts once.
+  // A cell beside several frontier cells counts once.
   const auto key = [](const CellIndex& c) { return std::pair(c.y, c.x); };
   std::ranges::sort(all, {}, key);
   all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -92,8 +92,8 @@ std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier
   return some;
 }
 
-/// How many of some unknown cells are seen from around. Counted by blocks of two by two cells: three metres
-/// away the rays of one source are that far apart.
+/// Counts how many of some unknown cells are visible from around, by blocks of two by two cells: at three
+/// metres the rays of one source are that far apart.
 class Sights {
  public:
   Sights(const DenseMap& map, const CellBox& around, int steps)
@@ -116,7 +116,7 @@ class Sights {
     }
   }
 
-  /// Of the cells that the field reaches and that see nearly the most the one nearest to `centre`.
+  /// Of the reachable cells that see nearly the largest number of sources, the one nearest to `centre`.
   std::optional<CellIndex> best(const grid::TravelField& field, const Vector2& centre) {
     int most = kLeast;
     std::vector<std::pair<CellIndex, int>> reached;
@@ -153,7 +153,7 @@ class Sights {
 
 enum class Unseen : std::uint8_t { kOpen, kCounted, kWall };
 
-/// Is it not all on one side of the box?
+/// False when the wall lies entirely on one side of the box.
 bool may_meet(const DenseMap& map, const types::Segment& wall, double on_m, const CellBox& box) {
   const Vector2 more(on_m + 2.0 * map.resolution_m, on_m + 2.0 * map.resolution_m);
   const CellIndex low = map.cell_at(wall.a.cwiseMin(wall.b) - more),
@@ -167,14 +167,14 @@ void draw_wall(const DenseMap& map, const types::Segment& wall, double on_m, Win
   const Vector2 along = (wall.b - wall.a) / length_m;
   for (double s_m = -on_m; s_m < length_m + on_m; s_m += step_m) {
     const CellIndex c = map.cell_at(wall.a + s_m * along);
-    // Two cells thick: no ray slips through at the corner between two.
+    // Two cells thick: no ray passes the corner between two cells.
     for (const CellIndex& d : {c, CellIndex{c.x + 1, c.y}, CellIndex{c.x, c.y + 1}}) {
       if (Unseen* cell = cells.find(d)) *cell = Unseen::kWall;
     }
   }
 }
 
-/// Counts the unknown cells of a window that a robot may come to see.
+/// Counts the unknown cells of a window that may become visible.
 Viewpoint look_from(const DenseMap& map, CellIndex from, int steps, Window<Unseen>& cells) {
   Viewpoint look{from, from, 0.0};
   int count = 0;

@@ -15,7 +15,7 @@ namespace {
 
 using types::Se2;
 
-/// True when the base's newest state can be computed with.
+/// True when the base's newest state is present and finite.
 bool has_state(const ControlInput& in) { return in.state != nullptr && motion::is_finite(*in.state); }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::optional<Se2> place_by_plan(const ControlSetup& setup, const ControlInput& 
   return in.plan->T_map_odom.se2() * perception::pose_at(in.state->odometry, in.now);
 }
 
-/// Once for every plan.
+/// Runs once for every plan.
 void ControlSenses::follow_drift(const std::optional<Se2>& T_map_base, const ControlInput& in) {
   if (!has_state(in)) return;
   if (!T_map_base) return steady_frame_.lose();
@@ -55,7 +55,7 @@ void ControlSenses::follow_drift(const std::optional<Se2>& T_map_base, const Con
   steady_frame_.update(in.plan->T_map_odom, in.plan->bends, in.state->odometry);
 }
 
-/// The breadcrumbs take every dead reckoning once.
+/// Adds every dead reckoning to the breadcrumb path once.
 void ControlSenses::drive_on(const ControlInput& in) {
   if (!has_state(in) || in.state->odometry.stamp == breadcrumbs_stamp_) return;
   breadcrumbs_stamp_ = in.state->odometry.stamp;
@@ -95,7 +95,7 @@ double ControlSenses::seen_behind_m(const motion::GateInput& gate_in) const {
 
 void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
   constexpr double kRange_m = 1.2;
-  // An echo is up to 150 ms old: turning faster, it is of another direction.
+  // An echo is up to 150 ms old: in a faster turn it belongs to another direction.
   constexpr double kSteady_radps = 0.3;
   if (std::abs(gate_in.base->odometry.twist.omega_radps) > kSteady_radps) return;
   const std::size_t count =

@@ -16,17 +16,17 @@
 
 namespace topo::pipeline {
 
-/// What control perceives: the newest scan with what was seen before where the scanner does not look now,
-/// what moves, and the way the robot came. Allocates nothing. One thread.
+/// The perception of control: the newest scan, completed by earlier points outside the scanner's present
+/// field of view, moving obstacles, and the breadcrumb path. Allocates nothing. One thread.
 class ControlSenses {
  public:
-  /// Everything that the gate looks at, for this period; no request yet. The spans are good until the next
-  /// call.
+  /// The gate's complete input for this period, without a request. The spans are valid until the next call.
   motion::GateInput perceive(const ControlSetup& setup, const ControlInput& in);
 
   /// The last metre that the robot drove.
   [[nodiscard]] const motion::BreadcrumbPath& breadcrumbs() const { return breadcrumbs_; }
-  /// How far straight back the ground was seen free, metres, at most Recovery::kSeenBehind_m.
+  /// Length straight behind the robot where the ground was observed free, metres, at most
+  /// Recovery::kSeenBehind_m.
   [[nodiscard]] double seen_behind_m(const motion::GateInput& gate_in) const;
 
  private:
@@ -38,22 +38,22 @@ class ControlSenses {
       const ControlSetup& setup, const ControlInput& in,
       std::span<const perception::MovingObstacle> moving_now);
 
-  perception::SteadyFrame steady_frame_;  // of the breadcrumbs and of the blind spot
-  std::uint64_t steady_plan_ = 0;         // the last plan that it was corrected by
+  perception::SteadyFrame steady_frame_;  // of the breadcrumb path and of the blind spot
+  std::uint64_t steady_plan_ = 0;         // the last plan that corrected it
   motion::BreadcrumbPath breadcrumbs_;
   types::Stamp breadcrumbs_stamp_{};
   perception::BlindSpot blind_spot_;
   perception::MovingObstacles tracker_;
   std::array<perception::MovingObstacle, perception::MovingObstacles::kMax> moving_{};
-  /// What the scanner saw before, and from BlindSpot::kMax on what it sees.
+  /// Points seen before, and from BlindSpot::kMax on those of the present scan.
   std::array<perception::ScanPoint, perception::BlindSpot::kMax + types::Scan::kMaxBeams> points_{};
 };
 
-/// The robot's pose in map by the newest plan, which has to be fresh, and made by a planner that knew the
-/// place. A plan to stand is fresh as well when the place is not known.
+/// The robot's pose in map by the newest plan, which must be fresh and made with a known robot pose. A plan
+/// to stand can be fresh without one.
 std::optional<types::Se2> place_by_plan(const ControlSetup& setup, const ControlInput& in);
 
-/// What only sonar noticed, into the report.
+/// Writes into the report what only sonar detects.
 void report_unseen(const motion::GateInput& gate_in, ControlReport& report);
 
 }  // namespace topo::pipeline

@@ -14,9 +14,10 @@ namespace {
 using types::Stamp;
 using types::Twist2;
 
-constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // wanted for no longer: off
+constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // delay before unused motors are
+                                                                     // switched off
 
-/// The middle of the outline's end that touches.
+/// Middle of the end of the outline that touches something.
 types::Vector2 touched_end(const types::BaseState& b, const types::Footprint& outline) {
   const bool behind = b.bumpers_rear != 0 && b.bumpers_front == 0;
   return {behind ? -outline.rear_m : outline.front_m, 0.0};
@@ -30,7 +31,7 @@ Touches counted(Touches before, const ControlSetup& setup, const ControlInput& i
   return {true, before.count + 1, T_odom_base * touched_end(*in.state, setup.limits.footprint)};
 }
 
-/// The hold once a plan is there that was made for it. `latched`: the e-stop is.
+/// Ends the hold once a fresh plan stands, or has another goal.
 Hold released(Hold hold, const Plan* plan, bool fresh) {
   if (fresh && hold.held && (!plan->moving || plan->goal_id != hold.goal)) hold.held = false;
   return hold;
@@ -40,7 +41,7 @@ Hold latched(Hold hold, const Plan* plan) {
   return {true, plan->goal_id};
 }
 
-/// The operator's twist. The rear is blind: backwards means back along the way the robot came.
+/// The operator's twist. The rear has no sensor: backwards means back along the breadcrumb path.
 Wish by_hand(const Teleop& teleop, const motion::GateInput& gate_in,
              const motion::BreadcrumbPath& breadcrumbs) {
   Wish wish{ControlMode::kTeleop, teleop.twist, true};
@@ -81,7 +82,7 @@ struct ControlState::Impl {
   Granted last;
   Hold hold;
   Touches touches;
-  Stamp wanted_at{};  ///< when the motors were last wanted; zero: never, or an e-stop since
+  Stamp wanted_at{};  ///< when motion was last requested; zero: never, or not since an e-stop
 };
 
 ControlState::ControlState() : impl_(std::make_unique<Impl>()) {}
@@ -105,8 +106,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   gate_in.by_hand = wish.mode == ControlMode::kTeleop;
   gate_in.request.enable_motors = wanted_at != Stamp{} && input.now - wanted_at <= kMotorsLinger;
   const motion::GateOutput out = motion::gate(memory.gate, gate_in);
-  if (memory.gate
-          .estop_latched) {  // after an e-stop the operator has to ask anew before the motors are enabled
+  if (memory.gate.estop_latched) {  // the motors then need a new request
     wanted_at = {};
     hold = latched(hold, plan);
   }

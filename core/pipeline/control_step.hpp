@@ -15,7 +15,7 @@
 
 namespace topo::pipeline {
 
-/// What stays the same while the daemon runs.
+/// Constant while the daemon runs.
 struct ControlSetup {
   types::RobotLimits limits;
   types::Se2 T_base_laser;  ///< front scanner
@@ -23,13 +23,13 @@ struct ControlSetup {
   types::Duration plan_age_max = std::chrono::seconds(1);
 };
 
-/// The operator's hand on the robot, with a dead man's switch (limits.request_age_max). Goes before the plan.
+/// Manual control by the operator, with a dead man's switch (limits.request_age_max). Overrides the plan.
 struct Teleop {
   types::Stamp stamp{};
   types::Twist2 twist;
 };
 
-/// What the base thread decides from, once a period. Pointers: the newest of each, null when there is none.
+/// Input of the base thread, once per period. Pointers: the newest of each, null when there is none.
 struct ControlInput {
   types::Stamp now{};
   bool estop = false;
@@ -43,36 +43,35 @@ struct ControlInput {
 };
 
 enum class ControlMode : std::uint8_t {
-  kStanding,  ///< nobody wants it to move
+  kStanding,  ///< no motion is requested
   kTeleop,
   kFollowing,   ///< the plan's path
   kArrived,     ///< at the end of a path that ends at its goal
-  kWaiting,     ///< something is in the way; it may go by itself
-  kRecovering,  ///< backing off along the way it came, turning free
-  kStuck,       ///< recovery did not help: planning shall give the goal up
+  kWaiting,     ///< an obstacle is in the way; it may move away by itself
+  kRecovering,  ///< backing off along the breadcrumb path, turning free
+  kStuck,       ///< recovery did not help: planning has to give up the goal
 };
 std::string_view to_text(ControlMode mode);
 
-/// What control tells planning and main.
+/// What control reports to planning and main.
 struct ControlReport {
   types::Stamp stamp{};
   ControlMode mode = ControlMode::kStanding;
-  std::uint64_t goal_id = 0;  ///< of the plan that `mode` is about
+  std::uint64_t goal_id = 0;  ///< of the plan to which `mode` refers
   motion::GateReason reason = motion::GateReason::kStaleStatus;
-  types::Odometry odometry;  ///< newest
-  bool base_ready = false;   ///< status packets are fresh and sane
+  types::Odometry odometry;  ///< the newest
+  bool base_ready = false;   ///< status packets are fresh and plausible
   bool estop_latched = false;
-  /// Times since the start that a bumper was pressed or a wheel stalled. Planning looks less often than
-  /// control: a count loses no press between two looks.
+  /// Number of times since the start that a bumper was pressed or a wheel stalled. Planning runs less often
+  /// than control: with a count it misses none.
   std::uint32_t touches = 0;
-  types::Vector2 touched_odom{0.0,
-                              0.0};  ///< where the outline touched last; without meaning before the first
+  types::Vector2 touched_odom{0.0, 0.0};  ///< position of the last touch; without meaning before the first
   float battery_v = 0.0F;
   float state_of_charge = -1.0F;  ///< 0..1; negative: not reported
   types::Twist2 commanded;
   double free_distance_m = 0.0;
   std::uint32_t recoveries = 0;  ///< begun since the start
-  /// Where sonar hears something that the laser does not see (perception::unseen_echoes), in odom.
+  /// Where sonar detects something that the laser does not (perception::unseen_echoes), in odom.
   std::array<types::Vector2, 8> unseen_odom{};
   std::uint8_t unseen = 0;
 };
@@ -82,7 +81,7 @@ struct ControlOutput {
   ControlReport report;
 };
 
-/// Remembered from one period to the next: ramps, the e-stop's latch, the last metre driven, the recovery.
+/// State kept from one period to the next: ramps, the e-stop's latch, the last metre driven, the recovery.
 /// Allocates in the constructor only.
 class ControlState {
  public:
@@ -97,9 +96,9 @@ class ControlState {
   std::unique_ptr<Impl> impl_;
 };
 
-/// One period of the base thread (DESIGN "Motion and safety"): the operator's hand, else the plan, else
-/// standing; everything through the velocity gate, which has the last message. Anything stale, unknown or
-/// contradictory: zero velocity. Allocates nothing.
+/// One period of the base thread (DESIGN "Motion and safety"): follows the operator's manual control, else
+/// the plan, else stands. The velocity gate has the last decision on every command. Anything stale, unknown
+/// or contradictory gives zero velocity. Allocates nothing.
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input);
 
 }  // namespace topo::pipeline

@@ -12,8 +12,8 @@ namespace {
 
 using types::Vector2;
 
-/// True when more is known than at the decision: in all, or around the goal, which one scan through a door
-/// closes.
+/// True when more is known than at the decision: in total, or around the goal, where one scan through a door
+/// may complete the map.
 bool has_changed(const HeldRoute& route, const Vector2& goal, const MapSnapshot& now,
                  const travel::RouteMap& map, const RouteHoldParams& params) {
   const double cell_m2 = map.map().resolution_m * map.map().resolution_m;
@@ -21,7 +21,7 @@ bool has_changed(const HeldRoute& route, const Vector2& goal, const MapSnapshot&
          travel::newly_known_m2(map.map(), now.grid, goal, params.around_goal_m) >= params.changed_at_goal_m2;
 }
 
-/// True when a team-mate has to pass, and the robot does not stand aside yet.
+/// True when a team-mate needs to pass, and the robot does not stand aside yet.
 bool has_to_give_way(const exploration::Intent& intent, const exploration::TeamView& team,
                      const Whereabouts& place, std::span<const Vector2> route, types::Stamp now) {
   if (std::holds_alternative<exploration::MakingWay>(intent.phase) || now < intent.offer.ignore_passing_until)

@@ -13,21 +13,21 @@
 
 namespace topo::pipeline {
 
-/// The route of the last decision, and what it was decided by. A value.
+/// The route of the last decision, and the basis of that decision. A value.
 struct HeldRoute {
   std::vector<types::Vector2> points;  ///< to the target, in map
   types::Stamp decided{};              ///< zero: the next period decides anew
-  std::uint64_t changed_cells = 0;     ///< MapSnapshot::changed_cells of the map then
-  NewestKeyframe newest;               ///< of the map then
-  exploration::Claims claims;          ///< of team-mates then
+  std::uint64_t changed_cells = 0;     ///< MapSnapshot::changed_cells at the decision
+  NewestKeyframe newest;               ///< of the map at the decision
+  exploration::Claims claims;          ///< of team-mates at the decision
 };
 
-/// True when the last decision is still good: nothing happened, and nothing in `seen_now` stands in the way.
+/// True when the last decision is still valid: no relevant event, and no obstacle of `seen_now` in the way.
 bool holds(const HeldRoute& route, const exploration::Intent& intent, const exploration::TeamView& team,
            const Whereabouts& place, const PlanningInput& in, const travel::RouteMap& map, bool battery_low,
            std::span<const types::Vector2> seen_now, const PlannerParams& params);
 
-/// Without the part that lies behind the robot.
+/// Without the part behind the robot.
 HeldRoute trimmed(HeldRoute route, const types::Vector2& here);
 
 }  // namespace topo::pipeline

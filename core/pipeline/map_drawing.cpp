@@ -10,11 +10,11 @@
 namespace topo::pipeline {
 namespace {
 
-/// Beams and columns that are drawn anew with one scan: a correction of everything that half an hour saw is
-/// shown after some seconds.
+/// Number of beams and columns redrawn with each scan: a correction of half an hour of data is shown after
+/// some seconds.
 constexpr std::size_t kRedrawnAScan = 6000;
-/// What a correction left a little off is drawn when no other has come for a while: one keyframe with one
-/// scan, since nothing waits for it.
+/// The small displacements that a correction leaves are drawn when no other correction has come for a while:
+/// one keyframe with each scan, since nothing waits for them.
 constexpr types::Duration kSettleAfter = std::chrono::seconds(5);
 constexpr std::size_t kSettledAScan = 1;
 
@@ -63,7 +63,7 @@ bool MapDrawing::draw(slam::Mapper& mapper, types::Stamp placed) {
 
 std::unique_ptr<MapSnapshot> MapDrawing::make_snapshot(const slam::Mapper& mapper, std::uint64_t revision,
                                                        types::Stamp placed) {
-  // Against what readers had before: the tiles that differ have been copied for them anyway.
+  // Compared with the previous snapshot: the tiles that differ have been copied for its readers anyway.
   if (published_) changed_cells_ += grid::differing_cells(*published_, builder_.grid());
   published_ = builder_.grid();
   auto snapshot = std::make_unique<MapSnapshot>(MapSnapshot{

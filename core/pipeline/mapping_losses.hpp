@@ -6,10 +6,10 @@
 
 namespace topo::pipeline {
 
-/// Scans that never reached the map, and why.
+/// Scans that did not reach the map, by reason.
 struct MappingLosses {
-  std::uint64_t without_odometry = 0;  ///< no dead reckoning had come yet
-  std::uint64_t queue_full = 0;        ///< more waited for odometry than there is room for
+  std::uint64_t without_odometry = 0;  ///< no dead reckoning was received yet
+  std::uint64_t queue_full = 0;        ///< too many scans waited for odometry
 
   MappingLosses& operator+=(const MappingLosses& more) {
     without_odometry += more.without_odometry;

@@ -10,18 +10,18 @@
 #include "core/pipeline/mapping_step.hpp"
 #include "core/pipeline/scan_pairing.hpp"
 
-// What mapping keeps from step to step; private to mapping_step.cpp and mapping_state.cpp.
+// State that mapping keeps from step to step; private to mapping_step.cpp and mapping_state.cpp.
 namespace topo::pipeline {
 
-/// What waits for the next keyframe boundary.
+/// Data that waits for the next keyframe boundary.
 struct MappingNews {
   std::vector<slam::LoopAnswer> answers;
-  bool has_mates_answer = false;  ///< one of them is about a team-mate's keyframe
+  bool has_mates_answer = false;  ///< one of the answers concerns a team-mate's keyframe
   std::vector<slam::KeyframePtr> mates_keyframes;
   std::vector<slam::FoundRelation> mates_relations;
-  std::vector<std::pair<slam::RelationKey, slam::Relation>> known;  ///< of where team-mates are
+  std::vector<std::pair<slam::RelationKey, slam::Relation>> known;  ///< relations to team-mates
 
-  /// True when a robot that stands need not make a keyframe for it.
+  /// True when there is news of team-mates, for which a standing robot need not make a keyframe.
   [[nodiscard]] bool of_mates() const {
     return !mates_keyframes.empty() || !mates_relations.empty() || !known.empty() || has_mates_answer;
   }
@@ -51,7 +51,7 @@ struct MappingState::Impl {
   MappingNews news;
   slam::Cloud cloud;
   types::Stamp placed{};  ///< stamp of the newest front scan placed
-  types::Stamp drawn{};   ///< the same, when the map was drawn last
+  types::Stamp drawn{};   ///< the same, when the map was last drawn
   std::uint64_t revision = 0;
 };
 

@@ -10,12 +10,12 @@ namespace topo::pipeline {
 namespace {
 
 constexpr types::Duration kNewsWait = std::chrono::seconds(1);  // each change costs an analysis
-constexpr std::size_t kMateQueries = 2;  // about team-mates' keyframes, at one keyframe boundary
+constexpr std::size_t kMateQueries = 2;  // limit for team-mates' keyframes at one keyframe boundary
 
 }  // namespace
 
 void MappingState::Impl::run(MappingOutput& output, bool flush) {
-  // Heights first: a keyframe takes along what was seen until then.
+  // Heights first: a keyframe takes the columns collected until then.
   while (const auto paired = pairing.next_coronal(flush))
     columns.add(paired->scan, paired->first, paired->last);
   while (const auto paired = pairing.next_front(flush)) place(*paired, output);
@@ -28,7 +28,7 @@ void MappingState::Impl::place(const PairedScan& paired, MappingOutput& output) 
   placed = cloud.stamp;
   output.matches.push_back(mapper.add(cloud, paired.last, columns));
   drawing.redraw(mapper, placed);
-  // A robot that stands makes no keyframes, but its map grows by what others see and is corrected.
+  // A standing robot makes no keyframes, but its map grows with the data of team-mates and is corrected.
   if (output.matches.back().keyframe || (has_news() && placed - drawn >= kNewsWait)) pass_boundary(output);
 }
 

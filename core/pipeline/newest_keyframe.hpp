@@ -9,20 +9,20 @@
 
 namespace topo::pipeline {
 
-/// The newest keyframe of a map, to be found again in a later one: odometry that drifts moves the robot on
-/// the map, and no keyframe.
+/// The newest keyframe of a map, for comparison with a later map: odometry drift moves the robot on the map,
+/// but no keyframe.
 struct NewestKeyframe {
   NewestKeyframe() = default;
   explicit NewestKeyframe(const MapSnapshot& map)
       : keyframe(map.keyframes.back()), number(map.keyframes.size() - 1) {}
-  /// True when the map was bent there by more than that; so it is where the keyframe is missing.
+  /// True when the map has moved the keyframe by more than this; also when the keyframe is missing.
   [[nodiscard]] bool is_bent(const MapSnapshot& now, double by_m, double by_rad) const;
 
   types::KeyframePose keyframe;
-  std::size_t number = 0;  ///< among the map's
+  std::size_t number = 0;  ///< index in the map
 };
 
-/// Where robots were, each by itself: corrected poses of its keyframes, in map.
+/// Paths of all robots, one each: corrected positions of their keyframes, in map.
 std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot);
 
 }  // namespace topo::pipeline

@@ -9,18 +9,18 @@
 
 namespace topo::pipeline {
 
-/// The last seconds of dead reckoning, to be asked for any instant within.
+/// The last seconds of dead reckoning, for queries at any time within them.
 class OdometryBuffer {
  public:
-  /// Samples not newer than the last one are left out.
+  /// Ignores samples that are not newer than the last one.
   void add(const types::Odometry& odometry);
 
   [[nodiscard]] bool empty() const { return samples_.empty(); }
-  /// Is there a sample at or after the stamp?
+  /// True when a sample at or after the stamp exists.
   [[nodiscard]] bool covers(types::Stamp stamp) const { return !empty() && samples_.back().stamp >= stamp; }
 
-  /// Pose of base_link in odom: interpolated between samples; after the last one carried on with its twist
-  /// for at most `kCarryOn`, before the first one that sample. Nothing when empty.
+  /// Pose of base_link in odom: interpolated between samples; after the last sample extrapolated with its
+  /// twist for at most `kCarryOn`; before the first sample equal to it. Nothing when empty.
   [[nodiscard]] std::optional<types::Se2> at(types::Stamp stamp) const;
 
  private:

@@ -7,11 +7,11 @@
 
 #include "core/pipeline/planning_memory.hpp"
 
-// The first part of a planning step: orders, team-mates, battery, and what sonar, bumpers and scanner
-// noticed.
+// The first part of a planning step: orders, team-mates, battery, and detections of sonar, bumpers and
+// scanner.
 namespace topo::pipeline {
 
-/// The intent after the operator's orders. `mission`: number of the one before.
+/// Applies the operator's orders to the intent. `mission`: number of the previous mission.
 exploration::Intent ordered(exploration::Intent intent, std::uint64_t mission, const PlanningInput& in);
 
 struct Heard {
@@ -19,17 +19,17 @@ struct Heard {
   team::LastContact contact;
 };
 
-/// After the messages of this period. `here`: where the robot was last.
+/// Takes the messages of this period. `here`: the robot's last known position.
 Heard heard(Heard before, const PlanningInput& in, const types::Vector2& here);
 
 Battery watched(Battery battery, const ControlReport& control, const types::BatteryLimits& limits,
                 types::Stamp now);
 
-/// With the echoes of this period, and the touch if there was one, in its memory of obstacles.
+/// Adds the echoes of this period, and a touch, to the intent's memory of obstacles.
 exploration::Intent felt(exploration::Intent intent, const PlanningInput& in, const Whereabouts& place,
                          std::span<const types::Vector2> going_at, bool touched);
 
-/// What the front scanner sees within a few metres now, team-mates left out, in map.
+/// Points of the front scanner within a few metres, without team-mates, in map.
 std::vector<types::Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,
                                      std::span<const types::Vector2> going_at, const PlannerParams& params);
 

@@ -14,44 +14,45 @@
 
 namespace topo::pipeline {
 
-/// What the robot is about.
+/// The robot's present activity.
 enum class Activity : std::uint8_t {
-  kIdle,       ///< stands until it is told to move
+  kIdle,       ///< stands until a motion is ordered
   kExploring,  ///< on the way to an exploration goal
-  kThinking,   ///< an exploration without a goal for the moment
+  kThinking,   ///< an exploration that has no goal at present
   kGoingTo,    ///< on the way to an operator's goal
   kReturning,  ///< on the way home
   kPaused,     ///< stands, the mission is kept
-  kDone,       ///< the mission is fulfilled
-  kFailed,     ///< the mission was given up, for a reason that can be read
+  kDone,       ///< the mission is complete
+  kFailed,     ///< the mission was given up, for a reported reason
 };
-/// One message for tables and JSON: "idle", "exploring", ...
+/// Name for tables and JSON: "idle", "exploring", ...
 std::string_view to_text(Activity activity);
 
-/// What planning hands to the base: the next metres of the way, in odom, so that a correction of the map does
-/// not jerk the robot. Fixed size: it goes through a sync::Latest.
+/// Planning's output for the base: the next metres of the route, in odom, so that a correction of the map
+/// does not jerk the robot. Fixed size, for sync::Latest.
 struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is filled up to `points`
   static constexpr std::size_t kMaxPoints = 256;
 
   types::Stamp stamp{};        ///< older than a second: the robot stands
   std::uint64_t sequence = 0;  ///< counts the plans
-  std::uint64_t goal_id = 0;   ///< counts the goals; control reports on this one
+  std::uint64_t goal_id = 0;   ///< counts the goals; control's report refers to this one
   Activity activity = Activity::kIdle;
   bool moving = false;                                    ///< follow the path; false: stand
-  bool path_ends_at_goal = false;                         ///< the whole way is here; else it goes on
-  types::Transform2<types::Map, types::Odom> T_map_odom;  ///< the plan was made with
-  /// How often the map was bent where the robot is: then T_map_odom jumped though no odometry drifted.
+  bool path_ends_at_goal = false;                         ///< the route is complete; false: it continues
+                                                          ///< beyond the path
+  types::Transform2<types::Map, types::Odom> T_map_odom;  ///< with which the plan was made
+  /// How often a correction of the map moved the robot: then T_map_odom jumped without a drift of odometry.
   std::uint32_t bends = 0;
-  /// Planning knew the robot's place when it made the plan. False: T_map_odom is an old one or none at all,
-  /// and nobody may take the place of the robot in map from it.
+  /// True when planning knew the robot's pose for this plan. False: T_map_odom is old or missing, and must
+  /// not be used to compute a pose in map.
   bool located = false;
-  double v_max_mps = HUGE_VAL;  ///< no faster for now, whatever the base could
-  bool mate_behind = false;     ///< on the way that it came stands a mate: no backing off
+  double v_max_mps = HUGE_VAL;  ///< speed limit for now, in addition to that of the base
+  bool mate_behind = false;     ///< a team-mate is behind on the breadcrumb path: no backing off
   std::uint16_t points = 0;
-  std::array<types::Vector2, kMaxPoints> path_odom;  ///< as path.hpp makes it, from the robot on
+  std::array<types::Vector2, kMaxPoints> path_odom;  ///< as made by path.hpp, from the robot on
 };
 
-/// The path's beginning into the plan, in odom.
+/// Copies the beginning of a path into the plan, in odom.
 void put_path(std::span<const types::Vector2> path_map,
               const types::Transform2<types::Map, types::Odom>& T_map_odom, Plan& plan);
 

@@ -16,12 +16,12 @@ using motion::RecoveryPhase;
 using types::Se2;
 using types::Twist2;
 
-constexpr double kObstacleReach_m = 2.8;  // more than the way that 0.7 m/s needs free
+constexpr double kObstacleReach_m = 2.8;  // more than the free path needed at 0.7 m/s
 constexpr double kObstacleSpacing_m = 0.03;
-constexpr double kSameEnd_m = 0.2;  // between the ends of two paths to one goal
+constexpr double kSameEnd_m = 0.2;  // between the ends of two paths to the same goal
 const motion::BreadcrumbPath kNoBreadcrumbs;
 
-/// Reasons of the place, not of the robot's state.
+/// True for reasons that lie in the surroundings, not in the robot's state.
 bool is_in_the_way(GateReason reason) {
   return reason == GateReason::kBlocked || reason == GateReason::kAreaLimit;
 }
@@ -32,14 +32,15 @@ bool lets_move(GateReason reason) {
   return reason == GateReason::kFree || reason == GateReason::kLimited || reason == GateReason::kSlowed;
 }
 
-/// True when something that moves holds up a robot that finds no way, or is all that does.
+/// True when a moving obstacle is the only reason to stop, or is close to a robot without a free path.
 bool is_held_up(bool blocked, GateReason last, std::span<const perception::MovingObstacle> moving) {
   constexpr double kBeside_m = 1.5;
   if (last == GateReason::kGivesWay) return true;
   return (blocked || is_in_the_way(last)) && !moving.empty() && moving.front().centre.norm() < kBeside_m;
 }
 
-/// A turn that gets ever slower towards a corner takes its time and leads nowhere.
+/// True when motion is denied. A turn that slows down more and more towards a corner takes time and leads
+/// nowhere.
 bool lets_nothing_through(const Granted& last) {
   constexpr double kTurns_radps = 0.3, kHardly_radps = 0.08;
   const bool turns = last.wished.v_mps == 0.0 && std::abs(last.wished.omega_radps) > kTurns_radps;
@@ -69,20 +70,20 @@ const types::Vector2& end_of(const Plan& plan) {
   return plan.path_odom[points_of(plan) - 1];
 }
 
-/// The arrival as long as the plan still ends there.
+/// The arrival; cleared when the plan no longer ends there.
 Arrival kept(Arrival arrival, const Plan& plan) {
   arrival.arrived = arrival.arrived && arrival.goal == plan.goal_id && plan.path_ends_at_goal &&
                     (end_of(plan) - arrival.at_odom).norm() < kSameEnd_m;
   return arrival;
 }
 
-/// True when the last period's gate leaves it to the robot to get on.
+/// True when the last gate decision leaves it to path following to move on.
 bool is_able(const motion::GateInput& gate_in, GateReason last) {
   return gate_in.base != nullptr && gate_in.front_scan != nullptr && motion::is_finite(*gate_in.base) &&
          (lets_move(last) || is_in_the_way(last) || is_touch(last) || last == GateReason::kGivesWay);
 }
 
-/// How far the robot could drive straight on.
+/// Free distance straight ahead.
 double ahead_m(const motion::GateInput& gate_in) {
   const Twist2 on{gate_in.limits.v_reverse_max_mps, 0.0};
   return perception::free_distance_m(
@@ -132,7 +133,7 @@ motion::RecoveryOutput PlanFollowing::rescue(const Plan& plan, const motion::Fol
   r.refused = recovering_ && lets_nothing_through(last);
   r.turn_rad = out.turn_rad;
   r.blind_s = motion::blind_time_s(gate_in);
-  // Only a recovery needs these.
+  // Only a recovery needs these values.
   r.ahead_m = recovering_ ? ahead_m(gate_in) : 0.0;
   r.seen_behind_m = recovering_ && !plan.mate_behind ? senses.seen_behind_m(gate_in) : 0.0;
   r.trail = plan.mate_behind ? &kNoBreadcrumbs : &senses.breadcrumbs();
@@ -148,7 +149,7 @@ Wish PlanFollowing::follow(const Plan& plan, const motion::GateInput& gate_in, c
     recovery_.pause(gate_in.now);
     return {ControlMode::kArrived, {}, false};
   }
-  if (!is_able(gate_in, last.reason)) {  // the gate says why; the place is not to blame
+  if (!is_able(gate_in, last.reason)) {  // the gate reports the reason, which is not an obstacle
     recovery_.pause(gate_in.now);
     return wish;
   }

@@ -13,20 +13,20 @@
 
 namespace topo::pipeline {
 
-/// The end of a path at which the robot arrived. A value.
+/// The end of a path that the robot has reached. A value.
 struct Arrival {
   bool arrived = false;
   std::uint64_t goal = 0;
   types::Vector2 at_odom{0.0, 0.0};
 };
 
-/// Follows plans, waits for what moves, and recovers where it does not get on. Allocates nothing. One thread.
+/// Follows plans, waits for moving obstacles, and recovers when stuck. Allocates nothing. One thread.
 class PlanFollowing {
  public:
-  /// The wish for this period. `last`: what became of the one before.
+  /// The wish for this period. `last`: result of the previous wish.
   Wish follow(const Plan& plan, const motion::GateInput& gate_in, const ControlSenses& senses,
               const Granted& last);
-  /// A period in which no plan moves the robot.
+  /// Call in a period in which no plan moves the robot.
   void rest(types::Stamp now);
   /// Recoveries begun since the start.
   [[nodiscard]] std::uint32_t recoveries() const { return recovery_.begun(); }
@@ -42,7 +42,7 @@ class PlanFollowing {
   motion::Recovery recovery_;
   motion::Yielding yielding_;
   std::array<types::Vector2, motion::PathFollower::kMaxObstacles> obstacles_{};
-  bool recovering_ = false;  // the last period's motion was the recovery's
+  bool recovering_ = false;  // the last period's motion was that of the recovery
   Arrival arrival_;
 };
 

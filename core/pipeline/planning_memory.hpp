@@ -15,10 +15,10 @@
 #include "core/team/roster.hpp"
 #include "core/travel/route_map.hpp"
 
-// What planning keeps from period to period: values, and caches that change no value.
+// State that planning keeps from period to period: values, and caches without effect on results.
 namespace topo::pipeline {
 
-/// A battery stays low for the mission: one that is spared recovers a little, and is as empty as before.
+/// A battery stays low for the mission: without load its voltage recovers a little, but not its charge.
 struct Battery {
   bool low = false;
   types::Stamp low_since{};  ///< zero: the newest reading is not low
@@ -28,16 +28,16 @@ struct Battery {
 struct Analysed {
   std::shared_ptr<const analysis::Analysis> analysis;
   types::Stamp made{};
-  types::Stamp idle_since{};  ///< without a goal; zero: with one
+  types::Stamp idle_since{};  ///< since when there is no goal; zero: there is one
 };
 
-/// The team-mates, as far as they were heard.
+/// The team-mates heard so far.
 struct Team {
   team::Roster roster;
   std::vector<types::Vector2> going_at;  ///< Roster::going_at() of this period
 };
 
-/// What a period leaves to the next.
+/// State that one period leaves to the next.
 struct Memory {
   std::uint64_t sequence = 0;
   std::uint64_t mission = 0;
@@ -47,10 +47,10 @@ struct Memory {
   Analysed analysed;
   HeldRoute route;
   Battery battery;
-  std::uint32_t touches = 0;  ///< of control's count, those remembered
+  std::uint32_t touches = 0;  ///< part of control's count that is already handled
 };
 
-/// Searches and scratch: they give what they would give anew.
+/// Searches and working memory: results equal those of new objects.
 struct Caches {
   explicit Caches(const PlannerParams& params) : map(params.travel, params.area, params.route_map) {}
 

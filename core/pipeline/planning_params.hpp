@@ -15,30 +15,31 @@
 
 namespace topo::pipeline {
 
-/// When a route is taken for another period, and when it is decided anew.
+/// When a route is kept for another period, and when a new decision is made.
 struct RouteHoldParams {
-  /// A decision holds this long unless something happens: 1 m at full speed, and the next keyframe or two.
+  /// A decision holds this long unless an event occurs: 1 m at full speed, and the next keyframe or two.
   types::Duration decision_holds = std::chrono::milliseconds(1500);
-  /// The same while the map hardly changes, and not around the goal. Not under decision_holds; with more,
-  /// gaps are passed by that would have been on the way.
+  /// The same while the map hardly changes, in particular around the goal. Not less than decision_holds to
+  /// have an effect; larger values make the robot pass gaps that are on its route.
   types::Duration quiet_decision_holds{0};
-  /// Two thirds of an exploration's way lead through what is known, and then little changes.
+  /// Two thirds of an exploration's routes lead through known space, where little changes.
   double changed_m2 = 0.25;
-  double around_goal_m = 1.5, changed_at_goal_m2 = 0.025;  ///< what closes a goal is little, too
+  double around_goal_m = 1.5, changed_at_goal_m2 = 0.025;  ///< little change is needed to complete the map at
+                                                           ///< a goal
   double off_route_m = 0.4;
   double correction_m = 0.10,
-         correction_rad = 0.03;  ///< after such a correction of the map a route is another one
+         correction_rad = 0.03;  ///< a larger correction of the map invalidates the route
 };
 
-/// When the robot's place in the map is known.
+/// When the robot's pose in the map is known.
 struct WhereaboutsParams {
   types::Duration tracked_age_max = std::chrono::seconds(1);
   types::Duration control_age_max = std::chrono::milliseconds(500);
-  /// Odometry alone is believed for so long. At full speed it is 1.4 m of way: a tenth of that in slipping
-  /// wheels puts the robot 0.14 m beside where it seems to be, which is about the room that a door of 0.8 m
-  /// leaves on either side. A person who fills the view is gone sooner.
+  /// Odometry alone is trusted for this time, 1.4 m at full speed. If a tenth of that is wheel slip, the
+  /// robot is 0.14 m beside its estimated position, about the clearance on either side in a door of 0.8 m. A
+  /// person who fills the view leaves sooner.
   types::Duration reckoned_max = std::chrono::seconds(2);
-  double bent_m = 0.005, bent_rad = 0.005;  ///< a correction of the map; slip moves no keyframe at all
+  double bent_m = 0.005, bent_rad = 0.005;  ///< corrections of the map; slip moves no keyframe
 };
 
 struct PlannerParams {
@@ -48,17 +49,17 @@ struct PlannerParams {
   travel::RouteMapParams route_map;
   travel::ObstacleMemoryParams obstacles;
   types::AreaLimits area;
-  types::Se2 T_base_laser;  ///< front scanner, for what stands in the way now
+  types::Se2 T_base_laser;                                        ///< front scanner, for present obstacles
   types::Duration live_age_max = std::chrono::milliseconds(300);  ///< of the newest scan
   WhereaboutsParams whereabouts;
   RouteHoldParams hold;
-  types::BatteryLimits battery{11.6, 0.2};  ///< below for types::kBatteryLowFor: home
-  bool coarse_analysis = false;             ///< of cells twice as wide: places and goals, not routes
+  types::BatteryLimits battery{11.6, 0.2};  ///< return home when below for types::kBatteryLowFor
+  bool coarse_analysis = false;             ///< with cells twice as wide: for places and goals, not routes
   team::RosterParams roster;
-  /// Out of contact with all team-mates at work for longer: back to where one was last heard, then on. 0:
-  /// never.
+  /// Longest time without contact to all team-mates at work; then the robot returns to the place of last
+  /// contact and continues. 0: never.
   double contact_lost_s = 240.0;
-  double v_beside_mate_mps = 0.25;  ///< two robots, closing for a scan's age, are still apart
+  double v_beside_mate_mps = 0.25;  ///< two approaching robots keep apart for the age of a scan
 };
 
 }  // namespace topo::pipeline

@@ -88,7 +88,7 @@ team::StatusMessage make_message(const PlanningInput& in, const Intent& intent, 
   if (intent.pursuit.has_target) message.way_map = exploration::beginning_of(route);
   message.visited = intent.deferred.visited(in.now);
   message.looked = intent.sweep.sweep.looked();
-  // A robot that is unable keeps its claim: team-mates decide by how long it has been so (roster.hpp).
+  // An unable robot keeps its claim: team-mates decide by the duration of that state (roster.hpp).
   if (has_ended(phase) || is_homing(phase) || in.mission.order != exploration::Order::kExplore)
     return message;
   message.bids = intent.offer.bids;

@@ -9,17 +9,17 @@
 #include "core/pipeline/planning_step.hpp"
 #include "core/pipeline/whereabouts.hpp"
 
-// What a planning step hands on: to the base, to whoever displays it, and to team-mates.
+// Output of a planning step: for the base, for displays, and for team-mates.
 namespace topo::pipeline {
 
-/// What an operator reads of a phase. `moves`: the robot has a goal.
+/// The operator's view of a phase. `is_hindered`: nothing can be planned now.
 Activity activity_of(const exploration::Phase& phase, bool has_goal, bool is_hindered);
 
 Plan make_plan(std::uint64_t sequence, const PlanningInput& in, const exploration::Intent& intent,
                const Whereabouts& place, std::span<const types::Vector2> route,
                const exploration::TeamView& team, const PlannerParams& params);
 
-/// Without what the map and the analysis add.
+/// Without the parts from the map and the analysis.
 std::unique_ptr<PlanningReport> make_report(const PlanningInput& in, const exploration::Intent& intent,
                                             const Whereabouts& place, std::span<const types::Vector2> route);
 

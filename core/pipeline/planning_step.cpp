@@ -13,7 +13,7 @@ namespace topo::pipeline {
 
 namespace {
 
-/// Nothing can be planned; the mission is kept.
+/// No planning is possible; the mission continues later.
 exploration::Intent standing(exploration::Intent intent, types::Stamp now) {
   intent.pursuit.has_target = false;
   intent.pursuit.last_progress = now;
@@ -29,7 +29,7 @@ Memory first_memory(const PlannerParams& params) {
   return memory;
 }
 
-/// That of a mission that begins: no route is held.
+/// The route of a new mission: none is held.
 HeldRoute no_route(const HeldRoute& before) {
   HeldRoute route;
   route.newest = before.newest;

@@ -29,15 +29,15 @@ using exploration::Finish;
 using exploration::Mission;
 using exploration::Order;
 
-/// Where the mapper has the robot now; newer than the snapshot.
+/// The mapper's present correction of the odometry; newer than the snapshot.
 struct TrackedPose {
   types::Stamp stamp{};        ///< of the last scan placed
-  std::uint64_t revision = 0;  ///< of the map that the pose is in
+  std::uint64_t revision = 0;  ///< of the map to which the pose belongs
   types::Transform2<types::Map, types::Odom> T_map_odom;
-  bool matched = false;  ///< false: by the odometry from the last scan that did
+  bool matched = false;  ///< false: carried on by odometry since the last match
 };
 
-/// What came from team-mates since the last period. A robot alone is a team of one, and hears nothing.
+/// Messages of team-mates since the last period. A single robot is a team of one, and receives none.
 struct TeamInput {
   std::uint16_t robot = 0;                          ///< this one
   std::span<const team::StatusMessage> messages{};  ///< in any order, with any repetition
@@ -45,44 +45,44 @@ struct TeamInput {
 
 /// Stages of a decision.
 enum class PlanningStage : std::uint8_t {
-  kMap,       ///< the mapper's grid made ready
-  kAnalysis,  ///< places and goals, when it is time to
-  kTravel,    ///< clearance and what stands there now
-  kDecision,  ///< what there is to go for, what that costs, and whose it is
+  kMap,       ///< preparation of the mapper's grid
+  kAnalysis,  ///< places and goals, when due
+  kTravel,    ///< clearance and present obstacles
+  kDecision,  ///< candidates, their costs, and their assignment
   kRoute,
 };
-/// Called after each stage: a benchmark brings the clock.
+/// Called after each stage. A benchmark supplies the clock.
 using PlanningWatch = std::function<void(PlanningStage)>;
 
-/// What one planning period looks at. Pointers: null when never heard of.
+/// Input of one planning period. Pointers: null before the first value.
 struct PlanningInput {
   types::Stamp now{};
   const MapSnapshot* map = nullptr;
   const TrackedPose* tracked = nullptr;
   const ControlReport* control = nullptr;
-  const types::Scan* front = nullptr;  ///< newest, for obstacles that no keyframe holds yet
+  const types::Scan* front = nullptr;  ///< the newest, for obstacles that no keyframe contains yet
   TeamInput team;
   Mission mission;
   PlanningWatch done;  ///< may be empty
 };
 
-/// What planning knows, immutable once handed over; for status, files and pictures.
+/// State of planning for status, files and pictures; immutable once published.
 struct PlanningReport {
   std::uint64_t sequence = 0;
   types::Stamp stamp{};
   Activity activity = Activity::kIdle;
-  std::string reason;  ///< one sentence: why this activity
+  std::string reason;  ///< one sentence: the reason of the activity
   std::uint64_t mission = 0;
   bool mission_ended = false;  ///< done or failed
   bool second_phase = false;   ///< only gaps are left
   types::Transform2<types::Map, types::Base> T_map_base;
   types::Transform2<types::Map, types::Base> T_map_start;
-  double known_m2 = 0.0;                               ///< free cells seen so far
+  double known_m2 = 0.0;                               ///< area of the free cells seen so far
   std::shared_ptr<const analysis::Analysis> analysis;  ///< newest; null before the first
-  std::vector<goals::Goal> open_goals;                 ///< what may be chosen now, either phase
+  std::vector<goals::Goal> open_goals;                 ///< available alternatives, in both phases
   std::vector<exploration::DeferredGoal> deferred;     ///< at this time
   std::vector<Decision> decisions;                     ///< the last 64, oldest first
-  std::optional<goals::Goal> goal;                     ///< on the way to it
+  std::optional<goals::Goal> goal;                     ///< the present one
   std::vector<types::Vector2> route_map;
   int frontier_clusters = 0;  ///< at least 0.75 m wide, as explore_lite counts
   std::uint64_t goals_issued = 0;
@@ -97,7 +97,7 @@ struct PlanningOutput {
   team::StatusMessage message;                   ///< for team-mates
 };
 
-/// The planning thread's whole state. Used by one thread.
+/// The complete state of the planning thread. Used by one thread.
 class PlanningState {
  public:
   explicit PlanningState(const PlannerParams& params);
@@ -111,12 +111,12 @@ class PlanningState {
   std::unique_ptr<Impl> impl_;
 };
 
-/// One period (paper section II): where the robot is, the map for travelling, the analysis, a decision, a
-/// route. Never throws; with anything missing or stale the plan is to stand, and the report says why.
+/// One period (paper section II): localisation, the map for travel, the analysis, a decision, a route. Never
+/// throws; when an input is missing or stale the plan is to stand, and the report contains the reason.
 PlanningOutput planning_step(PlanningState& state, const PlanningInput& input);
 
-/// Can an operator's goal be gone to, as the map is? The reason when it cannot (unknown space, occupied, not
-/// reachable, forbidden area). For the control socket, before a mission is made of it.
+/// Success when an operator's goal can be reached on the present map, else the reason (unknown space,
+/// occupied, not reachable, forbidden area). For the control socket, before the goal becomes a mission.
 types::Status check_target(const analysis::Analysis& analysis, const PlannerParams& params,
                            const types::Vector2& from, const types::Vector2& target);
 

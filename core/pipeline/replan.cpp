@@ -17,8 +17,8 @@ using exploration::TeamView;
 using types::Stamp;
 using types::Vector2;
 
-/// On the way to a goal the map changes with every keyframe; the goal needs no analysis as often. Nor does a
-/// robot of a team that waits for one.
+/// On the way to a goal the map changes with every keyframe; the goal does not need an analysis as often.
+/// Neither does a robot of a team that waits for a goal.
 bool is_analysis_due(const Analysed& now, const Intent& intent, bool has_mates, std::uint64_t revision,
                      Stamp at, types::Duration period) {
   if (now.analysis == nullptr) return true;
@@ -49,7 +49,7 @@ Analysed analysed(Analysed before, const Intent& intent, bool has_mates, const P
   return now;
 }
 
-/// Map, analysis, decision and route anew (paper figure 6, then sections II-E and II-F).
+/// Updates map, analysis, decision and route (paper figure 6, then sections II-E and II-F).
 Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& place, const TeamView& team,
                 bool battery_low, std::vector<Vector2> seen, Caches& caches, const PlannerParams& params) {
   auto& [intent, analysed_now, route] = before;

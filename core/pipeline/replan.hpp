@@ -14,7 +14,7 @@ struct Planned {
   HeldRoute route;
 };
 
-/// The route of the last decision while it holds, else map, analysis, decision and route anew.
+/// Keeps the route of the last decision while it holds; otherwise updates map, analysis, decision and route.
 Planned planned(Planned before, const PlanningInput& in, const Whereabouts& place,
                 const exploration::TeamView& team, bool battery_low, Caches& caches,
                 const PlannerParams& params);

@@ -8,7 +8,7 @@
 namespace topo::pipeline {
 namespace {
 
-constexpr std::size_t kWaiting = 16;  // scans that may wait for odometry: 0.4 s at 40 Hz
+constexpr std::size_t kWaiting = 16;  // limit of scans that wait for odometry: 0.4 s at 40 Hz
 
 }  // namespace
 

@@ -21,8 +21,8 @@ struct PairedScan {
 
 types::Stamp end_of(const types::Scan& scan);
 
-/// Pairs scans with the odometry around them. A scan waits until odometry at or after its end has come, or
-/// until `wait_s` of scan time have gone by.
+/// Pairs scans with the odometry around them. A scan waits until odometry at or after its end is available,
+/// or until `wait_s` of scan time has passed.
 class ScanPairing {
  public:
   explicit ScanPairing(double wait_s) : wait_s_(wait_s) {}
@@ -32,7 +32,7 @@ class ScanPairing {
   void add_front(const types::Scan& scan) { push(front_, scan); }
   void add_coronal(const types::Scan& scan) { push(coronal_, scan); }
 
-  /// The next scan whose odometry is there; nothing when none is. One that no odometry covers is dropped.
+  /// The next scan with available odometry; nothing when there is none. Drops a scan that no odometry covers.
   /// `flush`: as if the wait were over.
   [[nodiscard]] std::optional<PairedScan> next_front(bool flush) { return next(front_, flush); }
   [[nodiscard]] std::optional<PairedScan> next_coronal(bool flush) { return next(coronal_, flush); }

@@ -5,7 +5,7 @@
 namespace topo::pipeline {
 namespace {
 
-/// Why the robot's place is not known; null when it is.
+/// The reason why the robot's pose is not known; null when it is.
 const char* place_missing(const PlanningInput& in, types::Stamp matched, const WhereaboutsParams& params) {
   if (in.map == nullptr || in.map->keyframes.empty()) return "no map yet";
   if (in.control == nullptr || in.now - in.control->stamp > params.control_age_max)

@@ -10,27 +10,27 @@
 
 namespace topo::pipeline {
 
-/// The motion that a period asks the gate for.
+/// The motion that one period requests from the gate.
 struct Wish {
   ControlMode mode = ControlMode::kStanding;
   types::Twist2 twist;
-  bool moving = false;  ///< the motors are wanted
+  bool moving = false;  ///< the motors are required
   motion::Backing backing = motion::Backing::kNone;
 };
 
-/// What became of the last period's wish.
+/// Result of the last period's wish.
 struct Granted {
   motion::GateReason reason = motion::GateReason::kFree;
   types::Twist2 wished, given;
 };
 
-/// After an e-stop the plan has to have stood, or to be about another goal, before it may move the robot.
+/// After an e-stop, a plan must have stood or have another goal before a plan moves the robot.
 struct Hold {
   bool held = false;
   std::uint64_t goal = 0;
 };
 
-/// Times that the outline touched something, and where last.
+/// Number of touches of the outline, and the position of the last.
 struct Touches {
   bool touching = false;  ///< in the last period
   std::uint32_t count = 0;

@@ -10,28 +10,28 @@
 namespace topo::travel {
 namespace {
 
-// Of several states the most weighs: occupied over free, and free over unknown.
+// The largest state of several cells applies: occupied over free, free over unknown.
 using grid::CellState;
 static_assert(CellState::kUnknown < CellState::kFree && CellState::kFree < CellState::kOccupied);
 
-/// The most of some rows in each column, then of neighbouring columns, in vector instructions.
+/// The maximum of several rows in each column, then of neighbouring columns. The loops vectorise.
 template <class T>
 class Pooled {
  public:
-  /// `before`: columns of the first coarse cell that are before the rows' first.
+  /// `before`: number of columns of the first coarse cell that lie before the rows' first column.
   Pooled(std::size_t coarse_width, int doublings, std::size_t before)
       : doublings_(doublings),
         before_(before),
         columns_(coarse_width << doublings),
         halved_(columns_.size()) {}
 
-  /// Cells of a row, from its cell `x` on.
+  /// Adds cells of a row, beginning with its cell `x`.
   void add(std::size_t x, const T* cells, std::size_t count) {
     T* const to = columns_.data() + before_ + x;
     for (std::size_t i = 0; i < count; ++i) to[i] = std::max(to[i], cells[i]);
   }
-  /// One value for each of the coarse cells [first, end), between which all is that was added; and forgets
-  /// it.
+  /// Writes one value for each of the coarse cells [first, end) and resets them. All added cells must lie
+  /// between them.
   void take(std::size_t first, std::size_t end, T* out) {
     T* const columns = columns_.data() + (first << doublings_);
     std::size_t width = (end - first) << doublings_;
@@ -66,7 +66,7 @@ CoarseMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m,
   CoarseMap out;
   out.map.resolution_m = std::ldexp(map.resolution_m, doublings);
   if (map.box.empty()) return out;
-  const auto wide = [doublings](std::int32_t v) { return v >> doublings; };  // towards minus infinity
+  const auto wide = [doublings](std::int32_t v) { return v >> doublings; };  // rounds towards minus infinity
   out.map.box.min = {wide(map.box.min.x) - 1, wide(map.box.min.y) - 1};
   out.map.box.max = {wide(map.box.max.x) + 1, wide(map.box.max.y) + 1};
   const auto width = static_cast<std::size_t>(map.width()),

@@ -15,8 +15,9 @@ struct CoarseMap {
   std::vector<float> clearance_m;
 };
 
-/// The same in cells 2^`doublings` as wide: occupied when one of a cell's is, else free when one is. A free
-/// cell's clearance is the most of them, so that a way is as wide as it was. Costs one pass over the cells.
+/// The same map in cells 2^`doublings` times as wide: occupied when one of the fine cells is occupied, else
+/// free when one is free. The clearance of a free cell is the largest of the fine cells, so that passages
+/// keep their width. Costs one pass over the cells.
 CoarseMap coarser(const grid::DenseMap& map, std::span<const float> clearance_m, int doublings = 1);
 
 }  // namespace topo::travel

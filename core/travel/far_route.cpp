@@ -13,16 +13,17 @@ using grid::CellIndex;
 using grid::CellState;
 using grid::DenseMap;
 
-// What a way may cost more on the coarse map than the cheapest there and be the cheapest on the fine one.
+// Margin by which a route on the coarse map may exceed the cheapest one there and still be the cheapest on
+// the fine map.
 constexpr double kShare = 1.05;
 constexpr double kMore_m = 1.5;
 
-/// By how much the coarse cells are wider, as a power of two.
+/// Binary logarithm of the ratio of the cell widths.
 int doublings(const DenseMap& map, const DenseMap& coarse) {
   return static_cast<int>(std::lround(std::log2(coarse.resolution_m / map.resolution_m)));
 }
 
-/// Which coarse cells ways of at most `most_m` lead through, and their box.
+/// The coarse cells that routes with a cost of at most `most_m` lead through, and their bounding box.
 struct Passage {
   std::vector<std::uint8_t> is_open;
   grid::CellBox box;
@@ -40,7 +41,7 @@ Passage passage(const DenseMap& coarse, const grid::TravelField& there, const gr
   return open;
 }
 
-/// The part of the map that lies in the passage; the rest is unknown.
+/// Copies the part of the map that lies in the passage; the rest is unknown.
 void take_part(const DenseMap& map, std::span<const float> clearance_m, const DenseMap& coarse,
                const Passage& open, CoarseMap& out) {
   const int shift = doublings(map, coarse);
@@ -84,7 +85,7 @@ std::vector<CellIndex> FarRoute::find(const DenseMap& map, std::span<const float
             passage(coarse.map, coarse_field, back_, static_cast<float>(most_m)), corridor_);
   search_.begin(corridor_.map, corridor_.clearance_m, start, rules, field_);
   search_.settle(HUGE_VAL);
-  // The coarse map may not see that a door is tight. Dearer by a cell of that, there may be another way.
+  // The coarse map may hide a tight door. At a cost above this bound, another route may be cheaper.
   const auto fine_m = static_cast<double>(field_.cost_m[corridor_.map.index(target)]);
   if (fine_m > most_m + rules.tightness * map.resolution_m) return {};
   return grid::route_to(corridor_.map, field_, target);

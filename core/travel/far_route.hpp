@@ -10,15 +10,15 @@
 
 namespace topo::travel {
 
-/// The way to a cell at the other end of a building, without searching all of the building: the coarse map
-/// (`coarser`) says where ways may lead that are hardly dearer than the cheapest, and the fine map is
-/// searched there only. Keeps its memory; one thread.
+/// Finds the route to a distant cell without a search of the whole building: the coarse map (`coarser`)
+/// limits the search of the fine map to the cells of routes that cost little more than the cheapest. Keeps
+/// its memory between calls; used by one thread.
 class FarRoute {
  public:
-  /// From `coarse_field.start` to `target`, as grid::route_to. `coarse_field` is the whole travel field of
-  /// the coarse map from the cell that `start` is in. Empty where there is no such way: there may still be
-  /// one that the coarse map does not have. Costs two searches of the coarse map, and the cells beside the
-  /// way.
+  /// The route from `start` to `target`, as grid::route_to. `coarse_field` is the complete travel field of
+  /// the coarse map from the cell that contains `start`. Empty when there is no such route; one that the
+  /// coarse map does not contain may still exist. Costs one bounded search of the coarse map, and a search of
+  /// the fine cells beside the route.
   std::vector<grid::CellIndex> find(const grid::DenseMap& map, std::span<const float> clearance_m,
                                     const CoarseMap& coarse, const grid::TravelField& coarse_field,
                                     grid::CellIndex start, grid::CellIndex target,

@@ -11,26 +11,26 @@
 
 namespace topo::travel {
 
-/// Obstacles that no keyframe holds, in map: what only sonar hears or a bumper touched, where the robot got
-/// stuck, and passages in which it does not turn. A value.
+/// Obstacles that no keyframe contains, in map: detected only by sonar or a bumper, places where the robot
+/// got stuck, and passages in which it cannot turn. A value.
 class ObstacleMemory {
  public:
   explicit ObstacleMemory(const ObstacleMemoryParams& params = {}) : params_(params) {}
 
-  /// A sonar echo where no laser sees anything.
+  /// A sonar echo where no laser detects anything.
   void note_echo(const types::Vector2& p_map, types::Stamp now) { note(p_map, 1, now); }
-  /// A bumper or a stalled wheel: no reflection, it counts at once.
+  /// A bumper contact or a stalled wheel. It cannot be a reflection, so it counts at once.
   void note_touch(const types::Vector2& p_map, types::Stamp now) { note(p_map, params_.echo_times, now); }
-  /// The robot did not get on here.
+  /// The robot got stuck here.
   void block(const types::Vector2& p_map, types::Stamp now);
-  /// A passage in which the robot does not get on. It stays closed until open_passages().
+  /// A passage in which the robot gets stuck. It stays closed until open_passages().
   void close_passage(const types::Vector2& p_map) { too_tight_.push_back(p_map); }
   void open_passages() { too_tight_.clear(); }
 
-  /// Drops what is older than its time.
+  /// Drops expired entries.
   void expire(types::Stamp now);
-  /// Drops echoes and blocked places. False when there are none, or the last time was less than
-  /// `forget_again` ago.
+  /// Drops echoes and blocked places. False when there are none, or when the last call that dropped any was
+  /// less than `forget_again` ago.
   bool forget(types::Stamp now);
 
   /// Echoes that were noted often enough.

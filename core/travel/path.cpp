@@ -12,7 +12,7 @@ using grid::CellIndex;
 using grid::DenseMap;
 using types::Vector2;
 
-constexpr std::size_t kShortcutCells = 40;  // 2 m at 0.05 m: looks past a doorway, costs little
+constexpr std::size_t kShortcutCells = 40;  // 2 m at 0.05 m: beyond a doorway, at low cost
 constexpr int kRoundings = 4;
 
 float clearance_at(const DenseMap& map, std::span<const float> clearance_m, const Vector2& p) {
@@ -20,7 +20,7 @@ float clearance_at(const DenseMap& map, std::span<const float> clearance_m, cons
   return map.contains(cell) ? clearance_m[map.index(cell)] : 0.0F;
 }
 
-/// Least clearance on a straight line, by samples half a cell apart.
+/// Smallest clearance on a straight line, sampled every half cell.
 float clearance_along(const DenseMap& map, std::span<const float> clearance_m, const Vector2& a,
                       const Vector2& b) {
   const int steps = std::max(1, static_cast<int>(std::ceil((b - a).norm() / (0.5 * map.resolution_m))));
@@ -30,14 +30,14 @@ float clearance_along(const DenseMap& map, std::span<const float> clearance_m, c
   return least;
 }
 
-/// The farthest cell after `from` to which the straight line is as good as the route.
+/// The farthest cell after `from` to which the straight line keeps the clearance of the route.
 std::size_t shortcut(const DenseMap& map, std::span<const float> clearance_m,
                      std::span<const CellIndex> route, std::size_t from, float preferred_m) {
   float needed = std::min(preferred_m, clearance_m[map.index(route[from])]);
   std::size_t best = from + 1;
   for (std::size_t to = from + 1; to < std::min(route.size(), from + kShortcutCells); ++to) {
     needed = std::min(needed, clearance_m[map.index(route[to])]);
-    if (to % 4 != 0 && to + 1 != route.size()) continue;  // every fourth: the difference cannot be seen
+    if (to % 4 != 0 && to + 1 != route.size()) continue;  // every fourth: finer steps change little
     if (clearance_along(map, clearance_m, map.centre_of(route[from]), map.centre_of(route[to])) >= needed)
       best = to;
   }
@@ -55,7 +55,7 @@ std::vector<Vector2> resampled(const std::vector<Vector2>& corners) {
   return points;
 }
 
-/// Moves every point towards the middle of its neighbours where that costs no clearance that is needed.
+/// Moves every point towards the middle of its neighbours when that keeps the needed clearance.
 void round_corners(const DenseMap& map, std::span<const float> clearance_m, float preferred_m,
                    std::vector<Vector2>& points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {

@@ -36,7 +36,7 @@ void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, co
   travel_clearance_m_ = clearance_.clearance_m();
   lower_clearance(map_, overlays.echoed, rules_.preferred_m, travel_clearance_m_);
   const grid::CellIndex start = map_.cell_at(here.T_map_base.se2().translation());
-  std::vector<types::KeyframePose> last_bit;  // no keyframe holds it yet
+  std::vector<types::KeyframePose> last_bit;  // driven since the last keyframe
   if (!ways.own.empty()) last_bit = {ways.own.back(), here};
   const auto keep_ways_open = [&](const TrailRules& rules) {
     keep_trail_open(map_, ways.own, start, rules, travel_clearance_m_);
@@ -46,19 +46,19 @@ void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, co
   };
   keep_ways_open({rules_.radius_m});
   lower_clearance(map_, overlays.seen_now, rules_.preferred_m, travel_clearance_m_);
-  // Noise must not shut the robot in where it came through; the gate stops it before what really stands
+  // Noise must not close the path by which the robot came; the safety gate stops it before real obstacles
   // there.
   keep_ways_open({rules_.tight_m, rules_.tight_m - params_.live_noise_m, params_.live_range_m});
-  // What the robot got stuck on stands on its own way, too: without it the same route would be taken for
-  // ever.
+  // An obstacle at which the robot got stuck also closes its own path: otherwise the same route would be
+  // taken forever.
   lower_clearance(map_, overlays.stuck_on, rules_.preferred_m, travel_clearance_m_);
   inflate_mates(overlays.going_at);
   search_.begin(map_, travel_clearance_m_, start, rules_, field_);
   has_coarse_ = false;
 }
 
-/// Routes lead round team-mates that are going where there is room, and through where they stand where there
-/// is none.
+/// Routes lead round moving team-mates where there is free space, and through their positions where there is
+/// none.
 void RouteMap::inflate_mates(std::span<const Vector2> mates) {
   const auto reach = static_cast<std::int32_t>(std::ceil(params_.mate_m / map_.resolution_m));
   const auto least_m = static_cast<float>(rules_.radius_m);
@@ -91,7 +91,7 @@ const grid::TravelField& RouteMap::coarse_field() {
   return coarse_field_;
 }
 
-/// What is far is not searched for over all of the building.
+/// A distant cell does not need a search of the whole building.
 std::vector<grid::CellIndex> RouteMap::cells_to(grid::CellIndex target) {
   search_.settle(params_.near_m);
   if (static_cast<double>(field_.cost_m[map_.index(target)]) >= search_.settled_m()) {

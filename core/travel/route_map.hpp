@@ -20,49 +20,49 @@
 
 namespace topo::travel {
 
-/// Points in map that no keyframe holds.
+/// Points in map that no keyframe contains.
 struct Overlays {
-  std::vector<types::Vector2> echoed;    ///< heard by sonar, or touched
-  std::vector<types::Vector2> seen_now;  ///< by the newest scan
-  std::vector<types::Vector2> stuck_on;  ///< where the robot did not get on
+  std::vector<types::Vector2> echoed;    ///< detected by sonar or touch
+  std::vector<types::Vector2> seen_now;  ///< detected by the newest scan
+  std::vector<types::Vector2> stuck_on;  ///< where the robot got stuck
   std::vector<types::Vector2> going_at;  ///< team-mates that will move on
 };
 
-/// The map for travelling and the searches on it. Searches go as far as the calls of one period need them and
-/// are kept for that period; each call gives what it would give alone. One thread.
+/// The map for travel and the searches on it. Searches run as far as the calls of one period need and are
+/// kept for that period; the result of a call does not depend on the other calls. One thread.
 class RouteMap {
  public:
   RouteMap(const grid::TravelRules& rules, const types::AreaLimits& area, const RouteMapParams& params = {})
       : rules_(rules), area_(area), params_(params) {}
 
-  /// A generation of the map. Costs nothing when the revision is the present one.
+  /// Takes a generation of the map. Costs nothing when the revision is the current one.
   void take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways);
-  /// Begins the searches of a period: clearance by the map and the overlays, from where the robot is.
-  /// Driven ways stay open where only noise or faint evidence closes them.
+  /// Begins the searches of a period at the robot's pose, with the clearance from map and overlays. Driven
+  /// paths stay open where only noise or faint evidence closes them.
   void begin(const types::KeyframePose& here, const DrivenWays& ways, const Overlays& overlays);
 
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] const grid::DenseMap& map() const { return map_; }
-  /// By the map alone, as long as its cells.
+  /// From the map alone; the size of map().cells.
   [[nodiscard]] const std::vector<float>& clearance_m() const { return clearance_.clearance_m(); }
-  [[nodiscard]] double known_m2() const { return known_m2_; }  ///< free cells
+  [[nodiscard]] double known_m2() const { return known_m2_; }  ///< area of the free cells
   [[nodiscard]] const grid::TravelRules& rules() const { return rules_; }
 
-  /// Costs from the robot. Those below settled_m() are final.
+  /// Costs from the robot's position. Costs below settled_m() are final.
   [[nodiscard]] const grid::TravelField& field() const { return field_; }
   [[nodiscard]] double settled_m() const { return search_.settled_m(); }
   void settle(double bound_m) { search_.settle(bound_m); }
 
-  /// The map for travelling in wider cells, and the whole field on it; made at the first call of a period.
+  /// The map for travel in wider cells, and the complete field on it; computed at the first call of a period.
   const CoarseMap& coarse();
   const grid::TravelField& coarse_field();
 
-  /// The route to a cell, smoothed, in map; empty when there is none.
+  /// The smoothed route to a cell, in map; empty when there is none.
   [[nodiscard]] std::vector<types::Vector2> route_to(grid::CellIndex target);
-  /// The reachable cell nearest to a point, one at which the robot can turn if there is one.
+  /// The reachable cell nearest to a point; prefers a cell at which the robot can turn.
   [[nodiscard]] std::optional<grid::CellIndex> reachable_cell(const types::Vector2& p_map);
-  /// Where the next stretch of a route is narrowest, if the map is too narrow there to turn in. The robot's
-  /// own place does not count.
+  /// The narrowest point of the next stretch of a route where, by the map, the robot cannot turn; nothing
+  /// when it can turn everywhere. Points at the robot itself do not count.
   [[nodiscard]] std::optional<types::Vector2> tight_ahead(std::span<const types::Vector2> route,
                                                           const types::Vector2& here) const;
 
@@ -87,7 +87,7 @@ class RouteMap {
   FarRoute far_route_;
 };
 
-/// Area within a square of half side `reach_m` that is unknown on the one map and known on the other, m2.
+/// Area within a square of half side `reach_m` that is unknown on `then` and known on `now`, m2.
 double newly_known_m2(const grid::DenseMap& then, const grid::OccupancyGrid& now,
                       const types::Vector2& centre, double reach_m);
 

@@ -23,7 +23,8 @@ using types::Vector2;
 constexpr int kBlock = grid::kCellBlock;
 using Block = std::array<std::uint8_t, kBlock>;
 
-/// For each of `count` cells from `from` on: is the nearest known cell in steps of `stride` free?
+/// For each of `count` cells beginning at `from`: 1 when the nearest known cell in steps of `stride`, at most
+/// `reach` steps away, is free.
 void see_free(const CellState* from, int count, std::ptrdiff_t stride, int reach, Block& sees) {
   std::fill_n(sees.begin(), count, std::uint8_t{0});
   for (int step = reach; step >= 1; --step) {
@@ -37,7 +38,7 @@ void see_free(const CellState* from, int count, std::ptrdiff_t stride, int reach
   }
 }
 
-/// Which of the cells are unknown and between free ones. False: none.
+/// Marks the cells that are unknown and between free ones. False when there are none.
 bool between_free(const CellState* from, int count, std::span<const std::ptrdiff_t> strides, int reach,
                   Block& between) {
   Block one, other;
@@ -58,7 +59,7 @@ bool between_free(const CellState* from, int count, std::span<const std::ptrdiff
   return any != 0;
 }
 
-/// Are all of the cells of one state? Most of a map's blocks are unknown through and through, or known.
+/// True when all cells have this state. Most blocks of a map are entirely unknown, or known.
 bool is_all(const CellState* from, int count, CellState state) {
   std::uint8_t other = 0;
   for (int x = 0; x < count; ++x)
@@ -66,7 +67,7 @@ bool is_all(const CellState* from, int count, CellState state) {
   return other == 0;
 }
 
-/// Can no cell of these change: none is unknown, or all around is?
+/// True when none of these cells can change: none is unknown, or all cells around them are.
 bool is_settled(const CellState* from, int count, std::ptrdiff_t width, int reach) {
   if (std::memchr(from, static_cast<int>(CellState::kUnknown), static_cast<std::size_t>(count)) == nullptr)
     return true;
@@ -76,7 +77,7 @@ bool is_settled(const CellState* from, int count, std::ptrdiff_t width, int reac
   return true;
 }
 
-/// Between which columns something is known.
+/// The columns between which cells are known, by row.
 class KnownColumns {
  public:
   struct Columns {
@@ -94,7 +95,7 @@ class KnownColumns {
     }
   }
 
-  /// In the rows as far as `reach` from one.
+  /// The columns of all rows within `reach` of this one.
   [[nodiscard]] Columns around(int row) const {
     Columns all = of_row_[static_cast<std::size_t>(row - reach_)];
     for (int y = row - reach_ + 1; y <= row + reach_; ++y) {
@@ -216,14 +217,14 @@ void apply_limits(DenseMap& map, const types::AreaLimits& limits) {
 
 DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways, const types::AreaLimits& limits,
                      double route_radius_m) {
-  constexpr double kReach_m = 0.15;  // to either side: the spacing of 0.25 degrees at 30 m
+  constexpr double kReach_m = 0.15;  // on each side: the beam spacing of 0.25 degrees at 30 m
   const int reach = static_cast<int>(std::lround(kReach_m / grid.resolution_m()));
   const int disc = static_cast<int>(std::ceil(route_radius_m / grid.resolution_m())) + 1;
   DenseMap map = grid::dense_map(grid, std::max(2 * reach, disc));
   occupy_faint(map, grid);
   close_gaps(map, reach);
   constexpr double kInner =
-      0.7;  // of the route's disc: the part that the robot's outline fills whichever way it faces
+      0.7;  // share of the route's disc that the robot's outline covers in every heading
   const auto free_way = [&](std::span<const types::KeyframePose> way) {
     for (const types::KeyframePose& keyframe : way) {
       const Vector2 centre = keyframe.T_map_base.se2().translation();
@@ -259,7 +260,7 @@ std::vector<Vector2> confirmed_points(const types::Scan& scan, const types::Se2&
 void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, double reach_m,
                      std::vector<float>& clearance_m) {
   for (const Vector2& obstacle : obstacles) {
-    // What the map has already changes nothing.
+    // An obstacle that the map already contains changes nothing.
     const CellIndex cell = map.cell_at(obstacle);
     if (!map.contains(cell) || clearance_m[map.index(cell)] <= 0.0F) continue;
     for_each_around(map, obstacle, reach_m, [&](std::size_t index, double away_m2) {
@@ -270,10 +271,10 @@ void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, do
 
 void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> way, CellIndex here,
                      const TrailRules& rules, std::vector<float>& clearance_m) {
-  constexpr double kGap_m = 0.8;  // two keyframes: farther apart the robot was carried, or lost
+  constexpr double kGap_m = 0.8;  // spacing of two keyframes; beyond it the robot was carried or lost
   const auto open_m = static_cast<float>(rules.open_m), above_m = static_cast<float>(rules.above_m);
   const Vector2 robot = map.centre_of(here);
-  // A line of cells without a gap, and no wider: beside it the robot may touch.
+  // A line of cells without a gap, and no wider: beside the line the robot may touch an obstacle.
   const double reach_m = 0.75 * map.resolution_m;
   const std::size_t stands = map.contains(here) ? map.index(here) : map.cells.size();
   for (std::size_t i = 1; i < way.size(); ++i) {

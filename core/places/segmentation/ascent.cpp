@@ -10,7 +10,7 @@ Ascent::Ascent(const grid::DenseMap& map, const std::vector<Slope>& slopes,
                std::vector<std::uint32_t>& labels)
     : slopes_(slopes.data()), labels_(labels.data()), offsets_(neighbour_offsets(map)) {}
 
-/// From a cell to the first one with a label, which all cells on the way get.
+/// Climbs from a cell to the first labelled one, and gives that label to all cells on the path.
 void Ascent::climb_up(std::uint32_t start) {
   std::uint32_t label = 0, i = start;
   std::size_t steps = 0;
@@ -30,7 +30,7 @@ void Ascent::climb_up(std::uint32_t start) {
     lost_.insert(lost_.end(), way_.begin(), way_.begin() + static_cast<std::ptrdiff_t>(steps));
 }
 
-/// A neighbour that has its label; else the cell itself.
+/// A neighbour with a final label; the cell itself when there is none.
 std::uint32_t Ascent::labelled_beside(std::uint32_t i) const {
   for (std::size_t k = 0; k < 8; ++k) {
     const std::uint32_t j = beside(i, k);

@@ -11,21 +11,21 @@
 
 namespace topo::places {
 
-/// In place of a label: there is no way up to one.
+/// Takes the place of a label: no ascent leads to a labelled cell.
 inline constexpr std::uint32_t kLost = UINT32_MAX;
 
-/// Gives free cells the label of the first cell with one on the steepest way up.
+/// Gives free cells the label of the first labelled cell on their steepest ascent.
 class Ascent {
  public:
   Ascent(const grid::DenseMap& map, const std::vector<Slope>& slopes, std::vector<std::uint32_t>& labels);
 
-  /// Labels a free cell, if it has none, and those on its way up. Where clearance rises nowhere the way goes
-  /// on to a neighbour that has its label already. Whoever comes nowhere is kLost.
+  /// Labels a free cell that has no label, and the cells on its ascent. Where clearance rises nowhere, the
+  /// ascent continues to a labelled neighbour. Cells whose ascent ends without a label become kLost.
   void climb(std::uint32_t start) {
     if (labels_[start] == 0) climb_up(start);
   }
 
-  /// Those that came nowhere.
+  /// Cells whose ascent ends without a label.
   [[nodiscard]] const std::vector<std::uint32_t>& lost() const { return lost_; }
 
  private:
@@ -38,7 +38,7 @@ class Ascent {
   const Slope* slopes_;
   std::uint32_t* labels_;
   std::array<std::ptrdiff_t, 8> offsets_;
-  std::vector<std::uint32_t> way_ = std::vector<std::uint32_t>(64);  ///< longer ones make it longer
+  std::vector<std::uint32_t> way_ = std::vector<std::uint32_t>(64);  ///< grows with the longest ascent
   std::vector<std::uint32_t> lost_;
 };
 

@@ -34,7 +34,7 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame)
     const CellState* const end = row + map.width();
     for (const CellState* at = row; at != end; ++at) {
       if (*at != CellState::kOccupied) {
-        // Most cells are not occupied: the library looks at many at once.
+        // Most cells are not occupied: the library tests many at once.
         at = static_cast<const CellState*>(
             std::memchr(at, static_cast<int>(CellState::kOccupied), static_cast<std::size_t>(end - at)));
         if (at == nullptr) break;
@@ -46,7 +46,7 @@ BoxCounts::BoxCounts(const grid::DenseMap& map, const CompassFrame& frame)
   sum_up();
 }
 
-/// The place of its first cell, in bins.
+/// Position of the row's first cell, in bins.
 types::Vector2 BoxCounts::row_start(int y) const {
   const types::Vector2 centre = types::Vector2(box_.min.x + 0.5, box_.min.y + y + 0.5) * resolution_m_;
   return (frame_.from_map(centre) - corner_) / bin_m_;
@@ -58,7 +58,7 @@ BoxCounts::Bin BoxCounts::bin_of(const types::Vector2& row_start, double x) cons
           static_cast<std::size_t>(row_start.y() - x * step * frame_.sin) + 1};
 }
 
-/// From the lowest row up.
+/// Sorted by row, the lowest first.
 std::vector<BoxCounts::Step> BoxCounts::steps_of(const grid::OccupiedChange& cells) const {
   std::vector<Step> steps;
   const auto width = static_cast<std::uint32_t>(box_.width());
@@ -80,7 +80,7 @@ void BoxCounts::change(const grid::OccupiedChange& cells) {
     left = std::min(left, step.bin.column);
     right = std::max(right, step.bin.column + 1);
   }
-  // Of the bins up to a row, and of those of blocks.
+  // Change of the bins up to a row, by column and by block.
   const std::size_t blocks = columns_ / kBlock, first_block = left / kBlock;
   std::vector<std::uint32_t> more(right - left, 0), more_in(blocks, 0);
   auto step = steps.begin();
@@ -114,7 +114,7 @@ void BoxCounts::sum_up() {
   }
 }
 
-/// Both included.
+/// Column and row inclusive.
 std::uint32_t BoxCounts::occupied_up_to(std::size_t column, std::size_t row) const {
   const std::size_t block = column / kBlock;
   const std::uint32_t* const sums = &along_columns_[row * columns_];

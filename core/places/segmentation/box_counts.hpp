@@ -12,7 +12,7 @@
 
 namespace topo::places {
 
-/// Turns points of map into the compass frame.
+/// Transforms points from map into the compass frame and back.
 struct CompassFrame {
   explicit CompassFrame(double compass_rad) : cos(std::cos(compass_rad)), sin(std::sin(compass_rad)) {}
   [[nodiscard]] types::Vector2 from_map(const types::Vector2& p) const {
@@ -26,20 +26,20 @@ struct CompassFrame {
   double sin;
 };
 
-/// How many occupied cells lie in a rectangle of the compass frame, in constant time, over bins of two by two
-/// cells: of tables of sums along the columns and, of blocks of columns, along the rows. One sum over both
-/// would take longer to make than all that is asked of it: along a row each waits for the one before it.
-/// A value.
+/// Number of occupied cells in a rectangle of the compass frame, in constant time, with bins of two by two
+/// cells. One table holds sums along the columns, another one sums of blocks of columns along the rows. A
+/// single table of sums over both axes would take longer to build than all queries: along a row each sum
+/// depends on the previous one. A value.
 class BoxCounts {
  public:
   BoxCounts(const grid::DenseMap& map, const CompassFrame& frame);
 
-  /// Are bins of this map where they are here?
+  /// True when the bins of this map and frame are in the same positions.
   [[nodiscard]] bool fits(const grid::DenseMap& map, const CompassFrame& frame) const {
     return box_ == map.box && resolution_m_ == map.resolution_m && frame_ == frame;
   }
-  /// Makes of the counts of a map those of one that fits and differs from it in these cells. Costs the rows
-  /// from the lowest of them up: their columns, and the blocks to the right end.
+  /// Updates the counts to a map that fits and differs in these cells. The cost is that of the rows from the
+  /// lowest changed one upwards: their changed columns, and their blocks up to the right end.
   void change(const grid::OccupiedChange& cells);
 
   [[nodiscard]] std::uint32_t occupied_in(const types::Rectangle& box) const;
@@ -48,14 +48,14 @@ class BoxCounts {
   struct Bin {
     std::size_t column, row;
   };
-  /// One more or one less.
+  /// One cell added or removed.
   struct Step {
     Bin bin;
-    std::uint32_t by;  ///< modulo 2 to the power of 32
+    std::uint32_t by;  ///< modulo 2^32
   };
 
   [[nodiscard]] types::Vector2 row_start(int y) const;
-  /// Of a cell so far from its row's first.
+  /// The bin of a cell with this offset from its row's first cell.
   [[nodiscard]] Bin bin_of(const types::Vector2& row_start, double x) const;
   [[nodiscard]] std::vector<Step> steps_of(const grid::OccupiedChange& cells) const;
   void sum_up();
@@ -65,12 +65,12 @@ class BoxCounts {
   grid::CellBox box_;
   double resolution_m_;
   CompassFrame frame_;
-  std::size_t columns_ = kBlock;  ///< whole blocks
+  std::size_t columns_ = kBlock;  ///< a multiple of kBlock
   std::size_t rows_ = 1;
   types::Vector2 corner_{0.0, 0.0};
   double bin_m_;
-  std::vector<std::uint32_t> along_columns_;  ///< over a column's bins up to a row
-  std::vector<std::uint32_t> before_blocks_;  ///< over all bins up to a row and left of a block of columns
+  std::vector<std::uint32_t> along_columns_;  ///< sum of a column's bins up to a row
+  std::vector<std::uint32_t> before_blocks_;  ///< sum of all bins up to a row and left of a block of columns
 };
 
 }  // namespace topo::places

@@ -12,7 +12,7 @@
 
 namespace topo::places {
 
-/// Cells in square tiles, so that it is soon known whether some of them may lie within a box.
+/// Cells in square tiles: a fast test whether some of them may lie within a box.
 class CellTiles {
  public:
   explicit CellTiles(const grid::DenseMap& map)
@@ -22,7 +22,7 @@ class CellTiles {
         rows_((static_cast<std::size_t>(map.height()) >> kShift) + 1),
         holds_(columns_ * rows_, 0) {}
 
-  /// Cells of the map by their indices; of one row or several.
+  /// Cells of the map by index, in one row or several.
   void add(grid::CellRun run) {
     for (std::size_t first = run.first; first < run.end;) {
       const std::size_t y = first / width_, end = std::min<std::size_t>(run.end, (y + 1) * width_);
@@ -33,7 +33,7 @@ class CellTiles {
     }
   }
 
-  /// False only when no cell that was added lies within the box.
+  /// False only when no added cell lies within the box.
   [[nodiscard]] bool may_have(const grid::CellBox& box) const {
     const auto tile = [](std::int64_t at, std::int64_t origin, std::size_t count) {
       return static_cast<std::size_t>(

@@ -11,9 +11,9 @@
 namespace topo::places {
 namespace {
 
-constexpr double kInLine = 0.6;  ///< so much of a piece's width lies in the strip in which a corridor runs
+constexpr double kInLine = 0.6;  ///< least share of a piece's width in the strip of a corridor
 
-/// The members of places while corner pieces go from one to another.
+/// The members of places while corner pieces move between them.
 class Corners {
  public:
   Corners(const std::vector<Region>& pieces, std::vector<std::uint32_t>& places, double resolution_m,
@@ -28,8 +28,8 @@ class Corners {
     for (std::uint32_t p = 0; p < pieces.size(); ++p) members_[places[p]].push_back(p);
   }
 
-  /// Ends: who gets the pieces is larger than what is left of who had them, so that the sum of the squares of
-  /// the places' sizes grows with every move.
+  /// Terminates: the receiving place is larger than the rest of the giving place, so that every move
+  /// increases the sum of the squares of the places' sizes.
   bool settle() {
     bool any = false;
     for (bool moved = true; moved;) {
@@ -41,7 +41,7 @@ class Corners {
   }
 
  private:
-  /// Pieces that touch another place, from the lowest in the map on.
+  /// Pieces that touch another place, from the lowest in the map upwards.
   [[nodiscard]] std::vector<std::uint32_t> at_borders() const {
     std::vector<std::uint32_t> found;
     for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
@@ -55,13 +55,14 @@ class Corners {
     return found;
   }
 
-  /// Does an open border of the piece's lead to another place?
+  /// True when an open border of the piece leads to another place.
   [[nodiscard]] bool leaves_place(std::uint32_t p, const Contact& c) const {
     return places_[c.other] != places_[p] && c.upright + c.level != 0;
   }
 
-  /// Could the piece by itself go to a corridor beside its place? With its spurs it is as clear or clearer,
-  /// and a passage then narrower for it: for most pieces that is the end of it.
+  /// True when the piece alone could move to a corridor beside its place. This necessary condition is false
+  /// for most pieces: with its spurs a piece has no less clearance, for which the passage is relatively
+  /// narrower.
   bool opens_onto_corridor(std::uint32_t p) {
     const auto& contacts = pieces_[p].contacts;
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
@@ -97,8 +98,8 @@ class Corners {
     return false;
   }
 
-  /// The piece, and those of its place that hang on the rest by it alone: all but the largest part that is
-  /// left without it.
+  /// The piece, and the pieces of its place that are connected to the rest only through it: all parts that
+  /// remain without it, except the largest.
   [[nodiscard]] std::vector<std::uint32_t> with_its_spurs(std::uint32_t p) {
     std::vector<std::uint32_t> members = members_[places_[p]];
     std::sort(members.begin(), members.end());
@@ -135,7 +136,7 @@ class Corners {
     return rest;
   }
 
-  /// Does most of the piece lie in the strip in which the corridor runs?
+  /// True when most of the piece lies in the strip in which the corridor runs.
   static bool is_in_line(const Region& corridor, const Region& piece) {
     const types::Vector2 side = corridor.core.max - corridor.core.min;
     const int across = side.x() < side.y() ? 0 : 1;
@@ -166,8 +167,8 @@ class Corners {
   double resolution_m_;
   const PlaceParams& params_;
   std::vector<std::vector<std::uint32_t>> members_;  ///< by the number of the place
-  std::vector<std::optional<Region>> wholes_;        ///< the members together, of places that were looked at
-  std::vector<bool> is_left_;  ///< of a place's pieces, while those that hang together are looked for
+  std::vector<std::optional<Region>> wholes_;        ///< cache of the joined members of a place
+  std::vector<bool> is_left_;  ///< of a place's pieces, during the search for connected parts
 };
 
 }  // namespace

@@ -19,10 +19,10 @@ namespace {
 using grid::CellState;
 using grid::DenseMap;
 
-/// Clearance must fall and rise again by this factor for a passage.
+/// At a passage, clearance falls and rises again by this factor.
 constexpr float kPassageRatio = 1.3F;
 
-/// Positions along an edge of its narrowest cells between wider parts, the nodes at both ends included.
+/// Positions of the narrowest cells between wider parts of an edge, including the nodes at both ends.
 void find_passages(std::span<const std::uint32_t> cells, std::span<const float> clearance_m, float at_a_m,
                    float at_b_m, std::vector<std::size_t>& passages) {
   passages.clear();
@@ -43,7 +43,7 @@ void find_passages(std::span<const std::uint32_t> cells, std::span<const float> 
   }
 }
 
-/// Divides the axis into pieces: to each of its cells, as in Skeleton::axis, the number of one.
+/// Divides the axis into pieces. Every cell, in the order of Skeleton::axis, has the number of its piece.
 class AxisPieces {
  public:
   AxisPieces(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
@@ -59,7 +59,7 @@ class AxisPieces {
     for (const SkeletonEdge& edge : skeleton_.edges) divide_edge(edge);
   }
 
-  /// The pieces' labels.
+  /// The labels of the pieces.
   [[nodiscard]] std::vector<std::uint32_t> labels() const {
     std::vector<std::uint32_t> lowest(count_, kLost);
     for (std::size_t k = 0; k < numbers_.size(); ++k)
@@ -84,7 +84,7 @@ class AxisPieces {
     }
   }
 
-  /// Even pieces; the first and the last go to the nodes `a` and `b`.
+  /// Divides cells into pieces of equal length; the first and the last belong to the nodes `a` and `b`.
   void divide_stretch(std::span<std::uint32_t> cells, std::optional<std::uint32_t> a,
                       std::optional<std::uint32_t> b) {
     const std::size_t least = a && b ? 2 : 1;
@@ -107,7 +107,7 @@ class AxisPieces {
   std::vector<std::size_t> passages_;
 };
 
-/// Spreads labels from the cells in `queue` over all that are open to their eight neighbours, breadth first.
+/// Spreads labels from the cells in `queue` over all connected open cells (eight neighbours), breadth first.
 void spread(std::span<const std::ptrdiff_t> offsets, FirstLabels& first, std::vector<std::uint32_t>& queue) {
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const auto i = static_cast<std::ptrdiff_t>(queue[next]);
@@ -121,7 +121,7 @@ void spread(std::span<const std::ptrdiff_t> offsets, FirstLabels& first, std::ve
   }
 }
 
-/// Cells with a label that have one of the given cells as a neighbour, ascending.
+/// Labelled cells with one of the given cells as a neighbour, ascending.
 std::vector<std::uint32_t> labelled_beside(std::span<const std::ptrdiff_t> offsets,
                                            std::span<const std::uint32_t> cells,
                                            const std::vector<std::uint32_t>& labels) {
@@ -137,7 +137,7 @@ std::vector<std::uint32_t> labelled_beside(std::span<const std::ptrdiff_t> offse
   return beside;
 }
 
-/// Who came nowhere gets the label of whoever is nearest.
+/// Gives lost cells the label of the nearest labelled cell.
 void label_lost(const DenseMap& map, FirstLabels& first) {
   for (const std::uint32_t i : first.lost) first.labels[i] = 0;
   const auto offsets = neighbour_offsets(map);
@@ -145,7 +145,7 @@ void label_lost(const DenseMap& map, FirstLabels& first) {
   spread(offsets, first, queue);
 }
 
-/// Gives the axis its labels. Calls changed(cell) where it is another, or has another label.
+/// Labels the axis. Calls changed(cell) for cells that left or joined it, or whose label changes.
 template <class F>
 void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
   for (std::size_t k = 0; k < first.axis.size(); ++k) {
@@ -175,7 +175,7 @@ void number_runs(FirstLabels& first, std::size_t cells) {
   for (std::size_t k = 0; k < first.runs.size(); ++k) first.run_pieces[k] = numbers.of(first.runs[k].label);
 }
 
-/// Adds the labels of the runs that reach into blocks of cells.
+/// Adds the labels of the runs that overlap blocks of cells.
 void add_labels_in(const grid::CellBlocks& blocks, std::span<const PieceRun> runs,
                    std::vector<std::uint32_t>& labels) {
   auto run = runs.begin();
@@ -183,12 +183,12 @@ void add_labels_in(const grid::CellBlocks& blocks, std::span<const PieceRun> run
     while (run != runs.end() && run->end <= from) ++run;
     for (; run != runs.end() && run->first < end; ++run) {
       labels.push_back(run->label);
-      if (run->end > end) break;  // into the next block as well
+      if (run->end > end) break;  // it overlaps the next block as well
     }
   });
 }
 
-/// Takes the runs anew where something has changed, and tells what that is.
+/// Renews the runs in changed blocks, and returns the change.
 LabelChange renew_runs(const grid::CellBlocks& changed, std::span<const float> clearance_m,
                        FirstLabels& first) {
   LabelChange change;

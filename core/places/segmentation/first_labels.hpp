@@ -16,30 +16,31 @@
 
 namespace topo::places {
 
-/// How first labels differ from those that they were made of.
+/// Difference of first labels from the previous ones.
 struct LabelChange {
-  /// Where there may be cells with another label, another clearance, or another relation to the axis.
+  /// May contain cells with another label, another clearance, or another relation to the axis.
   std::vector<grid::CellRun> cells;
-  std::vector<std::uint32_t> pieces;  ///< all with such a cell, before or now, by their labels: ascending
+  std::vector<std::uint32_t> pieces;  ///< labels of all pieces that had or have such a cell, ascending
 };
 
-/// The over-segmentation that the reduction begins with (paper section II-C), and what it was made of.
+/// The over-segmentation with which the reduction begins (paper section II-C), and the data from which it was
+/// made.
 struct FirstLabels {
   grid::CellBox box;                  ///< of the map
-  std::vector<std::uint32_t> labels;  ///< its piece's, 0 outside free space; as map.cells
-  /// The pieces' labels: the lowest cell of a piece on the axis + 1, so that of a piece that stays as it was
-  /// on another map no cell changes.
+  std::vector<std::uint32_t> labels;  ///< label of the cell's piece, 0 outside free space; as map.cells
+  /// The pieces' labels: 1 + the lowest axis cell of a piece, so that the cells of an unchanged piece keep
+  /// their label on the next map.
   std::vector<std::uint32_t> pieces;
   std::vector<Slope> slopes;
   std::vector<std::uint32_t> axis;
-  std::vector<std::uint32_t> axis_pieces;  ///< of each of its cells, numbers in `pieces`
-  std::vector<std::uint32_t> lost;         ///< cells that do not lead up to the axis
+  std::vector<std::uint32_t> axis_pieces;  ///< of each axis cell, its index in `pieces`
+  std::vector<std::uint32_t> lost;         ///< cells whose ascent does not lead to the axis
   std::vector<PieceRun> runs;
-  std::vector<std::uint32_t> run_pieces;  ///< of each of them
-  std::optional<LabelChange> change;      ///< nothing: they were made anew
+  std::vector<std::uint32_t> run_pieces;  ///< of each run, its index in `pieces`
+  std::optional<LabelChange> change;      ///< nothing: the labels were made without previous ones
 };
 
-/// The number of a piece by its label.
+/// The number of a piece, from its label.
 class PieceNumbers {
  public:
   PieceNumbers(const FirstLabels& first, std::size_t cells) : numbers_(cells) {
@@ -51,18 +52,18 @@ class PieceNumbers {
   CellNumbers numbers_;
 };
 
-/// Every axis cell gets the label of the node nearest to it along the axis, and every free cell that of the
-/// axis cell to which the steepest way up the distance map leads; linear in the cells. Three departures from
-/// the paper put borders where a person would: steepest ascent instead of nearest axis cell, so that a border
-/// between two labels of the axis runs straight across a doorway and not in a bow into the room; an edge is
-/// divided at its narrow passages (doors) rather than half-way between its nodes; and a long one into pieces
-/// of `piece_m`, as if it had nodes there.
+/// Gives every axis cell the label of the nearest node along the axis, and every free cell the label of the
+/// axis cell to which the steepest ascent of the distance map leads; linear in the cells. Three deviations
+/// from the paper give more natural borders. Steepest ascent replaces the nearest axis cell, so that a border
+/// between two labels runs straight across a doorway and does not bulge into the room. An edge is divided at
+/// its narrow passages (doors) instead of half-way between its nodes. A long edge is divided into pieces of
+/// `piece_m`, as if it had nodes there.
 FirstLabels first_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                          const Skeleton& skeleton, double piece_m);
 
-/// Makes of the labels of another map with the same box those of this one. `changed`: the cells whose
-/// clearance is not what it was there, ascending. Costs what leads up through a change, to another axis, or
-/// to another piece.
+/// Updates the labels from another map with the same box to this one. `changed`: the cells whose clearance
+/// has changed, ascending. The cost is that of the cells whose ascent leads through a change, to another axis
+/// cell, or to another piece.
 void relabel(const grid::DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
              double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first);
 

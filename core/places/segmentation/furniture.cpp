@@ -20,7 +20,7 @@ using grid::DenseMap;
 
 using Extent = grid::JoinedRuns::Extent;
 
-/// Islands of what is not free in a part of a map, as far as they lie in it.
+/// Islands of cells that are not free, within a part of a map.
 class Islands {
  public:
   Islands(const DenseMap& map, const Extent& part)
@@ -31,8 +31,8 @@ class Islands {
     extents_ = runs_.extents();
   }
 
-  /// Calls visit(run, extent) for the runs of the islands that are no longer than `side` cells and touch no
-  /// border of the map.
+  /// Calls visit(run, extent) for the runs of islands that are at most `side` cells long and touch no border
+  /// of the map.
   template <class Visit>
   void for_each_small(std::size_t side, Visit&& visit) {
     for (std::uint32_t r = 0; r < runs_.size(); ++r) {
@@ -59,7 +59,7 @@ class Islands {
 
 constexpr Extent kNothing{UINT32_MAX, 0, UINT32_MAX, 0};
 
-/// By so many cells to each side, within a map.
+/// Grows an extent by this many cells to each side, within the map.
 Extent grown(const Extent& e, std::size_t by, const DenseMap& map) {
   const auto cells = static_cast<std::uint32_t>(by), width = static_cast<std::uint32_t>(map.width()),
              height = static_cast<std::uint32_t>(map.height());
@@ -71,7 +71,7 @@ bool overlap(const Extent& a, const Extent& b) {
   return a.left < b.right && b.left < a.right && a.low <= b.high && b.low <= a.high;
 }
 
-/// Puts back what there is within a cell of the wall.
+/// Restores the map's cells within one cell of the wall.
 void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& open) {
   const double length_m = wall.length_m();
   if (!(length_m > 0.0) || !std::isfinite(length_m)) return;
@@ -79,17 +79,17 @@ void restore_along(const types::Segment& wall, const DenseMap& map, DenseMap& op
   const std::size_t width = static_cast<std::size_t>(map.width());
   for (double d = 0.0; d <= length_m; d += map.resolution_m) {
     const grid::CellIndex middle = map.cell_at(wall.a + d * along);
-    if (!map.contains(middle) || map.is_on_border(middle)) continue;  // beside it nothing stands free
+    if (!map.contains(middle) || map.is_on_border(middle)) continue;  // no furniture beside the border
     const std::size_t i = map.index(middle);
     for (const std::size_t row : {i - width, i, i + width})
       std::memcpy(&open.cells[row - 1], &map.cells[row - 1],
-                  3 * sizeof(CellState));  // no call, unlike copy_n
+                  3 * sizeof(CellState));  // no function call, unlike copy_n
   }
 }
 
 }  // namespace
 
-/// What was cleared away is as it is in the map taken last.
+/// Restores the cleared cells of the map taken last.
 void FurnitureUpdate::put_back() {
   auto from = hidden_.begin();
   for (const Piece& piece : pieces_) {
@@ -99,7 +99,7 @@ void FurnitureUpdate::put_back() {
   }
 }
 
-/// Takes the map's cells; returns what those span that were others.
+/// Copies the map's cells; returns the extent of the changed ones.
 FurnitureUpdate::Extent FurnitureUpdate::renew_cells(const DenseMap& map) {
   const auto width = static_cast<std::uint32_t>(map.width()),
              height = static_cast<std::uint32_t>(map.height());
@@ -122,13 +122,13 @@ FurnitureUpdate::Extent FurnitureUpdate::renew_cells(const DenseMap& map) {
   return others;
 }
 
-/// Walls pass by them, too, and let them stand or not.
+/// Marks the pieces as changed: walls restore some of their cells.
 void FurnitureUpdate::note_pieces() {
   for (const Piece& piece : pieces_) others_.add(piece.run);
 }
 
-/// What stood or stands about and spans nothing beside a change is the same. All the rest lies no farther
-/// from one than its own length.
+/// A piece whose extent does not touch the grown change is unchanged. Every other piece is no farther from
+/// the change than its own length.
 void FurnitureUpdate::find_pieces(const Extent& changed) {
   if (changed.left >= changed.right) return;
   const Extent beside = grown(changed, 1, open_);

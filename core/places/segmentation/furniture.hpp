@@ -16,35 +16,35 @@
 
 namespace topo::places {
 
-/// The map without what stands about in its free space: connected cells (eight neighbours) that are not free,
-/// surrounded by free space, no longer than `furniture_m` along either axis, become free. Chairs, tables,
-/// boxes and their shadows say nothing of a building's structure (paper section II-D), and with them every
-/// room is a maze. What lies along one of the walls stays: of a wall behind shelves only pieces are seen.
-/// Linear in the cells.
+/// The map without furniture: connected cells (eight neighbours) that are not free, are surrounded by free
+/// space and are at most `furniture_m` long along both axes become free. Chairs, tables, boxes and their
+/// shadows are not part of a building's structure (paper section II-D), and they turn every room into a maze.
+/// Cells along one of the walls stay: of a wall behind shelves only pieces are visible. Linear in the cells.
 grid::DenseMap without_furniture(const grid::DenseMap& map, std::span<const types::Segment> walls,
                                  double furniture_m);
 
-/// The same of one map after the other: what stands about is looked for anew around the cells that have
-/// changed. Always equal to without_furniture of the whole map. A value.
+/// The same for successive maps: searches for furniture only around the changed cells. The result always
+/// equals without_furniture() of the whole map. A value.
 class FurnitureUpdate {
  public:
-  /// Of the next map, with its furniture. Returns the rows that are not as on the one before; all of them
+  /// Takes the next map, with its furniture. Returns the rows that differ from the previous map; all rows
   /// when that had another box or resolution.
   grid::Rows take(const grid::DenseMap& map, double furniture_m);
 
-  /// The map taken last, once; `map` is that. Good until the next one is taken.
+  /// The map taken last, which `map` must be, without furniture; call once per map. Valid until the next
+  /// take().
   const grid::DenseMap& clear(const grid::DenseMap& map, std::span<const types::Segment> walls);
 
-  /// Where cells of the map without furniture may not be as they were on the one before; of no meaning when
-  /// that had another box.
+  /// Where cells of the map without furniture may differ from the previous one; without meaning when that had
+  /// another box.
   [[nodiscard]] const grid::CellBlocks& others() const { return others_; }
 
-  /// What was cleared last, for the asking.
+  /// Moves the cleared map out.
   [[nodiscard]] grid::DenseMap release() && { return std::move(open_); }
 
  private:
   using Extent = grid::JoinedRuns::Extent;
-  /// A row of what stands about, and what all of it spans.
+  /// A row of a piece of furniture, and the extent of the whole piece.
   struct Piece {
     grid::CellRun run;
     Extent whole{};
@@ -57,9 +57,9 @@ class FurnitureUpdate {
   void clear_away();
 
   grid::DenseMap open_;
-  std::size_t side_ = 0;  ///< what stands about is no longer, in cells
+  std::size_t side_ = 0;  ///< largest length of furniture, in cells
   std::vector<Piece> pieces_;
-  std::vector<grid::CellState> hidden_;  ///< the pieces' cells in the map, one piece after the other
+  std::vector<grid::CellState> hidden_;  ///< the pieces' cells in the map, in the order of the pieces
   grid::CellBlocks others_{0};
 };
 

@@ -10,15 +10,14 @@
 namespace topo::places {
 namespace {
 
-/// Floats that are not negative are in the order of their bits, and of whole numbers the compiler makes
-/// vector instructions.
+/// Non-negative floats have the order of their bits, and the compiler vectorises the maximum of integers.
 float greatest(std::span<const float> values) {
   std::int32_t most = 0;
   for (const float& value : values) most = std::max(most, std::bit_cast<std::int32_t>(value));
   return std::bit_cast<float>(most);
 }
 
-/// Appends the runs of [from, end), where no run begins before or ends after.
+/// Appends the runs of [from, end); no run may begin before or end after it.
 void scan(std::size_t from, std::size_t end, std::span<const float> clearance_m,
           std::span<const std::uint32_t> labels, std::vector<PieceRun>& runs) {
   for (std::size_t i = from; i < end;) {
@@ -52,11 +51,11 @@ std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid:
   changed.for_each([&](std::size_t from, std::size_t end) {
     from = std::max(from, done);
     if (from >= end) return;
-    // Runs that reach into the block, or now go on in it, are looked at from their beginning to their end.
+    // Runs that reach into the block, or now continue in it, are scanned from their beginning to their end.
     while (old != before.end() && (old->end < from || (old->end == from && !goes_on(from))))
       runs.push_back(*old++);
     if (old != before.end()) from = std::min<std::size_t>(from, old->first);
-    // So is one that was looked at with the block before as far as it went, and now goes on in this one.
+    // The same holds for a run scanned with the previous block that now continues in this one.
     if (from == done && !runs.empty() && runs.back().end == from && runs.back().label == labels[from]) {
       from = runs.back().first;
       runs.pop_back();

@@ -11,20 +11,20 @@
 
 namespace topo::places {
 
-/// Cells with one label side by side.
+/// Adjacent cells of a row with the same label.
 struct PieceRun {
   std::uint32_t first;  ///< cell
-  std::uint32_t end;    ///< the cell after its last
+  std::uint32_t end;    ///< the cell after its last one
   std::uint32_t label;
-  float clearance_m;  ///< of its clearest cell
+  float clearance_m;  ///< largest of its cells
   friend bool operator==(const PieceRun&, const PieceRun&) = default;
 };
 
-/// All with a label, which free cells alone have, in rising order.
+/// All runs with a label, in ascending order. Only free cells have labels.
 std::vector<PieceRun> piece_runs(const grid::DenseMap& map, std::span<const float> clearance_m,
                                  std::span<const std::uint32_t> labels);
 
-/// The same from those before labels or clearances changed in some blocks of cells.
+/// Updates the runs after changes of labels or clearances in some blocks of cells.
 std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid::CellBlocks& changed,
                                    std::span<const float> clearance_m, std::span<const std::uint32_t> labels);
 

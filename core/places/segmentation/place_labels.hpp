@@ -10,19 +10,19 @@
 
 namespace topo::places {
 
-/// The label of every cell of a map, 0 for none, in runs of cells side by side: memory for half a byte a
-/// labelled cell or less, and none for the others. A value.
+/// The label of every cell of a map, 0 for none, as runs of adjacent cells. Needs half a byte or less per
+/// labelled cell, and nothing for the others. A value.
 class PlaceLabels {
  public:
-  /// Labels the cells [first, end), which lie behind all that have one. `label`: not 0.
+  /// Labels the cells [first, end), which lie behind all labelled ones. `label`: not 0.
   void append(std::uint32_t first, std::uint32_t end, std::uint16_t label);
 
   [[nodiscard]] bool empty() const { return runs_.empty(); }
-  /// Of a cell of the map, by its index. Constant time, all but.
+  /// The label of a cell of the map, by index. Almost constant time.
   [[nodiscard]] std::uint16_t operator[](std::size_t cell) const;
-  /// Of every cell, of a map that has so many.
+  /// The labels of all cells of a map with this number of cells.
   [[nodiscard]] std::vector<std::uint16_t> by_cell(std::size_t cells) const;
-  /// Without those of cells that are not free; `map`: the one with these cells.
+  /// A copy without the cells that are not free in `map`, to which the labels belong.
   [[nodiscard]] PlaceLabels on_free_cells(const grid::DenseMap& map) const;
 
   friend bool operator==(const PlaceLabels&, const PlaceLabels&) = default;
@@ -36,7 +36,8 @@ class PlaceLabels {
 
   static constexpr unsigned kShift = 9;
   std::vector<Run> runs_;
-  std::vector<std::uint32_t> starts_;  ///< the first run that reaches into each block of cells, or beyond it
+  std::vector<std::uint32_t> starts_;  ///< for each block of cells the first run that reaches into it or lies
+                                       ///< beyond it
 };
 
 }  // namespace topo::places

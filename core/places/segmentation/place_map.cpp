@@ -17,8 +17,8 @@
 namespace topo::places {
 namespace {
 
-/// What is left of the regions becomes places, in the order of their lowest cells: a number for each region's
-/// place, 0 for specks.
+/// Turns the remaining regions into places, in the order of their lowest cells. Returns the number of each
+/// region's place, 0 for specks.
 std::vector<std::uint16_t> number_places(const std::vector<Region>& regions, double resolution_m,
                                          const PlaceParams& params, PlaceMap& out) {
   const double cell_m2 = resolution_m * resolution_m;
@@ -59,7 +59,7 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
                        ReductionMemory& memory) {
   assert(clearance_m.size() == map.cells.size());
   PlaceMap out;
-  // A quarter more or less is the same compass; the one nearest to the map's axes keeps north up.
+  // A quarter turn does not change the compass; the angle nearest to the map's axes keeps north up.
   out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
   const CompassFrame frame(out.compass_rad);
   renew_regions(map, clearance_m, first, walls, frame, memory.regions);

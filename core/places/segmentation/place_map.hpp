@@ -11,20 +11,23 @@
 namespace topo::places {
 
 struct PlaceParams {
-  double furniture_m = 1.0;   ///< what stands free and is no longer than this divides nothing
-  double density_min = 0.64;  ///< free share of a place's bounding box, for a merge (paper II-C, condition 1)
-  double elsewhere_weight = 0.3;  ///< beside an occupied cell in that box, of one that is unknown or of
-                                  ///< another place: what is not there yet speaks less against a merge
-  double turned_weight = 0.5;     ///< the same of a box that does not lie in the compass frame
-  double width_ratio_max = 1.8;   ///< of the clearances of two corridor pieces, for a merge
+  double furniture_m = 1.0;       ///< isolated obstacles up to this length do not divide places
+  double density_min = 0.64;      ///< least free share of a place's bounding box, for a merge (paper II-C,
+                                  ///< condition 1)
+  double elsewhere_weight = 0.3;  ///< weight in that box of an unknown cell or one of another place, relative
+                                  ///< to an occupied one: space not yet explored is weaker evidence against a
+                                  ///< merge
+  double turned_weight = 0.5;     ///< the same in a box that is not aligned to the compass frame
+  double width_ratio_max = 1.8;   ///< largest ratio of the clearances of two corridor pieces, for a merge
   double narrow_ratio = 0.58;     ///< a passage narrower than this share of the narrower side divides places
-  double wider_power = 0.1;     ///< of the sides' ratio, by which that share grows: doors lead from corridors
-                                ///< into what is wider
-  double parallel_share = 0.5;  ///< of the sum of several passages' widths that counts as one passage
-  double wall_share_max = 0.8;  ///< of wall to open border between two places, for a merge (condition 2)
-  double piece_m = 1.0;         ///< of the axis, in the first labels
+  double wider_power = 0.1;  ///< exponent of the ratio of the sides' clearances, by which that share grows:
+                             ///< doors lead from corridors into wider spaces
+  double parallel_share = 0.5;  ///< of the summed widths of several passages, counted as one passage
+  double wall_share_max = 0.8;  ///< largest ratio of wall to open border between two places, for a merge
+                                ///< (condition 2)
+  double piece_m = 1.0;         ///< length of the pieces of the axis, in the first labels
   double small_m2 = 2.0;        ///< smaller places go to the neighbour with the longest common border
-  double speck_m2 = 0.3;        ///< free space of its own smaller than this is no place at all
+  double speck_m2 = 0.3;        ///< isolated free space smaller than this is no place
 };
 
 struct Place {
@@ -43,8 +46,8 @@ struct PlaceBorder {
 
 /// The free space divided into places (paper section II-C).
 struct PlaceMap {
-  double compass_rad = 0.0;  ///< of the boxes, within an eighth of a turn of the map's axes
-  /// Index of the place + 1; 0 outside free space and in specks of it that nothing leads to.
+  double compass_rad = 0.0;  ///< frame of the boxes, within an eighth of a turn of the map's axes
+  /// Index of the place + 1; 0 outside free space and in isolated specks.
   PlaceLabels labels;
   std::vector<Place> places;  ///< in the order of their first cells in the map
   std::vector<PlaceBorder> borders;

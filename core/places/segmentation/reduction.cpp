@@ -17,11 +17,11 @@ types::Rectangle united(types::Rectangle a, const types::Rectangle& b) {
   return a;
 }
 
-/// A merge that may be made, if both regions are still as they were.
+/// A possible merge, valid while both regions are unchanged.
 struct Proposal {
-  int density = 0;  ///< in steps of 2 %: pixels must not decide
+  int density = 0;  ///< in steps of 2 %, so that single cells do not decide
   std::uint32_t cells = 0;
-  std::uint32_t first_a = 0, first_b = 0;  ///< lowest cells, to decide between equals by geometry
+  std::uint32_t first_a = 0, first_b = 0;  ///< lowest cells, so that geometry decides between equals
   std::uint32_t a = 0, b = 0;
   std::uint32_t version_a = 0, version_b = 0;
 
@@ -31,9 +31,9 @@ struct Proposal {
   }
 };
 
-/// The greatest density of the union in a frame that is not the compass's: a wing or a corridor at an angle
-/// to the rest of the building is as dense in its own. What is in the box beside the union is not looked at
-/// but weighed as between occupied and elsewhere.
+/// The largest density of the union in frames that are turned against the compass: a wing or a corridor at an
+/// angle to the rest of the building is as dense in its own frame. The area of the box outside the union is
+/// not examined; its weight lies between those of occupied cells and of cells elsewhere.
 double turned_density(const Region& a, const Region& b, double resolution_m, const PlaceParams& params) {
   const double own_m2 = (a.cells + b.cells) * resolution_m * resolution_m;
   double best = 0.0;
@@ -102,14 +102,15 @@ class Reduction {
   }
 
   void merge(std::uint32_t a, std::uint32_t b, bool equals) {
-    // The one with more contacts keeps its place in memory: the same result with less to move.
+    // The region with more contacts keeps its index: the same result with less to move.
     if (equals && regions_[a].contacts.size() < regions_[b].contacts.size()) std::swap(a, b);
     absorb(regions_, a, b, equals);
     parent_[b] = a;
     propose_all(a, false);
   }
 
-  /// The smallest first, so that it does not matter in which order they are found. True when there was one.
+  /// Gives small regions away in ascending order of size, so that the result does not depend on their
+  /// numbers. True when one was given away.
   bool give_away_small() {
     std::vector<std::uint32_t> small;
     for (std::uint32_t r = 0; r < regions_.size(); ++r) {
@@ -180,7 +181,7 @@ bool no_wall_between(const Contact& contact, double resolution_m, const PlacePar
 bool no_narrows(const Region& a, const Region& b, const Contact& contact, double resolution_m,
                 const PlaceParams& params) {
   const auto [narrower, wider] = std::minmax(a.clearance_m, b.clearance_m);
-  // Of a border in several parts, around furniture, the sum counts as well.
+  // For a border in several parts, around furniture, the sum counts as well.
   const double passage_m = std::max(2.0 * static_cast<double>(contact.clearance_m),
                                     params.parallel_share * static_cast<double>(contact.open) * resolution_m);
   const double ratio = static_cast<double>(wider) / std::max(static_cast<double>(narrower), resolution_m);
@@ -192,7 +193,8 @@ bool similar_width(const Region& a, const Region& b, const Contact& contact, dou
                    const PlaceParams& params) {
   const bool a_narrower = a.clearance_m < b.clearance_m;
   const Region &narrower = a_narrower ? a : b, &wider = a_narrower ? b : a;
-  // What lies alongside is not a corridor that leads in, but the edge of the same room.
+  // A region that lies alongside is not a corridor that leads into the other one, but the edge of the same
+  // room.
   if (!is_corridor(narrower) || contact.border() * resolution_m > 1.5 * narrow_side(narrower)) return true;
   return static_cast<double>(wider.clearance_m) <=
          params.width_ratio_max * static_cast<double>(narrower.clearance_m);

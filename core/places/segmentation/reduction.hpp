@@ -12,30 +12,33 @@
 
 namespace topo::places {
 
-/// Share of its own free space in a region's box. Occupied cells count against it in full, what is unknown or
-/// other regions' by params.elsewhere_weight.
+/// Share of a region's own free space in its box. Occupied cells count against it in full, cells that are
+/// unknown or of other regions by params.elsewhere_weight.
 double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
                double resolution_m, const PlaceParams& params);
 
-/// Of the region's core, in metres.
+/// Shorter side of the region's core, in metres.
 double narrow_side(const Region& region);
 
-/// Longer than twice its width, and that width is what its clearance says: not a slice of a hall.
+/// True when the region is longer than twice its width, and its clearance matches that width; a slice of a
+/// hall has more.
 bool is_corridor(const Region& region);
 
-/// Condition 2 of paper section II-C: what wall there is between the two is little beside their open border.
+/// Condition 2 of paper section II-C: there is little wall between the two regions compared with their open
+/// border.
 bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params);
 
-/// The passage between them is nearly as wide as at least one of them: no doorway.
+/// True when the passage between them is nearly as wide as at least one of them, so that it is no doorway.
 bool no_narrows(const Region& a, const Region& b, const Contact& contact, double resolution_m,
                 const PlaceParams& params);
 
-/// Not a corridor that ends in something much wider.
+/// False for a corridor that ends in something much wider.
 bool similar_width(const Region& a, const Region& b, const Contact& contact, double resolution_m,
                    const PlaceParams& params);
 
-/// Merges neighbours to a fixed point, the densest union first, of equally dense ones the largest; then gives
-/// small regions to their neighbours, and again. Returns for every region the one that it has gone into.
+/// Merges neighbours to a fixed point, the densest union first, and the largest first among equally dense
+/// ones; then gives small regions to their neighbours, and repeats. Returns for every region the one that
+/// contains it.
 std::vector<std::uint32_t> reduce(std::vector<Region>& regions, const BoxCounts& counts, double resolution_m,
                                   const PlaceParams& params);
 

@@ -14,10 +14,10 @@ namespace {
 
 using grid::DenseMap;
 
-/// Which regions are made anew, by their numbers.
+/// Which regions are computed anew, by number.
 using IsNew = std::vector<std::uint8_t>;
 
-/// What all sums are made of.
+/// Input of all sums.
 struct Source {
   const DenseMap& map;
   std::span<const float> clearance_m;
@@ -25,7 +25,7 @@ struct Source {
   const CompassFrame& frame;
 };
 
-/// Sums over the cells of regions that are made anew, and over all their borders.
+/// Sums over the cells of new regions, and over all borders of these.
 class CellSums {
  public:
   CellSums(const Source& source, const IsNew& is_new, std::vector<Region>& regions, Borders& borders)
@@ -47,7 +47,7 @@ class CellSums {
       if (k + 1 < runs_.size() && runs_[k + 1].first == runs_[k].end) note_upright(k, k + 1);
       note_above(k, above);
       if (all) continue;
-      // With one that is new as well that is noted already, from there.
+      // A border with another new run is noted from that run.
       if (k > 0 && !is_new(k - 1) && runs_[k - 1].end == runs_[k].first) note_upright(k - 1, k);
       note_below(k, below);
     }
@@ -76,14 +76,14 @@ class CellSums {
     const std::uint32_t i = runs_[right].first;
     between.clearance_m = std::max(between.clearance_m, std::min(clearance_m_[i - 1], clearance_m_[i]));
   }
-  /// `above`: no run before it ends above this one or later.
+  /// `above`: no earlier run ends above this run or later; advances with `k`.
   void note_above(std::size_t k, std::size_t& above) {
     const std::uint32_t first = runs_[k].first + width_, end = runs_[k].end + width_;
     while (above < runs_.size() && runs_[above].end <= first) ++above;
     for (std::size_t a = above; a < runs_.size() && runs_[a].first < end; ++a)
       if (pieces_[a] != pieces_[k]) note_level(k, a);
   }
-  /// The same for those below that are not new.
+  /// The same for the runs below that are not new.
   void note_below(std::size_t k, std::size_t& below) {
     const std::uint32_t first = runs_[k].first - width_, end = runs_[k].end - width_;
     while (runs_[below].end <= first) ++below;
@@ -99,7 +99,7 @@ class CellSums {
       between.clearance_m =
           std::max(between.clearance_m, std::min(clearance_m_[i], clearance_m_[i + width_]));
   }
-  /// From the centres of cells to their sides.
+  /// Extends boxes from the centres of cells to their sides.
   void pad_boxes() {
     const double half = 0.5 * map_.resolution_m * (std::abs(frame_.cos) + std::abs(frame_.sin));
     for (std::size_t r = 0; r < regions_.size(); ++r) {
@@ -152,7 +152,7 @@ void add_cores(const Source& source, const IsNew& is_new, std::vector<Region>& r
   }
 }
 
-/// The number that a piece has now which had a cell's label before; UINT32_MAX: it has changed, or is gone.
+/// The present number of each earlier piece; UINT32_MAX: the piece has changed or is gone.
 std::vector<std::uint32_t> numbers_now(const std::vector<std::uint32_t>& before, const PieceNumbers& numbers,
                                        const FirstLabels& first) {
   std::vector<std::uint32_t> now(before.size(), UINT32_MAX);
@@ -165,8 +165,8 @@ std::vector<std::uint32_t> numbers_now(const std::vector<std::uint32_t>& before,
   return now;
 }
 
-/// Moves regions without a change to where they are now, and the borders between two of them. Returns which
-/// others there are.
+/// Moves unchanged regions, and the borders between two of them, to their present numbers. Returns which of
+/// the regions are new.
 IsNew carry_over(const std::vector<std::uint32_t>& now, std::vector<Region>& before,
                  std::vector<Region>& regions, Borders& borders) {
   IsNew is_new(regions.size(), 1);

@@ -20,13 +20,13 @@ void add_contact(Region& region, const Contact& contact) {
   region.contacts.push_back(contact);
 }
 
-/// What leads on through a passage is no wider than that.
+/// A path that continues through a passage is no wider than the passage.
 void narrow_to(Contact& contact, const Contact& passage) {
   contact.clearance_m = std::min(contact.clearance_m, passage.clearance_m);
   contact.open = std::min(contact.open, passage.open);
 }
 
-/// The same of all that leads on from region `of`, but to region `but`.
+/// The same for all contacts of region `of`, except with region `but`.
 void narrow_contacts(std::vector<Region>& regions, std::uint32_t of, std::uint32_t but,
                      const Contact& passage) {
   for (Contact& contact : regions[of].contacts) {
@@ -49,8 +49,8 @@ Contact* contact_with(Region& region, std::uint32_t other) {
   return found == region.contacts.end() ? nullptr : &*found;
 }
 
-/// The opening of a wall goes to one of the wall's two sides: the wall across it then lies between that side
-/// and the other, as it does beside the opening.
+/// When the opening in a wall joins one of the wall's two sides, the wall across the opening then lies
+/// between that side and the other, as it does beside the opening.
 bool hand_on_straddled(std::vector<Region>& regions, std::uint32_t opening, std::uint32_t side) {
   const float straddled_m = regions[opening].straddled_m;
   if (straddled_m <= 0.0F) return false;
@@ -88,7 +88,7 @@ void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from
   a.clearance_m = std::max(a.clearance_m, b.clearance_m);
   ++a.version;
   b.cells = 0;
-  // Who comes from the clearest point of the one side to the other has to go through where they met.
+  // A path from the clearest point of one side to the other leads through their common border.
   const Contact* met = contact_with(a, from);
   const Contact passage = met == nullptr ? Contact{} : *met;
   if (!a_clearest) narrow_contacts(regions, into, from, passage);

@@ -17,39 +17,39 @@
 
 namespace topo::places {
 
-/// What lies between one region and another.
+/// The border between two regions, seen from one of them.
 struct Contact {
   std::uint32_t other = 0;
   std::uint32_t upright = 0;  ///< pairs of cells side by side across the border
   std::uint32_t level = 0;    ///< pairs of cells one above the other
-  float wall_m = 0.0F;        ///< length of wall with one of them on each side
-  float clearance_m = 0.0F;   ///< at the narrowest of the clearest way between the clearest points of both
-  float open = 0.0F;          ///< width of the border in cells, or of what leads to it where that is less
+  float wall_m = 0.0F;        ///< length of wall between the two
+  float clearance_m = 0.0F;   ///< largest minimum over the paths between the clearest points of both
+  float open = 0.0F;          ///< width in cells of the border, or of the passage to it where that is less
 
-  /// Of the open border, in cells; a slanted one is a staircase of both kinds.
+  /// Length of the open border, in cells; a slanted border is a staircase of both kinds.
   [[nodiscard]] double border() const {
     return std::hypot(static_cast<double>(upright), static_cast<double>(level));
   }
 };
 
-/// Frames beside that of the compass, for what is built at an angle to it: a quarter turn has six.
+/// Number of frames besides the compass frame, for parts at an angle to it: a quarter turn has six frames.
 inline constexpr std::size_t kTurns = 5;
 
-/// Free space with one label, and all that the reduction must know of it.
+/// Free space with one label, and the data that the reduction needs.
 struct Region {
   types::Rectangle box;   ///< of its cells, in the compass frame
-  types::Rectangle core;  ///< the same of what the clear discs along its axis reach: without nooks
-  std::array<types::Rectangle, kTurns> turned;  ///< the core's in frames turned by 15 degrees more each
+  types::Rectangle core;  ///< the same for the clear discs along its axis: without nooks
+  std::array<types::Rectangle, kTurns> turned;  ///< the core in frames turned by a further 15 degrees each
   types::Vector2 sum{0.0, 0.0};                 ///< of its cells' centres in map
-  std::uint32_t cells = 0;                      ///< 0: gone into another region
+  std::uint32_t cells = 0;                      ///< 0: merged into another region
   std::uint32_t first = UINT32_MAX;             ///< its lowest cell
-  float clearance_m = 0.0F;                     ///< at its clearest
+  float clearance_m = 0.0F;                     ///< largest of its cells
   float straddled_m = 0.0F;                     ///< length of wall with the region on both sides: an opening
   std::uint32_t version = 0;                    ///< counts the merges
   std::vector<Contact> contacts;
 };
 
-/// The regions of first labels, and what they leave to those of the next. A value; empty: of no map.
+/// The regions of first labels, as input to the next update. A value; empty: of no map.
 struct RegionMemory {
   std::optional<CompassFrame> frame;
   std::vector<std::uint32_t> pieces;  ///< as in FirstLabels
@@ -57,13 +57,14 @@ struct RegionMemory {
   WallSides walls;
 };
 
-/// Makes of the regions those of these first labels, in the order of the pieces, with their contacts; walls
-/// as in segment_places. `memory`: of those labels that these were made of, if they have a change; then it
-/// costs the pieces with one, and a pass over all.
+/// Updates the regions to these first labels, in the order of the pieces, with their contacts; walls as in
+/// segment_places. `memory`: belongs to the labels from which these were made, if `first` has a change. The
+/// cost then is that of the changed pieces, and a pass over all.
 void renew_regions(const grid::DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
                    std::span<const types::Segment> walls, const CompassFrame& frame, RegionMemory& memory);
 
-/// Moves everything of region `from` to region `into`, whose core only grows by a part of equal rank.
+/// Merges region `from` into region `into`, whose core grows only when `grows_core`: by a region of equal
+/// rank.
 void absorb(std::vector<Region>& regions, std::uint32_t into, std::uint32_t from, bool grows_core);
 
 }  // namespace topo::places

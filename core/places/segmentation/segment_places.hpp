@@ -14,28 +14,28 @@
 
 namespace topo::places {
 
-/// The second half of the segmentation: merging of neighbours to a fixed point under the two conditions of
-/// paper section II-C: the union's box in the compass frame is mostly free, and no wall is crossed.
-/// Independent of the order of nodes. Without a compass the map's own axes.
+/// The second half of the segmentation: merges neighbours to a fixed point under the two conditions of paper
+/// section II-C: the union's box in the compass frame is mostly free, and no wall is crossed. Independent of
+/// the order of nodes. Without a compass, the map's own axes apply.
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                        const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params = {});
 
-/// What one reduction leaves to the next. Empty: of no map.
+/// State that one reduction leaves to the next. Empty: of no map.
 struct ReductionMemory {
   RegionMemory regions;
   std::optional<BoxCounts> counts;
 };
 
-/// The same, equal to the bit, from what the reduction of another map left, and leaves it of this one. If the
-/// first labels have a change, it is from those that the memory is of; `occupied`: how this map differs from
-/// that one, if the box is the same.
+/// The same, bit-identical, reusing and updating the memory of the previous reduction. If the first labels
+/// have a change, it must start from the labels of the memory. `occupied`: the difference of this map from
+/// the previous one, if the box is the same.
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                        const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params, const grid::OccupiedChange& occupied,
                        ReductionMemory& memory);
 
-/// Both: the first labels, then the reduction.
+/// First labels and reduction together.
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
                         const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
                         const PlaceParams& params = {});

@@ -16,7 +16,8 @@ using grid::CellState;
 using grid::DenseMap;
 using grid::kCellBlock;
 
-/// Of free cells with clearances `at`, in rows of `width`. Not through the corner where two walls meet.
+/// Slopes of free cells with clearances `at`, in rows of `width`. None leads through the corner where two
+/// walls meet.
 void point_up(const float* at, std::size_t width, std::size_t count, Slope* slopes) {
   const float *const low = at - width, *const high = at + width;
   std::array<std::int32_t, kCellBlock> numbers{};
@@ -30,7 +31,7 @@ void point_up(const float* at, std::size_t width, std::size_t count, Slope* slop
                 low_corner = east >= west ? south_east : south_west;
     const float diagonal = north >= south ? high_corner : low_corner;
     const float side = (level < upright ? upright : level) - here;
-    // The steepest diagonal lies between the two sides to which it rises more.
+    // The steepest diagonal lies between the two sides with the steeper ascent.
     const float open = level < upright ? upright : level;
     const float corner = open > 0.0F ? (diagonal - here) * 0.70711F : 0.0F;
     const int to_level = east >= west ? 0 : 4, to_upright = north >= south ? 2 : 6;

@@ -19,10 +19,10 @@ using Labels = std::span<const std::uint32_t>;
 
 constexpr double kStepM = 0.10;
 
-/// Beyond the wall's thickness there is what it bounds.
+/// Beyond half the wall's thickness, within reach of the regions that it bounds.
 constexpr double kReachM = 0.40;
 
-/// First label met from `p` on in the given direction.
+/// The first label from `p` in the given direction, within kReachM; 0 when there is none.
 std::uint32_t label_beside(const DenseMap& map, Labels labels, const types::Vector2& p,
                            const types::Vector2& direction) {
   for (double d = 0.5 * map.resolution_m; d <= kReachM; d += map.resolution_m) {
@@ -34,7 +34,7 @@ std::uint32_t label_beside(const DenseMap& map, Labels labels, const types::Vect
   return 0;
 }
 
-/// Calls f(a, b) for every step of a wall that has labels on both sides.
+/// Calls f(a, b) for every step of a wall with labels on both sides.
 template <class F>
 void for_each_step(const DenseMap& map, Labels labels, const Segment& wall, F&& f) {
   const double length_m = wall.length_m();
@@ -57,7 +57,7 @@ bool comes_before(const Segment& l, const Segment& r) {
   return std::tuple(l.a.y(), l.a.x(), l.b.y(), l.b.x()) < std::tuple(r.a.y(), r.a.x(), r.b.y(), r.b.x());
 }
 
-/// Tiles with all that has changed.
+/// Tiles that contain all changed cells.
 std::optional<CellTiles> changed_tiles(const DenseMap& map, const std::optional<LabelChange>& change) {
   if (!change) return std::nullopt;
   CellTiles tiles(map);
@@ -65,7 +65,7 @@ std::optional<CellTiles> changed_tiles(const DenseMap& map, const std::optional<
   return tiles;
 }
 
-/// Of what is looked at for a wall, and a cell more for rounding.
+/// The box of the cells tested for a wall, with a margin of one cell for rounding.
 grid::CellBox reach_of(const DenseMap& map, const Segment& wall) {
   const double margin_m = kReachM + map.resolution_m;
   const types::Vector2 margin(margin_m, margin_m);

@@ -14,26 +14,26 @@
 
 namespace topo::places {
 
-/// The labels on both sides of so much wall; the same on both at an opening.
+/// The labels on both sides of a stretch of wall; equal at an opening.
 struct WallBetween {
   std::uint32_t a = 0, b = 0;
   std::uint32_t steps = 0;
   friend bool operator==(const WallBetween&, const WallBetween&) = default;
 };
 
-/// Length of wall of so many steps: as they add up, one after the other, so that it is the same to the bit
-/// whoever counted them.
+/// Length of a wall of this number of steps, added one by one, so that it is bit-identical however the steps
+/// were counted.
 float wall_length_m(std::uint32_t steps);
 
-/// What walls have on both sides, a step after the other along them. Walls in any direction. A value.
+/// The labels on both sides of walls, step by step along them. Walls may have any direction. A value.
 class WallSides {
  public:
-  /// `change`: from the labels taken last; nothing: they say nothing of these. A wall that was there then and
-  /// near which nothing has changed is not looked at again.
+  /// `change`: from the labels taken last; nothing: those labels are unrelated to these. A wall that was
+  /// present then, and near which nothing has changed, is not examined again.
   void take(const grid::DenseMap& map, std::span<const std::uint32_t> labels,
             std::span<const types::Segment> walls, const std::optional<LabelChange>& change);
 
-  /// Wall by wall; two labels may be listed repeatedly.
+  /// In the order of the walls; a pair of labels may occur repeatedly.
   [[nodiscard]] const std::vector<WallBetween>& all() const { return all_; }
 
  private:
@@ -41,7 +41,7 @@ class WallSides {
     types::Segment segment;
     std::size_t first = 0, count = 0;  ///< of `all_`
   };
-  std::vector<Wall> walls_;  ///< by their ends
+  std::vector<Wall> walls_;  ///< sorted by their ends
   std::vector<WallBetween> all_;
 };
 

@@ -10,15 +10,15 @@
 namespace topo::places {
 namespace {
 
-/// Eight neighbours in one word, a byte each: what holds of them is found at once.
+/// Eight neighbours in one word, one byte each, to test all at once.
 using Eight = std::uint64_t;
 constexpr Eight kOnes = 0x0101010101010101U;
 constexpr Eight kHighs = kOnes << 7U;
 
-/// The highest bit of each byte that is zero, of bytes below 128.
+/// Sets the highest bit of each byte that is zero; all bytes must be below 128.
 constexpr Eight zeros(Eight bytes) { return ~(bytes + kOnes * 127) & kHighs; }
 
-/// In the order in which they lie in memory, from south-west to north-east.
+/// Neighbours in the order of memory, from south-west to north-east.
 constexpr std::array<std::uint8_t, 8> kNumbers = {5, 6, 7, 4, 0, 3, 2, 1};  ///< as in neighbour_offsets
 
 constexpr Eight word_of(auto byte_of) {
@@ -27,7 +27,7 @@ constexpr Eight word_of(auto byte_of) {
   return word;
 }
 constexpr Eight kOwn = word_of([](unsigned number) { return number; });
-/// Of neighbours that lead back here.
+/// Numbers of slopes that lead from the neighbours to this cell.
 constexpr Eight kBack = word_of([](unsigned number) { return (number + 4) % 8; });
 
 class Search {
@@ -42,8 +42,7 @@ class Search {
     offsets_[4] = 1;
   }
 
-  /// From there it goes on to all that is beside these cells: which of it is linked to them need not be
-  /// known.
+  /// The search continues from here to all neighbours of these cells, whether linked to them or not.
   void begin_at(std::span<const std::uint32_t> cells) {
     for (const std::uint32_t i : cells)
       if (is_open(slopes_[i])) mark(i);
@@ -70,12 +69,12 @@ class Search {
   [[nodiscard]] Eight around(std::uint32_t i) const {
     static_assert(std::endian::native == std::endian::little);
     const Slope* const at = slopes_ + i;
-    std::uint32_t low = 0, high = 0;  // four each, the last of the low row and the first of the high one over
+    std::uint32_t low = 0, high = 0;  // four bytes each, one more than the three of the row
     std::memcpy(&low, at - width_ - 1, sizeof low);
     std::memcpy(&high, at + width_ - 2, sizeof high);
     return Eight{low & 0xFFFFFFU} | Eight{at[-1]} << 24U | Eight{at[1]} << 32U | Eight{high >> 8U} << 40U;
   }
-  /// Neighbours whose highest bit is set.
+  /// Visits the neighbours whose highest bit is set.
   void visit_those(std::uint32_t i, Eight which) {
     for (; which != 0; which &= which - 1) {
       const auto b = static_cast<std::size_t>(std::countr_zero(which)) / 8;

@@ -12,13 +12,14 @@
 
 namespace topo::places {
 
-/// The cells whose label hangs on one of these, each with another slope than before or another relation to
-/// the axis, none at the array's border. They are marked kVisited in `slopes`; returned is where they are.
+/// The cells whose label depends on one of the `changed` cells: the watershed basins of those. Each of
+/// `changed` has another slope or another relation to the axis than before; none is at the array's border.
+/// Marks the cells kVisited in `slopes`; returns their positions.
 ///
-/// A cell's label hangs on the way up from it to the axis; where that way is flat, on which neighbours were
-/// labelled before, and so on the ways that lead to those. Both go from cell to cell along slopes and across
-/// what is flat, and none goes through the axis. So whatever is connected in this manner, up and down, with a
-/// cell that has changed or was beside it is labelled anew, and nothing else.
+/// A cell's label depends on the ascent from it to the axis; where the ascent is flat, it depends on the
+/// neighbours labelled before, and so on the ascents that lead to these. Both run from cell to cell along
+/// slopes and over flat cells, and none runs through the axis. So exactly the cells connected in this manner,
+/// up and down, with a changed cell or a neighbour of one must be labelled again.
 grid::CellBlocks find_basins(const grid::DenseMap& map, std::span<const std::uint32_t> changed,
                              std::vector<Slope>& slopes);
 

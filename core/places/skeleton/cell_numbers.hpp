@@ -8,7 +8,7 @@
 
 namespace topo::places {
 
-/// A number for a few of a map's many cells, 0 for the others: memory only for blocks of cells that have one.
+/// Numbers for a few of a map's many cells, 0 for the others. Only blocks with a number use memory.
 class CellNumbers {
  public:
   explicit CellNumbers(std::size_t cells) : blocks_(cells / kBlock + 1, 0), numbers_(kBlock, 0) {}
@@ -27,8 +27,8 @@ class CellNumbers {
 
  private:
   static constexpr std::uint32_t kBlock = 32;
-  std::vector<std::uint32_t> blocks_;   ///< where each block's numbers begin; 0: the one without any
-  std::vector<std::uint32_t> numbers_;  ///< the first block's are those of all that have none
+  std::vector<std::uint32_t> blocks_;   ///< start of each block's numbers; 0: the shared empty block
+  std::vector<std::uint32_t> numbers_;  ///< the first block is that of all blocks without a number
 };
 
 }  // namespace topo::places

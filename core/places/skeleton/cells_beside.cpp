@@ -9,7 +9,7 @@ namespace {
 
 using grid::CellRun;
 
-/// Longer by a cell at both ends, as far as it is inside of its row's ends.
+/// Runs of the cells, extended by a cell at both ends, without the ends of their row.
 std::vector<CellRun> widened_runs(std::span<const std::uint32_t> cells, std::uint32_t width) {
   std::vector<CellRun> runs;
   for (std::size_t k = 0; k < cells.size();) {
@@ -22,7 +22,7 @@ std::vector<CellRun> widened_runs(std::span<const std::uint32_t> cells, std::uin
   return runs;
 }
 
-/// Those that overlap or touch become one. Ascending by where they begin.
+/// Joins runs that overlap or touch. Ascending by first cell.
 std::vector<CellRun> united(std::span<const CellRun> runs) {
   std::vector<CellRun> out;
   for (const CellRun& run : runs) {
@@ -42,11 +42,11 @@ std::vector<CellRun> cells_and_beside(const grid::DenseMap& map, std::span<const
   const std::vector<CellRun> level = widened_runs(cells, width);
   const auto begins_before = [](const CellRun& a, const CellRun& b) { return a.first < b.first; };
   std::vector<CellRun> all;
-  for (const std::uint32_t rows : {0U, 1U, 2U}) {  // from the one below on
+  for (const std::uint32_t rows : {0U, 1U, 2U}) {  // beginning with the row below
     const auto middle = static_cast<std::ptrdiff_t>(all.size());
     for (const CellRun& run : level) {
       const std::uint32_t first = run.first + rows * width, end = run.end + rows * width;
-      // Moved up by a row, so that none is below the first.
+      // Shifted up by one row, so that no index is negative.
       if (first >= 2 * width && end <= size) all.push_back({first - width, end - width});
     }
     std::inplace_merge(all.begin(), all.begin() + middle, all.end(), begins_before);

@@ -11,7 +11,7 @@
 
 namespace topo::places {
 
-/// These cells, ascending, and their eight neighbours, without those at the array's border: ascending, each
+/// These cells, ascending, and their eight neighbours, without those at the array's border; ascending, each
 /// once.
 std::vector<grid::CellRun> cells_and_beside(const grid::DenseMap& map, std::span<const std::uint32_t> cells);
 

@@ -19,7 +19,7 @@ namespace {
 using grid::CellState;
 using grid::DenseMap;
 
-/// Changes some cells' clearances under states that were settled.
+/// Changes the clearance of some cells in settled states.
 class Change {
  public:
   Change(const DenseMap& map, std::span<const float> clearance_m, std::vector<ThinningState>& states)
@@ -29,8 +29,8 @@ class Change {
         offsets_(neighbour_offsets(map)),
         buckets_per_m_(buckets_per_m(map)) {}
 
-  /// Cells with another clearance, ascending; whether those beside them are on the ridge may have changed as
-  /// well.
+  /// Renews cells with another clearance, ascending, and their neighbours, which may have joined or left the
+  /// ridge.
   void apply(std::span<const std::uint32_t> cells, Settling& settling) {
     for (const grid::CellRun& run : cells_and_beside(map_, cells))
       for (std::uint32_t i = run.first; i < run.end; ++i) renew(i, settling);
@@ -62,7 +62,7 @@ class Change {
   float buckets_per_m_;
 };
 
-/// The erosion before over a map whose box holds the other's.
+/// Extends the previous erosion to a map whose box contains the earlier one.
 Erosion carried_over(Erosion before, const DenseMap& map) {
   if (before.box == map.box) return before;
   Erosion erosion{map.box, grid::over_box(before.states, before.box, map.box), std::move(before.kept)};
@@ -74,7 +74,7 @@ Erosion carried_over(Erosion before, const DenseMap& map) {
   return erosion;
 }
 
-/// Cells that are kept, in the order of their turns: within one by number.
+/// Kept cells in the order of their turns, within a turn by number.
 std::vector<std::uint32_t> kept_in_order(std::span<const ThinningState> states) {
   std::vector<std::uint32_t> cells, ends((kBuckets << 1U) + 1, 0);
   const auto turn = [&](std::uint32_t i) { return static_cast<std::size_t>(states[i] >> kTurnShift); };
@@ -83,15 +83,16 @@ std::vector<std::uint32_t> kept_in_order(std::span<const ThinningState> states) 
   for (const std::uint32_t cell : cells) ++ends[turn(cell) + 1];
   for (std::size_t t = 0; t + 1 < ends.size(); ++t) ends[t + 1] += ends[t];
   std::vector<std::uint32_t> kept(cells.size());
-  // What was a turn's beginning is its end when it is full.
+  // Each entry begins as the start of its turn, and becomes its end.
   for (const std::uint32_t cell : cells) kept[ends[turn(cell)]++] = cell;
   return kept;
 }
 
-/// The same after some cells were settled with another turn or outcome, which may be listed repeatedly.
+/// Updates the kept cells after some cells were settled with another turn or outcome; cells may occur
+/// repeatedly.
 void renew_kept(std::span<const std::uint32_t> settled, Erosion& erosion) {
   auto& states = erosion.states;
-  for (const std::uint32_t i : settled) states[i] |= kQueued;  // a mark: nobody queues any more
+  for (const std::uint32_t i : settled) states[i] |= kQueued;  // used as a mark: nothing is queued any more
   std::erase_if(erosion.kept,
                 [&](std::uint32_t i) { return (states[i] & (kQueued | Erosion::kKept)) != Erosion::kKept; });
   std::vector<std::uint32_t> come;

@@ -12,31 +12,30 @@
 
 namespace topo::places {
 
-/// The eight neighbours' offsets in a map's array, counter-clockwise from east: the even ones share a side.
+/// Offsets of the eight neighbours in a map's array, counter-clockwise from east: the even ones share a side.
 std::array<std::ptrdiff_t, 8> neighbour_offsets(const grid::DenseMap& map);
 
-/// Free space without what can be taken away in rising order of clearance as long as neither components nor
-/// holes change (distance-ordered homotopic thinning, Pudney 1998): the ridge of the distance map and what
-/// connects it. Cells at the array's border count as not free. A value; empty: of no map.
+/// Free space after distance-ordered homotopic thinning (Pudney 1998): cells are removed in ascending order
+/// of clearance as long as neither components nor holes change. The ridge of the distance map and its
+/// connections remain. Cells at the array's border count as not free. A value; empty: of no map.
 struct Erosion {
   grid::CellBox box;  ///< of the map
-  /// Of every cell of the map: its bucket of clearance, and its state; 0 where it is not free.
+  /// Bucket of clearance and state of every cell of the map; 0 for cells that are not free.
   std::vector<std::uint16_t> states;
-  std::vector<std::uint32_t> kept;  ///< in the order in which their turns came
+  std::vector<std::uint32_t> kept;  ///< in the order of their turns
 
-  static constexpr std::uint16_t kRidge = 2;    ///< of the distance map: stays whatever is around it
-  static constexpr std::uint16_t kKept = 4;     ///< its turn came, and it stayed
-  static constexpr std::uint16_t kDelayed = 8;  ///< its turn came after all others of its bucket
+  static constexpr std::uint16_t kRidge = 2;    ///< of the distance map: always kept
+  static constexpr std::uint16_t kKept = 4;     ///< kept at its turn
+  static constexpr std::uint16_t kDelayed = 8;  ///< its turn came after those of all others of its bucket
 };
 
-/// `clearance_m`: grid::clearance_m of the map with kOccupiedOrUnknown; nothing on the array's border is
-/// free. A pass over the cells, and some work for those on the ridge and beside what stays.
+/// `clearance_m`: grid::clearance_m of the map with kOccupiedOrUnknown; no cell at the array's border is
+/// free. Costs a pass over the cells, and more for those on the ridge and beside kept ones.
 Erosion erode(const grid::DenseMap& map, std::span<const float> clearance_m);
 
-/// The same from the erosion of another map, of the same resolution and with a box inside of this one's:
-/// equal to that of the whole map when `changed` has all cells whose clearance is not what it was there,
-/// those outside of it counted as none, ascending. Costs what has changed, and a pass over the cells for what
-/// is kept.
+/// Updates the erosion of another map with the same resolution and a box inside this one's. The result equals
+/// that of erode() when `changed` contains all cells, ascending, whose clearance has changed; cells outside
+/// the earlier box had no clearance. Costs the changes, and a pass over the cells for the kept ones.
 Erosion erode_again(const grid::DenseMap& map, std::span<const float> clearance_m, Erosion before,
                     std::span<const std::uint32_t> changed);
 

@@ -8,12 +8,12 @@
 
 namespace topo::places {
 
-/// So many cells before their turn.
+/// Number of cells by which to prefetch.
 inline constexpr std::size_t kFetchAhead = 12;
 
-/// While cell `k` of a list is looked at, fetches what a map has for one that comes soon: cells along the
-/// axis, and those in rising order of clearance, lie all over the map, and waiting for memory takes longer
-/// than what is done with them.
+/// During work on cell `k` of a list, prefetches the value of a later cell. Cells along the axis, or in
+/// ascending order of clearance, are scattered over the map, and waiting for memory takes longer than the
+/// work on them.
 template <class T>
 void fetch_ahead(const T* values, std::span<const std::uint32_t> cells, std::size_t k) {
   if (k + kFetchAhead < cells.size()) __builtin_prefetch(values + cells[k + kFetchAhead]);

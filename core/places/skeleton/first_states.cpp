@@ -16,7 +16,7 @@ using grid::CellState;
 using grid::DenseMap;
 using grid::kCellBlock;
 
-/// First states: everything that is not on the ridge goes when its turn comes.
+/// Initial states: every cell that is not on the ridge is removed at its turn.
 class Assumption {
  public:
   Assumption(const DenseMap& map, std::span<const float> clearance_m, std::vector<ThinningState>& states)
@@ -26,12 +26,13 @@ class Assumption {
         fates_(states),
         buckets_per_m_(buckets_per_m(map)) {}
 
-  /// Of all rows; returns the cells for which that does not hold, in rising order.
+  /// Handles all rows; returns the cells for which the assumption does not hold, ascending.
   std::vector<std::uint32_t> run() {
     const auto height = static_cast<std::size_t>(map_.height());
     Row low(width_, 0), mid(width_, 0), high(width_, 0);
     for (std::size_t y = 0; y < height; ++y) {
-      // Each row in its turn is the one above; what comes above the last is as empty as the border.
+      // Every row is first the upper, then the middle, then the lower one. Row 0 counts as empty, like all of
+      // the border.
       low.swap(mid);
       mid.swap(high);
       if (y + 1 < height) fill(y + 1, high);
@@ -100,7 +101,7 @@ class Assumption {
     }
     for (std::size_t i = 0; i < count; ++i) ridge[i] = static_cast<std::uint8_t>(is[i]);
   }
-  /// Of cells in one bucket the one with the greater number is still there. As is_simple, in arithmetic.
+  /// As is_simple, in arithmetic. Of the cells in one bucket, those with a greater number still remain.
   static void find_simple(const Rows& rows, std::size_t count, Marks& simple) {
     const std::int16_t *const low = rows.low, *const mid = rows.mid, *const high = rows.high;
     for (std::size_t i = 0; i < count; ++i) {

@@ -11,9 +11,9 @@
 
 namespace topo::places {
 
-/// Assumes of all free cells that what is not on the ridge goes when its turn comes; `states` is zero so far,
-/// as long as map.cells. Returns the cells for which that does not hold, in rising order. One pass over the
-/// cells.
+/// Assumes for all free cells that those not on the ridge are removed at their turn. `states` must be zero,
+/// and as long as map.cells. Returns the cells for which the assumption does not hold, ascending. One pass
+/// over the cells.
 std::vector<std::uint32_t> assume_states(const grid::DenseMap& map, std::span<const float> clearance_m,
                                          std::vector<ThinningState>& states);
 

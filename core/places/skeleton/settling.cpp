@@ -30,7 +30,7 @@ bool Settling::settle_strip(std::size_t strip) {
   auto& cells = doubtful_[strip];
   if (cells.empty()) return false;
   first_cell_ = static_cast<std::uint32_t>(strip * strip_cells_);
-  // Backwards, and out again in rising order.
+  // In reverse: buckets return the newest cell first.
   for (std::size_t k = cells.size(); k-- > 0;) buckets_.add(cells[k], bucket_of(fates_[cells[k]]));
   cells.clear();
   std::uint32_t i = 0;
@@ -84,7 +84,7 @@ void Settling::queue(std::uint32_t i, Rising& cells) {
   cells.add(i);
 }
 
-/// A cell's state; if it is not what it was, neighbours with a later turn doubt theirs.
+/// Sets a cell's outcome. When it changes, neighbours with a later turn become doubtful.
 void Settling::settle(std::uint32_t i, const Around& around, ThinningState outcome, bool last) {
   if ((fates_[i] & kOutcome) == outcome) return;
   fates_[i] = static_cast<ThinningState>((fates_[i] & ~kOutcome) | outcome);

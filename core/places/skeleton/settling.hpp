@@ -13,30 +13,31 @@
 
 namespace topo::places {
 
-/// Finds the states of free cells that fit together.
+/// Finds the consistent states of all free cells.
 ///
-/// What becomes of a cell depends on what has become of its neighbours when its turn comes, and on nothing
-/// else. Turns are by bucket of clearance; within a bucket those beside a cell that had to stay come last (so
-/// the connection goes straight up the slope, and not askew in the order of the cells' numbers), otherwise by
-/// number. So most states are known beforehand: a cell on a slope, all of whose earlier neighbours are gone,
-/// is simple and goes. Only the others are looked at one after the other, and whoever turns out other than
-/// was assumed has its later neighbours looked at again. What was assumed may also be the states on an
-/// earlier map. Because a state depends on earlier turns only, there is one set of states that fits together,
-/// in whatever order it is found: so strips of rows are settled one after the other, each small enough for
-/// the cache, until nothing is in doubt.
+/// The outcome of a cell depends only on the outcomes of its neighbours when its turn comes. Turns are
+/// ordered by bucket of clearance; within a bucket, cells beside one that had to stay come last (so that the
+/// connection runs straight up the slope, and not askew in the order of the cells' numbers), the others by
+/// number. Most states are therefore known in advance: a cell on a slope whose earlier neighbours are all
+/// removed is simple, and is removed. Only the other cells are examined one by one. When the outcome of a
+/// cell differs from the assumed one, its later neighbours are examined again. The assumed states may also be
+/// those of an earlier map. Because a state depends on earlier turns only, exactly one set of states is
+/// consistent, whatever the order of the search. Strips of rows, each small enough for the cache, are
+/// therefore settled one after the other until no cell is in doubt.
 class Settling {
  public:
-  /// `states` of the map's cells, settled but for those that doubt() is told.
+  /// `states` of the map's cells, settled except for the cells passed to doubt().
   Settling(const grid::DenseMap& map, std::vector<ThinningState>& states);
 
-  /// A free cell whose state may not be what its neighbours' say.
+  /// Marks a free cell whose state may be inconsistent with those of its neighbours.
   void doubt(std::uint32_t i) {
     if (is_in_doubt(i)) return;
     fates_[i] |= kQueued;
     doubtful_[i / strip_cells_].push_back(i);
   }
   [[nodiscard]] bool is_in_doubt(std::uint32_t i) const { return (fates_[i] & kQueued) != 0; }
-  /// A free cell that may be in another bucket, or on the ridge where it was not; in doubt from now on.
+  /// Sets the state of a free cell whose bucket or ridge membership may have changed; the cell is then in
+  /// doubt.
   void renew(std::uint32_t i, ThinningState state) {
     if (fates_[i] >> kTurnShift != state >> kTurnShift) others_.push_back(i);
     fates_[i] = state;
@@ -45,14 +46,14 @@ class Settling {
 
   void settle_all();
 
-  /// Cells that have been renewed or settled with another turn or outcome, some of them repeatedly.
+  /// Cells renewed or settled with another turn or outcome; a cell may occur repeatedly.
   [[nodiscard]] const std::vector<std::uint32_t>& others() const { return others_; }
 
  private:
-  /// A cell's neighbours as they are at a turn: bit k of each for neighbour k.
+  /// The neighbours of a cell at a turn: bit k of each for neighbour k.
   struct Around {
     unsigned kept = 0;
-    unsigned later = 0;  ///< its turn comes after that one, or is the same and its number is greater
+    unsigned later = 0;  ///< neighbours with a later turn, or with the same one and a greater number
     unsigned queued = 0;
   };
 
@@ -62,7 +63,8 @@ class Settling {
   [[nodiscard]] Around around(std::uint32_t i, unsigned turn) const;
   [[nodiscard]] bool stays(std::uint32_t i, const Around& around) const;
 
-  /// Settles one strip as the others are, which may come to be in doubt. True when there was something to do.
+  /// Settles one strip against the present states of the others, which may become doubtful. True when a cell
+  /// was in doubt.
   bool settle_strip(std::size_t strip);
   void decide(std::uint32_t i);
   void decide_last(std::uint32_t i);
@@ -74,7 +76,7 @@ class Settling {
   std::size_t strip_cells_;
   std::vector<std::vector<std::uint32_t>> doubtful_;  ///< of each strip
   std::vector<std::uint32_t> others_;
-  // Of the strip at hand.
+  // Of the current strip.
   std::uint32_t first_cell_ = 0;
   std::size_t bucket_ = 0;
   Buckets buckets_;

@@ -8,7 +8,7 @@ namespace topo::places {
 
 namespace detail {
 
-/// Yokoi's connectivity number is one, for each pattern of neighbours.
+/// For each pattern of neighbours: true when Yokoi's connectivity number is one.
 inline constexpr std::array<bool, 256> kSimple = [] {
   std::array<bool, 256> table{};
   for (unsigned pattern = 0; pattern < 256; ++pattern) {
@@ -24,8 +24,8 @@ inline constexpr std::array<bool, 256> kSimple = [] {
 
 }  // namespace detail
 
-/// Taking a free cell away changes neither components nor holes. Bit k of the pattern: neighbour k, counter-
-/// clockwise from east, is free.
+/// True when removing a free cell changes neither components nor holes. Bit k of the pattern: neighbour k,
+/// counter-clockwise from east, is free.
 constexpr bool is_simple(unsigned pattern) { return detail::kSimple[pattern]; }
 
 }  // namespace topo::places

@@ -16,7 +16,7 @@ Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance
   Skeleton skeleton;
   Thinning thinning = thin_to_ridge(map, erosion);
   thin_to_lines(map, thinning);
-  // Without its spurs a junction may be none any more, and what it was an end of a spur itself.
+  // Without its spurs a junction may no longer be one, and what remains there may be the end of another spur.
   constexpr int kRounds = 3;
   Spurs spurs(map, clearance_m, params.spur_m);
   for (int round = 0; round < kRounds && spurs.drop(thinning); ++round) thin_to_lines(map, thinning);

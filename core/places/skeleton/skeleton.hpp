@@ -12,15 +12,15 @@
 namespace topo::places {
 
 struct SkeletonParams {
-  double spur_m = 0.30;  ///< an end whose disc sticks out no more than this beyond its junction's is dropped
+  double spur_m = 0.30;  ///< an end is dropped when its disc protrudes no more than this from its junction's
 };
 
 /// A junction or an end of the skeleton.
 struct SkeletonNode {
-  grid::CellIndex cell;  ///< on the axis, the clearest of the node's
+  grid::CellIndex cell;  ///< on the axis: the node's cell with the largest clearance
   float clearance_m = 0.0F;
   int degree = 0;                ///< ends of edges here; a loop counts twice
-  std::uint32_t first_cell = 0;  ///< in Skeleton::axis: a junction may be of several cells
+  std::uint32_t first_cell = 0;  ///< in Skeleton::axis: a junction may have several cells
   std::uint32_t cell_count = 0;
 };
 
@@ -28,18 +28,18 @@ struct SkeletonEdge {
   std::uint32_t a = 0;  ///< nodes; may be the same for a loop
   std::uint32_t b = 0;
   float length_m = 0.0F;
-  float clearance_min_m = 0.0F;  ///< at its narrowest, its ends included
+  float clearance_min_m = 0.0F;  ///< smallest, including the ends
   std::uint32_t first_cell = 0;  ///< in Skeleton::axis, from a to b, without the nodes' own cells
   std::uint32_t cell_count = 0;
 };
 
-/// One-pixel medial axis of the free space with as many components and holes as that, and its graph (paper
-/// section II-C). Free cells touch over corners (8 neighbours), what bounds them over sides (4 neighbours).
+/// One-pixel medial axis of the free space, with the same number of components and holes, and its graph
+/// (paper section II-C). Free cells are connected over eight neighbours, the cells that bound them over four.
 struct Skeleton {
   std::vector<bool> on;  ///< the axis; as long as map.cells
   std::vector<SkeletonNode> nodes;
   std::vector<SkeletonEdge> edges;
-  std::vector<std::uint32_t> axis;  ///< every cell of the axis once, as indices into the map: see first_cell
+  std::vector<std::uint32_t> axis;  ///< every cell of the axis once, as an index into the map: see first_cell
 
   [[nodiscard]] std::span<const std::uint32_t> cells_of(const SkeletonNode& node) const {
     return std::span(axis).subspan(node.first_cell, node.cell_count);
@@ -54,7 +54,7 @@ struct Skeleton {
 Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m, const Erosion& erosion,
                      const SkeletonParams& params = {});
 
-/// The same with the erosion.
+/// The same; computes the erosion.
 Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance_m,
                      const SkeletonParams& params = {});
 

@@ -49,7 +49,7 @@ void GraphTracer::add_edge(std::uint32_t node, std::uint32_t from, std::size_t d
   while (!is_taken(here)) {
     thinning_->marks[here] |= Thinning::kEdge;
     out_->axis.push_back(here);
-    // On an edge there are two neighbours, of which it came from one.
+    // A cell of an edge has two neighbours: the previous cell and the next.
     const unsigned back = 1U << ((direction + 4) % 8);
     const unsigned ahead = thinning_->pattern_at(here, offsets_) & ~back;
     types::require(ahead != 0, "places::GraphTracer: an edge that ends before a node");
@@ -73,13 +73,13 @@ void GraphTracer::add_edges_of(std::uint32_t node) {
       const auto direction = static_cast<std::size_t>(std::countr_zero(around));
       const std::uint32_t j = neighbour(from, direction);
       if ((thinning_->marks[j] & Thinning::kEdge) != 0) continue;
-      // Two nodes that touch have an edge without cells: found from both, made once.
+      // Two touching nodes have an edge without cells: found from both, added once.
       if (!is_taken(j) || node_of_.at(j) - 1 > node) add_edge(node, from, direction);
     }
   }
 }
 
-/// What is neither node nor edge now is a ring; its clearest cell becomes its node.
+/// The cells that are neither node nor edge form rings; the clearest cell of a ring becomes its node.
 void GraphTracer::add_rings() {
   for (auto it = thinning_->remain.rbegin(); it != thinning_->remain.rend(); ++it) {
     if (is_taken(*it)) continue;

@@ -13,18 +13,17 @@
 
 namespace topo::places {
 
-/// Makes nodes, edges and axis of a skeleton from its cells.
+/// Builds nodes, edges and axis of a skeleton from its cells.
 class GraphTracer {
  public:
   GraphTracer(const grid::DenseMap& map, std::span<const float> clearance_m)
       : map_(map), clearance_m_(clearance_m), offsets_(neighbour_offsets(map)), node_of_(map.cells.size()) {}
 
-  /// Fills in nodes, edges and axis of a skeleton without any, and marks in `thinning`, where nothing is
-  /// marked as theirs yet, what belongs to them. `skeleton.on` is not used, and how clear edges are is not
-  /// looked at.
+  /// Fills in nodes, edges and axis of an empty skeleton, and marks their cells in `thinning`, which must
+  /// have no such marks. Neither uses `skeleton.on` nor sets the clearance of edges.
   void trace(Thinning& thinning, Skeleton& skeleton);
-  /// That of the edges of the skeleton traced last: over all of an axis at once, because its cells lie all
-  /// over the map.
+  /// Sets the smallest clearance of the edges of the skeleton traced last. One loop covers the whole axis,
+  /// because its cells are scattered over the map.
   void find_narrowest(Skeleton& skeleton) const;
 
  private:
@@ -43,9 +42,9 @@ class GraphTracer {
   const grid::DenseMap& map_;
   std::span<const float> clearance_m_;
   std::array<std::ptrdiff_t, 8> offsets_;
-  /// Of each edge the nodes' cells that it leads from and to.
+  /// For each edge, the cells of its two nodes at which it begins and ends.
   std::vector<std::array<std::uint32_t, 2>> ends_;
-  CellNumbers node_of_;  ///< node + 1 of the cells that are marked as nodes; of others some earlier one
+  CellNumbers node_of_;  ///< node + 1 of cells marked as nodes; stale for other cells
   Thinning* thinning_ = nullptr;
   Skeleton* out_ = nullptr;
 };

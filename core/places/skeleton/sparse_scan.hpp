@@ -11,7 +11,7 @@
 
 namespace topo::places {
 
-/// Calls f(index) for what has one of the bits, in rising order; most have none.
+/// Calls f(index) for values with one of the bits, ascending. Fast when most values have none.
 template <class T, class F>
 void for_each_with(T bits, std::span<const T> values, F&& f) {
   constexpr std::size_t kAtOnce = sizeof(std::uint64_t) / sizeof(T);

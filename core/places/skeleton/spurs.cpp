@@ -19,7 +19,7 @@ bool Spurs::drop(Thinning& thinning) {
     const std::optional<Branch> branch = follow(i, thinning);
     if (!branch) continue;
     const Junction& junction = junction_at(branch->junction, thinning);
-    // Behind nothing else it is all there is of a component.
+    // With no other exit, the branch is all of its component.
     if (junction.exits > 1 && protrusion_m(i, junction, branch->length_m) <= spur_m_)
       dropped.insert(dropped.end(), way_.begin(), way_.end());
   }
@@ -31,7 +31,7 @@ bool Spurs::drop(Thinning& thinning) {
   return !dropped.empty();
 }
 
-/// Nothing when it leads to another end.
+/// Follows the axis from an end to a junction; nothing when it leads to another end.
 std::optional<Spurs::Branch> Spurs::follow(std::uint32_t end, const Thinning& thinning) {
   way_.assign(1, end);
   Branch branch;
@@ -78,8 +78,8 @@ const Spurs::Junction& Spurs::junction_at(std::uint32_t cell, Thinning& thinning
   return junctions_.emplace_back(junction);
 }
 
-/// How far the disc around the end sticks out beyond the one around the junction: as the crow flies, because
-/// a way over cells is up to 8 % longer; along the branch when that turns.
+/// How far the disc around the end protrudes from the one around the junction. Uses the straight distance,
+/// because a path over cells is up to 8 % longer, and the length of the branch when that bends.
 double Spurs::protrusion_m(std::uint32_t end, const Junction& junction, float length_m) const {
   const double straight_m =
       (map_.centre_of(map_.cell(end)) - map_.centre_of(map_.cell(junction.clearest))).norm();

@@ -15,8 +15,8 @@
 
 namespace topo::places {
 
-/// Unevenness of walls makes short side branches, which say nothing of the disposition of free space. They
-/// are found from their ends: most of the axis lies between junctions, and is not looked at for them.
+/// Drops spurs: uneven walls cause short side branches, which have no meaning for the structure of free
+/// space. The search begins at their ends: most of the axis lies between junctions, and is not examined.
 class Spurs {
  public:
   /// `spur_m`: SkeletonParams.
@@ -27,16 +27,16 @@ class Spurs {
         offsets_(neighbour_offsets(map)),
         junction_of_(map.cells.size()) {}
 
-  /// Takes all spurs away from what was thinned to lines. True when there was one.
+  /// Removes all spurs from an axis thinned to lines. True when there was one.
   bool drop(Thinning& thinning);
 
  private:
-  /// Cells beside each other with more than two neighbours each.
+  /// Adjacent cells with more than two neighbours each.
   struct Junction {
     std::uint32_t clearest = 0;  ///< of its cells
-    std::size_t exits = 0;       ///< neighbours that lead away
+    std::size_t exits = 0;       ///< neighbours that lead out of the junction
   };
-  /// From an end to where the axis branches.
+  /// The axis from an end to the next junction.
   struct Branch {
     std::uint32_t junction = 0;  ///< one of its cells
     float length_m = 0.0F;
@@ -53,9 +53,9 @@ class Spurs {
   std::span<const float> clearance_m_;
   double spur_m_;
   std::array<std::ptrdiff_t, 8> offsets_;
-  CellNumbers junction_of_;  ///< number of the junction of those that are marked as nodes
+  CellNumbers junction_of_;  ///< number of the junction, for cells marked as nodes
   std::vector<Junction> junctions_;
-  std::vector<std::uint32_t> at_junctions_;  ///< their cells
+  std::vector<std::uint32_t> at_junctions_;  ///< cells of the junctions
   std::vector<std::uint32_t> way_;           ///< the branch followed last, without its junction
 };
 

@@ -26,8 +26,8 @@ Thinning thin_to_ridge(const DenseMap& map, const Erosion& erosion) {
 void thin_to_lines(const DenseMap& map, Thinning& thinning) {
   auto& marks = thinning.marks;
   const auto offsets = neighbour_offsets(map);
-  // A cell that must stay now may go when a neighbour is gone: every change brings its neighbours back, in
-  // their turn if that is still to come.
+  // A cell that must stay now may become removable when a neighbour is removed. So each removal puts its
+  // neighbours in doubt again: they wait for their turn if that is still to come, else they are queued.
   std::vector<std::uint32_t> again;
   const auto look_at = [&](std::uint32_t i) {
     marks[i] &= static_cast<std::uint8_t>(~Thinning::kDoubted);
@@ -45,7 +45,7 @@ void thin_to_lines(const DenseMap& map, Thinning& thinning) {
   for (std::size_t next = 0; next < again.size(); ++next) look_at(again[next]);
   std::erase_if(thinning.remain, [&](std::uint32_t i) {
     if (marks[i] == 0) return true;
-    marks[i] |= Thinning::kAhead;  // the next time
+    marks[i] |= Thinning::kAhead;  // for the next call
     return false;
   });
 }

@@ -15,7 +15,7 @@
 
 namespace topo::places {
 
-/// The bits of a pattern of neighbours that are set; not every machine has an instruction for it.
+/// Number of bits set in a pattern of neighbours; not every processor has an instruction for it.
 inline int bits_set(unsigned pattern) {
   static constexpr std::array<std::uint8_t, 256> kBitsSet = [] {
     std::array<std::uint8_t, 256> table{};
@@ -25,25 +25,25 @@ inline int bits_set(unsigned pattern) {
   return kBitsSet[pattern];
 }
 
-/// To a cell's neighbour in a direction, as in neighbour_offsets.
+/// Distance to a cell's neighbour in a direction, as in neighbour_offsets.
 inline float step_m(const grid::DenseMap& map, std::size_t direction) {
   return static_cast<float>(map.resolution_m * (direction % 2 == 0 ? 1.0 : 1.41421356));
 }
 
-/// Free space while it is thinned to its axis. Cells at the array's border count as not free.
+/// Free space during thinning to its axis. Cells at the array's border count as not free.
 struct Thinning {
   std::vector<std::uint8_t> marks;  ///< as map.cells
-  /// The cells that are on, in rising order of clearance, and those taken away since the last thinning.
+  /// The cells that are on, in ascending order of clearance, and those removed since the last thinning.
   std::vector<std::uint32_t> remain;
 
-  static constexpr std::uint8_t kOn = 1;       ///< not yet taken away
-  static constexpr std::uint8_t kRidge = 2;    ///< of the distance map: an end here is meant
-  static constexpr std::uint8_t kDoubted = 4;  ///< may be taken away: it was not looked at as it is now
+  static constexpr std::uint8_t kOn = 1;       ///< not removed
+  static constexpr std::uint8_t kRidge = 2;    ///< of the distance map: an end here stays
+  static constexpr std::uint8_t kDoubted = 4;  ///< may be removable: not examined in its present state
   static constexpr std::uint8_t kNode = 8;     ///< part of a node, or of an edge, of the graph
   static constexpr std::uint8_t kEdge = 16;
-  static constexpr std::uint8_t kAhead = 32;  ///< its turn is still to come; so it is before all turns
+  static constexpr std::uint8_t kAhead = 32;  ///< its turn is still to come; set before all turns
 
-  /// Takes a cell away, and casts doubt on those beside it. Calls come(neighbour) for each that was in none.
+  /// Removes a cell, and puts its neighbours in doubt. Calls come(neighbour) for each that was not.
   template <class F>
   void take_away(std::uint32_t cell, const std::array<std::ptrdiff_t, 8>& offsets, F&& come) {
     marks[cell] = 0;
@@ -55,12 +55,13 @@ struct Thinning {
     }
   }
 
-  /// Which of a cell's neighbours are on; bit k: that at offsets[k].
+  /// The neighbours of a cell that are on; bit k: the one at offsets[k].
   [[nodiscard]] unsigned pattern_at(std::uint32_t cell, const std::array<std::ptrdiff_t, 8>& offsets) const {
     static_assert(std::endian::native == std::endian::little && kOn == 1);
     const std::uint8_t *const mark = marks.data() + cell, *const south_west = mark + offsets[5],
                               *const north_east = mark + offsets[1];
-    // Three in one word, a byte each and one beside them: a product puts their lowest bits side by side.
+    // Three neighbours in one word, one byte each, with an unused fourth; a product moves their lowest bits
+    // together.
     constexpr std::uint32_t kOns = 0x010101, kRising = 1U << 16U | 1U << 9U | 1U << 2U,
                             kFalling = 1U << 18U | 1U << 9U | 1U;
     std::uint32_t south = 0, north = 0;
@@ -75,19 +76,19 @@ struct Thinning {
   }
 };
 
-/// The rows around a cell that will be looked at soon: cells in rising order of clearance lie all over the
-/// map.
+/// Prefetches the rows around a cell that is examined soon: cells in ascending order of clearance are
+/// scattered over the map.
 inline void fetch_around(const Thinning& thinning, std::uint32_t cell,
                          const std::array<std::ptrdiff_t, 8>& offsets) {
   const std::uint8_t* const mark = thinning.marks.data() + cell;
   for (const std::ptrdiff_t row : {offsets[6], std::ptrdiff_t{0}, offsets[2]}) __builtin_prefetch(mark + row);
 }
 
-/// Thinning begins with what erosion keeps, all of it in doubt.
+/// Begins thinning with the cells that erosion keeps, all of them in doubt.
 Thinning thin_to_ridge(const grid::DenseMap& map, const Erosion& erosion);
 
-/// Takes away every cell that is not needed for connection, apart from ends on the ridge, until none is left
-/// and none is in doubt.
+/// Removes every cell that is not needed for connection, except ends on the ridge, until no cell is removable
+/// or in doubt.
 void thin_to_lines(const grid::DenseMap& map, Thinning& thinning);
 
 }  // namespace topo::places

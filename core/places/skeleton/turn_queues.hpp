@@ -12,10 +12,10 @@
 
 namespace topo::places {
 
-/// Cells in rising order of their numbers, to which more may come while they are taken out.
+/// Cells in ascending order, to which cells can be added during removal.
 class Rising {
  public:
-  /// What is added before start() may come in any order, and costs less.
+  /// Before start(), cells may be added in any order, at lower cost.
   void add(std::uint32_t cell) {
     if (!started_) {
       cells_.push_back(cell);
@@ -28,7 +28,7 @@ class Rising {
     if (!std::is_sorted(cells_.begin(), cells_.end())) std::sort(cells_.begin(), cells_.end());
     started_ = true;
   }
-  /// False, and all is as before start(): there is none.
+  /// False when no cell is left; the state is then that before start().
   bool next(std::uint32_t& cell) {
     const bool is_late = !late_.empty() && (at_ == cells_.size() || late_.front() < cells_[at_]);
     if (is_late) {
@@ -52,7 +52,7 @@ class Rising {
   bool started_ = false;
 };
 
-/// Cells by bucket, taken out bucket by bucket.
+/// Cells by bucket, removed bucket by bucket.
 class Buckets {
  public:
   Buckets() : heads_(kBuckets, kNone) {}
@@ -62,13 +62,13 @@ class Buckets {
     heads_[bucket] = static_cast<std::uint32_t>(entries_.size() - 1);
     end_ = std::max(end_, bucket + 1);
   }
-  /// After the last one that is not empty.
+  /// One after the last bucket that was used.
   [[nodiscard]] std::size_t end() const { return end_; }
   void take(std::size_t bucket, Rising& out) {
     for (std::uint32_t e = heads_[bucket]; e != kNone; e = entries_[e].next) out.add(entries_[e].cell);
     heads_[bucket] = kNone;
   }
-  /// When all are taken.
+  /// Call when all cells are taken.
   void clear() {
     entries_.clear();
     end_ = 0;
