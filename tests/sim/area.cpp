@@ -57,20 +57,20 @@ void transform_lines(std::vector<float>& field, int lines, int length, std::size
   }
 }
 
-// Cells along a beam from p until its end. Hundreds of millions of steps in a building: counted in cells, so
-// that a step divides nothing.
+// Marks the free cells along a beam from p to its end. A building needs hundreds of millions of steps, so
+// they are counted in cells, without a division per step.
 void mark_beam(const Vector2& p, const Vector2& direction, double range_m, const Raster& free,
                Raster& visible) {
   constexpr double kStep = 0.7;  // cells
   const Vector2 from = (p - free.origin) / free.resolution_m;
   const Vector2 step = kStep * direction;
   const int steps = static_cast<int>(std::ceil(range_m / (kStep * free.resolution_m)));
-  // Rounded down, for what is at most one cell outside.
+  // Rounds down, for positions at most one cell outside.
   const auto cell = [](double at) { return static_cast<std::uint32_t>(static_cast<int>(at + 1.0) - 1); };
   const auto width = static_cast<std::uint32_t>(free.width), height = static_cast<std::uint32_t>(free.height);
   for (int k = 0; k < steps; ++k) {
     const std::uint32_t x = cell(from.x() + k * step.x()), y = cell(from.y() + k * step.y());
-    if (x >= width || y >= height) return;  // a raster is convex: the beam does not come back
+    if (x >= width || y >= height) return;  // a raster is convex: the beam does not re-enter it
     const std::size_t i = std::size_t{y} * width + x;
     visible.cells[i] |= static_cast<std::uint8_t>(free.cells[i] != 0);
   }
@@ -79,7 +79,7 @@ void mark_beam(const Vector2& p, const Vector2& direction, double range_m, const
 }  // namespace
 
 std::vector<float> clearance_m(const Raster& free) {
-  // One ring of solid cells more, because beyond the raster all is solid.
+  // With an additional ring of solid cells, because everything outside the raster is solid.
   const int w = free.width + 2;
   const int h = free.height + 2;
   std::vector<float> field(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 0.0F);
@@ -130,7 +130,7 @@ Raster reachable_poses(const Raster& free, const Vector2& start, double radius_m
 
 ReachableArea reachable_area(const World& world, const Vector2& start, double radius_m, double z_m,
                              double range_max_m) {
-  constexpr double kSpacing_m = 0.4;  // between poses that look around
+  constexpr double kSpacing_m = 0.4;  // between the viewpoints
   constexpr int kBeams = 720;
   const Raster& free = world.structure();
   ReachableArea area{reachable_poses(free, start, radius_m),

@@ -23,7 +23,7 @@ bool is_solid(const Raster& solid, int x, int y) {
   return !solid.inside(x, y) || solid.cells[solid.index(x, y)] != 0;
 }
 
-// Cell to the left and to the right of the side that leaves corner c in a direction.
+// Cell to the left or right of the cell side that leaves corner c in a direction.
 Corner left_of(const Corner& c, int direction) {
   constexpr std::array<Corner, 4> kLeft{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
   const Corner& d = kLeft[static_cast<std::size_t>(direction)];
@@ -31,8 +31,8 @@ Corner left_of(const Corner& c, int direction) {
 }
 Corner right_of(const Corner& c, int direction) { return left_of(c, (direction + 3) % 4); }
 
-// Follows the sides of cells with solid on the left. At a corner where two solid cells meet only by their
-// corners the walk turns right: they are one piece.
+// Follows the sides of cells with the solid on the left. Turns right where two solid cells meet only at their
+// corners: they are one piece.
 Polygon follow(const Raster& solid, Corner at, int direction, std::vector<std::uint8_t>& visited,
                int stride) {
   Polygon outline;
@@ -84,9 +84,9 @@ void keep_between(const Polygon& outline, std::size_t first, std::size_t last, d
   }
 }
 
-// Douglas and Peucker 1973 on a closed line: numbers of the points that stay.
+// Douglas and Peucker 1973 on a closed line: indices of the points that stay.
 std::vector<std::size_t> break_points(const Polygon& outline, double tolerance_m) {
-  // Two points far from each other hold the ring open.
+  // Two distant points divide the ring.
   std::size_t opposite = 0;
   for (std::size_t i = 1; i < outline.size(); ++i) {
     if ((outline[i] - outline[0]).squaredNorm() > (outline[opposite] - outline[0]).squaredNorm())
@@ -107,8 +107,8 @@ struct FittedLine {
   Vector2 point, direction;
 };
 
-// Least squares through the points between two break points, without the ones at the corners, which are cut
-// there.
+// Least squares fit through the points between two break points, without those next to the corners, which are
+// cut there.
 FittedLine fit_line(const Polygon& outline, std::size_t from, std::size_t to) {
   const std::size_t trim = to - from >= 8 ? 2 : 0;
   Vector2 mean(0.0, 0.0);
@@ -129,8 +129,8 @@ FittedLine fit_line(const Polygon& outline, std::size_t from, std::size_t to) {
   return {mean, {std::cos(angle), std::sin(angle)}};
 }
 
-// Where two neighbouring lines meet, if that is near the break point between them; else what both say of that
-// point.
+// Intersection of two neighbouring lines if it is near the break point between them; else the mean of the
+// point's projections onto both.
 Vector2 corner(const FittedLine& a, const FittedLine& b, const Vector2& at, double tolerance_m) {
   const double turn = a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x();
   if (std::abs(turn) > 0.2) {

@@ -6,17 +6,17 @@
 
 namespace topo::sim {
 
-/// How hard the simulated building is on the robot. The defaults are the project's fixed difficulty: every
-/// report states them (text()), and a run with others says so itself.
+/// Disturbances of the simulated building and robot. The defaults are the project's fixed difficulty: every
+/// report states them (text()), and a run with other values is marked as changed.
 struct Difficulty {
   // Laser.
   double range_sigma_near_m = 0.030;  ///< up to range_sigma_split_m
-  double range_sigma_far_m = 0.050;   ///< beyond
+  double range_sigma_far_m = 0.050;   ///< beyond that range
   double range_sigma_split_m = 10.0;
   double dropout_probability = 0.01;      ///< half become "no object", half "measurement error"
   double mixed_pixel_probability = 0.30;  ///< of the depth edges between neighbouring beams
   double mixed_pixel_step_m = 0.30;       ///< a smaller step is no depth edge
-  bool glass_transparent = true;          ///< as the scene says; false: glass is a wall
+  bool glass_transparent = true;          ///< as defined by the scene; false: glass is a wall
 
   // Wheels. Signs are drawn from the seed, sizes are fixed.
   double wheel_scale_error = 0.02;  ///< of each wheel's travel, sign drawn per wheel
@@ -24,7 +24,7 @@ struct Difficulty {
   double slip_interval_s = 20.0;    ///< mean driving time between two bursts
   double slip_duration_min_s = 0.2;
   double slip_duration_max_s = 0.8;
-  double slip_loss_min = 0.2;  ///< part of the travel a slipping wheel turns in vain
+  double slip_loss_min = 0.2;  ///< part of the travel that a slipping wheel loses
   double slip_loss_max = 0.6;
 
   // Sonar.

@@ -12,13 +12,13 @@ namespace topo::sim {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Cells hold what comes this near, so that a ray on the border of two cells meets it.
+// Cells also contain edges within this distance, so that a ray on the border of two cells meets them.
 constexpr double kMargin_m = 1e-4;
 constexpr double kAhead_m = 1e-7;
 
 double cross_product(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
-// Does the line piece come into the square of half side h around c?
+// True when the edge enters the square of half side h around c.
 bool reaches(const Edge& edge, const Vector2& c, double h) {
   const Vector2 e = edge.b - edge.a;
   const Vector2 r = c - edge.a;
@@ -26,7 +26,7 @@ bool reaches(const Edge& edge, const Vector2& c, double h) {
          (std::abs(e.x()) + std::abs(e.y())) * h + 1e-12;
 }
 
-// Turns per-cell lists into compressed rows.
+// Converts lists per cell to compressed rows.
 void compress(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs, std::size_t cells,
               std::vector<std::uint32_t>& begin, std::vector<std::uint32_t>& ids) {
   begin.assign(cells + 1, 0);
@@ -165,7 +165,7 @@ void EdgeIndex::cast(const Ray& ray, double glass_draw, std::span<const Prism> p
   const double inverse_x =
       1.0 / ray.dx;  // infinite for a ray along the other axis: compared, never multiplied by 0
   const double inverse_y = 1.0 / ray.dy;
-  // Enter the grid.
+  // Clips the ray to the grid.
   double t = 0.0;
   double t_leave = best.range_m;
   const auto clip = [&](double p, double d, double inverse, double low, double high) {
@@ -180,8 +180,8 @@ void EdgeIndex::cast(const Ray& ray, double glass_draw, std::span<const Prism> p
   };
   clip(ray.x, ray.dx, inverse_x, bounds_.min.x(), bounds_.max.x());
   clip(ray.y, ray.dy, inverse_y, bounds_.min.y(), bounds_.max.y());
-  // Cells are looked up a little ahead, so that a ray that runs along a border or stands on one always gets
-  // on; the margin of the cells is wider.
+  // Looks up cells slightly ahead, so that a ray along a border, or one that starts on it, always advances;
+  // the margin of the cells is wider.
   const double ahead_x = ray.dx > 0.0 ? kAhead_m : -kAhead_m;
   const double ahead_y = ray.dy > 0.0 ? kAhead_m : -kAhead_m;
   while (t <= t_leave && t < best.range_m) {
@@ -200,7 +200,7 @@ void EdgeIndex::cast(const Ray& ray, double glass_draw, std::span<const Prism> p
       const int border = ray.dy > 0.0 ? iy + 1 + reach : iy - reach;
       t_exit = std::min(t_exit, (bounds_.min.y() + border * kCell_m - ray.y) * inverse_y);
     }
-    t = t_exit > t ? t_exit : t + kAhead_m;  // the last cell's border, through rounding
+    t = t_exit > t ? t_exit : t + kAhead_m;  // steps over the last cell's border despite rounding
   }
 }
 

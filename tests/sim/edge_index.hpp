@@ -10,40 +10,40 @@
 
 namespace topo::sim {
 
-/// Vertical rectangle: what a level ray meets.
+/// Vertical rectangle that a level ray can hit.
 struct Edge {
   Vector2 a, b;
   double z_min_m, z_max_m;
-  double transmission = 0.0;  ///< probability that a laser beam goes through (glass)
+  double transmission = 0.0;  ///< probability that a laser beam passes (glass)
   Surface surface = Surface::kWall;
 };
 
-/// t and the cosine of incidence where the ray crosses the edge, t infinite when it does not. t is in units
-/// of the ray's direction, which need not be of length 1 in the plane.
+/// Ray parameter t and cosine of incidence at the crossing of ray and edge; t is infinite when there is none.
+/// t is in units of the ray's direction, which need not have length 1 in the plane.
 struct Crossing {
   double t;
   double cos_incidence;
 };
 Crossing cross(const Ray& ray, const Edge& edge);
 
-/// Where the ray enters the prism through its top or bottom; t infinite when it does not.
+/// The point where the ray enters the prism through its top or bottom; t is infinite when there is none.
 Crossing cross_caps(const Ray& ray, const Prism& prism);
 
-/// Analytic edges in a grid of coarse cells with the distance to the next cell that holds anything, so that a
-/// ray crosses empty space in few jumps and walls at any angle stay straight. Immutable after construction.
+/// Analytic edges in a grid of coarse cells, with the distance to the next occupied cell, so that a ray
+/// crosses empty space in few steps and walls at any angle stay straight. Immutable after construction.
 class EdgeIndex {
  public:
   EdgeIndex() = default;
   EdgeIndex(std::vector<Edge> edges, std::span<const Prism> prisms);
 
-  /// Improves `best` by the nearest edge or cap that is nearer than best.range_m.
+  /// Replaces `best` by the nearest edge or cap that is closer than best.range_m.
   void cast(const Ray& ray, double glass_draw, std::span<const Prism> prisms, RayHit& best) const;
 
-  /// Calls visit(edge) for the edges near a point; an edge may come twice.
+  /// Calls visit(edge) for the edges near a point; an edge may be visited twice.
   template <class Visit>
   void near(const Vector2& p, double radius_m, const Visit& visit) const;
 
-  /// Is the point in one of the prisms at this height?
+  /// True when the point is in one of the prisms at this height.
   [[nodiscard]] bool in_prism(double x_m, double y_m, double z_m, std::span<const Prism> prisms) const;
 
   [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
@@ -68,7 +68,7 @@ class EdgeIndex {
   int columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> edge_begin_, edge_ids_;    // cells to edges, compressed rows
   std::vector<std::uint32_t> prism_begin_, prism_ids_;  // cells to prisms with a top or bottom to hit
-  std::vector<std::uint8_t> gap_;  // cells (Chebyshev) to the next one that holds anything
+  std::vector<std::uint8_t> gap_;  // distance (Chebyshev, cells) to the next occupied cell
 };
 
 template <class Visit>

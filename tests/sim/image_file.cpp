@@ -44,7 +44,7 @@ types::Result<GreyImage> read_png(const std::filesystem::path& file, const std::
   return image;
 }
 
-// Next number of a PGM header or P2 body; comments run from # to the end of the line.
+// Next number of a PGM header or P2 body; comments extend from # to the end of the line.
 std::optional<int> next_number(std::string_view bytes, std::size_t& at) {
   while (at < bytes.size()) {
     if (bytes[at] == '#') {

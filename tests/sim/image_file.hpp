@@ -10,15 +10,14 @@
 
 namespace topo::sim {
 
-/// Grey picture, row 0 on top.
+/// Grey image, row 0 at the top.
 struct GreyImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
 };
 
-/// Reads PNG (colour becomes grey) and PGM (P2, P5, up to 255). Errors name the file and what is wrong with
-/// it.
+/// Reads PNG (colour is converted to grey) and PGM (P2, P5, up to 255). Errors name the file and the fault.
 types::Result<GreyImage> read_image(const std::filesystem::path& file);
 
 }  // namespace topo::sim

@@ -24,7 +24,7 @@ using types::Errc;
 constexpr double kFurnitureAcross_m = 1.0;
 constexpr double kFurnitureHeight_m = 0.8;
 constexpr double kWallHeight_m = 2.5;
-constexpr std::uint8_t kUnknown = 205;  // what map_saver writes
+constexpr std::uint8_t kUnknown = 205;  // as written by map_saver
 // The stairs of a slanted line are less than one cell deep.
 constexpr double kStraighten_cells = 1.0;
 
@@ -38,7 +38,7 @@ struct MapFile {
   std::optional<Se2> start;
 };
 
-// Reads the keys, collecting every fault with its place.
+// Reads the keys and collects every fault with its position.
 class MapFileReader {
  public:
   MapFileReader(const YAML::Node& root, std::string file) : root_(root), file_(std::move(file)) {}
@@ -69,7 +69,7 @@ class MapFileReader {
     }
     out = node.Scalar();
   }
-  /// yaml-cpp would take the first of two and say nothing.
+  /// yaml-cpp would take the first of two without an error.
   void no_key_twice() {
     std::map<std::string, int> line_of;
     for (const auto& entry : root_) {
@@ -145,7 +145,7 @@ types::Result<MapFile> read_map_file(const std::filesystem::path& yaml) {
   return map;
 }
 
-// 1 = solid: occupied and unknown. Row 0 below.
+// 1 = solid: occupied and unknown. Row 0 at the bottom.
 Raster make_solid(const GreyImage& image, const MapFile& map) {
   Raster solid(map.resolution_m, map.origin, image.width, image.height, 1);
   for (int y = 0; y < image.height; ++y) {
@@ -161,7 +161,7 @@ Raster make_solid(const GreyImage& image, const MapFile& map) {
   return solid;
 }
 
-// Walls and furniture by the height rule.
+// Separates walls from furniture by the size of the pieces, and extrudes both.
 void extrude(const Raster& solid, StaticWorld& world) {
   const Pieces pieces = label_pieces(solid);
   std::vector<bool> low(pieces.box.size(), false);

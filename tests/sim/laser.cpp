@@ -17,7 +17,7 @@ LaserModel utm_family(std::string name, int distance_min_mm, int distance_max_mm
           distance_max_mm, 2400, range_max_m, code_no_return, 2,   3};
 }
 
-// Brighter near and head on; a plausible shape, no sensor's curve.
+// Decreases with distance and angle of incidence; plausible, but not the curve of a real sensor.
 std::uint16_t intensity_of(const RayHit& hit) {
   const double albedo = hit.surface == Surface::kGlass ? 300.0 : 4000.0;
   return static_cast<std::uint16_t>(
@@ -70,7 +70,7 @@ void LaserSimulator::cast_all(SimTime step0, const PoseAt& pose_at, Random& rand
   }
 }
 
-// A beam that half meets an edge reports something between the two depths.
+// A beam that hits an edge partly reports a range between the two depths.
 void LaserSimulator::mix_pixels(Random& random) {
   if (difficulty_.mixed_pixel_probability <= 0.0) return;
   for (std::size_t i = 0; i + 1 < hits_.size(); ++i) {
@@ -84,7 +84,7 @@ void LaserSimulator::mix_pixels(Random& random) {
 }
 
 std::uint32_t LaserSimulator::reading(double true_range_m, Random& random) const {
-  // Always the same number of draws a beam, so that one reading does not shift the next one's noise.
+  // The number of draws per beam is constant, so that one reading does not shift the noise of the next.
   const double dropout = random.uniform();
   const double noise = random.gaussian();
   if (dropout < difficulty_.dropout_probability) {

@@ -24,7 +24,7 @@ struct LaserModel {
   int distance_min_mm;  ///< DMIN
   int distance_max_mm;  ///< DMAX
   int rpm;              ///< SCAN
-  double range_max_m;   ///< beyond nothing is seen
+  double range_max_m;   ///< no return beyond this range
   std::uint32_t code_no_return;
   std::uint32_t code_too_near;
   std::uint32_t code_failed;
@@ -38,31 +38,31 @@ struct LaserModel {
   [[nodiscard]] int steps() const { return step_max - step_min + 1; }
   [[nodiscard]] SimTime period() const { return SimTime{60'000'000'000LL / rpm}; }
   [[nodiscard]] double angle_rad(int step) const;  ///< counter-clockwise, 0 in front
-  /// From step 0 to a step.
+  /// Time from step 0 to a step.
   [[nodiscard]] SimTime step_time(int step) const { return period() * step / steps_per_turn; }
 };
 
 enum class ScanPlane : std::uint8_t {
-  kLevel,    ///< angle 0 looks along the mount's yaw, positive angles to the left
-  kCoronal,  ///< in the base's y-z plane: angle 0 looks up, positive angles to the left (+y); the floor is
+  kLevel,    ///< angle 0 points along the mount's yaw, positive angles to the left
+  kCoronal,  ///< in the base's y-z plane: angle 0 points up, positive angles to the left (+y); the floor lies
              ///< behind
 };
 
-/// Place of a scanner on base_link; z from the floor.
+/// Position of a scanner on base_link; z from the floor.
 struct LaserMount {
   double x_m = 0.0, y_m = 0.0, z_m = 0.30;
-  double yaw_rad = 0.0;  ///< turns the plane about the vertical
+  double yaw_rad = 0.0;  ///< rotates the plane about the vertical
   ScanPlane plane = ScanPlane::kLevel;
 };
 
-/// One turn of the mirror, as the sensor measured it.
+/// One turn of the mirror, as measured by the sensor.
 struct Sweep {
-  SimTime step0{0};          ///< when step 0 passed: what SCIP's stamp means (PROTOCOLS section 12)
-  SimTime end{0};            ///< when the last step was measured
-  std::uint64_t number = 0;  ///< turns since the sensor's start
-  int step_min = 0;          ///< step of element 0
-  std::vector<std::uint32_t> range_mm;   ///< or one of the model's codes, below DMIN or beyond DMAX
-  std::vector<std::uint16_t> intensity;  ///< 0 where nothing came back
+  SimTime step0{0};                     ///< time of step 0, which is the stamp of SCIP (PROTOCOLS section 12)
+  SimTime end{0};                       ///< time of the last step
+  std::uint64_t number = 0;             ///< turns since the sensor's start
+  int step_min = 0;                     ///< step of element 0
+  std::vector<std::uint32_t> range_mm;  ///< or one of the model's codes, below DMIN or beyond DMAX
+  std::vector<std::uint16_t> intensity;  ///< 0 where nothing was received
 };
 
 /// Measures sweeps: every beam at its own time from the pose at that time. Not thread-safe (buffers are
@@ -73,7 +73,7 @@ class LaserSimulator {
   LaserSimulator(const World& world, LaserModel model, LaserMount mount, const Difficulty& difficulty,
                  std::uint64_t seed, MovableId self = kNoMovable);
 
-  /// The sweep whose step 0 passes at `step0`. Noise depends on seed and `number` alone, not on earlier
+  /// The sweep whose step 0 is at time `step0`. Noise depends only on seed and `number`, not on earlier
   /// calls.
   void measure(SimTime step0, std::uint64_t number, const PoseAt& pose_at, Sweep& out);
   [[nodiscard]] Sweep measure(SimTime step0, std::uint64_t number, const PoseAt& pose_at);

@@ -93,7 +93,7 @@ void Picture::world(const World& world) {
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
       line(outline[j], outline[i], kWallInk);
   }
-  // Low things first, so that what reaches the ceiling stays to be seen.
+  // Low objects first, so that those that reach the ceiling stay visible.
   const double high_m = 0.9 * world.ceiling_m();
   for (const Prism& prism : world.prisms()) {
     if (prism.z_min_m == 0.0 && prism.z_max_m < high_m) fill(prism.outline, kLowInk);

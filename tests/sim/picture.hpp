@@ -26,18 +26,18 @@ inline constexpr Colour kScanInk{0, 150, 60};
 /// Picture of a part of the plane, y upwards, for reports.
 class Picture {
  public:
-  /// At most 4000 pixels a side: the scale gives way.
+  /// Limited to 4000 pixels per side by a coarser scale.
   Picture(const types::Rectangle& area, double metres_per_pixel);
 
   void dot(const Vector2& p, Colour colour, int radius_px = 0);
   void line(const Vector2& a, const Vector2& b, Colour colour);
   void fill(const Polygon& polygon, Colour colour);
-  /// Cells of the raster that are not 0, mixed half with what is there.
+  /// Mixes the cells of the raster that are not 0 half with the present colours.
   void tint(const Raster& raster, Colour colour);
-  /// Walls dark, low things brown, hanging things violet, glass blue.
+  /// Walls dark, low objects brown, hanging objects violet, glass blue.
   void world(const World& world);
   void path(std::span<const Se2> poses, Colour colour);
-  /// The scan's end points where its pose puts them.
+  /// The scan's end points at the given pose.
   void sweep(const Sweep& sweep, const LaserModel& model, const LaserMount& mount, const Se2& pose,
              Colour colour);
 

@@ -8,8 +8,8 @@
 
 namespace topo::sim {
 
-/// splitmix64 (Steele, Lea, Flood 2014): small, seedable from any number, the same on every machine, which
-/// the distributions of <random> are not.
+/// splitmix64 (Steele, Lea, Flood 2014): small, seedable with any number, and identical on every machine,
+/// unlike the distributions of <random>.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -24,7 +24,7 @@ class Random {
   /// In [0, 1).
   double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Mean 0, deviation 1 (Box and Muller 1958); every second value comes from the pair before.
+  /// Mean 0, deviation 1 (Box and Muller 1958); every second value comes from the previous pair.
   double gaussian() {
     if (has_spare_) {
       has_spare_ = false;
@@ -43,7 +43,7 @@ class Random {
   bool has_spare_ = false;
 };
 
-/// An independent stream for each part of the simulation: one part drawing more does not change another.
+/// An independent stream for each part of the simulation: additional draws in one part do not change another.
 inline std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t a, std::uint64_t b = 0) {
   Random mix(seed ^ (a * 0xD6E8FEB86659FD93U) ^ (b * 0xA0761D6478BD642FU));
   mix.next();

@@ -11,7 +11,7 @@
 
 namespace topo::sim {
 
-/// Cells of one size over the building; row 0 is the lowest y, cell (0, 0) begins at `origin`.
+/// Square cells over the building; row 0 has the lowest y, cell (0, 0) begins at `origin`.
 struct Raster {
   double resolution_m = 0.05;
   Vector2 origin{0.0, 0.0};

@@ -16,11 +16,11 @@ Prism body_prism(const RobotModel& model, const Polygon& footprint, const Se2& p
   return {transformed(footprint, pose), model.clearance_m, model.height_m};
 }
 
-// Motion of the middle between the wheels along an arc.
+// Motion of the centre between the wheels along an arc.
 Se2 arc(double left_m, double right_m, double track_m) {
   const double turn = (right_m - left_m) / track_m;
   const double way = 0.5 * (left_m + right_m);
-  // Chord of the arc; the series keeps sin(x)/x exact at 0.
+  // Chord of the arc; near 0, sin(x)/x is 1.
   const double half = 0.5 * turn;
   const double chord = std::abs(half) < 1e-6 ? way : way * std::sin(half) / half;
   return {chord * std::cos(half), chord * std::sin(half), turn};
@@ -63,7 +63,7 @@ void RobotBody::draw_slip(double dt_s, bool driving) {
   if (until_slip_s_ > 0.0) return;
   slip_left_s_ = random_.uniform(difficulty_.slip_duration_min_s, difficulty_.slip_duration_max_s);
   const double loss = random_.uniform(difficulty_.slip_loss_min, difficulty_.slip_loss_max);
-  const double which = random_.uniform();  // a third each: left, right, both
+  const double which = random_.uniform();  // one third each: left, right, both
   loss_left_ = which < 2.0 / 3.0 ? loss : 0.0;
   loss_right_ = which >= 1.0 / 3.0 ? loss : 0.0;
 }
@@ -98,7 +98,7 @@ void RobotBody::step(double dt_s, double left_mps, double right_mps) {
     }
   } else {
     twist_ = {};
-    contact_.stall_left = contact_.stall_right = false;  // bumpers stay pressed while nobody backs off
+    contact_.stall_left = contact_.stall_right = false;  // bumpers stay pressed until the robot backs off
   }
   remember();
 }
@@ -109,14 +109,14 @@ void RobotBody::note_contact(const Touch& touch, double left_mps, double right_m
   contact_.point = touch.point;
   contact_.stall_left = left_mps != 0.0;
   contact_.stall_right = right_mps != 0.0;
-  // On which side of the body: by the angle against the diagonals through the cut corners.
+  // Front or rear when the contact lies beyond three quarters of that length, else left or right.
   const double w = 0.5 * model_.width_m;
   const double x = touch.point.x();
   const double y = touch.point.y();
   const double ahead = x / (x > 0.0 ? model_.length_front_m : model_.length_rear_m);
   const double aside = y / w;
   const double reach =
-      std::clamp((x > 0.0 ? -1.0 : 1.0) * y / w, -1.0, 1.0);  // -1..1 clockwise along the end
+      std::clamp((x > 0.0 ? -1.0 : 1.0) * y / w, -1.0, 1.0);  // -1..1, clockwise along the end
   const int segment =
       std::min(model_.bumper_segments - 1, static_cast<int>((reach + 1.0) * 0.5 * model_.bumper_segments));
   const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(segment));

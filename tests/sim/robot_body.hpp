@@ -19,30 +19,30 @@ using SimTime = types::Duration;  ///< since the simulation's start
 
 enum class ContactSide : std::uint8_t { kNone, kFront, kRear, kLeft, kRight };
 
-/// What the robot touches now. Bit i of a bumper mask is segment i + 1; segments are counted clockwise seen
+/// The robot's present contact. Bit i of a bumper mask is segment i + 1; segments are counted clockwise seen
 /// from above: front from left to right, rear from right to left.
 struct Contact {
   ContactSide side = ContactSide::kNone;
   Vector2 point{0.0, 0.0};  ///< in the base frame
   std::uint8_t bumpers_front = 0;
   std::uint8_t bumpers_rear = 0;
-  bool stall_left = false;  ///< the wheel is told to turn and cannot
+  bool stall_left = false;  ///< the wheel is commanded to turn and cannot
   bool stall_right = false;
 };
 
 /// True differential-drive motion of one robot. Wheel speeds come from the firmware and are exact at the
-/// encoders; what the floor makes of them is not (scale and track errors, slip). A blocked robot's wheels
-/// stand. Not thread-safe.
+/// encoders; the true motion differs (scale and track errors, slip). The wheels of a blocked robot stand. Not
+/// thread-safe.
 class RobotBody {
  public:
-  /// Registers itself in `world` as a movable, so that others see it; `world` must outlive it.
+  /// Registers the robot in `world` as a movable, so that others see it; `world` must outlive it.
   RobotBody(World& world, RobotModel model, const Se2& start, const Difficulty& difficulty,
             std::uint64_t seed);
   ~RobotBody();
   RobotBody(const RobotBody&) = delete;
   RobotBody& operator=(const RobotBody&) = delete;
 
-  /// Moves for dt_s (1 to 5 ms) with the given speeds at the encoders, m/s.
+  /// Moves for dt_s (1 to 5 ms) with the given encoder speeds, m/s.
   void step(double dt_s, double left_mps, double right_mps);
 
   [[nodiscard]] const RobotModel& model() const { return model_; }
@@ -53,16 +53,16 @@ class RobotBody {
   [[nodiscard]] double encoder_left_mps() const { return encoder_left_mps_; }  ///< 0 while blocked
   [[nodiscard]] double encoder_right_mps() const { return encoder_right_mps_; }
   [[nodiscard]] const Contact& contact() const { return contact_; }
-  [[nodiscard]] std::uint64_t collisions() const { return collisions_; }  ///< touches begun since the start
+  [[nodiscard]] std::uint64_t collisions() const { return collisions_; }  ///< contacts begun since the start
   [[nodiscard]] bool slipping() const { return slip_left_s_ > 0.0; }
-  [[nodiscard]] double path_m() const { return path_m_; }  ///< true way gone
+  [[nodiscard]] double path_m() const { return path_m_; }  ///< length of the true path
   [[nodiscard]] SimTime now() const { return now_; }
   [[nodiscard]] MovableId movable() const { return movable_; }
-  /// True pose at a past time, at most one second ago, between the steps by interpolation.
+  /// True pose at a past time, at most one second ago, interpolated between the steps.
   [[nodiscard]] Se2 pose_at(SimTime time) const;
-  /// Puts the robot elsewhere (somebody carries it): encoders do not notice.
+  /// Moves the robot to another pose, as if carried: the encoders do not change.
   void teleport(const Se2& pose);
-  /// Sets what now() counts from, for a robot that joins a running simulation.
+  /// Sets the origin of now(), for a robot that joins a running simulation.
   void start_clock(SimTime now);
 
  private:

@@ -26,7 +26,7 @@ std::array<SonarMount, 16> in_metres(const std::array<SonarPlace, 16>& places) {
 }  // namespace
 
 RobotModel RobotModel::p3dx() {
-  // Catalogue 455 x 381 mm; 210 mm in front of the axle. The mast carries the scanners.
+  // Catalogue 455 x 381 mm; 210 mm in front of the axle. The scanners are on the mast.
   RobotModel m{"p3dx-sh", 2e-3 / 0.0056, 0.210, 0.245, 0.381, 0.267, 0.50, 0.03, 0.17, 5, {}};
   m.sonars = in_metres({{{69, 136, 90},
                          {114, 119, 50},
@@ -69,7 +69,7 @@ RobotModel RobotModel::p3at() {
 }
 
 Polygon RobotModel::footprint() const {
-  // The rectangle with its corners cut where they stand out of the swing circle.
+  // The rectangle with its corners cut where they exceed the swing circle.
   const double w = 0.5 * width_m;
   const auto side_x = [&](double length) {
     return std::min(length, std::sqrt(std::max(0.0, swing_radius_m * swing_radius_m - w * w)));

@@ -9,21 +9,21 @@
 
 namespace topo::sim {
 
-/// Place and direction of one sonar transducer on the base.
+/// Position and direction of one sonar transducer on the base.
 struct SonarMount {
   double x_m, y_m, heading_rad;
 };
 
-/// What a Pioneer's body is (PROTOCOLS sections 6.2 and 6.3).
+/// Dimensions of a Pioneer's body (PROTOCOLS sections 6.2 and 6.3).
 struct RobotModel {
   std::string subclass;  ///< "p3dx-sh" or "p3at-sh"
-  double track_m;        ///< effective, 2 / DiffConvFactor: what the firmware computes with
+  double track_m;        ///< effective, 2 / DiffConvFactor: used by the firmware
   double length_front_m, length_rear_m, width_m;
-  double swing_radius_m;  ///< corners are cut to it
-  double height_m;        ///< body with the scanners' mast: what bumps into hanging things
-  double clearance_m;     ///< lower things are driven over
+  double swing_radius_m;  ///< limit at which the corners are cut
+  double height_m;        ///< body with the scanners' mast: lower hanging objects are obstacles
+  double clearance_m;     ///< the robot drives over lower objects
   double sonar_z_m;
-  int bumper_segments;  ///< front, and as many behind
+  int bumper_segments;  ///< front, and the same number at the rear
   std::array<SonarMount, 16> sonars;
 
   static RobotModel p3dx();

@@ -149,7 +149,7 @@ class SceneParser {
       world_.prisms.push_back(make_cylinder(center, radius_m, z_min_m, z_max_m));
   }
 
-  // The keys that free rows and rows along a wall share.
+  // The keys common to free rows and rows along a wall.
   void row_keys(TableReader& r, ClutterRow& row) {
     double seed = 1.0;
     r.number("fraction", false, 0.0, 1.0, row.fraction);

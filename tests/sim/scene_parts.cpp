@@ -15,8 +15,8 @@ namespace {
 
 using Line = std::vector<Vector2>;
 
-// One straight part of the wall as a box that reaches half its thickness beyond both ends, so that corners
-// close. The free ends beside an opening do not reach over.
+// One straight part of the wall as a box that extends half its thickness beyond both ends, so that corners
+// close. Free ends beside an opening are not extended.
 void add_part(const Vector2& a, const Vector2& b, bool over_a, bool over_b, const DrawnWall& wall,
               double z_min_m, std::vector<Prism>& out) {
   const Vector2 along = (b - a).normalized();
@@ -44,7 +44,7 @@ void add_piece(const Piece& piece, const DrawnWall& wall, std::vector<Prism>& ou
   }
 }
 
-// The features of one straight part, which starts `offset_m` along the wall.
+// The features of one straight part, which begins `offset_m` along the wall.
 std::string add_features(const DrawnWall& wall, const Vector2& a, const Vector2& b, double offset_m,
                          Piece& piece, std::vector<Prism>& out) {
   const Vector2 along = (b - a).normalized();
@@ -76,7 +76,7 @@ std::string add_features(const DrawnWall& wall, const Vector2& a, const Vector2&
   return {};
 }
 
-// One row between two places of a straight part, if there is room for anything.
+// One row between two positions of a straight part, if there is enough space.
 void add_row(const WallClutter& clutter, const DrawnWall& wall, const Vector2& a, const Vector2& along,
              double from_m, double to_m, std::uint64_t number, std::vector<Prism>& out) {
   const double low_m = from_m + clutter.margin_m;
@@ -90,7 +90,7 @@ void add_row(const WallClutter& clutter, const DrawnWall& wall, const Vector2& a
   build_clutter(row, out);
 }
 
-// `features` in order of their place.
+// `features` must be sorted by position.
 void add_clutter(const DrawnWall& wall, const WallClutter& clutter, std::vector<Prism>& out) {
   double offset_m = 0.0;
   std::uint64_t number = 0;
@@ -144,7 +144,7 @@ void build_clutter(const ClutterRow& row, std::vector<Prism>& out) {
     lengths.push_back(std::min(random.uniform(row.length_min_m, row.length_max_m), rest_m));
     taken_m += lengths.back();
   }
-  // What is left is shared out among the gaps, the two ends included.
+  // Distributes the remaining length over the gaps, including both ends.
   std::vector<double> gaps(lengths.size() + 1);
   for (double& gap : gaps) gap = random.uniform();
   const double scale = std::max(0.0, length_m - taken_m) / std::accumulate(gaps.begin(), gaps.end(), 1e-12);

@@ -10,14 +10,14 @@
 
 namespace topo::sim {
 
-/// A gap in a wall, or a niche beside it, around a place along it.
+/// A gap in a wall, or an alcove beside it, around a position along the wall.
 struct WallFeature {
   enum class Kind { kOpening, kAlcove };
   Kind kind = Kind::kOpening;
-  double at_m = 0.0;  ///< of its middle, along the wall from its first point
+  double at_m = 0.0;  ///< position of the middle along the wall, from its first point
   double width_m = 0.9;
-  double lintel_m = 0.0;  ///< opening: wall again from here up; 0: open to the ceiling
-  double depth_m = 0.3;   ///< alcove: how far the wall steps aside
+  double lintel_m = 0.0;  ///< opening: the wall continues above this height; 0: open to the ceiling
+  double depth_m = 0.3;   ///< alcove: lateral displacement of the wall
   bool left = true;       ///< alcove: to the left of the wall's direction
 };
 
@@ -25,7 +25,7 @@ struct WallFeature {
 struct ClutterRow {
   Vector2 from{0.0, 0.0};
   Vector2 to{0.0, 0.0};
-  double fraction = 0.6;  ///< of the line's length that is taken
+  double fraction = 0.6;  ///< occupied share of the line's length
   std::uint64_t seed = 1;
   double length_min_m = 0.4, length_max_m = 1.4;
   double depth_min_m = 0.25, depth_max_m = 0.6;
@@ -34,7 +34,7 @@ struct ClutterRow {
 /// The same along one side of a wall: on every straight part, clear of corners, openings and alcoves.
 struct WallClutter {
   bool left = true;
-  double margin_m = 0.35;  ///< kept free beside a corner, an opening or an alcove
+  double margin_m = 0.35;  ///< free distance to a corner, an opening or an alcove
   ClutterRow row;          ///< from and to are not used
 };
 
@@ -47,11 +47,11 @@ struct DrawnWall {
   std::vector<WallClutter> clutter;
 };
 
-/// Prisms of a wall with its openings, alcoves and clutter; a text when a feature does not fit: it must lie
-/// within one straight part and not overlap another.
+/// Adds the prisms of a wall with its openings, alcoves and clutter. Returns a text when a feature does not
+/// fit: it must lie within one straight part and must not overlap another.
 std::string build_wall(DrawnWall wall, std::vector<Prism>& out);
 
-/// The boxes of one row.
+/// Adds the boxes of one row.
 void build_clutter(const ClutterRow& row, std::vector<Prism>& out);
 
 }  // namespace topo::sim

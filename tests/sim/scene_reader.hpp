@@ -12,28 +12,28 @@
 
 namespace topo::sim {
 
-constexpr double kFar_m = 1000.0;  ///< no coordinate of a building is larger
+constexpr double kFar_m = 1000.0;  ///< limit of the coordinates of a building
 
-/// Collects every fault of one file with its place.
+/// Collects every fault of one file with its position.
 class Faults {
  public:
   explicit Faults(std::string file) : file_(std::move(file)) {}
   void add(const toml::source_region& where, const std::string& what);
   [[nodiscard]] bool any() const { return !text_.empty(); }
-  [[nodiscard]] const std::string& text() const { return text_; }  ///< one fault a line
+  [[nodiscard]] const std::string& text() const { return text_; }  ///< one fault per line
 
  private:
   std::string file_;
   std::string text_;
 };
 
-/// Reads the keys of one table of a drawn scene; what is wrong goes to the faults and leaves `out` as it was.
+/// Reads the keys of one table of a drawn scene; a fault is added to the faults, and `out` does not change.
 class TableReader {
  public:
   TableReader(const toml::table& table, std::string what, Faults& faults)
       : table_(table), what_(std::move(what)), faults_(faults) {}
 
-  /// A fault for every key that is not one of these.
+  /// Adds a fault for every key that is not one of these.
   void allow(std::initializer_list<std::string_view> keys);
   [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
   bool number(std::string_view key, bool required, double low, double high, double& out);

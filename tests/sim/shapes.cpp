@@ -16,7 +16,7 @@ Prism make_box(const Se2& center, double length_m, double width_m, double z_min_
 Prism make_cylinder(const Vector2& center, double radius_m, double z_min_m, double z_max_m) {
   constexpr int kSides = 32;
   const double step = 2.0 * std::numbers::pi / kSides;
-  // The regular polygon of the circle's area: area = n/2 R^2 sin(2 pi / n).
+  // A regular polygon with the area of the circle: area = n/2 R^2 sin(2 pi / n).
   const double corner_m = radius_m * std::sqrt(step / std::sin(step));
   Prism prism{{}, z_min_m, z_max_m};
   for (int i = 0; i < kSides; ++i) {

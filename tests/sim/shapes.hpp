@@ -12,20 +12,20 @@ namespace topo::sim {
 using types::Se2;
 using types::Vector2;
 
-/// Simple closed polygon, last point joined to the first.
+/// Simple closed polygon; the last point is joined to the first.
 using Polygon = std::vector<Vector2>;
 
-/// Something that stands or hangs in the building: an outline between two heights.
+/// A standing or hanging object of the building: an outline between two heights.
 struct Prism {
   Polygon outline;
   double z_min_m = 0.0;
   double z_max_m = 2.5;
 };
 
-/// Rectangle of the given size around `center` (of the prism, turned by its heading).
+/// Box with a rectangular outline of the given size around `center`, rotated by its heading.
 Prism make_box(const Se2& center, double length_m, double width_m, double z_min_m, double z_max_m);
 
-/// Polygon of 32 sides whose area is the circle's: at most 0.4 % of the radius away from it.
+/// Polygon with 32 sides and the area of the circle; deviates from it by at most 0.4 % of the radius.
 Prism make_cylinder(const Vector2& center, double radius_m, double z_min_m, double z_max_m);
 
 bool contains(const Polygon& polygon, const Vector2& p);

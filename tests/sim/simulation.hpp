@@ -21,15 +21,15 @@ struct WheelSpeeds {
   double right_mps = 0.0;
 };
 
-/// The firmware's side of the wheels. Called once a step, in the thread that advances the simulation.
+/// The firmware's side of the wheels. Called once per step, in the thread that advances the simulation.
 class WheelDrive {
  public:
   virtual ~WheelDrive() = default;
-  /// Speeds at the encoders for the step of `dt` that begins at `now`; `body` is as the last step left it.
+  /// Encoder speeds for the step of `dt` that begins at `now`; `body` is in its state after the last step.
   virtual WheelSpeeds wheel_speeds(SimTime now, SimTime dt, const RobotBody& body) = 0;
 };
 
-/// Takes what the sensors measured, in the thread that advances the simulation, in order of time.
+/// Takes the measurements of the sensors, in the thread that advances the simulation, in order of time.
 class SensorSink {
  public:
   virtual ~SensorSink() = default;
@@ -41,7 +41,7 @@ class SensorSink {
 struct LaserSetup {
   LaserModel model = LaserModel::utm_30lx();
   LaserMount mount;
-  SimTime phase{0};  ///< when step 0 of the first sweep passes
+  SimTime phase{0};  ///< time of step 0 of the first sweep
 };
 
 struct RobotSetup {
@@ -49,10 +49,10 @@ struct RobotSetup {
   Se2 start;
   std::vector<LaserSetup> lasers;
   WheelDrive* drive = nullptr;  ///< not owned; null: the robot stands
-  SensorSink* sink = nullptr;   ///< not owned; null: nobody listens, and nothing is measured
+  SensorSink* sink = nullptr;   ///< not owned; null: nothing is measured
 };
 
-/// Somebody who walks from way-point to way-point and round again, and waits when a robot is in the way.
+/// A person who walks from way-point to way-point in a loop, and waits when a robot is in the way.
 struct Walker {
   std::vector<Vector2> way_points;
   double speed_mps = 1.0;
@@ -60,8 +60,8 @@ struct Walker {
   double height_m = 1.75;
 };
 
-/// A building with robots in it, in steps of one fixed size: the same seed and the same wheel speeds give the
-/// same bytes, however the way to a time is cut. Not thread-safe.
+/// A building with robots, simulated in steps of fixed size: the same seed and the same wheel speeds give
+/// identical bytes, however the time is divided into calls. Not thread-safe.
 class Simulation {
  public:
   static constexpr SimTime kStep{1'000'000};
@@ -71,23 +71,23 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Index of the robot; an error when it would stand in something.
+  /// Index of the robot; an error when it would collide with something.
   types::Result<std::size_t> add_robot(const RobotSetup& setup);
   /// Replaces a robot's sink or drive (null: none).
   void set_sink(std::size_t robot, SensorSink* sink);
   void set_drive(std::size_t robot, WheelDrive* drive);
 
-  /// A box or cylinder that appears; an error when it would overlap a robot.
+  /// Adds a box or cylinder; an error when it would overlap a robot.
   types::Result<MovableId> add_obstacle(const Prism& prism);
-  /// The same, a box of 0.4 m, `distance_m` ahead of the robot's front.
+  /// The same for a box of 0.4 m, `distance_m` ahead of the robot's front.
   types::Result<MovableId> add_box_ahead(std::size_t robot, double distance_m);
-  /// An error when no obstacle of this number stands there: robots and people are none.
+  /// An error when no obstacle has this number: robots and people are not obstacles.
   types::Status remove_obstacle(MovableId id);
   void add_walker(Walker walker);
-  /// All who walk about leave.
+  /// Removes all walkers.
   void remove_walkers();
 
-  /// Steps until less than one step is missing to `time`. Earlier times do nothing.
+  /// Steps until `time` is less than one step away. Earlier times have no effect.
   void advance_to(SimTime time);
 
   [[nodiscard]] SimTime now() const { return now_; }

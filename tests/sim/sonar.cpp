@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfCone_rad = 12.5 * types::kDegree_rad;
 constexpr int kAcross = 2;               // rays to each side of the axis
-constexpr double kSpecularCosine = 0.5;  // flatter than 60 degrees off the normal: the echo goes elsewhere
+constexpr double kSpecularCosine = 0.5;  // more than 60 degrees off the normal the echo is lost
 
 }  // namespace
 

@@ -14,16 +14,16 @@ namespace topo::sim {
 struct SonarEcho {
   SimTime time{0};
   int index = 0;         ///< 0 to 15
-  double range_m = 5.0;  ///< 0.15 to 5; 5: nothing heard
+  double range_m = 5.0;  ///< 0.15 to 5; 5: no echo
 };
 
 inline constexpr double kSonarRangeMin_m = 0.15;
 inline constexpr double kSonarRangeMax_m = 5.0;
-/// One transducer of each array of eight every cycle (PROTOCOLS section 6.3).
+/// One transducer of each array of eight per cycle (PROTOCOLS section 6.3).
 inline constexpr SimTime kSonarCycle{40'000'000};
 
-/// What transducer `index` of a robot at `pose` hears: the nearest of a cone of rays (25 degrees wide) that
-/// meets a surface steeply enough to come back.
+/// Measurement of transducer `index` of a robot at `pose`: the nearest hit of a cone of rays (25 degrees
+/// wide) whose angle of incidence reflects the echo back.
 SonarEcho measure_sonar(const World& world, const RobotModel& model, const Se2& pose, int index, SimTime time,
                         const Difficulty& difficulty, Random& random, MovableId self);
 

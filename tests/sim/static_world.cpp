@@ -47,7 +47,7 @@ Raster compute_free_mask(const StaticWorld& world, double z_min_m, double z_max_
     if (!overlaps(prism.z_min_m, prism.z_max_m, z_min_m, z_max_m)) continue;
     clear_polygon(prism.outline, mask);
     for (std::size_t i = 0, j = prism.outline.size() - 1; i < prism.outline.size(); j = i++) {
-      clear_line(prism.outline[j], prism.outline[i], mask);  // thin things must not fall between cell centres
+      clear_line(prism.outline[j], prism.outline[i], mask);  // thin objects must not lie between cell centres
     }
   }
   for (const Edge& pane : world.glass_edges) {

@@ -11,17 +11,17 @@
 
 namespace topo::sim {
 
-/// Lowest and highest part of the space a robot with its scanners takes, for masks.
+/// Lower and upper limit of the space of a robot with its scanners, for masks.
 inline constexpr double kRobotSpaceLow_m = 0.03;
 inline constexpr double kRobotSpaceHigh_m = 0.50;
 
-/// Everything about a building that does not move.
+/// The immovable part of a building.
 struct StaticWorld {
   std::string name;
   types::Rectangle extents;
   double ceiling_m = 2.5;
   std::vector<Se2> starts;
-  std::vector<Prism> prisms;           ///< drawn walls and things; furniture of an image
+  std::vector<Prism> prisms;           ///< drawn walls and objects; furniture of an image
   std::vector<Polygon> wall_outlines;  ///< borders between free and solid of an image, at full height
   std::vector<types::Segment> glass;
   std::vector<Edge> glass_edges;
@@ -33,13 +33,13 @@ struct StaticWorld {
 /// Fills extents, index and structure from outlines, prisms, glass and `walls`.
 void finish(StaticWorld& world);
 
-/// 1 where no wall, prism or glass is between the heights.
+/// 1 where there is no wall, prism or glass between the heights.
 Raster compute_free_mask(const StaticWorld& world, double z_min_m, double z_max_m);
 
-/// From a map_server YAML.
+/// Loads a building from a map_server YAML.
 types::Result<StaticWorld> load_image_world(const std::filesystem::path& yaml);
 
-/// From the text of a drawn scene.
+/// Parses the text of a drawn scene.
 types::Result<StaticWorld> parse_scene(const std::string& text, const std::string& name);
 
 }  // namespace topo::sim

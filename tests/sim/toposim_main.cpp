@@ -184,7 +184,7 @@ types::Result<sim::RobotConfig> robot_config(const Options& o, std::size_t i) {
     link.can_interface = o.can_interface;
     link.can_unit = static_cast<int>(i);
   }
-  // Over a terminal the sensor is the USB one.
+  // On a terminal, the sensor is the USB model.
   const auto usual = [&robot](std::size_t d) {
     return robot.links[d].tcp_port ? sim::ScipModel::kUtm30LxEw : sim::ScipModel::kUtm30Lx;
   };
@@ -274,7 +274,7 @@ void announce(sim::SimRig& rig, const Options& o) {
   std::cout << line.dump() << std::endl;
 }
 
-/// KEY=VALUE words as a JSON object: numbers and true/false as such, all else as text.
+/// Sends KEY=VALUE words as a JSON object: numbers and true/false as such, all others as text.
 int run_ctl(const Options& o) {
   json request{{"command", o.ctl_words[0]}};
   for (std::size_t i = 1; i < o.ctl_words.size(); ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 types::Stamp stamp_of(SimTime time) { return types::Stamp{time}; }
 
-/// The driver's reading of a range (PROTOCOLS section 10.2).
+/// Converts a range as the driver does (PROTOCOLS section 10.2).
 float range_of(std::uint32_t mm, const LaserModel& model) {
   if (mm == model.code_no_return) return types::kNoReturn;
   if (mm == model.code_too_near) return types::kTooNear;

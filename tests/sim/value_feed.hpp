@@ -12,10 +12,10 @@
 
 namespace topo::sim {
 
-/// What the drivers would make of a robot's bytes, without the bytes: for lock-step runs faster than real
-/// time. The same losses as on the wire: ranges in whole millimetres, dead reckoning from the encoders in
-/// whole millimetres and 4096 headings, ten times a second. Laser 0 is the front one, laser 1 the coronal
-/// one.
+/// The values that the drivers would decode from a robot's bytes, without the bytes: for lock-step runs
+/// faster than real time. The resolution is that of the wire: ranges in whole millimetres, dead reckoning
+/// from the encoders in whole millimetres and 4096 headings, ten times a second. Laser 0 is the front one,
+/// laser 1 the coronal one.
 class ValueFeed final : public SensorSink {
  public:
   ValueFeed(const RobotSetup& setup);
@@ -23,10 +23,10 @@ class ValueFeed final : public SensorSink {
   void on_sweep(std::size_t laser, const Sweep& sweep) override;
   void on_sonar(const SonarEcho&) override {}
 
-  /// To be called after every advance of at most 10 ms; makes an odometry sample every 100 ms.
+  /// Call after every advance of at most 10 ms; makes an odometry sample every 100 ms.
   void sample(const RobotBody& body);
 
-  /// The next value in order of arrival, none when all were taken.
+  /// The next value in order of arrival; none when all are taken.
   [[nodiscard]] std::optional<types::Odometry> next_odometry();
   [[nodiscard]] bool next_scan(std::size_t laser, types::Scan& out);
 

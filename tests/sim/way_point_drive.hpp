@@ -8,9 +8,9 @@
 
 namespace topo::sim {
 
-/// Steers along way points by the true pose, as a careful person with a joystick would: turns on the spot
-/// when the next point is far off the nose, ramps speed, slows down before a point. For tests and recordings,
-/// not for devices.
+/// Drives along way-points by the true pose, like manual control: turns on the spot when the next point is
+/// far off the heading, ramps the speed, slows down before a point. For tests and recordings, not for
+/// devices.
 class WayPointDrive final : public WheelDrive {
  public:
   struct Limits {
@@ -20,7 +20,7 @@ class WayPointDrive final : public WheelDrive {
     double angular_acceleration_radps2 = 2.0;
     double arrived_m = 0.15;
   };
-  /// `laps` times round the points; 0: for ever.
+  /// `laps`: number of rounds over the points; 0: endless.
   WayPointDrive(std::vector<Vector2> points, int laps) : WayPointDrive(std::move(points), laps, Limits{}) {}
   WayPointDrive(std::vector<Vector2> points, int laps, const Limits& limits);
 
@@ -38,7 +38,7 @@ class WayPointDrive final : public WheelDrive {
   double omega_radps_ = 0.0;
 };
 
-/// A robot's own reckoning from its encoders, with the track its firmware believes in.
+/// A robot's dead reckoning from its encoders, with the track that its firmware uses.
 class DeadReckoning {
  public:
   DeadReckoning(const Se2& start, double track_m) : pose_(start), track_m_(track_m) {}

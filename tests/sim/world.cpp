@@ -13,7 +13,7 @@ namespace topo::sim {
 
 namespace {
 
-// The part of the edge inside the convex outline (Cyrus and Beck 1978), as its middle.
+// Middle of the part of the edge inside the convex outline (Cyrus and Beck 1978).
 Touch clip_edge(const Polygon& convex, const Vector2& a, const Vector2& b) {
   double low = 0.0;
   double high = 1.0;

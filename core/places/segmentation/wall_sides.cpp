@@ -19,7 +19,7 @@ using Labels = std::span<const std::uint32_t>;
 
 constexpr double kStepM = 0.10;
 
-/// Beyond half the wall's thickness, within reach of the regions that it bounds.
+/// Reaches across the wall's thickness to the regions that the wall bounds.
 constexpr double kReachM = 0.40;
 
 /// The first label from `p` in the given direction, within kReachM; 0 when there is none.

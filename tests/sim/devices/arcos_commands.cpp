@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the firmware does with each command (PROTOCOLS sections 2 and 3).
+// Effects of the commands on the firmware (PROTOCOLS sections 2 and 3).
 #include <string>
 
 #include "tests/sim/devices/arcos_device.hpp"
@@ -45,7 +45,7 @@ int signed_byte(int value, int shift) { return static_cast<std::int8_t>(value >>
 }  // namespace
 
 void ArcosDevice::handle(const arcos::Command& command, SimTime now) {
-  last_packet_ = now;  // any valid packet feeds the watchdog, and the setpoint from before resumes
+  last_packet_ = now;  // any valid packet resets the watchdog, and the earlier setpoint resumes
   if (command.number == kEStop) ++e_stops_;
   if (state_ == State::kOpen) return handle_open(command, now);
   handle_sync(command, now);
@@ -59,9 +59,9 @@ void ArcosDevice::handle_sync(const arcos::Command& command, SimTime now) {
     return;
   }
   if (state_ == State::kSynced && number == kOpenSession) return open_session(now);
-  if (number >= kSyncSteps) return;  // nothing else means anything before the session
+  if (number >= kSyncSteps) return;  // before the session nothing else has a meaning
   if (number == 0) sync_index_ = 0;
-  if (state_ == State::kSynced && number == 2) sync_index_ = 2;  // a client that lost the reply asks again
+  if (state_ == State::kSynced && number == 2) sync_index_ = 2;  // repeated after a lost reply
   if (number != sync_index_) {
     sync_index_ = 0;
     state_ = State::kWait;
@@ -157,7 +157,7 @@ void ArcosDevice::handle_request(const arcos::Command& command, SimTime now) {
 void ArcosDevice::switch_sonar(int value) {
   constexpr unsigned kBothArrays = 3;
   const auto bits = static_cast<unsigned>(value);
-  const unsigned array = bits >> 1U & 0xFU;  // bits 1 to 4 name one array, bit 0 switches it
+  const unsigned array = bits >> 1U & 0xFU;  // bits 1 to 4 select one array, bit 0 switches it
   const unsigned mask = array == 0 ? kBothArrays : (1U << (array - 1U)) & kBothArrays;
   sonar_arrays_ = (bits & 1U) != 0 ? sonar_arrays_ | mask : sonar_arrays_ & ~mask;
 }

@@ -52,7 +52,7 @@ void ArcosDevice::close_session() {
   encoder_stream_ = io_stream_ = 0;
   e_stall_ = true;
   bump_stall_mode_ = 0;
-  // Only what AutoBaud 2 changed reverts when the link closes (PROTOCOLS section 1.2).
+  // Only the change by AutoBaud 2 reverts when the link closes (PROTOCOLS section 1.2).
   if (parameters_.auto_baud == 2) baud_code_ = parameters_.host_baud_code;
 }
 
@@ -152,14 +152,14 @@ arcos::WheelTargets ArcosDevice::control(SimTime now, SimTime dt, const BaseInpu
 void ArcosDevice::tick(SimTime now) {
   if (state_ != State::kOpen || now < next_sip_) return;
   send_sip(now);
-  // 100 ms give or take a millisecond (PROTOCOLS section 8); cycles that nobody ran are not made up for.
+  // 100 ms with a jitter of one millisecond (PROTOCOLS section 8); missed cycles are not repeated.
   const SimTime cycle = std::chrono::milliseconds{parameters_.sip_cycle_ms};
   const auto jitter_us = static_cast<std::int64_t>(random_() % 2001) - 1000;
   next_sip_ = std::max(next_sip_ + cycle, now + cycle / 2) + std::chrono::microseconds{jitter_us};
 }
 
 void ArcosDevice::send_sip(SimTime now) {
-  // The fixed difficulty: a SIP leaves 20 to 60 ms after what it tells of.
+  // The fixed difficulty: a SIP leaves 20 to 60 ms after its data were sampled.
   const auto late_us = 20000 + static_cast<std::int64_t>(random_() % 40001);
   const SimTime due = now + std::chrono::microseconds{late_us};
   output_.push_droppable(arcos::sip_packet(compose_sip(now)), due);

@@ -18,9 +18,9 @@
 
 namespace topo::sim {
 
-/// What the controller's inputs say of the wheels and the bumpers.
+/// The controller's inputs from wheels and bumpers.
 struct BaseInputs {
-  double left_m = 0.0;  ///< way of the wheel as its encoder counts it, since any start
+  double left_m = 0.0;  ///< travel of the wheel by its encoder, from any origin
   double right_m = 0.0;
   double left_mps = 0.0;
   double right_mps = 0.0;
@@ -30,8 +30,9 @@ struct BaseInputs {
   std::uint8_t rear_bumpers = 0;
 };
 
-/// A Pioneer's firmware without its wire: commands in, SIPs out, wheel speeds to the motors (PROTOCOLS
-/// sections 1 to 8). Not thread-safe; any cut of the received bytes gives the same output.
+/// A Pioneer's firmware without its wire: receives commands, sends SIPs, returns wheel speeds for the motors
+/// (PROTOCOLS sections 1 to 8). Not thread-safe; the output does not depend on how the received bytes are
+/// split.
 class ArcosDevice final : public WireDevice {
  public:
   enum class State { kWait, kSynced, kOpen };
@@ -46,16 +47,17 @@ class ArcosDevice final : public WireDevice {
   [[nodiscard]] unsigned line_rate_bps() const override { return arcos::baud_of_code(baud_code_); }
   [[nodiscard]] OutputQueue& output() override { return output_; }
 
-  /// One turn of the motor loop (1 to 5 ms): reads the encoders, returns the wanted wheel speeds.
+  /// One cycle of the motor loop (1 to 5 ms): reads the encoders, returns the target wheel speeds.
   arcos::WheelTargets control(SimTime now, SimTime dt, const BaseInputs& inputs);
-  /// An echo of a transducer: goes into the next SIP when its array is on.
+  /// Takes an echo of a transducer into the next SIP when its array is on.
   void add_sonar(int index, double range_m);
 
   void set_stop_button(bool pressed);
-  /// Presses bumper segments (masks as in BaseInputs) until a moment, besides what the body touches.
+  /// Presses bumper segments (masks as in BaseInputs) until a given time, in addition to contacts of the
+  /// body.
   void press_bumpers(std::uint8_t front, std::uint8_t rear, SimTime until);
   void set_battery(double volts) { parameters_.battery_volts = volts; }
-  /// The controller restarts by itself: 0xFF on the wire, back to WAIT.
+  /// The controller restarts by itself: sends 0xFF, and returns to WAIT.
   void controller_reset(SimTime now);
 
   [[nodiscard]] State state() const { return state_; }
@@ -63,7 +65,7 @@ class ArcosDevice final : public WireDevice {
   [[nodiscard]] bool watchdog_holds(SimTime now) const;
   [[nodiscard]] const arcos::Parameters& parameters() const { return parameters_; }
   [[nodiscard]] std::uint64_t bad_packets() const { return receiver_.bad_checksums(); }
-  /// E_STOP packets since the start, whatever the state.
+  /// E_STOP packets since the start, in any state.
   [[nodiscard]] std::uint64_t e_stops() const { return e_stops_; }
 
  private:
@@ -106,7 +108,7 @@ class ArcosDevice final : public WireDevice {
   bool bump_stalled_ = false;
   unsigned sonar_arrays_ = 0;  ///< bit 0 front, bit 1 rear
   int digout_ = 0;
-  int encoder_stream_ = 0;  ///< 0 off, 1 one, 2 always
+  int encoder_stream_ = 0;  ///< 0 off, 1 once, 2 continuously
   int io_stream_ = 0;
 
   BaseInputs inputs_;

@@ -10,12 +10,12 @@
 namespace topo::sim::arcos {
 namespace {
 
-/// One step of a ramp: faster with acc, slower (also when the sign changes) with decel.
+/// One step of a ramp: accelerates with acc, slows down (also for a change of sign) with decel.
 double ramp(double now, double target, double acc, double decel, double dt_s) {
   const bool slowing = now != 0.0 && (now > 0.0 ? target < now : target > now);
   const double most = (slowing ? decel : acc) * dt_s;
   double next = now + std::clamp(target - now, -most, most);
-  if (slowing && next * now < 0.0) next = 0.0;  // through zero with the deceleration only
+  if (slowing && next * now < 0.0) next = 0.0;  // through zero only with the deceleration
   return next;
 }
 

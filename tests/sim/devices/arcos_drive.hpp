@@ -11,9 +11,8 @@ struct WheelTargets {
   double right_mps = 0.0;
 };
 
-/// The firmware's motion: setpoints, working limits, first-order ramps (PROTOCOLS sections 3 and 8). It
-/// forgets nothing by itself: what holds the robot while the watchdog bites is the `hold` of step(), and the
-/// setpoints stay.
+/// The firmware's motion: setpoints, working limits, first-order ramps (PROTOCOLS sections 3 and 8).
+/// Setpoints persist: while the watchdog stops the robot, `hold` of step() overrides them.
 class Drive {
  public:
   explicit Drive(const Parameters& parameters);
@@ -22,16 +21,17 @@ class Drive {
   void set_rotation(int deg_s);                        ///< RVEL
   void set_wheels(int left_counts, int right_counts);  ///< VEL2
   void stop();                                         ///< STOP: setpoints 0, normal deceleration
-  void emergency_stop();             ///< E_STOP: setpoints 0, greatest deceleration, deaf until it stands
+  void emergency_stop();             ///< E_STOP: setpoints 0, greatest deceleration; ignores setpoints until
+                                     ///< it stands
   void set_max_velocity(int mm_s);   ///< SETV
   void set_max_rotation(int deg_s);  ///< SETRV
   void set_acceleration(int mm_s2);  ///< SETA, negative: deceleration
   void set_rotation_acceleration(int deg_s2);  ///< SETRA
-  /// Working values back to FLASH, setpoints to 0.
+  /// Resets the working values to FLASH, and the setpoints to 0.
   void revert();
-  /// Stands at once (motors off); the setpoints stay.
+  /// Stops at once (motors off); the setpoints stay.
   void stand();
-  /// The wheels met something: ramps start again from what they really do.
+  /// The wheels are blocked: the ramps restart from the actual speeds.
   void blocked(double velocity_mm_s, double rotation_deg_s);
 
   /// Ramps towards the setpoints, or towards 0 when held.

@@ -7,7 +7,7 @@
 
 namespace topo::sim::arcos {
 
-/// The firmware's parameters of a robot: what FLASH holds and CONFIGpac reports (PROTOCOLS sections 5 and 6).
+/// Parameters of a robot's firmware, as in FLASH and CONFIGpac (PROTOCOLS sections 5 and 6).
 struct Parameters {
   std::string subclass;  ///< p3dx-sh or p3at-sh
   std::string robot_name;
@@ -44,7 +44,7 @@ inline constexpr int kVel2Unit = 20;  ///< mm/s per count of VEL2
 /// Bit/s of a rate code 0 to 4; 0 for any other.
 [[nodiscard]] unsigned baud_of_code(int code);
 
-/// The CONFIGpac as it goes over the wire; baud_code is the rate in force now.
+/// The CONFIGpac as sent over the wire; baud_code is the present rate.
 [[nodiscard]] std::string config_packet(const Parameters& parameters, int baud_code);
 
 }  // namespace topo::sim::arcos

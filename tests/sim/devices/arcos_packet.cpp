@@ -8,7 +8,7 @@ namespace {
 constexpr char kHead0 = '\xFA';
 constexpr char kHead1 = '\xFB';
 constexpr unsigned kCountLeast = 3;
-constexpr unsigned kCountMost = 204;  // ARCOS drops what is longer (PROTOCOLS section 1)
+constexpr unsigned kCountMost = 204;  // ARCOS drops longer packets (PROTOCOLS section 1)
 
 unsigned byte_at(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 

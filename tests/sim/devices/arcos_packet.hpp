@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-/// The simulator's own ARCOS framing (PROTOCOLS section 1). It shares no line with the driver's: only the
-/// vectors of PROTOCOLS section 16 tie the two together.
+/// The simulator's own ARCOS framing (PROTOCOLS section 1). It shares no code with the driver: only the
+/// vectors of PROTOCOLS section 16 are common to both.
 namespace topo::sim::arcos {
 
 [[nodiscard]] std::uint16_t checksum(std::string_view payload);
@@ -44,11 +44,11 @@ struct Command {
   std::string bytes;  ///< string argument
 };
 
-/// Takes a payload apart. Liberal as firmware is: an argument cut short counts as none.
+/// Decodes a payload. Tolerant like the firmware: a truncated argument counts as none.
 [[nodiscard]] Command decode_command(std::string_view payload);
 
-/// Finds packets in a stream of bytes. After a wrong checksum it advances two bytes only, so that a packet
-/// inside garbage is still found. Memory is bounded by one packet.
+/// Finds packets in a stream of bytes. Skips only two bytes after a wrong checksum, so that it finds a packet
+/// inside garbage. Memory is bounded by one packet.
 class Receiver {
  public:
   /// Calls sink(Command) for each good packet.

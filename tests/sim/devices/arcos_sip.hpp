@@ -10,15 +10,15 @@ namespace topo::sim::arcos {
 
 struct SonarReading {
   int index = 0;     ///< 0 to 31
-  int range_mm = 0;  ///< 5000: nothing heard
+  int range_mm = 0;  ///< 5000: no echo
 };
 
-/// The fields of a standard SIP in wire units (PROTOCOLS section 4), through FAULTFLAGS as ARCOS 2 sends it.
+/// The fields of a standard SIP in wire units (PROTOCOLS section 4), up to FAULTFLAGS as sent by ARCOS 2.
 struct Sip {
   bool moving = false;
-  int x_mm = 0;  ///< any whole number: the packet carries 15 bits of it
+  int x_mm = 0;  ///< any integer: the packet contains 15 bits of it
   int y_mm = 0;
-  int heading_counts = 0;  ///< 4096 to the turn, -2048 to 2047
+  int heading_counts = 0;  ///< 4096 per turn, -2048 to 2047
   int left_mm_s = 0;
   int right_mm_s = 0;
   int battery_dv = 0;  ///< 0.1 V

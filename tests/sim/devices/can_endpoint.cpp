@@ -73,7 +73,7 @@ class CanEndpoint final : public Endpoint {
     return count;
   }
 
-  /// A packet at a time; none while one is under way.
+  /// Takes one packet at a time, and none while one is being sent.
   std::size_t write(std::span<const char> bytes) override {
     if (!socket_.valid() || splitter_.busy() || unsent_) return 0;
     const std::string packet(
@@ -87,7 +87,7 @@ class CanEndpoint final : public Endpoint {
   void append_poll(std::vector<pollfd>& fds) const override {
     if (socket_.valid()) fds.push_back({socket_.get(), POLLIN, 0});
   }
-  /// Nobody on a bus knows who else is there.
+  /// A CAN node cannot detect its clients.
   [[nodiscard]] bool connected() const override { return socket_.valid(); }
   [[nodiscard]] bool serial() const override { return false; }
   [[nodiscard]] unsigned client_rate_bps() const override { return 0; }
@@ -106,7 +106,7 @@ class CanEndpoint final : public Endpoint {
     return packet.size() > 3 && (static_cast<unsigned char>(packet[3]) & 0xF0U) == 0x30U;
   }
 
-  /// False when the interface takes no more: later again.
+  /// False when the interface accepts no more frames; the caller tries again later.
   bool send(canid_t id, const std::string& content) {
     can_frame frame{};
     frame.can_id = id + unit_;
@@ -138,7 +138,7 @@ class CanEndpoint final : public Endpoint {
     }
   }
 
-  /// As the packet that it stands for.
+  /// Converts the stop frame into the equivalent packet.
   void take_stop(const std::string& content) {
     if (content.empty() || (content[0] != '\x37' && content[0] != '\x1D')) return;
     inbox_ += std::string{'\xFA', '\xFB', '\x03', content[0], '\0', content[0]};

@@ -12,22 +12,22 @@
 #include "tests/sim/devices/sim_time.hpp"
 
 /// The simulator's own segmentation of messages (ISO 15765-2 on classic CAN, PROTOCOLS section 14.1). It
-/// shares no line with the driver's: only the vectors of PROTOCOLS section 16 tie the two together.
+/// shares no code with the driver: only the vectors of PROTOCOLS section 16 are common to both.
 namespace topo::sim::can {
 
 inline constexpr SimTime kPatience = std::chrono::milliseconds{100};  ///< N_Bs and N_Cr
 
-/// Cuts one message after the other into frames.
+/// Splits messages into frames, one message at a time.
 class Splitter {
  public:
-  /// Before another message only when not busy.
+  /// Begins a message; precondition: not busy.
   void start(const std::string& message, SimTime now);
   [[nodiscard]] bool busy() const { return !frames_.empty(); }
-  /// The next frame that may leave now, if there is one.
+  /// The next frame that may be sent now, if there is one.
   std::optional<std::string> next(SimTime now);
-  /// The host's flow control: it goes on, waits or ends.
+  /// Handles the host's flow control: continue, wait or end.
   void on_flow(std::string_view frame, SimTime now);
-  /// Gives a message up to which nobody answered, as a gateway does that must not stall.
+  /// Gives up a message that was not answered in time, as a gateway does to avoid a stall.
   void tick(SimTime now);
   [[nodiscard]] std::uint64_t given_up() const { return given_up_; }
 
@@ -36,14 +36,14 @@ class Splitter {
 
   std::deque<std::string> frames_;
   bool first_sent_ = false;
-  int allowed_ = 0;  ///< frames that may still leave before the next flow control; below 0: all
+  int allowed_ = 0;  ///< frames that may be sent before the next flow control; below 0: all
   SimTime gap_{0};
   SimTime not_before_{0};
   SimTime patience_ends_{0};
   std::uint64_t given_up_ = 0;
 };
 
-/// Puts messages together again.
+/// Reassembles messages.
 class Assembler {
  public:
   struct Step {
@@ -51,7 +51,7 @@ class Assembler {
     std::optional<std::string> answer;   ///< flow control for the host
   };
   Step take(std::string_view frame, SimTime now);
-  /// Frames that belonged to nothing, and messages that stayed without their end.
+  /// Frames that belong to no message, and messages that remained incomplete.
   [[nodiscard]] std::uint64_t broken() const { return broken_; }
 
  private:
@@ -60,13 +60,13 @@ class Assembler {
   void drop();
 
   std::string message_;
-  std::size_t whole_ = 0;  ///< bytes of the message under way; 0: none is
+  std::size_t whole_ = 0;  ///< bytes of the present message; 0: there is none
   unsigned number_ = 0;    ///< of the next frame
   SimTime latest_{0};
   std::uint64_t broken_ = 0;
 };
 
-/// What a frame is by its first four bits.
+/// True when the first four bits mark a flow control frame.
 [[nodiscard]] bool is_flow(std::string_view frame);
 
 }  // namespace topo::sim::can

@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The arguments of one command: each is asked for by name and range, the first fault is kept, and what
-/// nobody asked for is a fault.
+/// The arguments of one command. Each is read by name and range; the first fault is kept. An argument that is
+/// not read is a fault.
 class Arguments {
  public:
   explicit Arguments(const json& object) : object_(object) { known_ = {"command"}; }
@@ -36,7 +36,7 @@ class Arguments {
     return low;
   }
 
-  /// The same without a fraction.
+  /// The same for an integer.
   std::int64_t whole(const std::string& key, double low, double high, std::optional<double> otherwise = {}) {
     const double got = number(key, low, high, otherwise);
     if (got == std::trunc(got)) return static_cast<std::int64_t>(got);
@@ -70,7 +70,7 @@ class Arguments {
   void fault(std::string text) {
     if (fault_.empty()) fault_ = std::move(text);
   }
-  /// Empty when everything asked for was right and nothing else was there.
+  /// Empty when all arguments read were valid and no others were given.
   [[nodiscard]] std::string finish() {
     for (const auto& [key, value] : object_.items()) {
       if (!known_.contains(key)) fault("unknown argument \"" + key + "\"");
@@ -102,7 +102,7 @@ struct Context {
   }
 };
 
-/// What a handler has found to be done; run only when all arguments are right.
+/// The prepared effect of a command; runs only when all arguments are valid.
 using Action = std::function<json()>;
 
 json done() { return json::object(); }

@@ -8,11 +8,11 @@ namespace topo::sim {
 
 class SimRig;
 
-/// Carries out one line of the control protocol: {"command": NAME, ...} gives {"ok": true, ...} or
+/// Executes one line of the control protocol: {"command": NAME, ...} returns {"ok": true, ...} or
 /// {"ok": false, "error": TEXT}. command_help() lists the names and their arguments.
 [[nodiscard]] std::string run_command(SimRig& rig, const std::string& line);
 
-/// One line a command, for --help.
+/// One line per command, for --help.
 [[nodiscard]] std::string command_help();
 
 }  // namespace topo::sim

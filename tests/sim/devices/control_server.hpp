@@ -17,12 +17,12 @@
 
 namespace topo::sim {
 
-/// The simulation's control socket: one JSON object a line in, one a line out. Nothing in it blocks.
+/// The simulation's control socket: one JSON object per line in both directions. No call blocks.
 class ControlServer {
  public:
   using Handler = std::function<std::string(const std::string& line)>;
 
-  /// As io::ListeningSocket::open(); who runs the simulation may connect, nobody else.
+  /// As io::ListeningSocket::open(); only the user of the simulation may connect.
   static types::Result<std::unique_ptr<ControlServer>> listen(const std::filesystem::path& path);
 
   void serve(const Handler& handler);

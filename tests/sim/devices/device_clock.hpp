@@ -9,12 +9,12 @@
 
 namespace topo::sim {
 
-/// A sensor's own clock: milliseconds in 24 bits, with a rate of its own (PROTOCOLS section 12).
+/// A sensor's own clock: milliseconds in 24 bits, with its own rate (PROTOCOLS section 12).
 class DeviceClock {
  public:
   DeviceClock(double offset_ms, double drift_ppm) : offset_ms_(offset_ms), rate_(1.0 + drift_ppm * 1e-6) {}
 
-  /// The counter at a moment of the simulation; wraps every 16777.216 s of its own time.
+  /// The counter at a time of the simulation; wraps every 16777.216 s of its own time.
   [[nodiscard]] std::uint32_t ticks_ms(SimTime now) const {
     constexpr double kWrap = 16777216.0;
     const double ms = std::floor(offset_ms_ + seconds_of(now - zero_) * 1e3 * rate_);

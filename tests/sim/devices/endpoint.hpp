@@ -17,7 +17,7 @@
 
 namespace topo::sim {
 
-/// Where a client finds a device.
+/// Address of a device for clients.
 struct DeviceAddress {
   bool tcp = true;
   std::string host;            ///< TCP
@@ -27,7 +27,7 @@ struct DeviceAddress {
   int unit = 0;                ///< CAN
 };
 
-/// The device's end of a wire. Nothing in it blocks. Not thread-safe.
+/// The device's end of a wire. No call blocks. Not thread-safe.
 class Endpoint {
  public:
   Endpoint() = default;
@@ -35,31 +35,31 @@ class Endpoint {
   Endpoint& operator=(const Endpoint&) = delete;
   virtual ~Endpoint() = default;
 
-  /// Puts the device on its wire, again after close() at the same address.
+  /// Connects the device to its wire; after close() at the same address.
   virtual types::Status open() = 0;
-  /// Takes it off: a client sees its link break.
+  /// Disconnects the device: the client's link breaks.
   virtual void close() = 0;
-  /// Takes new clients and notices lost ones.
+  /// Accepts new clients and detects lost ones.
   virtual void service() = 0;
-  /// Bytes read, 0 when there are none.
+  /// Number of bytes read, 0 when there are none.
   virtual std::size_t read(std::span<std::uint8_t> into) = 0;
-  /// Bytes taken, fewer than given when the client does not read.
+  /// Number of bytes taken; fewer than given when the client does not read.
   virtual std::size_t write(std::span<const char> bytes) = 0;
-  /// What to wait for; nothing that would be ready all the time.
+  /// Adds the descriptors to wait for, except those that would always be ready.
   virtual void append_poll(std::vector<pollfd>& fds) const = 0;
 
   [[nodiscard]] virtual bool connected() const = 0;
-  /// True where bytes take time and a lost client goes unseen.
+  /// True when bytes take time and a lost client is not detected.
   [[nodiscard]] virtual bool serial() const = 0;
-  /// The speed the client has set on its side of a serial line, bit/s; 0 when unknown.
+  /// The speed that the client has set for a serial line, bit/s; 0 when unknown.
   [[nodiscard]] virtual unsigned client_rate_bps() const = 0;
   [[nodiscard]] virtual DeviceAddress address() const = 0;
 };
 
-/// Listens on the loopback interface; port 0 takes any and keeps it. One client at a time: others are turned
-/// away.
+/// Listens on the loopback interface; port 0 selects a free port and keeps it. Accepts one client at a time
+/// and rejects others.
 [[nodiscard]] std::unique_ptr<Endpoint> make_tcp_endpoint(std::uint16_t port);
-/// A pseudo terminal with a symbolic link to it at `link`; an old link there is replaced, a file is not.
+/// A pseudo terminal with a symbolic link to it at `link`; replaces an old link, but not a file.
 [[nodiscard]] std::unique_ptr<Endpoint> make_pty_endpoint(std::filesystem::path link);
 /// A gateway on a CAN bus, as unit 0 to 7; `state` for its heartbeat: 0 wait, 1 synced, 2 open.
 [[nodiscard]] std::unique_ptr<Endpoint> make_can_endpoint(std::string interface, int unit,

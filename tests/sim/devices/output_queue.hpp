@@ -13,29 +13,31 @@
 
 namespace topo::sim {
 
-/// What a device wants to send, message by message, each not before its time. The order of messages is the
-/// order of push: a message never overtakes an earlier one, as on a real line.
+/// A device's outgoing messages, each with its earliest send time. Messages leave in the order of push, as on
+/// a real line.
 class OutputQueue {
  public:
   explicit OutputQueue(std::size_t byte_limit) : byte_limit_(byte_limit) {}
 
-  /// Queues a message that must not be lost (a reply). Returns false when even that finds no room.
+  /// Queues a message that must not be lost (a reply). Returns false when the queue is full even for it.
   bool push(std::string message, SimTime due) { return push_below(std::move(message), due, 2 * byte_limit_); }
 
-  /// Queues a message that may be lost (a scan, a SIP): a slow client loses it whole, and it is counted.
+  /// Queues a message that may be lost (a scan, a SIP): with a slow client it is dropped completely and
+  /// counted.
   bool push_droppable(std::string message, SimTime due) {
     if (push_below(std::move(message), due, byte_limit_)) return true;
     ++dropped_;
     return false;
   }
 
-  /// The bytes that may leave now, at most max_bytes: the front message's rest. Empty when none is due.
+  /// The bytes that may be sent now, at most max_bytes: the rest of the front message. Empty when none is
+  /// due.
   [[nodiscard]] std::string_view peek(SimTime now, std::size_t max_bytes) const {
     if (messages_.empty() || messages_.front().due > now) return {};
     return std::string_view(messages_.front().bytes).substr(offset_, max_bytes);
   }
 
-  /// Removes count bytes of what peek showed.
+  /// Removes the first count bytes that peek() returned.
   void consume(std::size_t count) {
     offset_ += count;
     bytes_ -= count;
@@ -68,7 +70,7 @@ class OutputQueue {
   }
 
   std::deque<Message> messages_;
-  std::size_t offset_ = 0;  ///< how much of the front message has left
+  std::size_t offset_ = 0;  ///< bytes of the front message already sent
   std::size_t bytes_ = 0;
   std::size_t byte_limit_;
   std::uint64_t dropped_ = 0;

@@ -29,7 +29,7 @@ unsigned rate_of(speed_t speed) {
     case B115200:
       return 115200;
     default:
-      return 1;  // a speed that no Pioneer has: it differs from all
+      return 1;  // no Pioneer has such a speed: differs from all
   }
 }
 
@@ -53,7 +53,7 @@ class PtyEndpoint final : public Endpoint {
     if (error) return failure("cannot make the link " + link_.string(), error.value());
     master_ = std::move(master);
     make_raw();
-    // A terminal that was never open does not tell that nobody has it open: open and close it once.
+    // A terminal that was never opened does not report that it is closed: open and close it once.
     FileDescriptor once(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
     return {};
   }
@@ -65,7 +65,7 @@ class PtyEndpoint final : public Endpoint {
     pollfd fd{master_.get(), 0, 0};
     const bool open_now = ::poll(&fd, 1, 0) >= 0 && (fd.revents & POLLHUP) == 0;
     if (connected_ && !open_now) {
-      // What lies in the line belongs to nobody; the next client finds it empty and raw.
+      // Bytes left in the line belong to no client; the next one finds it empty and raw.
       ::tcflush(master_.get(), TCIOFLUSH);
       make_raw();
     }

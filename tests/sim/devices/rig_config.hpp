@@ -22,7 +22,7 @@ enum class DeviceId : std::uint8_t { kFront = 0, kCoronal = 1, kBase = 2 };
 inline constexpr std::size_t kDeviceCount = 3;
 inline constexpr std::array<std::string_view, kDeviceCount> kDeviceNames{"front", "coronal", "base"};
 
-/// Where one device shall answer.
+/// Address for one device.
 struct LinkConfig {
   std::optional<std::uint16_t> tcp_port;  ///< 0: any
   std::filesystem::path pty_link;         ///< used when there is no port
@@ -32,7 +32,7 @@ struct LinkConfig {
 
 struct RobotConfig {
   std::string model = "p3dx";       ///< p3dx or p3at
-  std::optional<types::Se2> start;  ///< none: the world's
+  std::optional<types::Se2> start;  ///< none: that of the world
   ScipModel front = ScipModel::kUtm30LxEw;
   ScipModel coronal = ScipModel::kUtm30LxEw;
   int watchdog_ms = 2000;
@@ -44,11 +44,11 @@ struct RigConfig {
   std::vector<RobotConfig> robots;
   Difficulty difficulty;
   std::uint64_t seed = 1;
-  std::filesystem::path truth_file;      ///< empty: none; of more robots than one FILE.0, FILE.1, ...
+  std::filesystem::path truth_file;      ///< empty: none; for several robots FILE.0, FILE.1, ...
   std::filesystem::path control_socket;  ///< empty: none
 };
 
-/// A robot with all its devices on TCP ports of the system's choice.
+/// A robot with all its devices on TCP ports chosen by the system.
 [[nodiscard]] RobotConfig tcp_robot();
 /// The same with its base on a CAN bus, as unit 0.
 [[nodiscard]] RobotConfig can_robot(const std::string& interface);

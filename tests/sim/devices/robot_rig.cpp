@@ -9,10 +9,10 @@
 namespace topo::sim {
 namespace {
 
-/// Where config/ says that the scanners stand.
+/// Scanner mounts as in config/.
 constexpr LaserMount kFrontMount{0.021, 0.0, 0.30, 0.0, ScanPlane::kLevel};
 constexpr LaserMount kCoronalMount{0.10, 0.0, 0.40, 0.0, ScanPlane::kCoronal};
-/// Mirrors of two sensors do not turn in step.
+/// The mirrors of two sensors are not in phase.
 constexpr SimTime kCoronalPhase = std::chrono::microseconds{9300};
 
 LaserModel laser_model(ScipModel model) {
@@ -45,8 +45,8 @@ std::string serial_number(std::size_t robot, std::size_t laser) {
   return text.data();
 }
 
-/// The crystals are wrong by 20 to 100 ppm either way, and a sensor has run for some time (PROTOCOLS section
-/// 12).
+/// The crystals are off by 20 to 100 ppm in either direction, and the sensor has already run for some time
+/// (PROTOCOLS section 12).
 ScipOptions laser_options(ScipModel model, std::string serial, std::uint64_t seed) {
   Random random(seed);
   const double drift_ppm = random.uniform(20.0, 100.0) * (random.uniform() < 0.5 ? -1.0 : 1.0);

@@ -24,7 +24,7 @@ class RobotRig final : public WheelDrive, public SensorSink {
   RobotRig& operator=(const RobotRig&) = delete;
   ~RobotRig() override = default;
 
-  /// What the simulation needs to know of this robot.
+  /// The robot's data for the simulation.
   [[nodiscard]] RobotSetup setup(const types::Se2& start);
   types::Status open();
   void pump(SimTime now);

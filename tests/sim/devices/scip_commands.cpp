@@ -12,7 +12,7 @@ namespace topo::sim {
 
 struct ScipDevice::Command {
   std::string_view name;
-  std::size_t parameters;  ///< characters behind the name
+  std::size_t parameters;  ///< number of characters after the name
   Handler handler;
 };
 
@@ -149,7 +149,7 @@ void ScipDevice::quit(const scip::Request& request, SimTime now) {
     to_idle();
     return reply(request.line, "00", now);
   }
-  // Scans already under way leave before the reply.
+  // Scans already in progress leave before the reply.
   waiting_ = Waiting::kQuit;
   waiting_line_ = std::string(request.line);
   scans_to_wait_ = options_.scans_behind_quit;
@@ -216,7 +216,7 @@ void ScipDevice::motor_speed(const scip::Request& request, SimTime now) {
   if (!step) return reply(request.line, "01", now);
   constexpr int kSlowest = 10;
   constexpr int kDefault = 99;
-  // The mirror keeps its speed here: a sensor that follows CR would need a second PP (PROTOCOLS section 10).
+  // The mirror keeps its speed: a sensor that obeys CR would need a second PP (PROTOCOLS section 10).
   if (*step == 0 || *step == kDefault) return reply(request.line, "03", now);
   reply(request.line, *step <= kSlowest ? "04" : "02", now);
 }

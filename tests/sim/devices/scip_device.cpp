@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t kLongestLine = 128;
 constexpr std::size_t kInputLimit = 4096;
 constexpr std::size_t kScanOutputLimit =
-    std::size_t{256} * 1024;  // about ten ME scans: more means a client that sleeps
+    std::size_t{256} * 1024;  // about 40 ME scans: more means a client that does not read
 constexpr SimTime kSendTick =
-    std::chrono::milliseconds{1};                   // data leave on the next 1 ms tick (PROTOCOLS 12)
+    std::chrono::milliseconds{1};                   // data leave at the next 1 ms tick (PROTOCOLS 12)
 constexpr std::string_view kHardwareStatus = "70";  // within 50..97: hardware trouble
 
 }  // namespace
@@ -40,7 +40,7 @@ void ScipDevice::process_lines(SimTime now) {
   while (waiting_ == Waiting::kNothing && !wedged_) {
     const auto end = input_.find_first_of("\r\n");
     if (end == std::string::npos) {
-      // A line longer than any request is garbage whole: its end must not be taken for a request.
+      // A line longer than any request is garbage: its end must not count as a request.
       if (input_.size() > kLongestLine) {
         discarding_line_ = true;
         input_.clear();
@@ -174,7 +174,7 @@ void ScipDevice::finish_waiting(SimTime now) {
     to_idle();
     reply(waiting_line_, "00", now);
   } else {
-    reply(waiting_line_, "10", now);  // no sweep came: the laser is off after all
+    reply(waiting_line_, "10", now);  // no sweep arrived: the laser is off
   }
   waiting_ = Waiting::kNothing;
 }

@@ -21,18 +21,18 @@ struct ScipOptions {
   ScipModel model = ScipModel::kUtm30LxEw;
   std::string serial = "H0123456";
   double clock_offset_ms = 0.0;  ///< the counter at the simulation's start
-  double clock_drift_ppm = 0.0;  ///< how much faster than the simulation's time it runs
+  double clock_drift_ppm = 0.0;  ///< deviation of its rate from the simulation's time
   int scans_behind_quit = 1;     ///< scans that still leave before the reply to QT (PROTOCOLS 10.1)
 };
 
 enum class ScipHealth {
   kGood,
-  kFault,   ///< answers, but refuses to measure and says so in its status and STAT
-  kSilent,  ///< answers nothing
+  kFault,   ///< answers, but does not measure, and reports that in its status and STAT
+  kSilent,  ///< does not answer
 };
 
-/// A Hokuyo sensor without its wire: requests in, replies and scans out (PROTOCOLS sections 9 to 13).
-/// Not thread-safe; any cut of the received bytes gives the same output.
+/// A Hokuyo sensor without its wire: receives requests, sends replies and scans (PROTOCOLS sections 9 to 13).
+/// Not thread-safe; the output does not depend on how the received bytes are split.
 class ScipDevice final : public WireDevice {
  public:
   explicit ScipDevice(ScipOptions options);
@@ -45,7 +45,7 @@ class ScipDevice final : public WireDevice {
   [[nodiscard]] unsigned line_rate_bps() const override { return 0; }
   [[nodiscard]] OutputQueue& output() override { return output_; }
 
-  /// A turn is complete: its data leave a little after its end.
+  /// Takes a complete turn: its data leave shortly after its end.
   void deliver(const scip::Turn& turn, SimTime now);
 
   [[nodiscard]] bool laser_on() const { return laser_on_ && health_ == ScipHealth::kGood; }

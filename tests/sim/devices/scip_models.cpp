@@ -86,7 +86,7 @@ constexpr ScipModelSpec make_ust(ScipModel model, std::string_view name, int dma
           .amax = 1080,
           .afrt = 540,
           .scan_rpm = 2400,
-          // The UST says "Measuring ..." even when idle (PROTOCOLS section 11).
+          // The UST reports "Measuring ..." even when idle (PROTOCOLS section 11).
           .scan_speed = "2400",
           .mesm_idle = "Measuring by Sensitive Mode",
           .mesm_single = "Measuring by Sensitive Mode",

@@ -14,10 +14,10 @@ namespace topo::sim {
 
 enum class ScipModel { kUtm30Lx, kUtm30LxEw, kUst10Lx, kUst20Lx, kUrg04Lx };
 
-/// What a model says of itself and what it can do (PROTOCOLS section 11).
+/// Identification and abilities of a model (PROTOCOLS section 11).
 struct ScipModelSpec {
   ScipModel model;
-  std::string_view name;  ///< as a user writes it: UTM-30LX-EW
+  std::string_view name;  ///< as written by a user: UTM-30LX-EW
   std::string_view vendor;
   std::string_view product;
   std::string_view firmware;
@@ -39,15 +39,15 @@ struct ScipModelSpec {
   bool time_is_scip;                ///< II TIME in four SCIP characters, else six hexadecimal digits
   bool boots_in_scip11;
   bool sums_to_arrow;           ///< checksum quirk of the UTM-30LX's II lines
-  bool wedges_on_unknown_scan;  ///< ME or ND silences it until a power cycle (PROTOCOLS section 13)
-  bool serial_speeds;           ///< SS and CR mean something
+  bool wedges_on_unknown_scan;  ///< ME or ND silences the sensor until a power cycle (PROTOCOLS section 13)
+  bool serial_speeds;           ///< SS and CR have an effect
 
   [[nodiscard]] int beams() const { return amax - amin + 1; }
   [[nodiscard]] SimTime period() const { return SimTime{std::chrono::minutes{1}} / scan_rpm; }
 };
 
 [[nodiscard]] const ScipModelSpec& scip_model(ScipModel model);
-/// By the name a user writes; nothing when there is no such model.
+/// Model by the name that a user writes; nothing when there is no such model.
 [[nodiscard]] std::optional<ScipModel> find_scip_model(std::string_view name);
 /// All names, for messages.
 [[nodiscard]] std::string scip_model_names();

@@ -11,33 +11,33 @@
 
 namespace topo::sim::scip {
 
-/// A checked request for scans: GD/GS (one, the latest) or MD/MS/ME/ND/NE (a stream).
+/// A validated request for scans: GD/GS (one, the latest) or MD/MS/ME/ND/NE (a stream).
 struct ScanRequest {
   char kind = 'M';      ///< first letter: G, M, N or H
   char encoding = 'D';  ///< second letter: D three characters, S two, E range and intensity
   int start = 0;
   int end = 0;
   int cluster = 1;   ///< 00 means 01
-  int interval = 0;  ///< scans skipped between two sent
+  int interval = 0;  ///< scans skipped between two that are sent
   int count = 0;     ///< 0: endless
 
   [[nodiscard]] bool multi_echo() const { return kind == 'N' || kind == 'H'; }
 };
 
-/// Takes a body such as MD0000108001000 apart. Returns the error status (01 to 07, PROTOCOLS section 10), or
-/// an empty text when request is filled.
+/// Parses a body such as MD0000108001000. Returns the error status (01 to 07, PROTOCOLS section 10), or an
+/// empty text when request is filled.
 [[nodiscard]] std::string_view parse_scan_request(std::string_view body, const ScipModelSpec& model,
                                                   ScanRequest& request);
 
-/// The encoded values of a turn as the request wants them, before the cut into lines.
+/// The encoded values of a turn for the request, before the division into lines.
 [[nodiscard]] std::string encode_turn(const ScanRequest& request, const ScipModelSpec& model,
                                       const Turn& turn);
 
-/// A whole data reply: echo, status, time, data, empty line.
+/// A complete data reply: echo, status, time, data, empty line.
 [[nodiscard]] std::string data_reply(std::string_view echo, std::string_view status, std::uint32_t time_ms,
                                      std::string_view encoded);
 
-/// The echo of a streaming request with the number of scans still to come in its last two digits.
+/// The echo of a streaming request, with the number of remaining scans in its last two digits.
 [[nodiscard]] std::string stream_echo(std::string_view request_line, int remaining);
 
 }  // namespace topo::sim::scip

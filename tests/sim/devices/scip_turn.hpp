@@ -15,16 +15,17 @@ struct Echo {
   std::uint32_t intensity = 0;
 };
 
-/// What one step measured, nearest echo first.
+/// Measurement of one step, nearest echo first.
 struct Beam {
   static constexpr std::size_t kMaxEchoes = 3;
   std::uint8_t count = 1;  ///< 1 to kMaxEchoes
   std::array<Echo, kMaxEchoes> echoes{};
 };
 
-/// One turn of a sensor's mirror as the device's electronics sees it.
+/// One turn of a sensor's mirror, as input of the device's electronics.
 struct Turn {
-  SimTime step0{};  ///< when the mirror passed step 0, which is what SCIP stamps (PROTOCOLS section 12)
+  SimTime step0{};  ///< time at which the mirror passed step 0, which is the stamp of SCIP (PROTOCOLS section
+                    ///< 12)
   std::vector<Beam> beams;  ///< from AMIN to AMAX
 };
 

@@ -18,26 +18,26 @@
 namespace topo::sim {
 
 /// A simulation with its devices in a thread of the test's process. All calls are thread-safe and blocking:
-/// each waits for the end of the simulation's round, about a millisecond.
+/// each waits for the end of the simulation's cycle, about a millisecond.
 class SimHarness {
  public:
-  /// Starts it; the devices answer when this returns.
+  /// Starts the simulation; the devices answer when this returns.
   static types::Result<std::unique_ptr<SimHarness>> start(World world, const RigConfig& config);
   ~SimHarness();
   SimHarness(const SimHarness&) = delete;
   SimHarness& operator=(const SimHarness&) = delete;
 
-  /// Where a robot's device answers: TCP host and port, or the path of the terminal. Never changes.
+  /// Address of a robot's device: TCP host and port, or the path of the terminal. Constant.
   [[nodiscard]] const DeviceAddress& address(std::size_t robot, DeviceId device) const {
     return addresses_[robot][static_cast<std::size_t>(device)];
   }
   [[nodiscard]] Truth truth(std::size_t robot = 0) {
     return with_rig([robot](SimRig& rig) { return rig.truth(robot); });
   }
-  /// A line of the control protocol (commands.hpp), e.g. {"command":"cut","device":"front","seconds":2}.
+  /// Runs a line of the control protocol (commands.hpp), e.g. {"command":"cut","device":"front","seconds":2}.
   std::string command(const std::string& line);
 
-  // The faults by name; see commands.hpp for their meaning.
+  // The faults by name; commands.hpp explains them.
   void silence(std::size_t robot, DeviceId device, double seconds);
   void cut(std::size_t robot, DeviceId device, double seconds);
   void garbage(std::size_t robot, DeviceId device, std::size_t bytes);
@@ -51,7 +51,7 @@ class SimHarness {
   void clock_jump(std::size_t robot, DeviceId laser, double ms);
   types::Result<MovableId> obstacle(std::size_t robot, double distance_m);
 
-  /// Runs a function in the simulation's thread, between two rounds, and returns its result.
+  /// Runs a function in the simulation's thread, between two cycles, and returns its result.
   template <class F>
   auto with_rig(F&& f) -> std::invoke_result_t<F, SimRig&> {
     std::packaged_task<std::invoke_result_t<F, SimRig&>(SimRig&)> task(std::forward<F>(f));
@@ -66,7 +66,7 @@ class SimHarness {
   void post(std::function<void(SimRig&)> job);
   bool take_jobs(std::vector<std::function<void(SimRig&)>>& jobs);
 
-  std::unique_ptr<SimRig> rig_;  ///< the thread's alone after the start
+  std::unique_ptr<SimRig> rig_;  ///< used only by the thread after the start
   std::vector<std::array<DeviceAddress, kDeviceCount>> addresses_;
   std::mutex mutex_;
   std::vector<std::function<void(SimRig&)>> jobs_;

@@ -12,9 +12,9 @@
 namespace topo::sim {
 namespace {
 
-constexpr SimTime kBatch = std::chrono::milliseconds{10};      // steps between two looks at the wires
+constexpr SimTime kBatch = std::chrono::milliseconds{10};      // steps between two services of the wires
 constexpr SimTime kLate = std::chrono::milliseconds{20};       // counted as an overrun
-constexpr SimTime kHopeless = std::chrono::milliseconds{500};  // given up instead of caught up
+constexpr SimTime kHopeless = std::chrono::milliseconds{500};  // skipped instead of caught up
 
 double steady_seconds(std::chrono::steady_clock::time_point t) {
   return std::chrono::duration<double>(t.time_since_epoch()).count();
@@ -28,7 +28,7 @@ SimRig::SimRig(World world, const RigConfig& config)
 types::Result<std::unique_ptr<SimRig>> SimRig::create(World world, const RigConfig& config) {
   std::unique_ptr<SimRig> rig(new SimRig(std::move(world), config));
   if (auto status = rig->place_robots(); !status.has_value()) return tl::unexpected(status.error());
-  // Before the truth is begun: another simulation may be writing it.
+  // Before the truth file is opened: another simulation may be writing it.
   if (!config.control_socket.empty()) {
     auto server = ControlServer::listen(config.control_socket);
     if (!server.has_value()) return tl::unexpected(server.error());
@@ -73,7 +73,7 @@ void SimRig::catch_up() {
   const SimTime behind = elapsed - simulation_.now();
   if (behind > kLate) ++overruns_;
   if (behind > kHopeless) {
-    // Too slow a machine: the simulation's time stands still rather than run after the wall's for ever.
+    // The machine is too slow: the simulation's time pauses instead of lagging behind forever.
     epoch_ += std::chrono::duration_cast<Clock::duration>(behind);
     lost_s_ += seconds_of(behind);
     return;

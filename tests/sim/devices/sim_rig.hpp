@@ -17,24 +17,24 @@
 
 namespace topo::sim {
 
-/// What only tests may know.
+/// Ground truth, for tests only.
 struct Truth {
   types::Se2 pose;               ///< T_building_base
-  std::uint64_t collisions = 0;  ///< touches begun since the start
+  std::uint64_t collisions = 0;  ///< contacts begun since the start
   double path_m = 0.0;
-  double steady_s = 0.0;  ///< when, on CLOCK_MONOTONIC
-  double sim_s = 0.0;     ///< when, since the simulation's start
+  double steady_s = 0.0;  ///< on CLOCK_MONOTONIC
+  double sim_s = 0.0;     ///< since the simulation's start
 };
 
 /// A building, its robots and their devices, in real time, in one thread. Not thread-safe: sim_harness.hpp
-/// runs one in a thread of its own.
+/// runs one in its own thread.
 class SimRig {
  public:
-  /// Places the robots and opens every wire. Errors name what is wrong; nothing is left behind.
+  /// Places the robots and opens every wire. Errors name the cause; nothing remains open then.
   static types::Result<std::unique_ptr<SimRig>> create(World world, const RigConfig& config);
 
-  /// One round: steps up to now, moves bytes, answers the control socket, then waits for the next millisecond
-  /// or the first byte, whichever comes first.
+  /// One cycle: steps up to the present time, moves bytes, answers the control socket, then waits for the
+  /// next millisecond or the first byte.
   void iterate();
 
   [[nodiscard]] Simulation& simulation() { return simulation_; }
@@ -42,7 +42,7 @@ class SimRig {
   [[nodiscard]] std::size_t robot_count() const { return robots_.size(); }
   [[nodiscard]] SimTime now() const { return now_; }
   [[nodiscard]] Truth truth(std::size_t robot) const;
-  /// Rounds that began more than 20 ms late, and the time the simulation had to give up altogether.
+  /// Cycles that began more than 20 ms late, and the time that the simulation had to skip.
   [[nodiscard]] std::uint64_t overruns() const { return overruns_; }
   [[nodiscard]] double lost_s() const { return lost_s_; }
   /// CLOCK_MONOTONIC at the simulation's start (moves by lost_s()).
@@ -59,7 +59,7 @@ class SimRig {
 
   RigConfig config_;
   std::vector<std::unique_ptr<RobotRig>> robots_;
-  Simulation simulation_;  // after robots_: it must go first
+  Simulation simulation_;  // after robots_: it must be destroyed first
   TruthRecorder truth_;
   std::unique_ptr<ControlServer> control_;
   Clock::time_point epoch_;

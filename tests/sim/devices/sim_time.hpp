@@ -6,7 +6,7 @@
 
 namespace topo::sim {
 
-/// Time since the simulation's start. The simulator's devices never read a clock: time comes in as a value.
+/// Time since the simulation's start. The simulator's devices never read a clock: time is a parameter.
 using SimTime = std::chrono::nanoseconds;
 
 constexpr double seconds_of(SimTime t) { return std::chrono::duration<double>(t).count(); }

@@ -48,11 +48,11 @@ class TcpEndpoint final : public Endpoint {
   }
 
   void service() override {
-    // A client that goes and comes back at once must find the slot free, and its going must be seen first.
+    // A client that reconnects at once must find the slot free, and its disconnection must be noticed first.
     if (!listener_.valid() || drop_dead_client() || client_is_talking()) return;
     FileDescriptor fresh(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (!fresh.valid()) return;
-    if (client_.valid()) return;  // one client at a time: the second is turned away
+    if (client_.valid()) return;  // one client at a time: rejects the second
     const int on = 1;
     ::setsockopt(fresh.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
     client_ = std::move(fresh);
@@ -85,7 +85,7 @@ class TcpEndpoint final : public Endpoint {
   [[nodiscard]] DeviceAddress address() const override { return {true, "127.0.0.1", port_, {}}; }
 
  private:
-  /// True when the client had gone: nobody else is let in before the caller has seen that.
+  /// True when the client has disconnected: no other is accepted before the caller has noticed that.
   bool drop_dead_client() {
     if (!client_.valid()) return false;
     char byte = 0;
@@ -94,7 +94,7 @@ class TcpEndpoint final : public Endpoint {
     client_.reset();
     return true;
   }
-  /// Bytes wait before what may be the end of its link: they are read first.
+  /// True when bytes are pending, perhaps before the end of the link: they must be read first.
   bool client_is_talking() const {
     char byte = 0;
     return client_.valid() && ::recv(client_.get(), &byte, 1, MSG_PEEK) > 0;

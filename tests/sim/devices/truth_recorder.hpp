@@ -12,7 +12,7 @@
 
 namespace topo::sim {
 
-/// Writes where the robots truly were, one file a robot: `t x y theta` every 100 ms, tab-separated, t on
+/// Writes the true poses of the robots, one file per robot: `t x y theta` every 100 ms, tab-separated, t on
 /// CLOCK_MONOTONIC. Comment lines begin with #.
 class TruthRecorder {
  public:

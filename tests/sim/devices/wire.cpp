@@ -25,11 +25,11 @@ void Wire::cut(SimTime until) {
 void Wire::pump(SimTime now) {
   if (const auto absence = device_.take_absence(now)) cut(now + *absence);
   if (cut_ && now >= cut_until_)
-    cut_ = !endpoint_->open().has_value();  // the port may still be busy: next time
+    cut_ = !endpoint_->open().has_value();  // the port may still be busy: try again later
   endpoint_->service();
   notice_loss(now);
   receive(now);
-  notice_loss(now);  // before the next service() lets somebody else in
+  notice_loss(now);  // before the next service() accepts another client
   device_.tick(now);
   transmit(now);
   notice_loss(now);
@@ -66,7 +66,7 @@ void Wire::spoil(std::string& bytes) {
     std::erase_if(bytes, [&](char) { return uniform(random_) < drop_rate_; });
   }
   if (speeds_differ()) {
-    // Sampled at the wrong speed no byte survives.
+    // Every byte is corrupted when sampled at the wrong speed.
     for (char& byte : bytes) byte = static_cast<char>(byte ^ static_cast<char>(1 + random_() % 255));
   }
 }

@@ -15,27 +15,27 @@
 
 namespace topo::sim {
 
-/// A device on its wire, with the wire's faults and the serial line's speed. A client that does not read
-/// never holds up the simulation: the device's queue loses whole messages. Not thread-safe.
+/// A device on its wire, with the wire's faults and the serial line's speed. A client that does not read does
+/// not delay the simulation: the device's queue drops complete messages. Not thread-safe.
 class Wire {
  public:
   /// device must outlive the wire.
   Wire(WireDevice& device, std::unique_ptr<Endpoint> endpoint, std::uint64_t seed);
 
   types::Status open() { return endpoint_->open(); }
-  /// Moves bytes both ways.
+  /// Moves bytes in both directions.
   void pump(SimTime now);
   void append_poll(std::vector<pollfd>& fds) const { endpoint_->append_poll(fds); }
 
-  /// Nothing leaves the device until then.
+  /// Suppresses the device's output until then.
   void silence(SimTime until) { silent_until_ = until; }
-  /// The link breaks and comes back then.
+  /// Breaks the link until then.
   void cut(SimTime until);
-  /// At most so many bytes a second to the client; 0: as fast as the wire.
+  /// Limits the bytes per second to the client; 0: as fast as the wire.
   void slow(double bytes_per_s) { slow_bytes_per_s_ = bytes_per_s; }
-  /// Loses this share of the bytes, both ways.
+  /// Drops this share of the bytes, in both directions.
   void drop(double rate) { drop_rate_ = rate; }
-  /// So many random bytes are put among the device's.
+  /// Inserts this number of random bytes into the device's output.
   void garbage(std::size_t bytes) { garbage_ += bytes; }
 
   [[nodiscard]] bool connected() const { return endpoint_->connected(); }
@@ -61,8 +61,8 @@ class Wire {
   double slow_bytes_per_s_ = 0.0;
   double drop_rate_ = 0.0;
   std::size_t garbage_ = 0;
-  std::string staged_;   ///< on its way into the kernel, faults already applied
-  double credit_ = 0.0;  ///< bytes that the line's speed allows now
+  std::string staged_;   ///< to be written, with faults already applied
+  double credit_ = 0.0;  ///< bytes that the line's speed permits now
   SimTime last_{0};
 };
 
