@@ -84,6 +84,7 @@ std::optional<GateReason> first_fault(const GateState& state, const GateInput& i
   if (state.estop_latched) return GateReason::kEmergencyStop;
   if (!types::is_valid(in.limits)) return GateReason::kInvalidLimits;
   if (!types::is_watchdog_safe(in.firmware_watchdog)) return GateReason::kNoWatchdog;
+  if (in.doubts.any()) return GateReason::kImplausible;
   if (const auto fault = base_fault(in)) return fault;
   if (const auto fault = scan_fault(in)) return fault;
   if (const auto fault = area_fault(in)) return fault;
@@ -200,10 +201,11 @@ Duration scan_age_max(const types::Scan& scan) {
 }
 
 double alive_time_s(const GateInput& in) {
-  const Duration age = std::max(in.now - in.front_scan->first_beam, in.now - in.front_scan->arrival);
+  const types::Scan& scan = *in.front_scan;
+  const Duration age = std::max(in.now - scan.first_beam, in.now - scan.arrival + scan.late);
   // A stamp of the first beam that is missing or in the future does not give the age.
   const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
-  return types::to_seconds(bounded + in.limits.reaction + types::kBasePeriod);
+  return types::to_seconds(bounded + std::max(in.limits.reaction, in.lag) + types::kBasePeriod);
 }
 
 double blind_time_s(const GateInput& in) {
@@ -267,6 +269,7 @@ GateOutput gate(GateState& state, const GateInput& input) {
   out.command.estop = state.estop_latched;
   const bool asked = !is_stale(input.request.stamp, input.now, input.limits.request_age_max);
   out.command.enable_motors = asked && input.request.enable_motors && !state.estop_latched;
+  if (plausibility::has(input.doubts, plausibility::Doubt::kDisobeys)) out.command.silence = true;
   if (const auto fault = first_fault(state, input))
     out.reason = *fault;
   else
@@ -316,6 +319,8 @@ std::string_view to_text(GateReason reason) {
       return "stopped: there are area limits, and the robot's place is not known";
     case GateReason::kGivesWay:
       return "stopped: gives way to something that moves";
+    case GateReason::kImplausible:
+      return "stopped: what is commanded, measured and seen does not agree";
   }
   return "unknown";
 }

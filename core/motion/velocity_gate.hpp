@@ -9,6 +9,7 @@
 #include "core/motion/backing.hpp"
 #include "core/perception/moving_obstacle.hpp"
 #include "core/perception/stop_zone.hpp"
+#include "core/plausibility/doubt.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/robot_limits.hpp"
@@ -34,11 +35,12 @@ enum class GateReason {
   kStall,
   kBumper,
   kStaleScan,
-  kBlindScan,  ///< fewer than half of the forward beams are valid
-  kReverse,    ///< the rear is blind
-  kAreaLimit,  ///< the edge of the allowed area is too near
-  kNoPlace,    ///< there are area limits, and the robot's pose is unknown
-  kGivesWay,   ///< a moving obstacle crosses the path
+  kBlindScan,    ///< fewer than half of the forward beams are valid
+  kReverse,      ///< the rear is blind
+  kAreaLimit,    ///< the edge of the allowed area is too near
+  kNoPlace,      ///< there are area limits, and the robot's pose is unknown
+  kGivesWay,     ///< a moving obstacle crosses the path
+  kImplausible,  ///< a doubt: GateInput::doubts
 };
 
 /// Text for the user.
@@ -63,6 +65,8 @@ struct GateInput {
   bool estop_pressed = false;
   bool estop_cleared = false;  ///< by the operator, in this period; without effect while a stop is pressed
   types::Duration firmware_watchdog{};
+  plausibility::DoubtSet doubts;  ///< any of them stops the robot
+  types::Duration lag{};          ///< measured, from a command to the wheels
   types::RobotLimits limits;
   /// Of the request. A pressed rear bumper stops it nevertheless.
   Backing backing = Backing::kNone;

@@ -61,6 +61,25 @@ bool is_by_hand(const ControlSetup& setup, const ControlInput& in) {
          in.now - in.teleop->stamp <= setup.limits.request_age_max;
 }
 
+/// The robot brakes with what configuration and firmware both allow.
+void bound_braking(const ControlInput& in, types::RobotLimits& limits) {
+  if (in.firmware_deceleration_mps2 > 0.0)
+    limits.deceleration_mps2 = std::min(limits.deceleration_mps2, in.firmware_deceleration_mps2);
+}
+
+plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& in,
+                                const types::RobotLimits& limits, const Twist2& commanded) {
+  return {.now = in.now,
+          .commanded = commanded,
+          .base = in.state != nullptr && motion::is_finite(*in.state) ? in.state : nullptr,
+          .front = in.front,
+          .matched = in.matched,
+          .T_base_laser = setup.T_base_laser,
+          .limits = limits,
+          .model = setup.model,
+          .cleared = in.estop_cleared};
+}
+
 void report_base(const ControlSetup& setup, const ControlInput& in, const motion::GateInput& gate_in,
                  ControlReport& report) {
   if (in.state == nullptr) return;
@@ -76,6 +95,9 @@ void report_base(const ControlSetup& setup, const ControlInput& in, const motion
 }  // namespace
 
 struct ControlState::Impl {
+  explicit Impl(const plausibility::PlausibilityParams& params) : plausibility(params) {}
+
+  plausibility::Plausibility plausibility;
   ControlSenses senses;
   PlanFollowing following;
   motion::GateState gate;
@@ -85,12 +107,18 @@ struct ControlState::Impl {
   Stamp wanted_at{};  ///< when motion was last requested; zero: never, or not since an e-stop
 };
 
-ControlState::ControlState() : impl_(std::make_unique<Impl>()) {}
+ControlState::ControlState(const plausibility::PlausibilityParams& params)
+    : impl_(std::make_unique<Impl>(params)) {}
 ControlState::~ControlState() = default;
 
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input) {
   ControlState::Impl& memory = *state.impl_;
   motion::GateInput gate_in = memory.senses.perceive(setup, input);
+  bound_braking(input, gate_in.limits);
+  const plausibility::Opinion opinion =
+      memory.plausibility.judge(evidence(setup, input, gate_in.limits, memory.gate.last));
+  gate_in.doubts = opinion.doubts;
+  gate_in.lag = opinion.lag;
   const Plan* plan = input.plan;
   const bool fresh = plan != nullptr && !motion::is_stale(plan->stamp, input.now, setup.plan_age_max);
   Hold hold = released(memory.hold, plan, fresh);
@@ -125,6 +153,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   report.estop_latched = memory.gate.estop_latched;
   report.commanded = out.command.twist;
   report.free_distance_m = out.free_distance_m;
+  report.plausibility = opinion;
   report.recoveries = memory.following.recoveries();
   report.touches = memory.touches.count;
   report.touched_odom = memory.touches.at_odom;

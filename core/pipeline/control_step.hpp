@@ -9,6 +9,7 @@
 
 #include "core/motion/velocity_gate.hpp"
 #include "core/pipeline/plan.hpp"
+#include "core/plausibility/plausibility.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/scan.hpp"
@@ -21,6 +22,7 @@ struct ControlSetup {
   types::Se2 T_base_laser;  ///< front scanner
   types::AreaLimits area;
   types::Duration plan_age_max = std::chrono::seconds(1);
+  types::ModelSize model = types::kP3dx;
 };
 
 /// Manual control by the operator, with a dead man's switch (limits.request_age_max). Overrides the plan.
@@ -38,8 +40,10 @@ struct ControlInput {
   const Plan* plan = nullptr;
   const types::BaseState* state = nullptr;
   const types::Scan* front = nullptr;
+  const plausibility::MatchedMotion* matched = nullptr;
   std::span<const types::Se2> T_base_sonar;
   types::Duration firmware_watchdog{};
+  double firmware_deceleration_mps2 = 0.0;  ///< the most that it brakes with; 0: unknown
 };
 
 enum class ControlMode : std::uint8_t {
@@ -70,6 +74,7 @@ struct ControlReport {
   float state_of_charge = -1.0F;  ///< 0..1; negative: not reported
   types::Twist2 commanded;
   double free_distance_m = 0.0;
+  plausibility::Opinion plausibility;
   std::uint32_t recoveries = 0;  ///< begun since the start
   /// Where sonar detects something that the laser does not (perception::unseen_echoes), in odom.
   std::array<types::Vector2, 8> unseen_odom{};
@@ -85,7 +90,7 @@ struct ControlOutput {
 /// Allocates in the constructor only.
 class ControlState {
  public:
-  ControlState();
+  explicit ControlState(const plausibility::PlausibilityParams& params = {});
   ~ControlState();
   ControlState(const ControlState&) = delete;
   ControlState& operator=(const ControlState&) = delete;

@@ -62,6 +62,7 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
 MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns) {
   MatchReport report;
   report.stamp = cloud.stamp;
+  report.T_odom_base = T_odom_base;
   select_points(cloud, params_.cloud, points_);
   if (graph_.keyframes().empty()) {
     motion_.T_map_base = report.T_map_base = start_;
@@ -83,6 +84,7 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   report.T_map_base = report.matched ? report.match.T_map_base : prior.T_map_base;
   motion_ = {cloud.stamp, report.T_map_base, T_odom_base, motion_.T_map_base.inverse() * report.T_map_base,
              seconds};
+  report.T_previous_base = motion_.T_previous_last;
   const types::Se2& newest = graph_.poses()[graph_.own().back()];
   const KeyframeParams& limits = params_.keyframe;
   const bool due = is_apart(newest, report.T_map_base, limits.travel_m, limits.turn_rad) ||

@@ -28,6 +28,8 @@ struct MatchReport {
   bool keyframe = false;  ///< the scan became one
   std::size_t node = 0;   ///< keyframe that the pose hangs on: correct it with that keyframe's correction
   types::Se2 T_node_base;
+  types::Se2 T_previous_base;  ///< motion since the scan before, by matching; odometry's when lost
+  types::Se2 T_odom_base;
 };
 
 /// Tracks the robot against the keyframes of its recent path and keeps the pose graph (front and back end

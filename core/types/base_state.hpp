@@ -28,7 +28,9 @@ struct BaseState {
   static constexpr std::size_t kMaxSonars = 32;
 
   Odometry odometry;
-  Stamp arrival{};             ///< when its last byte was read; staleness is measured from it
+  Stamp arrival{};  ///< when its last byte was read; staleness is measured from it
+  /// How much longer than the fastest packets of its connection the packet waited on its line.
+  Duration late{};
   std::uint64_t sequence = 0;  ///< status packets since the daemon's start
   bool motors_enabled = false;
   bool stop_button = false;
@@ -47,6 +49,8 @@ struct BaseCommand {
   Twist2 twist;
   bool enable_motors = false;
   bool estop = false;  ///< stop at maximum deceleration; overrides everything else
+  /// The base does not obey: E_STOP, and then nothing, so that the firmware's watchdog stops it.
+  bool silence = false;
 };
 
 }  // namespace topo::types

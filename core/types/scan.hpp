@@ -39,8 +39,10 @@ struct Scan {  // NOLINT(cppcoreguidelines-pro-type-member-init)
   /// One revolution at the finest resolution (ARES) of any Hokuyo named in PROTOCOLS.
   static constexpr std::size_t kMaxBeams = 1440;
 
-  Stamp first_beam{};          ///< when beam 0 was measured, on the host's steady clock
-  Stamp arrival{};             ///< when the last byte was read; staleness is measured from it
+  Stamp first_beam{};  ///< when beam 0 was measured, on the host's steady clock
+  Stamp arrival{};     ///< when the last byte was read; staleness is measured from it
+  /// How much longer than the fastest data of its stream the scan waited on its line.
+  Duration late{};
   std::uint64_t sequence = 0;  ///< number of the scan since the daemon's start; counts lost scans
   ScanGeometry geometry;
   std::uint16_t beams = 0;

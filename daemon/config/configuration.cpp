@@ -59,6 +59,7 @@ pipeline::ControlSetup control_setup(const Configuration& configuration) {
   setup.limits.margin_m = configuration.motion.margin_m;
   setup.T_base_laser = mapper_params(configuration).T_base_laser;
   setup.area = configuration.area;
+  setup.model = model_size(configuration.robot.model);
   return setup;
 }
 

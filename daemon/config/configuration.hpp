@@ -7,6 +7,7 @@
 
 #include "core/pipeline/control_step.hpp"
 #include "core/pipeline/planning_params.hpp"
+#include "core/plausibility/params.hpp"
 #include "core/slam/params.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/battery.hpp"
@@ -114,6 +115,7 @@ struct Configuration {
   ExplorationConfig exploration;
   topo::types::AreaLimits area;
   MotionConfig motion;
+  plausibility::PlausibilityParams plausibility;
   ControlConfig control;
   LogConfig log;
   RealtimeConfig realtime;

@@ -217,6 +217,16 @@ void add_motion(std::vector<KeySpec>& t) {
        "way"});
 }
 
+void add_plausibility(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::plausibility;
+  using P = plausibility::PlausibilityParams;
+  using Picture = plausibility::PictureParams;
+  t.push_back({"plausibility.open_space", "", false, SwitchKey{&at<kS, &P::picture, &Picture::open_space>},
+               "true: nothing within the scanner's range is normal here; false: the robot stops for it"});
+  t.push_back({"plausibility.noiseless", "", false, SwitchKey{&at<kS, &P::picture, &Picture::noiseless>},
+               "true: a simulator without noise, equal scans are normal; false: the robot stops for ten"});
+}
+
 void add_control_and_log(std::vector<KeySpec>& t) {
   constexpr auto kC = &Configuration::control;
   constexpr auto kL = &Configuration::log;
@@ -283,6 +293,7 @@ std::vector<KeySpec> make_table() {
   add_exploration(table);
   add_area(table);
   add_motion(table);
+  add_plausibility(table);
   add_control_and_log(table);
   add_realtime_and_record(table);
   add_session(table);

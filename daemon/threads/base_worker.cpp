@@ -10,8 +10,13 @@
 
 namespace topo::daemon {
 BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
+                       const plausibility::PlausibilityParams& plausibility,
                        std::unique_ptr<pioneer::Connection> connection, Vitals& vitals)
-    : hand_overs_(hand_overs), connection_(std::move(connection)), vitals_(vitals), setup_(setup) {}
+    : hand_overs_(hand_overs),
+      connection_(std::move(connection)),
+      vitals_(vitals),
+      setup_(setup),
+      control_(plausibility) {}
 
 void BaseWorker::run() noexcept {
   Period period(io::monotonic_now() + kPeriod, kPeriod);
@@ -62,10 +67,12 @@ pipeline::ControlInput BaseWorker::gather() {
   input.teleop = hand_overs_.drive.read();
   input.plan = hand_overs_.plan.read();
   input.front = hand_overs_.front.to_base.read();
+  input.matched = hand_overs_.mapping.to_base.read();
   const bool ready = connection_->health() == pioneer::Health::kReady;
   input.state = ready && has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {
     input.firmware_watchdog = std::chrono::milliseconds(info->watchdog_ms);
+    input.firmware_deceleration_mps2 = info->deceleration_top_mps2;
     input.T_base_sonar = {info->T_base_sonar.data(), std::min(info->sonars, info->T_base_sonar.size())};
   }
   return input;

@@ -115,6 +115,7 @@ struct MappingHandOver {
   ~MappingHandOver();
   Wakeup wakeup;
   sync::Latest<MappingReport> report;
+  sync::Latest<plausibility::MatchedMotion> to_base;
   /// Created before the threads start, destroyed by the mapping thread, which alone may destroy snapshots.
   std::unique_ptr<MapSnapshots> map;
   /// From main's background thread: a map that replaces the current one.

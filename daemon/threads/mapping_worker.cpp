@@ -114,12 +114,15 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
   for (const slam::MatchReport& match : output.matches) {
     ++(match.matched ? report_.matched : report_.lost);
     report_.response = match.match.response;
+    matched_ = plausibility::after_scan(matched_, match.stamp, match.T_previous_base, match.T_odom_base,
+                                        match.matched);
   }
   for (const slam::LoopVerdict& verdict : output.loop_verdicts) {
     report_.closures_accepted += static_cast<std::uint64_t>(verdict.accepted);
     report_.closures_rejected += static_cast<std::uint64_t>(verdict.rejected);
   }
   if (output.keyframe_added) publish(state);
+  if (!output.matches.empty()) hand_overs_.mapping.to_base.store(matched_);
   if (!output.matches.empty())
     hand_over_pose(state, output.matches.back().stamp, output.matches.back().matched);
   // A full ring means that the search is slow: this query is dropped, and the next keyframe sends another.

@@ -54,6 +54,7 @@ class MappingWorker final : public Worker {
   Vitals& vitals_;
   std::vector<types::Odometry> odometry_;
   MappingReport report_;
+  plausibility::MatchedMotion matched_;                          ///< since the start
   std::vector<std::unique_ptr<pipeline::MappingState>> former_;  ///< readers may still use their maps
   Questions loops_, graphs_;
 };

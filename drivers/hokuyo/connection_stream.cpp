@@ -53,11 +53,11 @@ bool Connection::Impl::on_scan(types::Scan& out) {
   return true;
 }
 
-/// On a line that is too slow, scans queue up: each looks fresh by its arrival but is old. Braking relies on
-/// scans that are at most one second old.
+/// On a line that is too slow, scans queue up: each looks fresh by its arrival but is old. Driving has ended
+/// long before (types::Scan::late); a new stream begins with an empty queue.
 bool Connection::Impl::is_late(const SensorClock::Result& time) {
   constexpr Duration kLatestMax = 1s;
-  if (time.jumped || line.arrival() - time.host <= kLatestMax) return false;
+  if (time.late <= kLatestMax) return false;
   set_health(Health::kSilent,
              place() + ": scans arrive more than 1 s late, the line is too slow; starting the stream anew");
   faults.good_in_a_row = 0;
@@ -82,6 +82,7 @@ void Connection::Impl::fill(types::Scan& out, const SensorClock::Result& time) c
   const RawScan& raw = line.scan();
   out.first_beam = time.host + stream.first_offset;
   out.arrival = line.arrival();
+  out.late = time.late;
   out.sequence = sequence;
   out.geometry = stream.geometry;
   types::require(raw.points <= types::Scan::kMaxBeams, "hokuyo: more points than a scan holds");

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/types/stamp.hpp"
+#include "drivers/io/line_age.hpp"
 
 namespace topo::hokuyo {
 
@@ -22,6 +23,7 @@ class SensorClock {
   struct Result {
     types::Stamp host{};         ///< host time of this counter value
     std::int64_t device_ms = 0;  ///< unwrapped
+    types::Duration late{};      ///< wait on the line beyond the shortest (io::LineAge)
     bool jumped = false;         ///< the device's clock was set or the device restarted: gaps are meaningless
     bool repeated = false;       ///< the same value as before
     bool frozen = false;         ///< the same value three times: the counter has stopped
@@ -50,7 +52,8 @@ class SensorClock {
   };
   static constexpr std::size_t kBuckets = 10;
   static constexpr std::int64_t kBucketMs = 1000;
-  static constexpr std::size_t kWindows = 12;  ///< two minutes of 10 s windows for the drift
+  static constexpr double kMaxAgeRise = 200e-6;  ///< two crystals of 100 ppm each
+  static constexpr std::size_t kWindows = 12;    ///< two minutes of 10 s windows for the drift
 
   [[nodiscard]] std::int64_t unwrap(std::uint32_t counter_ms, bool& stepped_back) const;
   [[nodiscard]] bool implausible(std::int64_t difference_ns, std::int64_t device_ms) const;
@@ -61,6 +64,7 @@ class SensorClock {
   void fit_drift();
   void restart(const Point& point);
   void calibrate(const Point& point);
+  types::Duration wait_of(const Point& point, types::Stamp arrival, bool jumped);
 
   bool synchronised_ = false;
   types::Duration best_round_trip_{};
@@ -83,6 +87,9 @@ class SensorClock {
   std::array<Point, kWindows> window_{};
   std::size_t windows_ = 0;  ///< closed since the start or the last jump
   double drift_ = 0.0;
+
+  io::LineAge age_{kMaxAgeRise};
+  types::Stamp age_begun_{};
 };
 
 }  // namespace topo::hokuyo

@@ -30,6 +30,7 @@ struct RobotInfo {
   int watchdog_ms = 0;  ///< 0 or missing: driving is refused
   int sip_cycle_ms = 100;
   double v_top_mps = 0.0, omega_top_radps = 0.0;
+  double deceleration_top_mps2 = 0.0;  ///< that the firmware permits; 0: unknown
   double low_battery_v = 0.0;
   double track_m = 0.0;  ///< effective, 2 / DiffConvFactor
   double swing_radius_m = 0.0;

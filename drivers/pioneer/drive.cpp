@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/types/se2.hpp"
 
@@ -40,10 +41,28 @@ Drive::Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_mov
   outbox_.push(encode(Command::kSonar, sonar ? 1 : 0));
 }
 
+/// E_STOP a few times, then nothing: every packet feeds the watchdog of a base that obeys none.
+void Drive::fall_silent() {
+  silent_ = true;
+  want_motors_ = false;
+  outbox_.clear();
+  if (last_words_ > 0) outbox_.set_estop();
+  last_words_ = std::max(last_words_ - 1, 0);
+}
+
 types::Status Drive::command(const types::BaseCommand& command, types::Stamp now) {
   last_command_ = now;
   commanded_ = ever_commanded_ = true;
   stopping_ = false;
+  if (command.silence) {
+    fall_silent();
+    return {};
+  }
+  if (std::exchange(silent_, false)) {  // a base that is heard again resumes its last setpoint
+    last_words_ = kLastWords;
+    outbox_.set_estop();
+    return {};
+  }
   const bool refused = !may_move_ && asks_for_motion(command);
   if (!command.enable_motors) enable_blocked_ = false;
   want_motors_ = may_move_ && command.enable_motors && !enable_blocked_;
@@ -74,7 +93,7 @@ void Drive::on_state(const types::BaseState& state, types::Stamp now) {
 /// There is no acknowledgement: ENABLE is repeated until the status confirms it. Motors are switched off only
 /// at a standstill, because a robot without motors does not brake.
 void Drive::switch_motors(const types::BaseState& state, types::Stamp now) {
-  if (!ever_commanded_ || state.motors_enabled == want_motors_ || state.stop_button) return;
+  if (silent_ || !ever_commanded_ || state.motors_enabled == want_motors_ || state.stop_button) return;
   if (!want_motors_ && !stands_) return;
   if (last_switch_ != types::Stamp{} && now - last_switch_ < kSwitchAgain) return;
   last_switch_ = now;
@@ -87,6 +106,7 @@ void Drive::stop(types::Stamp now) {
 }
 
 void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
+  if (silent_) return;
   if (commanded_ && now - last_command_ >= kCallerSilence) {
     commanded_ = false;
     stopping_ = true;
@@ -100,6 +120,7 @@ void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
 }
 
 types::Stamp Drive::next_due(types::Stamp last_send) const {
+  if (silent_) return types::Stamp::max();
   types::Stamp due = last_send + kPulse;
   if (commanded_) due = std::min(due, last_command_ + kCallerSilence);
   if (stopping_) due = std::min(due, last_stop_ + kStopAgain);

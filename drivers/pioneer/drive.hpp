@@ -29,6 +29,8 @@ class Drive {
   [[nodiscard]] bool may_be_moving() const { return !stands_ || asked_; }
 
  private:
+  static constexpr int kLastWords = 3;  ///< one may be lost on the line
+  void fall_silent();
   void stop(types::Stamp now);
   void switch_motors(const types::BaseState& state, types::Stamp now);
 
@@ -38,7 +40,9 @@ class Drive {
   bool commanded_ = false;  ///< the caller drives; false after its silence
   bool stopping_ = false;   ///< a stop was sent after the caller's silence, and the robot still moves
   bool stands_ = true;
-  bool asked_ = false;  ///< the last setpoints request motion
+  int last_words_ = kLastWords;  ///< E_STOPs that are left to be sent before silence
+  bool silent_ = false;          ///< the base does not obey: nothing feeds its watchdog
+  bool asked_ = false;           ///< the last setpoints request motion
   bool ever_commanded_ = false;
   bool want_motors_ = false;
   bool enable_blocked_ = false;  ///< after the stop button, until the caller stops requesting the motors

@@ -26,6 +26,7 @@ void add_config(RobotInfo& info, const ConfigPacket& config) {
   if (config.sip_cycle_ms >= kCycleMin_ms) info.sip_cycle_ms = config.sip_cycle_ms;
   info.v_top_mps = lower(info.v_top_mps, config.velocity_top_mmps * 1e-3);
   info.omega_top_radps = lower(info.omega_top_radps, config.rot_velocity_top_degps * types::kDegree_rad);
+  info.deceleration_top_mps2 = config.acceleration_top_mmps2 * 1e-3;
   info.low_battery_v = config.low_battery_decivolt * 0.1;
   if (!config.robot_class.empty()) info.robot_class = config.robot_class;
 }

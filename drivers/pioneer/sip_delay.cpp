@@ -8,7 +8,6 @@
 namespace topo::pioneer {
 namespace {
 
-constexpr double kRateMax = 0.01;     ///< of the cycle: more than any controller's crystal or timer is off
 constexpr double kRateGain = 0.25;    ///< per block, so that one bad minimum has little effect
 constexpr double kForgotten = 600.0;  ///< cycles of silence after which the estimates are discarded
 
@@ -21,6 +20,7 @@ void SipDelay::restart(types::Stamp sent) {
   index_ = 0;
   count_ = 0;
   started_ = true;
+  line_age_.reset();
 }
 
 /// The lower envelope of the lateness, extrapolated to `index` at the robot's estimated clock rate.
@@ -78,6 +78,7 @@ types::Duration SipDelay::update(types::Stamp arrival, types::Duration wire_time
   add({index_, lateness_s});
   const double late_s = std::clamp(lateness_s - envelope(index_), 0.0, cycle_s_);
   age_ = wire_time + types::from_seconds(late_s);
+  late_ = line_age_.update(types::from_seconds(lateness_s), arrival);
   return age_;
 }
 

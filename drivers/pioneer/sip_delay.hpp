@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/types/stamp.hpp"
+#include "drivers/io/line_age.hpp"
 
 namespace topo::pioneer {
 
@@ -28,10 +29,13 @@ class SipDelay {
   /// Cycles between this packet and the previous one: 2 means that one was lost.
   [[nodiscard]] std::int64_t last_step() const { return last_step_; }
   [[nodiscard]] types::Duration age() const { return age_; }
+  /// Wait on the line of the newest packet beyond the shortest of the connection (io::LineAge).
+  [[nodiscard]] types::Duration late() const { return late_; }
 
  private:
   static constexpr std::size_t kWindow = 64;
   static constexpr std::size_t kRateBlock = 32;
+  static constexpr double kRateMax = 0.01;  ///< of the cycle: more than any controller's timer is off
   struct Sample {
     std::int64_t index = 0;
     double lateness_s = 0.0;  ///< relative to the nominal cadence from the anchor
@@ -54,6 +58,8 @@ class SipDelay {
   Sample block_minimum_;
   Sample previous_minimum_;
   types::Duration age_{};
+  io::LineAge line_age_{kRateMax};
+  types::Duration late_{};
 };
 
 }  // namespace topo::pioneer

@@ -93,6 +93,14 @@ json report_of(const JoinedMap& map) {
           {"worst_m", map.error.worst_m},      {"mates_rmse_m", map.mates_error.rmse_m}};
 }
 
+json doubts_of(const RunResult& result) {
+  json doubts = json::object();
+  for (std::size_t i = 0; i < result.doubts.size(); ++i) {
+    if (result.doubts[i] > 0) doubts[std::string(plausibility::doubt_texts()[i].name)] = result.doubts[i];
+  }
+  return doubts;
+}
+
 /// The part that reports of robots and of teams share. `result`: of the robot, or the sum over the team.
 json common_report(const RunTitle& title, const RunSetup& setup, const RunResult& result,
                    double reachable_m2) {
@@ -139,6 +147,8 @@ json common_report(const RunTitle& title, const RunSetup& setup, const RunResult
             {"planning", result.spent.planning_s},
             {"control", result.spent.control_s},
             {"measuring", result.spent.measuring_s}}},
+          {"doubts", doubts_of(result)},
+          {"worst_lag_s", result.worst_lag_s},
           {"coverage", coverage_list(result)}};
 }
 

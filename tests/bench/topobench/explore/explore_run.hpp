@@ -70,6 +70,9 @@ struct RunResult {
   pipeline::Activity activity = pipeline::Activity::kIdle;
   std::string reason;
   bool mission_ended = false;
+  /// How often each doubt of core/plausibility arose, in the order of plausibility::Doubt.
+  std::array<int, plausibility::kDoubts> doubts{};
+  double worst_lag_s = 0.0;
   std::vector<sim::Se2> truth;     ///< in the building, every second
   std::vector<sim::Se2> estimate;  ///< in map, the same moments
   std::vector<IssuedGoal> goals;

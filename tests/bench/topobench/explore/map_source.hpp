@@ -21,6 +21,8 @@ class MapSource {
   /// The newest snapshot, never null. Good until the next take().
   [[nodiscard]] virtual const pipeline::MapSnapshot& map() const = 0;
   [[nodiscard]] virtual const pipeline::TrackedPose& tracked() const = 0;
+  /// Motion by scan matching; null where poses are given and nothing is matched.
+  [[nodiscard]] virtual const plausibility::MatchedMotion* matched() const { return nullptr; }
 };
 
 using team::PosedKeyframe;

@@ -5,7 +5,7 @@
 namespace topo::bench {
 
 RobotMind::RobotMind(const MindSetup& setup, std::unique_ptr<MapSource> source)
-    : setup_(setup), source_(std::move(source)), planning_(setup.planner) {}
+    : setup_(setup), source_(std::move(source)), control_(setup.plausibility), planning_(setup.planner) {}
 
 void RobotMind::take(const Readings& readings, const Readings& for_map) {
   source_->take(for_map);
@@ -25,6 +25,7 @@ const pipeline::ControlOutput& RobotMind::control(types::Stamp now) {
   input.plan = has_plan_ ? &planned_.plan : nullptr;
   input.state = has_state_ ? &state_ : nullptr;
   input.front = has_front_ ? &front_ : nullptr;
+  input.matched = source_->matched();
   input.T_base_sonar = setup_.T_base_sonar;
   input.firmware_watchdog = setup_.firmware_watchdog;
   controlled_ = control_step(control_, setup_.control, input);

@@ -58,6 +58,7 @@ void RobotRun::control(types::Stamp now) {
   const Stopwatch watch(result_.spent.control_s);
   const pipeline::ControlOutput& output = mind_.control(now);
   plant_.command(output.command);
+  note(output.report.plausibility);
   hooks_.commanded(output);
 }
 
@@ -81,6 +82,13 @@ void RobotRun::plan(types::Stamp now) {
   if (node_ != nullptr) node_->say(output.message);
   note(*output.report, output.plan);
   hooks_.planned(output);
+}
+
+void RobotRun::note(const plausibility::Opinion& opinion) {
+  for (std::size_t i = 0; i < plausibility::kDoubts; ++i)
+    result_.doubts[i] += opinion.doubts.test(i) && !doubts_.test(i) ? 1 : 0;
+  doubts_ = opinion.doubts;
+  result_.worst_lag_s = std::max(result_.worst_lag_s, types::to_seconds(opinion.lag));
 }
 
 void RobotRun::note(const pipeline::PlanningReport& report, const pipeline::Plan& plan) {

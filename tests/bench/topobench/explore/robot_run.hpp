@@ -38,6 +38,7 @@ class RobotRun {
   void control(types::Stamp now);
   void plan(types::Stamp now);
   void note(const pipeline::PlanningReport& report, const pipeline::Plan& plan);
+  void note(const plausibility::Opinion& opinion);
   [[nodiscard]] sim::SimTime control_period() const;
   [[nodiscard]] sim::SimTime planning_period() const;
 
@@ -50,6 +51,7 @@ class RobotRun {
   Readings readings_, for_map_;
   RunResult result_;
   types::Stamp last_decision_{};
+  plausibility::DoubtSet doubts_;
   std::uint64_t last_goal_ = 0;
 };
 

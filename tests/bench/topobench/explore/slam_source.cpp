@@ -40,6 +40,7 @@ class SlamSource final : public SharedMapSource {
 
   [[nodiscard]] const pipeline::MapSnapshot& map() const override { return *snapshot_; }
   [[nodiscard]] const pipeline::TrackedPose& tracked() const override { return tracked_; }
+  [[nodiscard]] const plausibility::MatchedMotion* matched() const override { return &matched_; }
 
   void join(const TeamNews& news) override {
     std::vector<slam::KeyframePtr> keyframes;
@@ -94,6 +95,10 @@ class SlamSource final : public SharedMapSource {
 
   void use(pipeline::MappingOutput output) {
     if (output.keyframe_added) snapshot_ = state_.make_snapshot();
+    for (const slam::MatchReport& match : output.matches) {
+      matched_ = plausibility::after_scan(matched_, match.stamp, match.T_previous_base, match.T_odom_base,
+                                          match.matched);
+    }
     if (!output.matches.empty()) {
       tracked_.stamp = output.matches.back().stamp;
       tracked_.revision = snapshot_->revision;
@@ -113,6 +118,7 @@ class SlamSource final : public SharedMapSource {
   pipeline::MappingState state_;
   std::unique_ptr<pipeline::MapSnapshot> snapshot_;  // after state_: it must go first
   pipeline::TrackedPose tracked_;
+  plausibility::MatchedMotion matched_;
   std::deque<Waiting> answers_;
   std::deque<std::pair<std::uint64_t, slam::Alignment>> alignments_;       ///< with when they are due
   std::optional<std::pair<std::uint64_t, slam::GraphSolution>> solution_;  ///< the same

@@ -199,6 +199,8 @@ class TeamRun {
     team.home_distance_m = std::max(team.home_distance_m, robot.home_distance_m);
     team.distance_m += robot.distance_m;
     team.collisions += robot.collisions;
+    for (std::size_t i = 0; i < team.doubts.size(); ++i) team.doubts[i] += robot.doubts[i];
+    team.worst_lag_s = std::max(team.worst_lag_s, robot.worst_lag_s);
     team.goals_issued += robot.goals_issued;
     team.clusters_sum += robot.clusters_sum;
     team.goals_sum += robot.goals_sum;

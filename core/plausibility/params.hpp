@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+
+#include "core/types/stamp.hpp"
+
+namespace topo::plausibility {
+
+/// Commanded against measured speed.
+struct ObedienceParams {
+  /// Longest lag of a base that is driven: the control loop assumes RobotLimits::reaction, 100 ms, and the
+  /// status arrives up to a cycle of 100 ms later; the rest is margin.
+  types::Duration lag_max = std::chrono::milliseconds(300);
+  double v_tolerance_mps = 0.12;       ///< wheels err by 2 %; overshoot of the firmware's controller
+  double omega_tolerance_radps = 0.5;  ///< the same; RVEL is quantised to 1 deg/s
+  double braking_share = 0.5;          ///< of the believed deceleration that a base may brake with at least
+  int statuses = 3;                    ///< in a row outside the bounds: one may be a bump
+  /// A change of the command within the last seconds that is enough to measure the lag by.
+  double informative_mps = 0.15;
+  int informative_statuses = 6;  ///< from which the lag counts: 0.6 s at 10 Hz
+  double lag_forgetting = 0.97;  ///< weight of the past, per informative status
+  double lag_error_mps = 0.03;   ///< error of the best admissible lag from which a longer one is believed,
+  double lag_gain = 0.5;         ///< when its squared error is at most this share
+};
+
+/// Reported motion against the model.
+struct MotionParams {
+  double speed_factor = 1.3;       ///< of the catalogue's top speed: downhill, or pushed
+  double v_slack_mps = 0.3;        ///< between reported speed and change of the pose
+  double omega_slack_radps = 0.6;  ///< the same: heading is quantised and gyro-corrected
+  double step_m = 0.08;            ///< a correction of the firmware's pose
+  double step_rad = 0.15;
+};
+
+/// Odometry against scan matching, over windows of matched scans.
+struct MatchParams {
+  types::Duration window = std::chrono::milliseconds(1000);
+  double floor_m = 0.15;  ///< difference of two good measurements: matches err by 0.03 m, wheels slip
+  double share_m = 0.35;  ///< of the distance: carpets, inflated tyres
+  double floor_rad = 0.2;
+  double share_rad = 0.4;  ///< a P3-AT skids when it turns
+  int windows = 2;         ///< in a row
+};
+
+/// The front scanner's picture. Forward: within 90 degrees of the robot's heading.
+struct PictureParams {
+  double blind_share = 0.95;  ///< of the forward beams without a return
+  types::Duration blind_for = std::chrono::seconds(1);
+  bool open_space = false;     ///< true: a place without walls in range is normal
+  int frozen_pictures = 10;    ///< equal to the bit; real ranges have noise of millimetres
+  bool noiseless = false;      ///< true: equal pictures are normal (a simulator without noise)
+  double covered_share = 0.2;  ///< of the forward beams nearer than covered_m
+  double covered_m = 0.08;     ///< from the scanner's centre: its own window
+  types::Duration covered_for = std::chrono::seconds(1);
+};
+
+struct PlausibilityParams {
+  ObedienceParams obedience;
+  MotionParams motion;
+  MatchParams match;
+  PictureParams picture;
+  /// Longest wait of data on a line, beyond its shortest (types::Scan::late, types::BaseState::late).
+  types::Duration late_max = std::chrono::milliseconds(300);
+  types::Duration hold = std::chrono::seconds(1);        ///< a doubt lasts this long after its cause
+  int strikes = 3;                                       ///< the same doubt so often within
+  types::Duration strikes_in = std::chrono::minutes(1);  ///< this time lasts until the operator clears it
+};
+
+}  // namespace topo::plausibility

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/plausibility/picture_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace topo::plausibility {
+namespace {
+
+/// Since when a condition has held without a break.
+types::Stamp since(types::Stamp before, bool now, types::Stamp stamp) {
+  if (!now) return {};
+  return before == types::Stamp{} ? stamp : before;
+}
+
+bool lasts(types::Stamp begun, types::Stamp now, types::Duration at_least) {
+  return begun != types::Stamp{} && now - begun >= at_least;
+}
+
+}  // namespace
+
+ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_laser, double covered_m) {
+  std::size_t forward = 0, empty = 0, covered = 0;
+  const auto ranges = scan.ranges();
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const double angle_rad =
+        types::wrap_angle(T_base_laser.theta_rad + static_cast<double>(scan.angle_rad(i)));
+    if (!(std::abs(angle_rad) <= std::numbers::pi / 2.0)) continue;
+    ++forward;
+    if (ranges[i] == types::kNoReturn) ++empty;
+    if (ranges[i] < static_cast<float>(covered_m)) ++covered;  // kTooNear is -infinity
+  }
+  if (forward == 0) return {};
+  const auto all = static_cast<double>(forward);
+  return {static_cast<double>(empty) / all, static_cast<double>(covered) / all};
+}
+
+bool PictureCheck::is_repeated(const types::Scan& scan) {
+  const auto ranges = scan.ranges();
+  const bool same =
+      scan.beams == beams_ && std::memcmp(ranges.data(), last_.data(), ranges.size_bytes()) == 0;
+  beams_ = scan.beams;
+  std::copy(ranges.begin(), ranges.end(), last_.begin());
+  return same;
+}
+
+PictureOpinion PictureCheck::judge(const types::Scan& scan, const types::Se2& T_base_laser) {
+  const ForwardShares shares = forward_shares(scan, T_base_laser, params_.covered_m);
+  empty_since_ = since(empty_since_, shares.empty > params_.blind_share, scan.arrival);
+  covered_since_ = since(covered_since_, shares.covered >= params_.covered_share, scan.arrival);
+  repeats_ = is_repeated(scan) ? repeats_ + 1 : 0;
+  return {!params_.open_space && lasts(empty_since_, scan.arrival, params_.blind_for),
+          !params_.noiseless && repeats_ + 1 >= params_.frozen_pictures,
+          lasts(covered_since_, scan.arrival, params_.covered_for)};
+}
+
+}  // namespace topo::plausibility

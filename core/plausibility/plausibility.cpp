@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/plausibility/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/plausibility/motion_check.hpp"
+
+namespace topo::plausibility {
+namespace {
+
+constexpr double kStands_mps = 0.02, kStands_radps = 0.05;
+/// A base that was silent this long has a new connection: five status cycles end one.
+constexpr types::Duration kNewConnection = std::chrono::milliseconds(500);
+
+constexpr std::size_t at(Doubt doubt) { return static_cast<std::size_t>(doubt); }
+
+bool stands(const types::BaseState* base) {
+  return base == nullptr || (std::abs(base->odometry.twist.v_mps) < kStands_mps &&
+                             std::abs(base->odometry.twist.omega_radps) < kStands_radps);
+}
+
+}  // namespace
+
+Plausibility::Plausibility(const PlausibilityParams& params)
+    : params_(params), obedience_(params.obedience), match_(params.match), picture_(params.picture) {}
+
+void Plausibility::judge_status(const Evidence& evidence) {
+  const types::BaseState& base = *evidence.base;
+  if (base.arrival == last_status_) return;
+  const bool anew = last_status_ != types::Stamp{} && base.arrival - last_status_ > kNewConnection;
+  if (anew) {
+    obedience_.reset();
+    held_[at(Doubt::kDisobeys)] = {};
+  }
+  const bool first = anew || last_status_ == types::Stamp{};
+  last_status_ = base.arrival;
+  obeys_ = obedience_.judge(commands_, base, evidence.limits);
+  braking_.judge(commands_, base, evidence.limits.deceleration_mps2);
+  impossible_ =
+      is_impossible(first ? nullptr : &last_odometry_, base.odometry, evidence.model, params_.motion);
+  last_odometry_ = base.odometry;
+}
+
+DoubtSet Plausibility::causes(const Evidence& evidence) {
+  DoubtSet now;
+  // Motors that are off follow no command.
+  const bool driven = evidence.base != nullptr && evidence.base->motors_enabled;
+  commands_.add(evidence.now, driven ? evidence.commanded : types::Twist2{});
+  if (evidence.base != nullptr) {
+    judge_status(evidence);
+    now.set(at(Doubt::kDisobeys), obeys_.disobeys);
+    now.set(at(Doubt::kAnswersLate), obeys_.late);
+    now.set(at(Doubt::kImpossibleMotion), impossible_);
+    now.set(at(Doubt::kLateStatuses), evidence.base->late > params_.late_max);
+  }
+  if (evidence.front != nullptr) {
+    if (evidence.front->arrival != last_scan_) {
+      last_scan_ = evidence.front->arrival;
+      sees_ = picture_.judge(*evidence.front, evidence.T_base_laser);
+    }
+    now.set(at(Doubt::kLateScans), evidence.front->late > params_.late_max);
+    now.set(at(Doubt::kBlind), sees_.blind);
+    now.set(at(Doubt::kFrozen), sees_.frozen);
+    now.set(at(Doubt::kCovered), sees_.covered);
+  }
+  if (evidence.matched != nullptr && evidence.matched->stamp != last_match_) {
+    last_match_ = evidence.matched->stamp;
+    match_.judge(*evidence.matched);
+  }
+  now.set(at(Doubt::kMatchDisagrees), match_.disagrees());
+  return now;
+}
+
+void Plausibility::hold(std::size_t doubt, bool cause, bool standing, const Evidence& evidence) {
+  Held& held = held_[doubt];
+  const bool disobeys = doubt == at(Doubt::kDisobeys);
+  if (cause && !present_.test(doubt)) {
+    if (held.strikes == 0 || evidence.now - held.first > params_.strikes_in) {
+      held.first = evidence.now;
+      held.strikes = 0;
+    }
+    held.latched = disobeys || ++held.strikes >= params_.strikes;
+  }
+  if (cause) held.until = evidence.now + params_.hold;
+  const bool motors_off = evidence.base != nullptr && !evidence.base->motors_enabled;
+  if ((evidence.cleared && standing) || (disobeys && motors_off)) held = Held{held.until, {}, 0, false};
+  const bool lasts = held.until != types::Stamp{} && (evidence.now < held.until || !standing);
+  present_.set(doubt, cause || held.latched || (present_.test(doubt) && lasts));
+}
+
+Opinion Plausibility::judge(const Evidence& evidence) {
+  const DoubtSet now = causes(evidence);
+  const bool standing = stands(evidence.base);
+  for (std::size_t doubt = 0; doubt < kDoubts; ++doubt) hold(doubt, now.test(doubt), standing, evidence);
+  if (evidence.cleared && standing) obedience_.reset();
+  if (present_.test(at(Doubt::kAnswersLate)) && !now.test(at(Doubt::kAnswersLate))) obedience_.measure_anew();
+  Opinion opinion;
+  opinion.doubts = present_;
+  opinion.lag = obeys_.lag;
+  if (evidence.front != nullptr) opinion.scan_late = evidence.front->late;
+  if (evidence.base != nullptr) opinion.status_late = evidence.base->late;
+  opinion.deceleration_mps2 = braking_.measured_mps2();
+  return opinion;
+}
+
+}  // namespace topo::plausibility
