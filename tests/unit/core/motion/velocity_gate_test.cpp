@@ -559,7 +559,7 @@ TEST(VelocityGate, MotorsAreOnWhenAFreshRequestSaysSo) {
   EXPECT_TRUE(scene.ask(0.5).command.enable_motors) << "they hold the robot";
 }
 
-TEST(VelocityGate, BlindTimeIsTheAgeOfTheScanTheReactionAndTheWatchdog) {
+TEST(VelocityGate, BlindTimeIsOfTheScanTheReactionAndTheWatchdog) {
   Scene scene;
   const double alive_s = 0.045 + 0.1 + 0.05;  // the first beam, the reaction, a period
   EXPECT_NEAR(alive_time_s(scene.input), alive_s, 1e-9);
