@@ -79,5 +79,34 @@ TEST(DenseMap, CellsBeginBelowTheirPoints) {
     EXPECT_EQ(floor_of(value), static_cast<std::int32_t>(std::floor(value))) << value;
 }
 
+TEST(DenseMap, CellsPlacesAndIndicesBelongTogether) {
+  EXPECT_TRUE(rc::check([] {
+    const auto any = [](int low, int high) { return *rc::gen::inRange(low, high); };
+    DenseMap map;
+    map.resolution_m = *rc::gen::element(0.05, 0.1, 0.37);
+    map.box.min = {any(-1000, 1000), any(-1000, 1000)};
+    map.box.max = {map.box.min.x + any(0, 20), map.box.min.y + any(0, 20)};
+    map.cells.assign(static_cast<std::size_t>(map.width() * map.height()), CellState::kFree);
+    std::size_t i = 0;
+    for (int y = map.box.min.y - 1; y <= map.box.max.y + 1; ++y) {
+      for (int x = map.box.min.x - 1; x <= map.box.max.x + 1; ++x) {
+        const CellIndex c{x, y};
+        RC_ASSERT(map.cell_at(map.centre_of(c)) == c);
+        const bool beyond_x = x < map.box.min.x || x > map.box.max.x,
+                   beyond_y = y < map.box.min.y || y > map.box.max.y;
+        RC_ASSERT(map.contains(c) == !(beyond_x || beyond_y));
+        RC_ASSERT(map.state(c) == (map.contains(c) ? CellState::kFree : CellState::kUnknown));
+        if (!map.contains(c)) continue;
+        RC_ASSERT(map.index(c) == i++);
+        bool at_edge = false;
+        for (const CellIndex beside : {CellIndex{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}})
+          at_edge = at_edge || !map.contains(beside);
+        RC_ASSERT(map.is_on_border(c) == at_edge);
+      }
+    }
+    RC_ASSERT(i == map.cells.size());
+  }));
+}
+
 }  // namespace
 }  // namespace topo::grid

@@ -69,5 +69,63 @@ TEST(EndOfWay, IsNowhereForAGoalThatIsNotFreeOrOutside) {
   EXPECT_FALSE(end_of_way(map, room, field, {500, -500}, kRadius_m, 1.0));
 }
 
+/// Chains from the goal, in steps, by the definition: free cells with room for the disc, within the box.
+std::vector<int> chain_steps(const DenseMap& map, CellIndex goal, double radius_m, int reach) {
+  std::vector<int> steps(map.cells.size(), -1);
+  const auto is_open = [&](CellIndex c) {
+    if (map.state(c) != CellState::kFree) return false;
+    if (std::abs(c.x - goal.x) > reach || std::abs(c.y - goal.y) > reach) return false;
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const CellIndex o = map.cell(i);
+      const double away_m = std::hypot(o.x - c.x, o.y - c.y) * map.resolution_m;
+      if (map.cells[i] == CellState::kOccupied && away_m < radius_m) return false;
+    }
+    return true;
+  };
+  std::vector<CellIndex> queue;
+  const auto enter = [&](CellIndex c, int count) {
+    if (!is_open(c) || steps[map.index(c)] >= 0) return;
+    steps[map.index(c)] = count;
+    queue.push_back(c);
+  };
+  enter(goal, 0);
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const CellIndex c = queue[i];
+    for (std::size_t d = 0; d < kNeighbours.size(); d += 2)
+      enter({c.x + kNeighbours[d].x, c.y + kNeighbours[d].y}, steps[map.index(c)] + 1);
+  }
+  return steps;
+}
+
+TEST(EndOfWay, IsAtTheEndOfTheShortestChain) {
+  EXPECT_TRUE(rc::check([] {
+    const DenseMap map = random_map(20);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    const auto any_cell = [&] { return map.cell(*rc::gen::inRange<std::size_t>(0, map.cells.size())); };
+    const TravelRules rules{.radius_m = 0.11, .preferred_m = 0.2, .crowding = 1.0, .start_m = 0.0};
+    const TravelField field = travel_field(map, clearance, any_cell(), rules);
+    const CellIndex goal = any_cell();
+    const int reach = *rc::gen::inRange(1, 15);
+    const auto end = end_of_way(map, clearance, field, goal, 0.11, (reach + 0.5) * map.resolution_m);
+    const std::vector<int> steps = chain_steps(map, goal, 0.11, reach);
+    int nearest = -1;
+    bool some_lack_room = false;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (steps[i] < 0) continue;
+      some_lack_room = some_lack_room || clearance[i] < 0.11F;
+      if (field.can_stay_at(i) && (nearest < 0 || steps[i] < nearest)) nearest = steps[i];
+    }
+    if (end) {
+      RC_ASSERT(field.can_stay_at(map.index(*end)));
+      RC_ASSERT(steps[map.index(*end)] == nearest);
+      RC_ASSERT((nearest == 0 || some_lack_room));
+    } else {
+      RC_ASSERT(nearest != 0);
+      // Where the goal itself lacks room, unknown cells are in the way of all chains.
+      if (nearest > 0) RC_ASSERT(clearance[map.index(goal)] >= 0.11F);
+    }
+  }));
+}
+
 }  // namespace
 }  // namespace topo::grid

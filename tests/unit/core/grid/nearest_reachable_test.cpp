@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -51,6 +52,31 @@ TEST(NearestReachable, IsNoneInAnEmptyMapAndFarFromAny) {
   const DenseMap map = filled_map(20, 20, CellState::kFree);
   EXPECT_FALSE(nearest_reachable(DenseMap{}, TravelField{}, {0, 0}, 5.0));
   EXPECT_FALSE(nearest_reachable(map, field_from(map, {10, 10}), {INT32_MAX, INT32_MIN}, 5.0));
+}
+
+TEST(NearestReachable, OfEquallyNearCellsTheCheapestIsTaken) {
+  for (int cheapest = 0; cheapest < 4; ++cheapest) {
+    const DenseMap map = filled_map(9, 9, CellState::kFree);
+    const CellIndex goal{4, 4};
+    const std::array<CellIndex, 4> around{{{6, 4}, {4, 6}, {2, 4}, {4, 2}}};
+    TravelField field;
+    field.cost_m.assign(map.cells.size(), std::numeric_limits<float>::infinity());
+    for (int i = 0; i < 4; ++i)
+      field.cost_m[map.index(around[static_cast<std::size_t>(i)])] = i == cheapest ? 3.0F : 5.0F;
+    EXPECT_EQ(nearest_reachable(map, field, goal, 1.0), around[static_cast<std::size_t>(cheapest)]);
+    EXPECT_EQ(nearest_to_stay_at(map, field, goal, 1.0), around[static_cast<std::size_t>(cheapest)]);
+    EXPECT_FALSE(nearest_reachable(map, field, goal, 0.09)) << "two cells away";
+    EXPECT_TRUE(nearest_reachable(map, field, goal, 0.11));
+  }
+}
+
+TEST(NearestReachable, AReachableGoalIsItsOwnNearest) {
+  const DenseMap map = filled_map(30, 30, CellState::kFree);
+  const TravelField field = field_from(map, {15, 15});
+  for (const CellIndex goal : {CellIndex{15, 15}, {10, 12}, {20, 9}}) {
+    EXPECT_EQ(nearest_reachable(map, field, goal, 0.0), goal);
+    EXPECT_EQ(nearest_to_stay_at(map, field, goal, 3.0), goal);
+  }
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <map>
+#include <utility>
+
 namespace topo::grid {
 namespace {
 
@@ -71,6 +74,54 @@ TEST(OccupancyGrid, TwoVersionsDifferByTheCellsInAnotherState) {
       for (int x = -40; x < 40; ++x) differing += before.state({x, y}) != grid.state({x, y}) ? 1U : 0U;
     RC_ASSERT(differing_cells(before, grid) == differing);
     RC_ASSERT(differing_cells(grid, before) == differing);
+  }));
+}
+
+TEST(StateOf, MoreHitsNeverFreeACellAndMoreMissesNeverOccupyIt) {
+  EXPECT_TRUE(rc::check([] {
+    const auto any = [] { return *rc::gen::inRange<std::uint16_t>(0, 400); };
+    const CellCounts counts{any(), any()};
+    const auto more = [&](int hits, int misses) {
+      return state_of({static_cast<std::uint16_t>(counts.hits + hits),
+                       static_cast<std::uint16_t>(counts.misses + misses)});
+    };
+    if (state_of(counts) == CellState::kOccupied) RC_ASSERT(more(any(), 0) == CellState::kOccupied);
+    if (state_of(counts) == CellState::kFree) RC_ASSERT(more(0, any()) == CellState::kFree);
+    RC_ASSERT(more(1, 0) != CellState::kUnknown);
+    RC_ASSERT(more(0, 1) != CellState::kUnknown);
+    // As said: a quarter of the evidence.
+    const double share = counts.hits / std::max(1.0, counts.hits + 1.0 * counts.misses);
+    RC_ASSERT((state_of(counts) == CellState::kOccupied) == (counts.hits > 0 && share >= 0.25));
+  }));
+}
+
+TEST(OccupancyGrid, EachKnownCellIsVisitedOnceWithItsState) {
+  EXPECT_TRUE(rc::check([] {
+    patricia::Arena<TileRef> arena;
+    OccupancyGrid grid(arena, 0.05);
+    std::map<std::pair<int, int>, CellCounts> expected;
+    for (int cells = *rc::gen::inRange(0, 40); cells > 0; --cells) {
+      const int x = *rc::gen::inRange(-90, 90), y = *rc::gen::inRange(-90, 90);
+      const CellCounts counts{*rc::gen::inRange<std::uint16_t>(0, 3), *rc::gen::inRange<std::uint16_t>(1, 9)};
+      grid.tile_to_change(x >> 5, y >> 5).cells[Tile::index(x & 31, y & 31)] = counts;
+      expected[{x, y}] = counts;
+    }
+    CellBox box;
+    std::size_t visited = 0;
+    grid.for_each_known([&](CellIndex c, CellState state) {
+      ++visited;
+      box.extend(c);
+      const auto at = expected.find({c.x, c.y});
+      RC_ASSERT(at != expected.end());
+      RC_ASSERT(state == state_of(at->second));
+      RC_ASSERT(grid.counts(c) == at->second);
+      RC_ASSERT(grid.cell_at(grid.centre_of(c)) == c);
+    });
+    RC_ASSERT(visited == expected.size());
+    RC_ASSERT(grid.known_box() == box);
+    grid.clear();
+    RC_ASSERT(grid.known_box().empty());
+    RC_ASSERT(grid.tiles().size() == 0U);
   }));
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/grid/occupancy_grid.hpp"
 
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -118,6 +119,57 @@ TEST(ScanRasteriser, LeavesTilesAloneThatSayTheSameAfterwards) {
   OccupancyGrid::Tiles::difference(snapshot.tiles(), grid.tiles(),
                                    [&](patricia::Key, const TileRef*, const TileRef*) { ++copied; });
   EXPECT_EQ(copied, 0U);
+}
+
+TEST(ScanRasteriser, ARayIsAChainOfCellsBesideTheLine) {
+  EXPECT_TRUE(rc::check([] {
+    const auto coordinate = [] { return static_cast<float>(*rc::gen::inRange(-400, 400)) / 16.0F; };
+    const Eigen::Vector2f from(coordinate(), coordinate()), to(coordinate(), coordinate());
+    patricia::Arena<TileRef> arena;
+    OccupancyGrid grid(arena, 0.125);
+    ScanRasteriser rasteriser;
+    rasteriser.draw(grid, {}, from, Hits{to});
+    const CellIndex begin = grid.cell_at(from.cast<double>()), end = grid.cell_at(to.cast<double>());
+    const int dx = end.x - begin.x, dy = end.y - begin.y, length = std::max(std::abs(dx), std::abs(dy));
+    int cells = 0, hits = 0;
+    grid.for_each_known([&](CellIndex c, CellState state) {
+      ++cells;
+      hits += state == CellState::kOccupied ? 1 : 0;
+      // Off the line through the centres by half a cell at most, along the shorter side.
+      RC_ASSERT(2 * std::abs((c.x - begin.x) * dy - (c.y - begin.y) * dx) <= length);
+    });
+    RC_ASSERT(cells == length + 1);
+    RC_ASSERT(hits == 1);
+    RC_ASSERT(grid.counts(end) == (CellCounts{1, 0}));
+  }));
+}
+
+TEST(ScanRasteriser, WhatIsDrawnAWholeNumberOfCellsOnIsShifted) {
+  EXPECT_TRUE(rc::check([] {
+    Drawing d = any_drawing();
+    for (Eigen::Vector2f& hit : d.hits) hit = (hit * 64.0F).array().round() / 64.0F;
+    d.sensor = (d.sensor * 64.0F).array().round() / 64.0F;
+    d.pose = {std::round(d.pose.x_m * 64.0) / 64.0, std::round(d.pose.y_m * 64.0) / 64.0, d.pose.theta_rad};
+    const int x = *rc::gen::inRange(-100, 100), y = *rc::gen::inRange(-100, 100);
+    patricia::Arena<TileRef> arena;
+    OccupancyGrid here(arena, 0.125), there(arena, 0.125);
+    ScanRasteriser rasteriser;
+    rasteriser.draw(here, d.pose, d.sensor, d.hits);
+    rasteriser.draw(there, {d.pose.x_m + 0.125 * x, d.pose.y_m + 0.125 * y, d.pose.theta_rad}, d.sensor,
+                    d.hits);
+    decltype(contents(here)) shifted;
+    for (const auto& [cell, counts] : contents(here)) shifted[{cell.first + x, cell.second + y}] = counts;
+    RC_ASSERT(contents(there) == shifted);
+  }));
+}
+
+TEST(ScanRasteriser, WithoutHitsNothingIsDrawnOrMoved) {
+  patricia::Arena<TileRef> arena;
+  OccupancyGrid grid(arena, 0.1);
+  ScanRasteriser rasteriser;
+  rasteriser.draw(grid, {}, {0.0F, 0.0F}, {});
+  rasteriser.move(grid, {}, {1.0, 0.0, 0.0}, {0.0F, 0.0F}, {});
+  EXPECT_EQ(grid.tiles().size(), 0U);
 }
 
 }  // namespace

@@ -315,5 +315,82 @@ TEST(Wavefront, ATightPassageIsGoneThroughWhenThereIsNoOtherWayAndNobodyStaysInI
   EXPECT_TRUE(std::isinf(field.cost_m[map.index(beyond)])) << "without tight passages";
 }
 
+DenseMap mirrored(const DenseMap& map) {
+  DenseMap out = map;
+  const auto width = static_cast<std::ptrdiff_t>(map.width());
+  for (auto row = out.cells.begin(); row != out.cells.end(); row += width) std::reverse(row, row + width);
+  return out;
+}
+
+TEST(Wavefront, AMirroredMapHasTheMirroredCosts) {
+  EXPECT_TRUE(rc::check("mirror", [] {
+    const auto [map, clearance, starts] = random_place(36);
+    const CellIndex start = *rc::gen::elementOf(starts);
+    const auto opposite = [&map](CellIndex c) { return CellIndex{map.box.min.x + map.box.max.x - c.x, c.y}; };
+    const DenseMap other = mirrored(map);
+    const auto there =
+        travel_field(other, clearance_m(other, Boundary::kOccupiedOrUnknown), opposite(start), kSmallRobot);
+    const auto here = travel_field(map, clearance, start, kSmallRobot);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const float cost_m = here.cost_m[i], other_m = there.cost_m[map.index(opposite(map.cell(i)))];
+      RC_ASSERT(std::isinf(cost_m) == std::isinf(other_m));
+      if (!std::isinf(cost_m)) RC_ASSERT(std::abs(cost_m - other_m) <= 1e-4F * (1.0F + cost_m));
+    }
+  }));
+}
+
+/// A power of two changes no digit of a number.
+TEST(Wavefront, InCellsTwiceAsWideACostIsTwiceAsMuch) {
+  EXPECT_TRUE(rc::check("scale", [] {
+    DenseMap map = random_map(36);
+    TravelRules rules = kSmallRobot;
+    rules.start_m = *rc::gen::element(0.0, 0.3);
+    const CellIndex start = map.cell(*rc::gen::inRange<std::size_t>(0, map.cells.size()));
+    const auto small = travel_field(map, clearance_m(map, Boundary::kOccupiedOrUnknown), start, rules);
+    map.resolution_m *= 2.0;
+    for (double* value : {&rules.radius_m, &rules.tight_m, &rules.preferred_m, &rules.start_m}) *value *= 2.0;
+    const auto large = travel_field(map, clearance_m(map, Boundary::kOccupiedOrUnknown), start, rules);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) RC_ASSERT(large.cost_m[i] == 2.0F * small.cost_m[i]);
+    RC_ASSERT(large.step == small.step);
+  }));
+}
+
+TEST(Wavefront, MoreObstaclesOrAWiderRobotCostNoLess) {
+  EXPECT_TRUE(rc::check("monotonous", [] {
+    DenseMap map = random_map(36);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    TravelRules wide = kSmallRobot;
+    wide.radius_m += *rc::gen::inRange(0, 3) * 0.04;
+    const auto starts = open_cells(map, clearance, wide);
+    RC_PRE(!starts.empty());
+    const CellIndex start = *rc::gen::elementOf(starts);
+    const auto before = travel_field(map, clearance, start, kSmallRobot);
+    for (int more = *rc::gen::inRange(0, 6); more > 0; --more)
+      map.cells[*rc::gen::inRange<std::size_t>(0, map.cells.size())] = CellState::kOccupied;
+    const auto less = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    RC_PRE(open(map, less, start, wide));
+    const auto after = travel_field(map, less, start, wide);
+    for (std::size_t i = 0; i < map.cells.size(); ++i)
+      RC_ASSERT(after.cost_m[i] >= before.cost_m[i] - 1e-4F * (1.0F + before.cost_m[i]) ||
+                std::isinf(after.cost_m[i]));
+  }));
+}
+
+TEST(Wavefront, ACellCanBeStayedAtWhereTheRobotCanTurn) {
+  EXPECT_TRUE(rc::check("stay", [] {
+    const DenseMap map = random_map(30);
+    const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+    TravelRules rules{.radius_m = 0.14, .tight_m = 0.06, .preferred_m = 0.2, .start_m = 0.1};
+    const CellIndex start = map.cell(*rc::gen::inRange<std::size_t>(0, map.cells.size()));
+    const TravelField tight = travel_field(map, clearance, start, rules);
+    for (std::size_t i = 0; i < map.cells.size(); ++i)
+      RC_ASSERT(tight.can_stay_at(i) == (!std::isinf(tight.cost_m[i]) && clearance[i] >= 0.14F));
+    rules.tight_m = rules.radius_m;
+    const TravelField none = travel_field(map, clearance, start, rules);
+    for (std::size_t i = 0; i < map.cells.size(); ++i)
+      RC_ASSERT(none.can_stay_at(i) == !std::isinf(none.cost_m[i]));
+  }));
+}
+
 }  // namespace
 }  // namespace topo::grid

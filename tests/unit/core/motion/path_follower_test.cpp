@@ -8,6 +8,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/perception/footprint_sweep.hpp"
+#include "tests/unit/core/motion/generators.hpp"
+
 namespace topo::motion {
 namespace {
 
@@ -134,6 +137,137 @@ TEST(PathFollower, ArrivesFromAnywhereAndGoesRoundAPost) {
     course.obstacles = {{2.0, *rc::gen::element(-1.0, 1.0) * 0.45}};
     RC_ASSERT(course.run(40.0) < 40.0);
   }));
+}
+
+/// A bent path and some posts, about a robot that drives.
+struct Scenery {
+  std::vector<Vector2> path, posts;
+  Se2 pose;
+  Twist2 twist;
+
+  Scenery() {
+    Se2 along;
+    const double bend = uniform(-0.15, 0.15);
+    for (int i = 0; i < 40; ++i) {
+      path.push_back(along.translation());
+      along = along * Se2{0.1, 0.0, i < 20 ? bend : -bend};
+    }
+    for (int count = *rc::gen::inRange(0, 12); count > 0; --count)
+      posts.emplace_back(uniform(-1.0, 3.0), uniform(-2.0, 2.0));
+    pose = {uniform(-0.2, 0.5), uniform(-0.3, 0.3), uniform(-3.1, 3.1)};
+    twist = {uniform(0.0, 0.7), 0.0};
+  }
+  void mirror() {
+    for (auto* points : {&path, &posts})
+      for (Vector2& p : *points) p.y() *= -1.0;
+    pose = {pose.x_m, -pose.y_m, -pose.theta_rad};
+    twist.omega_radps *= -1.0;
+  }
+  [[nodiscard]] FollowOutput follow(const types::RobotLimits& limits, bool ends_at_goal = true) const {
+    std::vector<Vector2> seen;
+    for (const Vector2& p : posts) seen.push_back(pose.inverse() * p);
+    FollowInput in;
+    in.T_odom_base = pose;
+    in.twist = twist;
+    in.path_odom = path;
+    in.path_number = 1;
+    in.ends_at_goal = ends_at_goal;
+    in.obstacles_base = seen;
+    in.blind_s = 0.7;
+    in.alive_s = 0.2;
+    in.limits = &limits;
+    return PathFollower().step(in);
+  }
+};
+
+TEST(PathFollower, FollowsTheMirroredPathTheMirroredWay) {
+  const types::RobotLimits limits;
+  EXPECT_TRUE(rc::check([&] {
+    Scenery scenery;
+    const FollowOutput one = scenery.follow(limits);
+    scenery.mirror();
+    const FollowOutput other = scenery.follow(limits);
+    RC_ASSERT(std::abs(one.twist.v_mps - other.twist.v_mps) < 1e-9);
+    RC_ASSERT(std::abs(one.twist.omega_radps + other.twist.omega_radps) < 1e-9);
+    RC_ASSERT(std::abs(one.turn_rad + other.turn_rad) < 1e-9);
+    RC_ASSERT(one.blocked == other.blocked);
+    RC_ASSERT(one.arrived == other.arrived);
+  }));
+}
+
+TEST(PathFollower, KeepsItsLimitsAndStandsWhenBlocked) {
+  EXPECT_TRUE(rc::check([] {
+    types::RobotLimits limits;
+    limits.v_max_mps = uniform(0.1, 0.7);
+    limits.omega_max_radps = uniform(0.2, 1.4);
+    const FollowOutput out = Scenery().follow(limits);
+    RC_ASSERT(out.twist.v_mps >= 0.0);
+    RC_ASSERT(out.twist.v_mps <= limits.v_max_mps);
+    RC_ASSERT(std::abs(out.twist.omega_radps) <= limits.omega_max_radps + 1e-12);
+    if (out.blocked) RC_ASSERT(out.twist == Twist2{});
+    if (!out.blocked) RC_ASSERT(out.twist != Twist2{});
+  }));
+}
+
+TEST(PathFollower, TheArcThatItTakesIsFreeForItsBlindTime) {
+  EXPECT_TRUE(rc::check([] {
+    const types::RobotLimits limits;
+    const Scenery scenery;
+    const FollowOutput out = scenery.follow(limits);
+    if (out.twist.v_mps == 0.0) return;
+    const double rolls_m = out.twist.v_mps * 0.7;
+    for (const Vector2& p : scenery.posts) {
+      const Vector2 seen = scenery.pose.inverse() * p;
+      if (perception::contains(types::grown(limits.footprint, limits.margin_m), seen)) continue;
+      const double at_s = perception::contact_time_s(seen, out.twist, limits.footprint);
+      RC_ASSERT(at_s * out.twist.v_mps > rolls_m);
+    }
+  }));
+}
+
+TEST(PathFollower, WithoutAPathOrLimitsNothingIsDone) {
+  const types::RobotLimits limits;
+  const std::vector<Vector2> path = line({0.0, 0.0}, {2.0, 0.0});
+  FollowInput in;
+  in.limits = &limits;
+  PathFollower follower;
+  for (const bool has_path : {false, true}) {
+    if (has_path) in.path_odom = path;
+    in.limits = has_path ? nullptr : &limits;
+    const FollowOutput out = follower.step(in);
+    EXPECT_EQ(out.twist, Twist2{});
+    EXPECT_FALSE(out.arrived || out.blocked);
+  }
+}
+
+TEST(PathFollower, ArrivesAtAGoalAloneAndKeepsThePathOfOneNumber) {
+  const types::RobotLimits limits;
+  const std::vector<Vector2> here = line({-1.0, 0.0}, {0.0, 0.0}), ahead = line({0.0, 0.0}, {3.0, 0.0});
+  FollowInput in;
+  in.limits = &limits;
+  in.path_odom = here;
+  in.path_number = 1;
+  PathFollower follower;
+  EXPECT_FALSE(follower.step(in).arrived) << "the path goes on from there";
+  in.ends_at_goal = true;
+  EXPECT_TRUE(follower.step(in).arrived);
+  in.path_odom = ahead;
+  EXPECT_TRUE(follower.step(in).arrived) << "by its number it is the same";
+  in.path_number = 2;
+  EXPECT_FALSE(follower.step(in).arrived);
+  EXPECT_GT(follower.step(in).twist.v_mps, 0.0);
+  in.path_odom = here;
+  EXPECT_FALSE(follower.step(in).arrived);
+  follower.reset();
+  EXPECT_TRUE(follower.step(in).arrived) << "after a reset every path is new";
+}
+
+/// Its end is where it begins, and nears at the speed of an end.
+TEST(PathFollower, APathOfOnePointIsDrivenToSlowly) {
+  Course course;
+  course.path = {{1.5, 0.6}};
+  EXPECT_LT(course.run(), 60.0);
+  EXPECT_LT((course.pose.translation() - course.path.front()).norm(), 0.13);
 }
 
 }  // namespace

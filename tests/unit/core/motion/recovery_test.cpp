@@ -283,5 +283,89 @@ TEST(Recovery, WhateverHappensToABlockedRobotItIsStuckWithinAMinuteAndStaysSo) {
   }));
 }
 
+TEST(Recovery, WithoutProgressItTriesThoughNothingBlocks) {
+  StuckRobot s;
+  for (int i = 0; i < 159; ++i) ASSERT_EQ(s.step().phase, RecoveryPhase::kNone) << i;
+  for (int i = 0; i < 3; ++i) (void)s.step();
+  EXPECT_EQ(s.recovery.begun(), 1U) << "after eight seconds";
+  StuckRobot goes;
+  for (int i = 0; i < 400; ++i) {
+    goes.in.T_odom_base.x_m += 0.002;  // 0.16 m in four seconds
+    EXPECT_EQ(goes.step().phase, RecoveryPhase::kNone);
+  }
+  EXPECT_EQ(goes.recovery.begun(), 0U);
+}
+
+TEST(Recovery, APauseIsNoLackOfProgress) {
+  StuckRobot s;
+  for (int i = 0; i < 600; ++i) {
+    s.in.now += milliseconds(50);
+    if (i % 100 == 99) {
+      s.recovery.pause(s.in.now);
+      continue;
+    }
+    EXPECT_EQ(s.recovery.step(s.in).phase, RecoveryPhase::kNone) << i;
+  }
+  s.in.blocked = true;
+  while (s.step().phase != RecoveryPhase::kWaiting) ASSERT_EQ(s.recovery.begun(), 0U);
+  s.recovery.pause(s.in.now);
+  EXPECT_EQ(s.step().phase, RecoveryPhase::kNone) << "blocked anew from here on";
+}
+
+TEST(Recovery, ATouchIsNotWaitedFor) {
+  for (const bool touches : {false, true}) {
+    StuckRobot s;
+    s.in.blocked = true;
+    s.in.touching = touches;
+    const types::Stamp from = s.in.now;
+    while (s.recovery.begun() == 0 && s.in.now < from + std::chrono::seconds(10)) (void)s.step();
+    const double waited_s = types::to_seconds(s.in.now - from);
+    EXPECT_NEAR(waited_s, touches ? 0.3 : 2.5, 0.11);
+  }
+}
+
+TEST(Recovery, AMetreOnTheTriesBeginAnew) {
+  StuckRobot s;
+  for (int tries = 0; tries < 8; ++tries) {
+    s.in.blocked = true;
+    while (s.step().backing != Backing::kAlongTrail)
+      ASSERT_NE(s.recovery.step(s.in).phase, RecoveryPhase::kStuck) << tries;
+    s.in.blocked = false;
+    while (s.step().phase != RecoveryPhase::kNone) {
+    }
+    const double from_m = s.in.T_odom_base.x_m;
+    for (double x = from_m; x <= from_m + 1.5; x += 0.05) {
+      s.in.T_odom_base.x_m = x;
+      s.trail.update(s.in.T_odom_base);
+      (void)s.step();
+    }
+  }
+  EXPECT_EQ(s.recovery.begun(), 8U);
+}
+
+TEST(Recovery, OfTheMirroredRobotIsTheMirroredOne) {
+  EXPECT_TRUE(rc::check([] {
+    StuckRobot left, right;
+    left.in.blocked = right.in.blocked = true;
+    for (int i = 0; i < 600; ++i) {
+      if (*rc::gen::inRange(0, 20) == 0) {
+        left.in.turn_rad = *rc::gen::inRange(-314, 315) * 0.01 + 0.003;
+        right.in.turn_rad = -left.in.turn_rad;
+        left.in.refused = right.in.refused = *rc::gen::arbitrary<bool>();
+        left.in.ahead_m = right.in.ahead_m = *rc::gen::element(0.0, 0.4);
+        left.in.seen_behind_m = right.in.seen_behind_m = *rc::gen::element(0.0, 0.15);
+      }
+      const RecoveryOutput a = left.step(), b = right.step();
+      RC_ASSERT(a.phase == b.phase);
+      RC_ASSERT(a.backing == b.backing);
+      RC_ASSERT(std::abs(a.twist.v_mps - b.twist.v_mps) < 1e-9);
+      RC_ASSERT(std::abs(a.twist.omega_radps + b.twist.omega_radps) < 1e-6);
+      RC_ASSERT((a.phase != RecoveryPhase::kNone || a.twist == types::Twist2{}));
+      RC_ASSERT((a.twist.v_mps >= 0.0 || a.backing != Backing::kNone));
+    }
+    RC_ASSERT(left.recovery.begun() == right.recovery.begun());
+  }));
+}
+
 }  // namespace
 }  // namespace topo::motion

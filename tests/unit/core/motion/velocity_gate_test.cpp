@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <limits>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "tests/unit/core/motion/generators.hpp"
@@ -396,6 +398,233 @@ TEST(VelocityGate, AfterAStopItStartsFromRest) {
   scene.ask(0.5);
   scene.base.stall_left = false;
   EXPECT_LE(scene.ask(0.5).command.twist.v_mps, 0.3 * 0.05 + 1e-12);
+}
+
+TEST(VelocityGate, StopsAtTheEdgeOfItsAreaWhenTheHostDies) {
+  EXPECT_TRUE(rc::check([] {
+    Scene scene;
+    types::AreaLimits area;
+    area.keep_in = types::Polygon{{-2.0, -2.0}, {2.0, -2.0}, {2.0, 2.0}, {-2.0, 2.0}};
+    scene.input.area = &area;
+    types::Se2 pose{uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-3.1, 3.1)};
+    const double omega_radps = uniform(-0.3, 0.3);
+    GateOutput out;
+    for (int i = 0; i < 300; ++i) {
+      scene.input.T_map_base = pose;
+      out = scene.ask(0.7, omega_radps);
+      const double v_mps = out.command.twist.v_mps, turn = out.command.twist.omega_radps * 0.05;
+      // If nothing is sent from now on: the watchdog's time at this speed, then braking.
+      const double rolls_m = v_mps * 0.5 + v_mps * v_mps / (2.0 * scene.input.limits.deceleration_mps2);
+      if (omega_radps == 0.0)
+        RC_ASSERT(types::intrusion_m(area, pose * types::Se2{rolls_m, 0.0, 0.0},
+                                     scene.input.limits.footprint) == 0.0);
+      pose =
+          pose * types::Se2{v_mps * 0.05 * std::cos(0.5 * turn), v_mps * 0.05 * std::sin(0.5 * turn), turn};
+      RC_ASSERT(types::intrusion_m(area, pose, scene.input.limits.footprint) == 0.0);
+    }
+    if (std::abs(omega_radps) < 0.05) RC_ASSERT(out.reason == GateReason::kAreaLimit);
+  }));
+}
+
+TEST(VelocityGate, WithAreaLimitsItMustKnowItsPlace) {
+  types::AreaLimits area;
+  Scene scene;
+  scene.input.area = &area;
+  EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree) << "there are no limits";
+  area.keep_out.push_back({{50.0, 50.0}, {51.0, 50.0}, {51.0, 51.0}});
+  EXPECT_EQ(scene.ask(0.5).reason, GateReason::kNoPlace);
+  for (const types::Se2& bad : {types::Se2{kNaN, 0.0, 0.0}, {0.0, HUGE_VAL, 0.0}, {0.0, 0.0, kNaN}}) {
+    scene.input.T_map_base = bad;
+    const GateOutput out = scene.ask(0.5);
+    EXPECT_EQ(out.reason, GateReason::kNoPlace);
+    EXPECT_TRUE(stands(out));
+  }
+  scene.input.T_map_base = types::Se2{};
+  EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree);
+}
+
+TEST(VelocityGate, GivesWayToWhatMovesAndGoesOnAfterwards) {
+  Scene scene;
+  const std::vector<perception::MovingObstacle> comes{{{1.2, 0.0}, {-0.8, 0.0}, 0.2}},
+      leaves{{{1.2, 0.0}, {1.0, 0.0}, 0.2}};
+  scene.input.moving = comes;
+  const GateOutput out = scene.settle(0.5);
+  EXPECT_EQ(out.reason, GateReason::kGivesWay);
+  EXPECT_TRUE(stands(out));
+  EXPECT_TRUE(out.command.enable_motors);
+  scene.input.moving = leaves;
+  EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree);
+}
+
+TEST(VelocityGate, WhatAppearsTooNearIsBrakedForHardAndNotLatched) {
+  const auto estop = [](double measured_mps, double wall_m) {
+    Scene scene;
+    scene.settle(0.6);
+    scene.base.odometry.twist.v_mps = measured_mps;
+    put_wall_ahead(*scene.scan, wall_m);
+    const GateOutput out = scene.ask(0.6);
+    EXPECT_TRUE(!out.command.estop || (stands(out) && out.reason == GateReason::kBlocked));
+    EXPECT_FALSE(scene.state.estop_latched);
+    return out.command.estop;
+  };
+  EXPECT_TRUE(estop(0.6, 0.5));
+  EXPECT_FALSE(estop(0.6, 1.2)) << "normal braking is enough";
+  EXPECT_FALSE(estop(0.05, 0.3)) << "it hardly drives";
+  EXPECT_FALSE(estop(-0.6, 0.3)) << "backwards";
+  bool before = true;
+  for (double wall_m = 0.25; wall_m < 2.0; wall_m += 0.05) {
+    const bool now = estop(0.6, wall_m);
+    EXPECT_TRUE(before || !now) << "farther is no worse: " << wall_m;
+    before = now;
+  }
+}
+
+TEST(VelocityGate, ATouchBehindIsLeftStraightForwardsByHandAlone) {
+  const auto ask = [](bool by_hand, bool front, double v_mps) {
+    Scene scene;
+    scene.base.bumpers_rear = 2;
+    scene.base.bumpers_front = front ? 1 : 0;
+    scene.input.by_hand = by_hand;
+    scene.input.limits.allow_reverse = true;
+    return scene.settle(v_mps, 0.5);
+  };
+  const GateOutput creeps = ask(true, false, 0.5);
+  EXPECT_DOUBLE_EQ(creeps.command.twist.v_mps, types::RobotLimits{}.v_reverse_max_mps);
+  EXPECT_EQ(creeps.command.twist.omega_radps, 0.0);
+  EXPECT_EQ(creeps.reason, GateReason::kLimited);
+  for (const GateOutput& out :
+       {ask(false, false, 0.5), ask(true, true, 0.5), ask(true, false, 0.0), ask(true, false, -0.1)}) {
+    EXPECT_EQ(out.reason, GateReason::kBumper);
+    EXPECT_TRUE(stands(out));
+  }
+}
+
+TEST(VelocityGate, BesideThingsAWheelThatMaySlipSlowsIt) {
+  const auto speed_mps = [](double slip_curvature, double gap_m) {
+    Scene scene;
+    scene.input.limits.slip_curvature_per_m = slip_curvature;
+    for (double x = 0.3; x < 1.5; x += 0.02)
+      scene.posts.push_back({{x, scene.input.limits.footprint.half_width_m + gap_m}, true, false});
+    scene.input.front_points = scene.posts;
+    return scene.settle(0.7).command.twist.v_mps;
+  };
+  const double beside_mps = types::RobotLimits{}.v_beside_mps;
+  EXPECT_DOUBLE_EQ(speed_mps(0.0, 0.1), 0.7);
+  EXPECT_LE(speed_mps(1.7, 0.1), speed_mps(0.5, 0.1));
+  EXPECT_LT(speed_mps(1.7, 0.1), 0.6);
+  for (const double slip : {0.5, 1.7, 3.0, 5.0}) {
+    for (const double gap_m : {0.055, 0.1, 0.3}) EXPECT_GE(speed_mps(slip, gap_m), beside_mps - 1e-9) << slip;
+  }
+  EXPECT_GE(speed_mps(1.7, 0.3), speed_mps(1.7, 0.1));
+}
+
+TEST(VelocityGate, EveryReasonHasATextOfItsOwn) {
+  std::set<std::string_view> texts;
+  constexpr int kReasons = static_cast<int>(GateReason::kGivesWay) + 1;
+  for (int i = 0; i < kReasons; ++i) texts.insert(to_text(static_cast<GateReason>(i)));
+  EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));
+  EXPECT_EQ(texts.count("unknown"), 0U);
+}
+
+TEST(VelocityGate, MoreThanTheRobotCanIsLimited) {
+  Scene scene;
+  const GateOutput out = scene.settle(1.4, 1.0);
+  EXPECT_EQ(out.reason, GateReason::kLimited);
+  EXPECT_EQ(out.command.twist, (Twist2{0.7, 0.5}));
+  EXPECT_EQ(scene.settle(0.7, 0.5).reason, GateReason::kFree);
+}
+
+TEST(VelocityGate, ALatePeriodIsNoJumpAndAnEarlyOneNoStep) {
+  Scene scene;
+  scene.ask(0.7);
+  const double before_mps = scene.state.last.v_mps;
+  scene.now += std::chrono::seconds(3);
+  EXPECT_NEAR(scene.ask(0.7).command.twist.v_mps, before_mps + 0.3 * 0.1, 1e-12)
+      << "a tenth of a second counts";
+  const double then_mps = scene.state.last.v_mps;
+  EXPECT_EQ(scene.again().command.twist.v_mps, then_mps) << "no time has passed";
+  scene.now -= std::chrono::seconds(1);
+  EXPECT_EQ(scene.ask(0.7).command.twist.v_mps, then_mps) << "time does not run backwards";
+}
+
+TEST(VelocityGate, MotorsAreOnWhenAFreshRequestSaysSo) {
+  Scene scene;
+  EXPECT_TRUE(scene.ask(0.0).command.enable_motors);
+  scene.input.request.stamp = scene.now - milliseconds(301);
+  EXPECT_FALSE(scene.again().command.enable_motors);
+  scene.input.request.enable_motors = false;
+  EXPECT_FALSE(scene.ask(0.0).command.enable_motors);
+  scene.input.request.enable_motors = true;
+  scene.base.bumpers_front = 1;
+  EXPECT_TRUE(scene.ask(0.5).command.enable_motors) << "they hold the robot";
+}
+
+TEST(VelocityGate, BlindTimeIsOfTheScanTheReactionAndTheWatchdog) {
+  Scene scene;
+  const double alive_s = 0.045 + 0.1 + 0.05;  // the first beam, the reaction, a period
+  EXPECT_NEAR(alive_time_s(scene.input), alive_s, 1e-9);
+  EXPECT_NEAR(blind_time_s(scene.input), alive_s + 0.5 - 0.05, 1e-9);
+  scene.scan->first_beam = scene.now + milliseconds(500);
+  EXPECT_NEAR(alive_time_s(scene.input), 0.02 + 0.15, 1e-9) << "by the arrival";
+  scene.scan->arrival = scene.now + milliseconds(500);
+  EXPECT_NEAR(alive_time_s(scene.input), 0.15, 1e-9) << "never negative";
+  scene.scan->first_beam = Stamp{};
+  EXPECT_NEAR(alive_time_s(scene.input), 1.0 + 0.15, 1e-9) << "a second at most";
+}
+
+TEST(VelocityGate, LimitedTwistsStayOnTheirArcAndAreLimitedOnce) {
+  EXPECT_TRUE(rc::check([] {
+    const types::RobotLimits limits;
+    const Twist2 t{uniform(-3.0, 3.0), uniform(-5.0, 5.0)}, out = within_limits(t, limits);
+    const Twist2 twice = within_limits(out, limits);
+    RC_ASSERT(std::abs(out.v_mps * t.omega_radps - out.omega_radps * t.v_mps) < 1e-9);
+    RC_ASSERT(out.v_mps * t.v_mps >= 0.0);
+    RC_ASSERT(out.omega_radps * t.omega_radps >= 0.0);
+    RC_ASSERT(std::abs(twice.v_mps - out.v_mps) < 1e-12);
+    RC_ASSERT(std::abs(twice.omega_radps - out.omega_radps) < 1e-12);
+    const Twist2 mirrored = within_limits({t.v_mps, -t.omega_radps}, limits);
+    RC_ASSERT(mirrored == (Twist2{out.v_mps, -out.omega_radps}));
+    const bool fits = t.v_mps <= 0.7 && t.v_mps >= -0.1 && std::abs(t.omega_radps) <= 1.4;
+    RC_ASSERT((out == t) == fits);
+  }));
+}
+
+TEST(VelocityGate, ARampNeverOvershootsAndArrives) {
+  EXPECT_TRUE(rc::check([] {
+    const double wanted = uniform(-1.0, 1.0), faster = uniform(0.1, 2.0), slower = uniform(0.1, 2.0);
+    double now = uniform(-1.0, 1.0);
+    for (int i = 0; i < 500 && now != wanted; ++i) {
+      const double next = ramped(now, wanted, faster, slower, 0.05);
+      RC_ASSERT(ramped(-now, -wanted, faster, slower, 0.05) == -next);
+      RC_ASSERT(std::abs(next - wanted) <= std::abs(now - wanted));
+      RC_ASSERT((next - wanted) * (now - wanted) >= 0.0);
+      RC_ASSERT(now * next >= 0.0);  // through 0 in two steps
+      const bool speeds_up = std::abs(next) > std::abs(now);
+      RC_ASSERT(std::abs(next - now) <= (speeds_up ? faster : slower) * 0.05 + 1e-12);
+      now = next;
+    }
+    RC_ASSERT(now == wanted);
+  }));
+}
+
+TEST(VelocityGate, TheStoppingScaleUsesTheFreeTimeUp) {
+  EXPECT_TRUE(rc::check([] {
+    const types::RobotLimits l;
+    const Twist2 t{uniform(-0.7, 0.7), uniform(-1.4, 1.4)};
+    const double free_s = uniform(0.0, 5.0), blind_s = uniform(0.0, 2.5);
+    const double scale = stopping_scale(t, free_s, blind_s, l);
+    const double braking_s = std::max(std::abs(t.v_mps) / (2.0 * l.deceleration_mps2),
+                                      std::abs(t.omega_radps) / (2.0 * l.angular_acceleration_radps2));
+    RC_ASSERT((scale >= 0.0 && scale <= 1.0));
+    if (scale < 1.0)
+      RC_ASSERT(std::abs(scale * (blind_s + scale * braking_s) - free_s) < 1e-9);
+    else
+      RC_ASSERT(blind_s + braking_s <= free_s + 1e-9);
+    RC_ASSERT(stopping_scale(t, free_s, blind_s + 0.1, l) <= scale);
+  }));
+  EXPECT_EQ(stopping_scale({0.5, 0.0}, kNaN, 0.5, {}), 0.0);
+  EXPECT_EQ(stopping_scale({0.5, 0.0}, -1.0, 0.5, {}), 0.0);
+  EXPECT_EQ(stopping_scale({0.5, 0.0}, HUGE_VAL, 0.5, {}), 1.0);
 }
 
 }  // namespace

@@ -70,6 +70,79 @@ TEST(FootprintSweep, TheMarginStopsAMotionTowardsButNotAlong) {
   EXPECT_NEAR(contact_time_with_margin_s({1.25, 0.0}, {0.5, 0.0}, kRobot, 0.05), 2.0, 1e-9);
 }
 
+types::Footprint any_outline() {
+  types::Footprint f{uniform(0.1, 0.4), uniform(0.1, 0.4), uniform(0.1, 0.3)};
+  if (*rc::gen::arbitrary<bool>()) f.swing_radius_m = f.half_width_m + uniform(0.0, 0.3);
+  return f;
+}
+
+/// Where the ray at an angle from the centre leaves the outline.
+Vector2 on_outline(const types::Footprint& f, double angle_rad) {
+  const Vector2 along(std::cos(angle_rad), std::sin(angle_rad));
+  double low_m = 0.0, high_m = 1.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle_m = 0.5 * (low_m + high_m);
+    (contains(f, middle_m * along) ? low_m : high_m) = middle_m;
+  }
+  return low_m * along;
+}
+
+TEST(FootprintSweep, DistanceIsThatToTheNearestPointOfTheOutline) {
+  EXPECT_TRUE(rc::check([] {
+    const types::Footprint f = any_outline();
+    const Vector2 p{uniform(-1.0, 1.0), uniform(-1.0, 1.0)};
+    const double found_m = distance_m(p, f);
+    RC_ASSERT((found_m == 0.0) == contains(f, p));
+    if (contains(f, p)) return;
+    double expected_m = HUGE_VAL;
+    constexpr int kRays = 1500;
+    for (int i = 0; i < kRays; ++i)
+      expected_m = std::min(expected_m, (p - on_outline(f, 2.0 * std::numbers::pi * i / kRays)).norm());
+    RC_ASSERT(found_m <= expected_m + 1e-9);
+    RC_ASSERT(found_m >= expected_m - 0.003);
+  }));
+}
+
+TEST(FootprintSweep, AMirroredMotionMeetsTheMirroredPointThen) {
+  EXPECT_TRUE(rc::check([] {
+    const types::Footprint f = any_outline();
+    const types::Footprint back{f.rear_m, f.front_m, f.half_width_m, f.swing_radius_m};
+    const Vector2 p{uniform(-1.5, 1.5), uniform(-1.5, 1.5)};
+    const Twist2 t{uniform(-1.0, 1.0), uniform(-2.0, 2.0)};
+    const double margin_m = uniform(0.0, 0.1);
+    const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-6 && a != b; };
+    const double at_s = contact_time_s(p, t, f), kept_s = contact_time_with_margin_s(p, t, f, margin_m);
+    const Vector2 aside{p.x(), -p.y()}, behind{-p.x(), p.y()};
+    RC_ASSERT(!differs(at_s, contact_time_s(aside, {t.v_mps, -t.omega_radps}, f)));
+    RC_ASSERT(!differs(kept_s, contact_time_with_margin_s(aside, {t.v_mps, -t.omega_radps}, f, margin_m)));
+    RC_ASSERT(!differs(at_s, contact_time_s(behind, {-t.v_mps, -t.omega_radps}, back)));
+  }));
+}
+
+TEST(FootprintSweep, TwiceAsFastItMeetsInHalfTheTime) {
+  EXPECT_TRUE(rc::check([] {
+    const types::Footprint f = any_outline();
+    const Vector2 p{uniform(-1.5, 1.5), uniform(-1.5, 1.5)};
+    const Twist2 t{uniform(-1.0, 1.0), uniform(-2.0, 2.0)}, twice{2.0 * t.v_mps, 2.0 * t.omega_radps};
+    RC_ASSERT(contact_time_s(p, twice, f) == 0.5 * contact_time_s(p, t, f));
+    // At the rim, where noise puts points, only motion towards a point counts.
+    if (!contains(f, p)) RC_ASSERT(contact_time_with_margin_s(p, t, f, 0.0) == contact_time_s(p, t, f));
+  }));
+}
+
+TEST(FootprintSweep, AWiderMarginIsMetNoLater) {
+  EXPECT_TRUE(rc::check([] {
+    const types::Footprint f = any_outline();
+    const Vector2 p{uniform(-1.5, 1.5), uniform(-1.5, 1.5)};
+    const Twist2 t{uniform(-1.0, 1.0), uniform(-2.0, 2.0)};
+    const double narrow_m = uniform(0.0, 0.1), wide_m = narrow_m + uniform(0.0, 0.1);
+    // Within a margin, only motion towards the point counts.
+    if (contains(types::grown(f, wide_m), p)) return;
+    const double narrow_s = contact_time_with_margin_s(p, t, f, narrow_m);
+    RC_ASSERT(contact_time_with_margin_s(p, t, f, wide_m) <= narrow_s + 1e-9);
+  }));
+}
+
 TEST(FirstContact, IsThatOfAllPointsThoughItLooksAtFew) {
   std::size_t offered = 0, looked_at = 0;
   EXPECT_TRUE(rc::check([&] {

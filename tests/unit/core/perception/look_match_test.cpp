@@ -61,5 +61,39 @@ TEST(LookMatch, WhereNothingIsSeenTheGuessHolds) {
   EXPECT_EQ(match.explained, 0.0);
 }
 
+TEST(LookMatch, BackwardsIsTheOtherWayRound) {
+  const Se2 before{0.3, -0.4, 1.0}, moved{0.06, 0.01, 0.08};
+  const auto a = look_from(before, 3), b = look_from(before * moved, 4);
+  const Se2 there = match_looks(*a, *b, {}).T_before_now, back = match_looks(*b, *a, {}).T_before_now;
+  const Se2 round = there * back;
+  EXPECT_LT(round.translation().norm(), 0.02);
+  EXPECT_LT(std::abs(round.theta_rad), 0.01);
+  const LookMatch same = match_looks(*a, *a, {});
+  EXPECT_LT(same.T_before_now.translation().norm(), 1e-3);
+  EXPECT_EQ(same.explained, 1.0);
+}
+
+/// Two walls without ends: nothing tells how far the robot went along them.
+TEST(LookMatch, AlongACorridorTheGuessHolds) {
+  const auto look_in_corridor = [](double y_m, double heading_rad) {
+    auto scan = empty_scan(types::stamp_from_seconds(1.0));
+    for (std::size_t i = 0; i < scan->beams; ++i) {
+      const double up = std::sin(heading_rad + static_cast<double>(scan->angle_rad(i)));
+      const double range_m = up > 0.0 ? (1.0 - y_m) / up : (-1.0 - y_m) / up;
+      if (range_m < 8.0) scan->range_m[i] = static_cast<float>(range_m);
+    }
+    auto look = std::make_unique<ScanLook>();
+    EXPECT_TRUE(take_look(*scan, 0.0, *look));
+    return look;
+  };
+  const auto before = look_in_corridor(0.0, 0.0), now = look_in_corridor(0.05, 0.1);
+  for (const double guess_m : {-0.1, 0.0, 0.2}) {
+    const Se2 found = match_looks(*before, *now, {guess_m, 0.0, 0.0}).T_before_now;
+    EXPECT_NEAR(found.x_m, guess_m, 0.02);
+    EXPECT_NEAR(found.y_m, 0.05, 0.005);
+    EXPECT_NEAR(found.theta_rad, 0.1, 0.005);
+  }
+}
+
 }  // namespace
 }  // namespace topo::perception

@@ -184,5 +184,41 @@ TEST(MovingObstacles, ATurnOnTheSpotEndsBeforeThePersonBesideTouchesIt) {
   EXPECT_GT(touches, 3) << "of 9: these encounters are no test";
 }
 
+TEST(PoseAt, FollowsTheTwistForAShortWhile) {
+  types::Odometry odometry;
+  odometry.stamp = types::stamp_from_seconds(5.0);
+  odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(1.0, 2.0, 1.5);
+  odometry.twist = {0.8, -0.5};
+  const auto after = [&](double s) { return pose_at(odometry, odometry.stamp + types::from_seconds(s)); };
+  EXPECT_EQ(after(0.0), odometry.T_odom_base.se2());
+  // On the arc of radius 1.6 m.
+  const types::Se2 moved = odometry.T_odom_base.se2().inverse() * after(0.2);
+  EXPECT_NEAR(moved.theta_rad, -0.1, 1e-12);
+  EXPECT_NEAR(moved.x_m, 1.6 * std::sin(0.1), 1e-3);
+  EXPECT_NEAR(moved.y_m, -1.6 * (1.0 - std::cos(0.1)), 1e-3);
+  EXPECT_EQ(after(0.4), after(0.3)) << "no farther";
+  EXPECT_EQ(after(100.0), after(0.3));
+  EXPECT_EQ(after(-100.0), after(-0.3));
+  odometry.twist = {};
+  EXPECT_EQ(after(0.25), odometry.T_odom_base.se2());
+}
+
+TEST(MovingObstacles, AreNearestFirstAndForgotten) {
+  MovingScene scene(2);
+  scene.walls = box_room(-6.0, -6.0, 8.0, 6.0);
+  for (const Vector2& at : {Vector2(3.6, -2.4), Vector2(1.8, 0.4), Vector2(2.7, -0.9)})
+    scene.walkers.push_back({at, {0.0, 1.0}, 0.2});
+  while (scene.now_s() < 1.2) scene.step();
+  ASSERT_EQ(scene.moving().size(), 3U);
+  for (std::size_t i = 1; i < 3; ++i)
+    EXPECT_LE(scene.moving()[i - 1].centre.norm(), scene.moving()[i].centre.norm());
+
+  MovingObstacles tracker;
+  std::array<MovingObstacle, MovingObstacles::kMax> out{};
+  EXPECT_EQ(tracker.around({}, types::stamp_from_seconds(1.0), out), 0U) << "before the first scan";
+  tracker.forget();
+  EXPECT_EQ(tracker.around({}, types::stamp_from_seconds(1.0), out), 0U);
+}
+
 }  // namespace
 }  // namespace topo::perception

@@ -3,7 +3,9 @@
 #include "core/perception/scan_groups.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -83,6 +85,57 @@ TEST(ScanGroups, FindsNoMoreThanThereIsRoomFor) {
   View view;
   for (int i = 0; i < 20; ++i) view.put(3.0, -100.0 + 10.0 * i, -97.0 + 10.0 * i);
   EXPECT_EQ(view.find(), view.groups.size());
+}
+
+TEST(ScanGroups, OfTheMirroredViewAreTheMirroredOnes) {
+  EXPECT_TRUE(rc::check([] {
+    View view;
+    for (int people = 0; people < 4; ++people) {
+      const double range_m = *rc::gen::inRange(11, 45) * 0.1;
+      const double at = -120.0 + 60.0 * people + *rc::gen::inRange(0, 20);
+      view.put(range_m, at, at + *rc::gen::inRange(3, 20));
+      // Something that hides its beginning.
+      if (*rc::gen::inRange(0, 3) == 0) view.put(0.6 * range_m, at - 4.0, at + 1.0);
+    }
+    const std::size_t found = view.find();
+    const std::array<ScanGroup, 8> groups = view.groups;
+    std::reverse(view.scan->range_m.begin(), view.scan->range_m.begin() + view.scan->beams);
+    RC_ASSERT(view.find() == found);
+    for (std::size_t i = 0; i < found; ++i) {
+      const ScanGroup &a = groups[i], &b = view.groups[found - 1 - i];
+      RC_ASSERT((a.centre - Vector2(b.centre.x(), -b.centre.y())).norm() < 1e-4);
+      RC_ASSERT((a.begin - Vector2(b.end.x(), -b.end.y())).norm() < 1e-4);
+      RC_ASSERT(a.begins_freely == b.ends_freely);
+      RC_ASSERT(a.ends_freely == b.begins_freely);
+      RC_ASSERT(std::abs(a.radius_m - b.radius_m) < 1e-4);
+      RC_ASSERT(a.first == view.scan->beams - 1 - b.last);
+    }
+  }));
+}
+
+TEST(ScanGroups, HoldTheirHitsWithinTheirCircle) {
+  EXPECT_TRUE(rc::check([] {
+    View view;
+    for (int things = 0; things < 8; ++things) {
+      const double at = -130.0 + 30.0 * things + *rc::gen::inRange(0, 10);
+      view.put(*rc::gen::inRange(10, 70) * 0.1, at, at + *rc::gen::inRange(1, 15));
+    }
+    const std::size_t found = view.find();
+    std::size_t after = 0;
+    for (std::size_t i = 0; i < found; ++i) {
+      const ScanGroup& group = view.groups[i];
+      RC_ASSERT(group.first >= after);
+      after = group.last + 1;
+      RC_ASSERT((group.begins_freely || group.ends_freely));
+      double farthest_m = 0.0;
+      for_each_point(*view.look, group, [&](const Vector2& p) {
+        farthest_m = std::max(farthest_m, (p - group.centre).norm());
+        RC_ASSERT(p.norm() <= group.farthest_m + 1e-6);
+      });
+      RC_ASSERT(std::abs(farthest_m - group.radius_m) < 1e-12);
+      RC_ASSERT(group.radius_m <= kGroupAcross_m);
+    }
+  }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/perception/steady_frame.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
 
@@ -104,6 +105,43 @@ TEST(SteadyFrame, WhatWasMissedIsNotFollowed) {
   expect_near(frame.steady(odometry).T_odom_base.se2(), odometry.T_odom_base.se2(), 1e-12);
   frame.update(MapOdom(0.06, 0.0, 0.05), 0, odometry);
   EXPECT_NEAR(frame.steady(odometry).T_odom_base.x_m(), 1.01, 1e-4) << "and from then on it is";
+}
+
+/// The robot's own frame is all that counts.
+TEST(SteadyFrame, IsTheSameInWhateverFrameTheMapIs) {
+  EXPECT_TRUE(rc::check([] {
+    const auto any = [](int most) { return 0.001 * *rc::gen::inRange(-most, most + 1); };
+    const Se2 map_frame{any(20000), any(20000), any(3141)};
+    SteadyFrame here, there;
+    Se2 T_map_base, T_odom_base;
+    for (int k = *rc::gen::inRange(1, 20); k > 0; --k) {
+      const std::uint32_t bends = *rc::gen::inRange(0, 10) == 0 ? 1 : 0;
+      if (*rc::gen::inRange(0, 8) == 0) {
+        here.lose();
+        there.lose();
+      }
+      const Se2 T_map_odom = T_map_base * T_odom_base.inverse();
+      here.update(MapOdom(T_map_odom), bends, at(T_odom_base));
+      there.update(MapOdom(map_frame * T_map_odom), bends, at(T_odom_base));
+      expect_near(here.steady(at(T_odom_base)).T_odom_base.se2(),
+                  there.steady(at(T_odom_base)).T_odom_base.se2(), 1e-6);
+      const Se2 rolled{any(200), 0.0, any(400)};
+      T_odom_base = T_odom_base * rolled;
+      T_map_base = T_map_base * rolled * Se2{any(15), any(15), any(15)};
+    }
+    RC_ASSERT(!::testing::Test::HasFailure());
+  }));
+}
+
+TEST(SteadyFrame, ChangesThePoseAloneAndNothingAtFirst) {
+  const SteadyFrame frame;
+  Odometry odometry = at({1.0, 2.0, 0.5});
+  odometry.stamp = types::stamp_from_seconds(7.0);
+  odometry.twist = {0.3, -0.2};
+  const Odometry steady = frame.steady(odometry);
+  EXPECT_EQ(steady.T_odom_base, odometry.T_odom_base);
+  EXPECT_EQ(steady.stamp, odometry.stamp);
+  EXPECT_EQ(steady.twist, odometry.twist);
 }
 
 }  // namespace

@@ -52,5 +52,28 @@ TEST(CoarseMap, aCoarserMapHasUnknownCellsAllAround) {
   EXPECT_TRUE(coarser({}, {}).map.cells.empty());
 }
 
+TEST(CoarseMap, TwoDoublingsAreOneAfterTheOther) {
+  EXPECT_TRUE(rc::check([] {
+    CoarseMap fine;
+    fine.map = grid::random_map(40);
+    const grid::CellIndex by{*rc::gen::inRange(-20, 20), *rc::gen::inRange(-20, 20)};
+    fine.map.box = {{fine.map.box.min.x + by.x, fine.map.box.min.y + by.y},
+                    {fine.map.box.max.x + by.x, fine.map.box.max.y + by.y}};
+    fine.clearance_m = grid::clearance_m(fine.map, grid::Boundary::kOccupiedOrUnknown);
+    const CoarseMap once = coarser(fine.map, fine.clearance_m), twice = coarser(once.map, once.clearance_m),
+                    both = coarser(fine.map, fine.clearance_m, 2);
+    RC_ASSERT(both.map.resolution_m == twice.map.resolution_m);
+    for (std::size_t i = 0; i < both.map.cells.size(); ++i) {
+      const grid::CellIndex c = both.map.cell(i);
+      RC_ASSERT(both.map.cells[i] == twice.map.state(c));
+      const bool is_inside = twice.map.contains(c);
+      RC_ASSERT(both.clearance_m[i] == (is_inside ? twice.clearance_m[twice.map.index(c)] : 0.0F));
+    }
+    const CoarseMap none = coarser(fine.map, fine.clearance_m, 0);
+    for (std::size_t i = 0; i < none.map.cells.size(); ++i)
+      RC_ASSERT(none.map.cells[i] == fine.map.state(none.map.cell(i)));
+  }));
+}
+
 }  // namespace
 }  // namespace topo::travel

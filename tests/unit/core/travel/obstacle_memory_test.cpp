@@ -3,6 +3,11 @@
 #include "core/travel/obstacle_memory.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace topo::travel {
 namespace {
@@ -81,6 +86,61 @@ TEST(ObstacleMemory, KeepsSoManyEchoesAndNoMore) {
   ObstacleMemory memory(params);
   for (int i = 0; i < 5; ++i) memory.note_touch(kPlace + Vector2(1.0 * i, 0.0), kStart);
   EXPECT_EQ(memory.echoed().size(), 2U);
+}
+
+/// Places far apart, so that each is one of its own: what the memory should hold, by place.
+struct RememberedPlace {
+  int times = 0;
+  types::Stamp until{};
+};
+
+TEST(ObstacleMemory, HoldsWhatWasNotedOftenEnoughAndIsNotOver) {
+  EXPECT_TRUE(rc::check([] {
+    ObstacleMemory memory;
+    std::array<RememberedPlace, 5> expected;
+    types::Stamp now = kStart, forgotten{};
+    for (int steps = *rc::gen::inRange(0, 60); steps > 0; --steps) {
+      now += seconds(*rc::gen::inRange(0, 120));
+      const auto which = *rc::gen::inRange<std::size_t>(0, expected.size());
+      const Vector2 p = kPlace + Vector2(1.0 * static_cast<double>(which), 0.01 * *rc::gen::inRange(0, 10));
+      const int action = *rc::gen::inRange(0, 8);
+      if (action < 6) {
+        action == 0 ? memory.note_touch(p, now) : memory.note_echo(p, now);
+        expected[which].times += action == 0 ? 3 : 1;
+        expected[which].until = now + minutes(10);
+      } else if (action == 6) {
+        memory.expire(now);
+        for (RememberedPlace& place : expected)
+          if (place.until <= now) place = {};
+      } else {
+        const bool is_empty =
+            std::all_of(expected.begin(), expected.end(), [](const auto& place) { return place.times == 0; });
+        const bool forgets = !is_empty && now - forgotten >= seconds(60);
+        RC_ASSERT(memory.forget(now) == forgets);
+        if (forgets) {
+          expected = {};
+          forgotten = now;
+        }
+      }
+    }
+    const auto often =
+        std::count_if(expected.begin(), expected.end(), [](const auto& p) { return p.times >= 3; });
+    RC_ASSERT(memory.echoed().size() == static_cast<std::size_t>(often));
+    for (const Vector2& p : memory.echoed()) {
+      const auto which = static_cast<std::size_t>(std::lround(p.x() - kPlace.x()));
+      RC_ASSERT(expected[which].times >= 3);
+    }
+  }));
+}
+
+TEST(ObstacleMemory, AnEchoHeardAgainLastsFromThenOn) {
+  ObstacleMemory memory;
+  memory.note_touch(kPlace, kStart);
+  memory.note_echo(kPlace, kStart + minutes(9));
+  memory.expire(kStart + minutes(18));
+  EXPECT_EQ(memory.echoed().size(), 1U);
+  memory.expire(kStart + minutes(19));
+  EXPECT_TRUE(memory.echoed().empty());
 }
 
 }  // namespace

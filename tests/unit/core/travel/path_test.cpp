@@ -62,5 +62,55 @@ TEST(SmoothPath, keepsItsEndsItsSpacingAndTheRobotsWidth) {
   EXPECT_TRUE(held);
 }
 
+TEST(SmoothPath, OfNoCellAndOfOneIsThatCell) {
+  const grid::DenseMap map = cluttered_map({});
+  const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  EXPECT_TRUE(smooth_path(map, clearance, {}, 0.6).empty());
+  const std::vector<grid::CellIndex> one{{30, 40}}, two{{30, 40}, {31, 41}};
+  EXPECT_EQ(smooth_path(map, clearance, one, 0.6), std::vector<Vector2>{map.centre_of({30, 40})});
+  EXPECT_EQ(smooth_path(map, clearance, two, 0.6),
+            (std::vector<Vector2>{map.centre_of({30, 40}), map.centre_of({31, 41})}));
+}
+
+TEST(SmoothPath, IsNoLongerThanTheCellsAndGoesAlongWithTheMap) {
+  EXPECT_TRUE(rc::check([] {
+    const auto boxes = *rc::gen::container<std::vector<std::pair<int, int>>>(
+        5, rc::gen::pair(rc::gen::inRange(15, 100), rc::gen::inRange(15, 100)));
+    grid::DenseMap map = cluttered_map(boxes);
+    const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    auto route = grid::route_to(map, grid::travel_field(map, clearance, {10, 10}, {}), {108, 60});
+    if (route.empty()) return;
+    const auto path = smooth_path(map, clearance, route, 0.72);
+    double path_m = 0.0, route_m = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i) path_m += (path[i] - path[i - 1]).norm();
+    for (std::size_t i = 1; i < route.size(); ++i)
+      route_m += (map.centre_of(route[i]) - map.centre_of(route[i - 1])).norm();
+    RC_ASSERT(path_m <= route_m + 1e-9);
+    // A whole number of 64 cells on, the numbers are others by rounding only.
+    map.box = {{64, -128}, {map.box.max.x + 64, map.box.max.y - 128}};
+    for (grid::CellIndex& cell : route) cell = {cell.x + 64, cell.y - 128};
+    const auto moved = smooth_path(map, clearance, route, 0.72);
+    RC_ASSERT((moved.front() - path.front() - Vector2(3.2, -6.4)).norm() < 1e-9);
+    RC_ASSERT((moved.back() - path.back() - Vector2(3.2, -6.4)).norm() < 1e-9);
+  }));
+}
+
+TEST(NearestPoint, IsTheFirstNearestOfTheNextThreeMetres) {
+  EXPECT_TRUE(rc::check([] {
+    const auto any_m = [] { return 0.1 * *rc::gen::inRange(-30, 30); };
+    std::vector<Vector2> path(*rc::gen::inRange<std::size_t>(0, 60));
+    for (Vector2& p : path) p = {any_m(), any_m()};
+    const Vector2 here{any_m(), any_m()};
+    const std::size_t nearest = nearest_point(path, here);
+    RC_ASSERT(nearest <= path.size());
+    for (std::size_t i = 0; i < std::min(path.size(), kNearPoints); ++i) {
+      RC_ASSERT((path[nearest] - here).squaredNorm() <= (path[i] - here).squaredNorm());
+      if (i < nearest) RC_ASSERT((path[i] - here).squaredNorm() > (path[nearest] - here).squaredNorm());
+    }
+    RC_ASSERT((nearest < kNearPoints || nearest == 0));
+  }));
+  EXPECT_EQ(nearest_point({}, {1.0, 1.0}), 0U);
+}
+
 }  // namespace
 }  // namespace topo::travel

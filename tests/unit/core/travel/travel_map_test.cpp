@@ -7,6 +7,8 @@
 
 #include "core/grid/occupancy_grid.hpp"
 #include "tests/unit/core/grid/maps.hpp"
+#include "tests/unit/core/motion/generators.hpp"
+#include "tests/unit/core/travel/counted_cells.hpp"
 #include "tests/unit/core/travel/drawn_map.hpp"
 
 namespace topo::travel {
@@ -89,21 +91,6 @@ TEST(FreeDisc, leavesTheBorderUnknown) {
   free_disc(map, {0.5, 2.5}, 2.6);
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"     ", " ..  ", " ..  ", " ..  ", "     "}));
 }
-
-/// A grid of one tile in which some cells have counts.
-class CountedCells {
- public:
-  CountedCells() : grid_(arena_, 0.05) {}
-  void put(grid::CellIndex cell, std::uint16_t hits, std::uint16_t misses) {
-    grid_.tile_to_change(cell.x >> 5, cell.y >> 5).cells[grid::Tile::index(cell.x & 31, cell.y & 31)] = {
-        hits, misses};
-  }
-  [[nodiscard]] const grid::OccupancyGrid& grid() const { return grid_; }
-
- private:
-  patricia::Arena<grid::TileRef> arena_;
-  grid::OccupancyGrid grid_;
-};
 
 TEST(OccupyFaint, aTenthAndTwiceAtLeast) {
   grid::DenseMap map = drawn_map({"......"});
@@ -209,6 +196,81 @@ TEST(ApplyLimits, outsideAndKeepOutAreWalls) {
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"######", "#.....", "#..##.", "#....."}));
 }
 
+TEST(ApplyLimits, OccupiesWhatThePolygonsDoNotAllow) {
+  EXPECT_TRUE(rc::check([] {
+    using motion::uniform;
+    const auto any_corners = [] {
+      types::Polygon polygon;
+      for (int corners = *rc::gen::inRange(3, 7); corners > 0; --corners)
+        polygon.emplace_back(uniform(-0.3, 1.5), uniform(-0.3, 1.5));
+      return polygon;
+    };
+    types::AreaLimits limits;
+    if (*rc::gen::arbitrary<bool>()) limits.keep_in = any_corners();
+    for (int holes = *rc::gen::inRange(0, 3); holes > 0; --holes) limits.keep_out.push_back(any_corners());
+    const grid::DenseMap before = grid::random_map(24);
+    grid::DenseMap map = before;
+    apply_limits(map, limits);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const bool allowed = types::allows(limits, map.centre_of(map.cell(i)));
+      RC_ASSERT(map.cells[i] == (allowed ? before.cells[i] : grid::CellState::kOccupied));
+    }
+  }));
+}
+
+TEST(FreeDisc, AndNoOtherCellIsFreed) {
+  EXPECT_TRUE(rc::check([] {
+    using motion::uniform;
+    const grid::DenseMap before = grid::random_map(30);
+    const types::Vector2 centre{uniform(-0.5, 2.0), uniform(-0.5, 2.0)};
+    const double radius_m = uniform(0.0, 0.8);
+    grid::DenseMap map = before;
+    for (int again = 0; again < 2; ++again) free_disc(map, centre, radius_m);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const bool within = (map.centre_of(map.cell(i)) - centre).norm() <= radius_m;
+      const bool takes =
+          within && before.cells[i] == grid::CellState::kUnknown && !map.is_on_border(map.cell(i));
+      RC_ASSERT(map.cells[i] == (takes ? grid::CellState::kFree : before.cells[i]));
+    }
+  }));
+}
+
+TEST(LowerClearance, IsTheDistanceToTheNearestObstacleInReach) {
+  EXPECT_TRUE(rc::check([] {
+    using motion::uniform;
+    const grid::DenseMap map = grid::filled_map(24, 18, grid::CellState::kFree);
+    const std::vector<float> before = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    std::vector<types::Vector2> obstacles;
+    for (int count = *rc::gen::inRange(0, 5); count > 0; --count)
+      obstacles.push_back(map.centre_of({*rc::gen::inRange(0, 24), *rc::gen::inRange(0, 18)}));
+    const double reach_m = uniform(0.01, 0.7);
+    std::vector<float> clearance = before, backwards = before;
+    lower_clearance(map, obstacles, reach_m, clearance);
+    std::vector<float> twice = clearance;
+    lower_clearance(map, obstacles, reach_m, twice);
+    RC_ASSERT(twice == clearance);
+    std::reverse(obstacles.begin(), obstacles.end());
+    lower_clearance(map, obstacles, reach_m, backwards);
+    RC_ASSERT(backwards == clearance);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      double expected_m = static_cast<double>(before[i]);
+      for (const types::Vector2& p : obstacles) {
+        const double away_m = (map.centre_of(map.cell(i)) - p).norm();
+        if (away_m <= reach_m) expected_m = std::min(expected_m, away_m);
+      }
+      RC_ASSERT(std::abs(static_cast<double>(clearance[i]) - expected_m) < 1e-6);
+    }
+  }));
+}
+
+TEST(LowerClearance, WhatIsOutsideTheMapIsNoObstacle) {
+  const grid::DenseMap map = grid::filled_map(10, 10, grid::CellState::kFree);
+  const std::vector<float> before(map.cells.size(), 1.0F);
+  std::vector<float> clearance = before;
+  lower_clearance(map, std::vector<types::Vector2>{{-1.0, 0.2}, {50.0, 50.0}}, 2.0, clearance);
+  EXPECT_EQ(clearance, before);
+}
+
 TEST(LowerClearance, neverRaisesAndReachesAsFarAsTold) {
   const grid::DenseMap map = drawn_map(Rows(20, std::string(20, '.')), 0.1);
   std::vector<float> clearance(map.cells.size(), 0.3F);
@@ -218,6 +280,66 @@ TEST(LowerClearance, neverRaisesAndReachesAsFarAsTold) {
   EXPECT_NEAR(clearance[map.index({10, 10})], 0.2, 1e-6);
   EXPECT_FLOAT_EQ(clearance[map.index({10, 8})], 0.3F);
   for (const float c : clearance) EXPECT_LE(c, 0.5F);
+}
+
+TEST(KeepTrailOpen, OpensFreeCellsOfTheLinesAloneAndLowersNone) {
+  EXPECT_TRUE(rc::check([] {
+    using motion::uniform;
+    const grid::DenseMap map = grid::random_map(40);
+    const std::vector<float> before = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    std::vector<types::KeyframePose> way;
+    types::Vector2 at{uniform(0.0, 2.0), uniform(0.0, 2.0)};
+    for (int stations = *rc::gen::inRange(0, 6); stations > 0; --stations) {
+      way.push_back(station(at.x(), at.y()));
+      at += types::Vector2(uniform(-0.5, 0.5), uniform(-0.5, 0.5));
+    }
+    const grid::CellIndex here{*rc::gen::inRange(-5, 45), *rc::gen::inRange(-5, 45)};
+    const TrailRules rules{0.4, *rc::gen::element(0.0, 0.1)};
+    std::vector<float> clearance = before;
+    keep_trail_open(map, way, here, rules, clearance);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      double off_m = HUGE_VAL;  // from the trail
+      for (std::size_t k = 1; k < way.size(); ++k) {
+        const types::Vector2 a = way[k - 1].T_map_base.se2().translation(),
+                             b = way[k].T_map_base.se2().translation(), p = map.centre_of(map.cell(i));
+        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        off_m = std::min(off_m, (a + t * (b - a) - p).norm());
+      }
+      const bool may_open = map.cells[i] == grid::CellState::kFree && map.cell(i) != here &&
+                            static_cast<double>(before[i]) >= rules.above_m - 1e-6;
+      const float open_m = std::max(before[i], 0.4F);
+      if (may_open && off_m < 0.01) RC_ASSERT(clearance[i] == open_m);
+      if (!may_open || off_m > 0.0376) RC_ASSERT(clearance[i] == before[i]);
+      RC_ASSERT((clearance[i] == before[i] || clearance[i] == open_m));
+    }
+  }));
+}
+
+TEST(ConfirmedPoints, LieWhereTheBeamsEndWhereverTheLaserIs) {
+  EXPECT_TRUE(rc::check([] {
+    using motion::uniform;
+    types::Scan scan;
+    scan.beams = static_cast<std::uint16_t>(*rc::gen::inRange(0, 80));
+    scan.geometry.angle_min_rad = -1.5F;
+    scan.geometry.angle_increment_rad = 0.04F;
+    for (std::size_t i = 0; i < scan.beams; ++i) {
+      const float range_m = static_cast<float>(uniform(1.0, 1.0 + 0.2 * *rc::gen::inRange(0, 3)));
+      scan.range_m[i] = *rc::gen::element(range_m, range_m, range_m, range_m, types::kNoReturn);
+    }
+    const types::Se2 at{uniform(-5.0, 5.0), uniform(-5.0, 5.0), uniform(-3.0, 3.0)};
+    const double most_m = uniform(1.0, 1.5);
+    std::vector<types::Vector2> expected;
+    for (std::size_t i = 1; i + 1 < scan.beams; ++i) {
+      const auto fits = [&](std::size_t k) { return std::abs(scan.range_m[k] - scan.range_m[i]) < 0.1F; };
+      const double range_m = static_cast<double>(scan.range_m[i]),
+                   angle = static_cast<double>(scan.angle_rad(i));
+      if (!types::is_hit(scan.range_m[i]) || range_m > most_m || !fits(i - 1) || !fits(i + 1)) continue;
+      expected.push_back(at * types::Vector2(range_m * std::cos(angle), range_m * std::sin(angle)));
+    }
+    const auto points = confirmed_points(scan, at, most_m);
+    RC_ASSERT(points.size() == expected.size());
+    for (std::size_t i = 0; i < points.size(); ++i) RC_ASSERT((points[i] - expected[i]).norm() < 1e-5);
+  }));
 }
 
 TEST(ConfirmedPoints, loneEchoesAreNoObstacles) {

@@ -53,6 +53,39 @@ TEST(Se2, RotatesBeforeItTranslates) {
   EXPECT_NEAR(p.y(), 3.0, 1e-12);
 }
 
+TEST(WrapAngle, IsItsOwnResultAndKeepsSumsOfTurns) {
+  EXPECT_TRUE(rc::check("idempotent, and the same for whole turns more", [] {
+    const double angle = *rc::gen::inRange(-3141, 3142) / 1000.0;
+    const int turns = *rc::gen::inRange(-20, 21);
+    RC_ASSERT(wrap_angle(angle) == angle);
+    RC_ASSERT(std::abs(wrap_angle(angle + turns * 2.0 * std::numbers::pi) - angle) < 1e-9);
+  }));
+}
+
+TEST(Se2, ProductsAreAssociativeAndKeepDistances) {
+  EXPECT_TRUE(rc::check("(A B) C = A (B C)", [] {
+    const Se2 a = any_pose(), b = any_pose(), c = any_pose();
+    expect_near((a * b) * c, a * (b * c), 1e-9);
+    expect_near((a * b).inverse(), b.inverse() * a.inverse(), 1e-9);
+    RC_ASSERT(std::abs(distance_m(a * b, a * c) - distance_m(b, c)) < 1e-9);
+    RC_ASSERT(distance_m(a, c) <= distance_m(a, b) + distance_m(b, c) + 1e-9);
+  }));
+}
+
+TEST(Interpolate, BeginsAndEndsWhereItShouldAndIsEven) {
+  EXPECT_TRUE(rc::check("ends, reversal and halving", [] {
+    const Se2 a = any_pose(), b = any_pose();
+    // Half a turn apart either way round is as short.
+    RC_PRE(std::abs(wrap_angle(b.theta_rad - a.theta_rad)) < 3.1);
+    const double t = *rc::gen::inRange(0, 1001) / 1000.0;
+    expect_near(interpolate(a, b, 0.0), a, 1e-9);
+    expect_near(interpolate(a, b, 1.0), b, 1e-9);
+    expect_near(interpolate(a, b, t), interpolate(b, a, 1.0 - t), 1e-9);
+    expect_near(interpolate(a, interpolate(a, b, 0.5), t), interpolate(a, b, 0.5 * t), 1e-9);
+    RC_ASSERT(std::abs(distance_m(a, interpolate(a, b, t)) - t * distance_m(a, b)) < 1e-9);
+  }));
+}
+
 TEST(Interpolate, TakesTheShortWayRound) {
   const Se2 middle = interpolate({0.0, 0.0, 3.0}, {2.0, 0.0, -3.0}, 0.5);
   EXPECT_NEAR(middle.x_m, 1.0, 1e-12);

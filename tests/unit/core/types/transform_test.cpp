@@ -33,5 +33,16 @@ TEST(Transform2, CarriesOdometryIntoTheMap) {
   EXPECT_NEAR(T_map_base.theta_rad(), std::numbers::pi / 2, 1e-12);
 }
 
+TEST(Transform2, IsTheSe2OfItsFrames) {
+  const Se2 map_odom{1.0, -2.0, 0.5}, odom_base{-3.0, 0.25, 2.9};
+  const Transform2<Map, Odom> T_map_odom(map_odom);
+  const Transform2<Odom, Base> T_odom_base(odom_base);
+  EXPECT_EQ((T_map_odom * T_odom_base).se2(), map_odom * odom_base);
+  EXPECT_EQ(T_map_odom.inverse().se2(), map_odom.inverse());
+  EXPECT_EQ(T_map_odom, (Transform2<Map, Odom>(1.0, -2.0, 0.5)));
+  EXPECT_NE(T_map_odom, (Transform2<Map, Odom>(1.0, -2.0, 0.6)));
+  EXPECT_EQ((Transform2<Map, Base>().se2()), Se2{}) << "the identity";
+}
+
 }  // namespace
 }  // namespace topo::types

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/types/geometry.hpp"
 #include "core/types/result.hpp"
@@ -50,6 +55,68 @@ TEST(Rectangle, GrowsFromEmpty) {
   r.extend({-1.0, 2.0});
   EXPECT_TRUE(r.contains({0.0, 0.0}));
   EXPECT_FALSE(r.contains({0.0, 2.1}));
+}
+
+TEST(Rectangle, IsTheSmallestAroundItsPoints) {
+  EXPECT_TRUE(rc::check([] {
+    const auto coordinates = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<int, int>>>(
+        rc::gen::pair(rc::gen::inRange(-50, 50), rc::gen::inRange(-50, 50))));
+    Rectangle r, backwards;
+    for (const auto& [x, y] : coordinates) r.extend({x, y});
+    for (auto p = coordinates.rbegin(); p != coordinates.rend(); ++p) backwards.extend({p->first, p->second});
+    RC_ASSERT(r.min == backwards.min);
+    RC_ASSERT(r.max == backwards.max);
+    const auto touches = [&](const auto& side) {
+      return std::any_of(coordinates.begin(), coordinates.end(), side);
+    };
+    for (const auto& [x, y] : coordinates) RC_ASSERT(r.contains({x, y}));
+    RC_ASSERT(touches([&](const auto& p) { return p.first == r.min.x(); }));
+    RC_ASSERT(touches([&](const auto& p) { return p.first == r.max.x(); }));
+    RC_ASSERT(touches([&](const auto& p) { return p.second == r.min.y(); }));
+    RC_ASSERT(touches([&](const auto& p) { return p.second == r.max.y(); }));
+    RC_ASSERT(!r.contains({r.max.x() + 0.5, r.min.y()}));
+    RC_ASSERT(!r.contains({r.min.x(), r.min.y() - 0.5}));
+  }));
+}
+
+TEST(Segment, LengthIsThatBetweenItsEnds) {
+  EXPECT_EQ(Segment{}.length_m(), 0.0);
+  EXPECT_DOUBLE_EQ((Segment{{1.0, 1.0}, {4.0, -3.0}}).length_m(), 5.0);
+  EXPECT_DOUBLE_EQ((Segment{{4.0, -3.0}, {1.0, 1.0}}).length_m(), 5.0);
+}
+
+TEST(Stamp, SecondsKeepOrderAndSums) {
+  EXPECT_TRUE(rc::check([] {
+    const auto any_ms = [] { return std::chrono::milliseconds(*rc::gen::inRange(-1000000, 1000000)); };
+    const Duration a = any_ms(), b = any_ms();
+    RC_ASSERT((to_seconds(a) < to_seconds(b)) == (a < b));
+    RC_ASSERT(std::abs(to_seconds(a + b) - (to_seconds(a) + to_seconds(b))) < 1e-9);
+    const Duration back = from_seconds(to_seconds(a)) - a;
+    RC_ASSERT(std::abs(back.count()) <= 1);  // towards zero
+    RC_ASSERT(to_seconds(Stamp{a}) == to_seconds(a));
+  }));
+}
+
+TEST(Result, AStatusIsGoodUntilItFails) {
+  const Status good;
+  EXPECT_TRUE(good.has_value());
+  const Status bad = fail(Errc::kTimeout, "no answer");
+  ASSERT_FALSE(bad.has_value());
+  EXPECT_EQ(bad.error().message, "no answer");
+  EXPECT_EQ(bad.error().sys_errno, 0);
+  EXPECT_EQ(Error{}.code, Errc::kIo) << "by default the general one";
+}
+
+TEST(Result, AnErrorPassesThroughAndAValueIsUsed) {
+  const auto half = [](int value) -> Result<int> {
+    if (value % 2 != 0) return fail(Errc::kInvalidInput, "odd");
+    return value / 2;
+  };
+  const auto more = [&](int value) { return half(value).transform([](int v) { return v + 1; }); };
+  EXPECT_EQ(more(12).value_or(-1), 7);
+  EXPECT_EQ(more(7).value_or(-1), -1);
+  EXPECT_EQ(more(7).error().message, "odd");
+  EXPECT_EQ(more(7).error().code, Errc::kInvalidInput);
 }
 
 }  // namespace

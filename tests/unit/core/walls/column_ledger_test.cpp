@@ -65,5 +65,37 @@ TEST(ColumnLedger, AnOlderVersionStaysAsItWas) {
   EXPECT_EQ(contents(store).size(), 1U);
 }
 
+TEST(ColumnLedger, DrawsWhatIsDrawnWithoutOneAndStaysWithoutAMove) {
+  EXPECT_TRUE(rc::check([] {
+    patricia::Arena<Slabs> arena;
+    WallStore with(arena, 0.05), without(arena, 0.05);
+    ColumnLedger ledger;
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i) {
+      const Columns columns = any_columns();
+      const types::Se2 pose = any_pose();
+      ledger.draw(with, columns, pose);
+      ledger.move(with, columns, pose, pose);
+      draw_columns(without, columns, pose);
+    }
+    RC_ASSERT(contents(with) == contents(without));
+  }));
+}
+
+TEST(ColumnLedger, MovingThereAndBackRestoresTheStore) {
+  EXPECT_TRUE(rc::check([] {
+    patricia::Arena<Slabs> arena;
+    WallStore store(arena, 0.05);
+    ColumnLedger ledger;
+    const Columns others = any_columns(), columns = any_columns();
+    const types::Se2 of_others = any_pose(), here = any_pose(), there = any_pose();
+    ledger.draw(store, others, of_others);
+    ledger.draw(store, columns, here);
+    const auto before = contents(store);
+    ledger.move(store, columns, here, there);
+    ledger.move(store, columns, there, here);
+    RC_ASSERT(contents(store) == before);
+  }));
+}
+
 }  // namespace
 }  // namespace topo::walls

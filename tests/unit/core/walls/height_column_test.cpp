@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <vector>
 
 #include "core/walls/wall_store.hpp"
@@ -51,6 +52,28 @@ TEST(IsWall, AgreesWithItsDefinition) {
     const Slabs slabs =
         *rc::gen::arbitrary<Slabs>() & *rc::gen::arbitrary<Slabs>() & *rc::gen::arbitrary<Slabs>();
     RC_ASSERT(is_wall(slabs) == is_wall_by_trying(slabs));
+  }));
+}
+
+TEST(SlabOf, EachHeightUpToTheHighestIsInOneSlab) {
+  EXPECT_TRUE(rc::check([] {
+    const int tenth = *rc::gen::inRange(-40, 60);
+    const double height_m = 0.1 * tenth + 1e-4 * *rc::gen::inRange(1, 1000);
+    const Slabs slab = slab_of(height_m);
+    RC_ASSERT(slab == (tenth >= 0 && tenth < kSlabs ? Slabs{1} << tenth : Slabs{0}));
+  }));
+  EXPECT_EQ(slab_of(std::nan("")), 0U);
+  EXPECT_EQ(slab_of(HUGE_VAL), 0U);
+}
+
+TEST(IsWall, StaysAWallWhenMoreIsSeen) {
+  EXPECT_TRUE(rc::check([] {
+    const int low = *rc::gen::inRange(0, 22), middle = *rc::gen::inRange(low + 5, 27);
+    const int high = *rc::gen::inRange(middle + 5, 32);
+    const Slabs three = Slabs{1} << low | Slabs{1} << middle | Slabs{1} << high;
+    RC_ASSERT(is_wall(three));
+    RC_ASSERT(is_wall(three | *rc::gen::arbitrary<Slabs>()));
+    for (const int one : {low, middle, high}) RC_ASSERT(!is_wall(three & ~(Slabs{1} << one)));
   }));
 }
 

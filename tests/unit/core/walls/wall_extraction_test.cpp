@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "tests/unit/core/walls/points.hpp"
 
@@ -122,6 +123,46 @@ TEST(WallExtraction, OfNothingIsNothing) {
   EXPECT_TRUE(extract_walls(Points{{1.0, 1.0}}, 0.4).empty());
   EXPECT_TRUE(extract_walls(Points(100, types::Vector2(1.0, 1.0)), 0.4).empty());
   EXPECT_TRUE(extract_walls(Points{{0.0, 0.0}, {1e9, 1e9}}, 0.4).empty());
+}
+
+TEST(WallExtraction, WallsLieOnPointsAlongTheCompass) {
+  EXPECT_TRUE(rc::check([] {
+    const double angle = *rc::gen::inRange(0, 1570) * 0.001;
+    Points points = turned(building(), angle);
+    furnish(points, static_cast<unsigned>(*rc::gen::inRange(0, 9)));
+    points = cell_centres(points);
+    const WallParams params;
+    const types::Vector2 along(std::cos(angle), std::sin(angle));
+    const auto walls = extract_walls(points, angle, params);
+    RC_ASSERT(walls.size() > 4U);
+    for (const types::Segment& wall : walls) {
+      RC_ASSERT(wall.length_m() >= params.length_min_m - 2e-3);
+      const types::Vector2 way = (wall.b - wall.a).normalized();
+      const double cosine = std::abs(way.dot(along));
+      RC_ASSERT(std::min(cosine, 1.0 - cosine) < 1e-5);
+      for (const types::Vector2& end : {wall.a, wall.b}) {
+        // A line is two half bins wide: its mean is no farther from a point of it.
+        RC_ASSERT(std::any_of(points.begin(), points.end(),
+                              [&](const auto& p) { return (p - end).norm() <= params.bin_m; }));
+      }
+    }
+  }));
+}
+
+TEST(WallExtraction, AQuarterTurnOfTheCompassFindsTheSameWalls) {
+  Points points;
+  draw_rectangle(points, {0.0, 0.0}, {6.0, 3.5});
+  for (const double angle : {0.2, 0.9}) {
+    const Points cells = cell_centres(turned(points, angle));
+    const auto walls = extract_walls(cells, angle);
+    ASSERT_EQ(walls.size(), 4U);
+    for (const int quarters : {-3, -1, 1, 2, 4}) {
+      const auto others = extract_walls(cells, angle + quarters * std::numbers::pi / 2.0);
+      EXPECT_EQ(others.size(), 4U) << quarters;
+      for (const types::Segment& wall : walls)
+        EXPECT_TRUE(has_wall(others, wall.a, wall.b, 0.06)) << quarters;
+    }
+  }
 }
 
 TEST(WallPoints, AreTheCellsThatAreWallByTheirHeights) {
