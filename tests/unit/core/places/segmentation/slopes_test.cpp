@@ -53,8 +53,15 @@ TEST(Slopes, LeadWhereClearanceRisesMost) {
 
 TEST(Slopes, NeverLeadThroughTheCornerWhereTwoWallsMeet) {
   EXPECT_TRUE(rc::check([] {
-    const grid::DenseMap map = patched_map();
-    const auto slopes = slopes_of(map, grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown));
+    // Single cells, with any clearance: of distances none rises through such a corner.
+    grid::DenseMap map = DrawnMap(24, 12).map();
+    std::vector<float> clearance_m(map.cells.size(), 0.0F);
+    for (std::size_t i = 0; i < clearance_m.size(); ++i) {
+      if (map.is_on_border(map.cell(i)) || *rc::gen::inRange(0, 2) == 0) continue;
+      map.cells[i] = CellState::kFree;
+      clearance_m[i] = 0.01F * static_cast<float>(*rc::gen::inRange(1, 100));
+    }
+    const auto slopes = slopes_of(map, clearance_m);
     const auto offsets = neighbour_offsets(map);
     for (std::size_t i = 0; i < slopes.size(); ++i) {
       if (slopes[i] >= kFlat || slopes[i] % 2 == 0) continue;
