@@ -5,72 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/exploration/choice.hpp"
-#include "core/pipeline/newest_keyframe.hpp"
-#include "tests/unit/core/pipeline/toy_building.hpp"
+#include "tests/unit/core/exploration/toy_decision.hpp"
 
 namespace topo::exploration {
 namespace {
 
-/// A corridor with a room at either end, of which a robot in the middle has seen a part.
-std::vector<std::string> corridor_and_rooms() {
-  std::vector<std::string> rows(28, std::string(80, '#'));
-  for (std::size_t y = 2; y < 26; ++y) {
-    rows[y].replace(2, 20, 20, ' ');
-    rows[y].replace(58, 20, 20, ' ');
-  }
-  for (std::size_t y = 11; y < 16; ++y) rows[y].replace(22, 36, 36, ' ');
-  rows[13][40] = 'S';
-  return rows;
-}
-
-/// One decision's situation after the first look around.
-class Sources : public ::testing::Test {
- protected:
-  Sources() : building_(corridor_and_rooms(), 6.0), map_({}, {}) {
-    pipeline::PlanningState state(planner_);
-    analysis_ = building_.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}, 0.0).report->analysis;
-    const pipeline::MapSnapshot& snapshot = building_.snapshot();
-    const travel::DrivenWays ways{snapshot.keyframes, snapshot.mates};
-    map_.take(snapshot.revision + 1, snapshot.grid, ways);
-    map_.begin(snapshot.keyframes.back(), ways, {});
-    map_.settle(HUGE_VAL);
-    paths_ = pipeline::driven_paths(snapshot);
-  }
-
-  [[nodiscard]] Situation situation() const {
-    return {.now = building_.now(),
-            .T_map_base = {building_.robot().x(), building_.robot().y(), 0.0},
-            .start = building_.robot(),
-            .mission = {1, Order::kExplore, false, {0.0, 0.0}},
-            .battery_low = false,
-            .feedback = {},
-            .analysis = *analysis_,
-            .essential = planner_.analysis.goals,
-            .paths = paths_,
-            .route = {},
-            .team = {5, roster_, {}}};
-  }
-  [[nodiscard]] std::vector<goals::Frontier> frontiers() const {
-    return goals::find_frontiers(map_.map(), params_.frontier_min_m);
-  }
-  void hear(const team::StatusMessage& message) { roster_.take(message, building_.now()); }
-
-  pipeline::PlannerParams planner_;
-  ExplorationParams params_;
-  pipeline::ToyBuilding building_;
-  travel::RouteMap map_;
-  GoalWays ways_;
-  team::Roster roster_;
-  DeferredGoals deferred_;
-  std::shared_ptr<const analysis::Analysis> analysis_;
-  std::vector<std::vector<types::Vector2>> paths_;
-};
+/// One decision's sources after the first look around.
+class Sources : public ToyDecision {};
 
 TEST_F(Sources, EssentialGoalsLieAtEitherEnd) {
   const Reachable found = essential_candidates(situation(), map_, deferred_, params_, false);

@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/goals/filters.hpp"
 #include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
 #include "core/goals/steering.hpp"
-#include "core/places/segmentation/segment_places.hpp"
+#include "tests/unit/core/goals/scene.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
 namespace topo::goals {
@@ -20,27 +21,6 @@ namespace {
 
 using grid::CellState;
 using places::DrawnMap;
-
-/// A map with all that goals are made from.
-struct Scene {
-  explicit Scene(const DrawnMap& drawn)
-      : map(drawn.map()),
-        clearance_m(drawn.clearance()),
-        skeleton(places::skeletonise(map, clearance_m)),
-        places(places::segment_places(map, clearance_m, skeleton, {}, 0.0)) {}
-
-  [[nodiscard]] GoalInput input(std::span<const std::vector<types::Vector2>> visited = {}) const {
-    return {map, clearance_m, skeleton, places, visited};
-  }
-  [[nodiscard]] GoalSet goals(std::span<const std::vector<types::Vector2>> visited = {}) const {
-    return essential_goals(input(visited));
-  }
-
-  grid::DenseMap map;
-  std::vector<float> clearance_m;
-  places::Skeleton skeleton;
-  places::PlaceMap places;
-};
 
 /// A corridor of 2 m from x = 1 m on, closed there and open at x = 15 m.
 DrawnMap corridor() {
@@ -146,6 +126,37 @@ TEST(EssentialGoals, AreFreeAndClear) {
   }));
 }
 
+TEST(EssentialGoals, DoNotDependOnTheOrderOfThePaths) {
+  EXPECT_TRUE(rc::check([] {
+    const Scene scene(random_room(120));
+    auto paths = random_paths(5.0);
+    const GoalSet set = scene.goals(paths);
+    std::ranges::reverse(paths);
+    const GoalSet again = scene.goals(paths);
+    const auto check_same = [](const std::vector<Goal>& a, const std::vector<Goal>& b) {
+      RC_ASSERT(a.size() == b.size());
+      for (std::size_t k = 0; k < a.size(); ++k)
+        RC_ASSERT(a[k].p_map == b[k].p_map && a[k].verdict == b[k].verdict && a[k].chance == b[k].chance);
+    };
+    check_same(set.goals, again.goals);
+    check_same(set.rejected, again.rejected);
+  }));
+}
+
+TEST(EssentialGoals, EverySideOfEveryPlaceHasACandidate) {
+  EXPECT_TRUE(rc::check([] {
+    const Scene scene(random_room(120));
+    const GoalSet set = scene.goals(random_paths(5.0));
+    std::vector<int> found(4 * scene.places.places.size(), 0);
+    for (const std::vector<Goal>* const some : {&set.goals, &set.rejected}) {
+      for (const Goal& goal : *some) ++found.at(4U * (goal.place - 1U) + static_cast<std::size_t>(goal.side));
+      const auto key = [](const Goal& g) { return std::pair(g.place, g.side); };
+      RC_ASSERT(std::ranges::is_sorted(*some, {}, key));
+    }
+    RC_ASSERT(std::ranges::count(found, 0) == 0);
+  }));
+}
+
 bool any_leads_to_unknown(const DrawnMap& drawn) {
   const Scene scene(drawn);
   const auto openings = find_openings(scene.input(), {});
@@ -244,13 +255,6 @@ TEST(Filters, APlaceIsVisitedByWhoWasThere) {
   EXPECT_TRUE(is_visited(goal, past, {}));
   EXPECT_FALSE(is_visited(goal, either_side, {})) << "two robots, and nobody went from the one to the other";
   EXPECT_FALSE(is_visited(goal, {}, {}));
-}
-
-TEST(Goals, HaveWordsForTheirVerdicts) {
-  for (const Verdict verdict : {Verdict::kAccepted, Verdict::kInternal, Verdict::kNoOpening,
-                                Verdict::kVisited, Verdict::kServed, Verdict::kUnlikely})
-    EXPECT_NE(to_text(verdict), "unknown");
-  EXPECT_EQ(to_text(Side::kNorth), "north");
 }
 
 }  // namespace

@@ -5,8 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "tests/unit/core/goals/scene.hpp"
 #include "tests/unit/core/grid/maps.hpp"
 
 namespace topo::goals {
@@ -160,6 +164,78 @@ TEST(ApproachCell, IsNotBehindAWall) {
   // A strip before the frontier behind a wall: 0.25 m from what the robot reaches, but not by its way.
   for (int y = 0; y < 40; ++y) map.cells[map.index({36, y})] = CellState::kOccupied;
   EXPECT_FALSE(approach_cell(map, find_frontiers(map).at(0), field_from(map, {10, 10}), 2.0));
+}
+
+/// The definition, over all cells: fewest steps, then nearest to the centroid.
+TEST(ApproachCell, IsTheFewestStepsFromTheFrontier) {
+  EXPECT_TRUE(rc::check([] {
+    const DenseMap map = random_room(60);
+    const auto start = map.cell(*rc::gen::inRange<std::size_t>(0, map.cells.size()));
+    const grid::TravelField field = field_from(map, start);
+    const double within_m = 0.05 * *rc::gen::inRange(0, 25);
+    for (const Frontier& frontier : find_frontiers(map, 0.0)) {
+      const std::vector<int> steps = steps_from(map, frontier.cells, true);
+      const auto key = [&](std::size_t i) {
+        return std::pair(steps[i], (map.centre_of(map.cell(i)) - frontier.centroid).squaredNorm());
+      };
+      std::optional<std::size_t> best;
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        const bool counts = steps[i] >= 0 && steps[i] <= static_cast<int>(within_m / map.resolution_m);
+        if (counts && field.can_stay_at(i) && (!best || key(i) < key(*best))) best = i;
+      }
+      const auto found = approach_cell(map, frontier, field, within_m);
+      RC_ASSERT(found.has_value() == best.has_value());
+      if (found) RC_ASSERT(key(map.index(*found)) == key(*best));
+    }
+  }));
+}
+
+TEST(Middle, IsTheCellNearestToTheCentroid) {
+  EXPECT_TRUE(rc::check([] {
+    const DenseMap map = grid::filled_map(20, 15, CellState::kFree);
+    std::vector<std::uint32_t> cells;
+    for (int k = *rc::gen::inRange(1, 40); k > 0; --k)
+      cells.push_back(*rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(map.cells.size())));
+    types::Vector2 sum(0.0, 0.0);
+    for (const std::uint32_t i : cells) sum += map.centre_of(map.cell(i));
+    const types::Vector2 centroid = sum / static_cast<double>(cells.size());
+    const auto away_m = [&](std::uint32_t i) { return (map.centre_of(map.cell(i)) - centroid).norm(); };
+    const std::uint32_t middle = middle_of(map, cells);
+    RC_ASSERT(std::ranges::count(cells, middle) > 0);
+    for (const std::uint32_t i : cells) RC_ASSERT(away_m(middle) <= away_m(i) + 1e-12);
+  }));
+}
+
+TEST(UnknownBehind, OfAnEnclosedPocketIsItsArea) {
+  EXPECT_TRUE(rc::check([] {
+    // A pocket behind a part of a room's right wall, and another one that nothing opens.
+    const int width = *rc::gen::inRange(1, 20), height = *rc::gen::inRange(1, 20);
+    places::DrawnMap drawn(100, 60);
+    drawn.room(10, 10, 40, 40).occupied(40, 5, 70, 55);
+    drawn.fill(40, 15, 40 + width, 15 + height, CellState::kUnknown)
+        .fill(65, 15, 68, 18, CellState::kUnknown);
+    const auto frontiers = find_frontiers(drawn.map(), 0.0);
+    RC_ASSERT(frontiers.size() == 1U);
+    RC_ASSERT(std::abs(unknown_behind_m2(drawn.map(), frontiers[0]) - 0.0025 * width * height) < 1e-9);
+  }));
+}
+
+TEST(UnknownBehind, BeyondItsReachIsWithoutEnd) {
+  // A pocket one cell high that goes on for some cells to the right of the frontier.
+  for (const int depth : {1, 10, 23, 24, 25, 26, 40}) {
+    places::DrawnMap drawn(100, 40);
+    drawn.room(10, 10, 30, 30).occupied(30, 8, 80, 32).fill(30, 20, 30 + depth, 21, CellState::kUnknown);
+    const auto frontiers = find_frontiers(drawn.map(), 0.0);
+    ASSERT_EQ(frontiers.size(), 1U);
+    const double behind_m2 = unknown_behind_m2(drawn.map(), frontiers[0]);
+    EXPECT_EQ(std::isinf(behind_m2), depth > 24) << depth << " cells, of 1.2 m";
+    if (depth > 24) continue;
+    EXPECT_NEAR(behind_m2, 0.0025 * depth, 1e-9);
+  }
+}
+
+TEST(UnknownBehind, NoFrontierIsNothing) {
+  EXPECT_EQ(unknown_behind_m2(half_seen_room(40), Frontier{}), 0.0);
 }
 
 }  // namespace

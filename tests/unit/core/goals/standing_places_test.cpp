@@ -3,10 +3,12 @@
 #include "core/goals/standing_places.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
 
 #include "core/goals/filters.hpp"
+#include "tests/unit/core/goals/scene.hpp"
 #include "tests/unit/core/places/drawn_map.hpp"
 
 namespace topo::goals {
@@ -72,6 +74,38 @@ TEST(StandingPlaces, HaveRoomForTheRobot) {
   for (const StandingPlace& place : places)
     EXPECT_GE(floor.clearance_m[floor.map.index(floor.map.cell_at(place.p_map))],
               static_cast<float>(GoalParams{}.robot_radius_m));
+}
+
+TEST(StandingPlaces, ServeAllThatIsNearAndInSight) {
+  EXPECT_TRUE(rc::check([] {
+    const Scene scene(random_room(90));
+    GoalParams params;
+    params.in_sight_m = 0.1 * *rc::gen::inRange(1, 40) + 0.01;  // no distance between cells
+    std::vector<Prospect> prospects;
+    for (int k = *rc::gen::inRange(0, 10); k > 0; --k) {
+      const auto i = *rc::gen::inRange<std::size_t>(0, scene.map.cells.size());
+      prospects.push_back({scene.map.centre_of(scene.map.cell(i)), scene.map.cell(i), 0.5});
+    }
+    const auto places = standing_places(scene.input(), prospects, params);
+    RC_ASSERT(places.size() >= prospects.size());
+    for (std::uint32_t p = 0; p < places.size(); ++p) {
+      const StandingPlace& place = places[p];
+      Served serves;
+      double sum_m = 0.0;
+      for (std::uint32_t k = 0; k < prospects.size(); ++k) {
+        const double away_m = (scene.map.centre_of(prospects[k].stand) - place.p_map).norm();
+        const bool in_sight = away_m <= params.in_sight_m &&
+                              sees(scene.map, prospects[k].stand, scene.map.cell_at(place.p_map));
+        if (p != k && !in_sight) continue;
+        serves.push_back(k);
+        sum_m += away_m;
+      }
+      RC_ASSERT(place.serves == serves);
+      RC_ASSERT(std::abs(place.away_m * static_cast<double>(serves.size()) - sum_m) < 1e-9);
+      RC_ASSERT(place.is_shared == (p >= prospects.size()));
+      RC_ASSERT(!place.is_shared || serves.size() > 1);
+    }
+  }));
 }
 
 }  // namespace

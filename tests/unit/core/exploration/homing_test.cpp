@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/exploration/toy_decision.hpp"
+
+namespace topo::exploration {
+namespace {
+
+using std::chrono::seconds;
+using types::Vector2;
+
+class Homing : public ToyDecision {
+ protected:
+  /// The robot entered so far from where it is.
+  [[nodiscard]] Situation away_from_home(double x_m) const {
+    Situation now = situation();
+    now.start = here() - Vector2(x_m, 0.0);
+    return now;
+  }
+  [[nodiscard]] static Intent returning(bool cut_short = false) {
+    Intent intent;
+    intent.phase = Returning{cut_short ? "the battery is low" : "explored", cut_short};
+    return intent;
+  }
+  [[nodiscard]] Intent home(const Situation& now, Intent intent) {
+    return go_home(now, searches(), params_, std::move(intent));
+  }
+  [[nodiscard]] Intent to_target(const Situation& now, Intent intent) {
+    return go_to_target(now, searches(), params_, std::move(intent));
+  }
+  [[nodiscard]] Situation ordered_to(const Vector2& p_map) const {
+    Situation now = situation();
+    now.mission = {2, Order::kGoTo, false, p_map};
+    return now;
+  }
+  [[nodiscard]] static Intent going() {
+    Intent intent;
+    intent.phase = GoingTo{};
+    return intent;
+  }
+};
+
+TEST_F(Homing, TheRobotIsBoundForItsStart) {
+  const Situation now = away_from_home(3.0);
+  const Intent after = home(now, returning());
+  EXPECT_TRUE(std::holds_alternative<Returning>(after.phase));
+  EXPECT_EQ(after.reason, "explored");
+  ASSERT_TRUE(after.pursuit.has_target);
+  EXPECT_LT((map_.map().centre_of(after.pursuit.target) - now.start).norm(), 0.1);
+  EXPECT_EQ(home(now, after).pursuit.number, after.pursuit.number) << "one way home";
+}
+
+TEST_F(Homing, AtItsStartTheMissionIsDone) {
+  const Intent after = home(away_from_home(0.14), returning());
+  EXPECT_TRUE(std::holds_alternative<Done>(after.phase));
+  EXPECT_EQ(after.reason, "explored");
+  EXPECT_FALSE(after.pursuit.has_target);
+  EXPECT_TRUE(std::holds_alternative<Returning>(home(away_from_home(0.16), returning()).phase));
+}
+
+TEST_F(Homing, CutShortByTheBatteryItHasFailed) {
+  const Intent after = home(away_from_home(0.1), returning(true));
+  EXPECT_TRUE(std::holds_alternative<Failed>(after.phase));
+  EXPECT_EQ(after.reason, "the battery is low: came home");
+}
+
+TEST_F(Homing, OnTheOperatorsOrderItHasArrived) {
+  Situation now = away_from_home(0.1);
+  now.mission.order = Order::kHome;
+  EXPECT_EQ(home(now, returning()).reason, "arrived");
+}
+
+TEST_F(Homing, TheEndOfControlsPathCountsWithinTwiceTheReach) {
+  for (const double x_m : {0.39, 0.41}) {
+    Situation now = away_from_home(x_m);
+    const Intent bound = home(now, returning());
+    now.feedback = {bound.pursuit.number, true, false};
+    EXPECT_EQ(std::holds_alternative<Done>(home(now, bound).phase), x_m < 0.4) << x_m;
+    now.feedback.number += 1;
+    EXPECT_TRUE(std::holds_alternative<Returning>(home(now, bound).phase)) << "about another way";
+  }
+}
+
+TEST_F(Homing, StuckHalfAMetreAwayIsThereAndElseAnObstacle) {
+  for (const double x_m : {0.44, 0.6}) {
+    Situation now = away_from_home(x_m);
+    const Intent bound = home(now, returning());
+    now.feedback = {bound.pursuit.number, false, true};
+    const Intent after = home(now, bound);
+    EXPECT_EQ(std::holds_alternative<Done>(after.phase), x_m < 0.45);
+    EXPECT_EQ(after.obstacles.stuck_on().empty(), x_m < 0.45);
+    if (x_m < 0.45) continue;
+    EXPECT_EQ(after.pursuit.number, bound.pursuit.number + 1) << "another way";
+  }
+}
+
+TEST_F(Homing, FourStandstillsAreAFailure) {
+  const Intent bound = home(away_from_home(3.0), returning());
+  Situation now = away_from_home(3.0);
+  now.now += seconds(100);
+  EXPECT_TRUE(std::holds_alternative<Returning>(home(now, bound).phase));
+  now.now += seconds(1);
+  const Intent after = home(now, bound);
+  EXPECT_TRUE(std::holds_alternative<Failed>(after.phase));
+  EXPECT_EQ(after.reason, "no progress for 100 s");
+  now.T_map_base.x_m += 0.6;
+  EXPECT_TRUE(std::holds_alternative<Returning>(home(now, bound).phase)) << "it gets on";
+}
+
+TEST_F(Homing, WithMatesOutTheRobotWaitsForThem) {
+  team::StatusMessage mate = mate_at(7, {500.0, 0.0});
+  hear(mate);
+  const Situation now = away_from_home(0.3);
+  const Intent waiting = home(now, returning());
+  EXPECT_TRUE(std::holds_alternative<WaitingAtHome>(waiting.phase));
+  EXPECT_EQ(waiting.reason, "home, waits for the others");
+  ASSERT_TRUE(waiting.offer.home);
+  EXPECT_EQ(waiting.offer.home->robot, 5U) << "its own start: no way leads to the mate's";
+  mate.duty = team::Duty::kOver;
+  mate.sequence = 2;
+  hear(mate);
+  EXPECT_TRUE(std::holds_alternative<Done>(home(now, returning()).phase));
+}
+
+TEST_F(Homing, OrderedHomeItWaitsForNobody) {
+  hear(mate_at(7, {500.0, 0.0}));
+  Situation now = away_from_home(0.1);
+  now.mission.order = Order::kHome;
+  EXPECT_TRUE(std::holds_alternative<Done>(home(now, returning()).phase));
+}
+
+TEST_F(Homing, AmongATeamsStartsTheFarthestInComesFirst) {
+  team::StatusMessage mate = mate_at(7, {500.0, 0.0});
+  mate.start = here() + Vector2(3.5, 0.0);
+  hear(mate);
+  const Intent after = home(away_from_home(2.0), returning());
+  ASSERT_TRUE(after.offer.home);
+  EXPECT_EQ(after.offer.home->robot, 7U);
+  EXPECT_LT((map_.map().centre_of(after.pursuit.target) - mate.start).norm(), 0.1);
+}
+
+TEST_F(Homing, AnotherHomeIsAnotherWay) {
+  hear(mate_at(7, {500.0, 0.0}));
+  Intent bound = home(away_from_home(2.0), returning());
+  EXPECT_FALSE(home(away_from_home(2.0), bound).is_outdated);
+  bound.offer.home = team::Home{7, {500.0, 0.0}};  // no way leads there any more
+  const Intent after = home(away_from_home(2.0), bound);
+  EXPECT_TRUE(after.is_outdated);
+  EXPECT_EQ(after.offer.home->robot, 5U);
+  EXPECT_GT(after.pursuit.number, bound.pursuit.number);
+}
+
+TEST_F(Homing, ATargetIsApproachedAndArrivedAt) {
+  const Vector2 target = here() + Vector2(2.0, 0.0);
+  Situation now = ordered_to(target);
+  const Intent bound = to_target(now, going());
+  EXPECT_TRUE(std::holds_alternative<GoingTo>(bound.phase));
+  EXPECT_EQ(bound.reason, "on the operator's order");
+  ASSERT_TRUE(bound.pursuit.has_target);
+  EXPECT_LT((map_.map().centre_of(bound.pursuit.target) - target).norm(), 0.1);
+  now.T_map_base.x_m += 1.9;
+  const Intent after = to_target(now, bound);
+  EXPECT_TRUE(std::holds_alternative<Done>(after.phase));
+  EXPECT_EQ(after.reason, "arrived");
+}
+
+TEST_F(Homing, ATargetOutOfReachFailsInTheEnd) {
+  Situation now = ordered_to({100.0, 100.0});
+  Intent intent = going();
+  intent.obstacles.close_passage(here() + Vector2(2.0, 0.0));
+  const Intent waits = to_target(now, std::move(intent));
+  EXPECT_TRUE(std::holds_alternative<GoingTo>(waits.phase));
+  EXPECT_FALSE(waits.pursuit.has_target);
+  EXPECT_EQ(waits.reason, "no way there just now");
+  EXPECT_TRUE(waits.obstacles.stuck_on().empty()) << "what was too tight may be the only way";
+  now.now += seconds(101);
+  EXPECT_TRUE(std::holds_alternative<Failed>(to_target(now, waits).phase));
+}
+
+}  // namespace
+}  // namespace topo::exploration
