@@ -140,12 +140,12 @@ TEST(Refine, APriorThatIsSureHoldsThePose) {
   const mocks::FlatWorld world = mocks::two_rooms();
   const SurfelMap map = testing::map_of(world, {{3.0, 3.0, 0.0}, {4.0, 3.5, 1.0}}, 0.01, random);
   const testing::View view = testing::view_of(world, kTruth, 0.01, random);
-  const types::Se2 start{kTruth.x_m + 0.08, kTruth.y_m - 0.05, kTruth.theta_rad + 0.02};
+  const types::Se2 believed{kTruth.x_m + 0.08, kTruth.y_m - 0.05, kTruth.theta_rad + 0.02};
   double before = 0.0;
   for (const double sure : {1e12, 1e6, 1e4, 1e-3}) {
-    const Prior prior{start, sure * Eigen::Matrix3d::Identity()};
-    const Match match = refine(map, view.points, view.cloud.sensor, start, prior, kRefineParams);
-    const double moved = distance_m(match.T_map_base, start);
+    const Prior prior{believed, sure * Eigen::Matrix3d::Identity()};
+    const Match match = refine(map, view.points, view.cloud.sensor, kTruth, prior, kRefineParams);
+    const double moved = distance_m(match.T_map_base, believed);
     EXPECT_GE(moved, before - 1e-3) << "the less sure, the further the scan moves it: " << sure;
     EXPECT_LE(match.iterations, kRefineParams.iterations_max);
     before = moved;

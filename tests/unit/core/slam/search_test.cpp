@@ -143,8 +143,9 @@ TEST(Search, FindsTheBestOfAllPosesThatAreNotExcluded) {
     const types::Se2 truth{2.0 + 0.5 * k, 2.5, 0.3 * k};
     std::vector<Point> points = testing::view_of(world, truth, 0.02, random).points;
     points.resize(std::min<std::size_t>(points.size(), 60));
-    const types::Se2 centre{truth.x_m + 0.2, truth.y_m - 0.15, truth.theta_rad + 0.05};
-    const SearchWindow window{0.5, 0.12};
+    const double off_m = k % 3 == 0 ? -0.55 : 0.2;  // within the window, or beyond its upper right corner
+    const types::Se2 centre{truth.x_m + off_m, truth.y_m + off_m, truth.theta_rad + 0.05};
+    const SearchWindow window{0.4, 0.12};
     std::optional<Exclusion> exclusion;
     if (k % 2 == 1) exclusion = Exclusion{truth, 0.3, 0.1};
     const auto hit = search(pyramid, points, centre, window, 0.05, kSearchParams, exclusion);
