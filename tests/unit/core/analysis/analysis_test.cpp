@@ -7,8 +7,12 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/grid/distance.hpp"
 #include "core/travel/coarse_map.hpp"
@@ -197,6 +201,128 @@ TEST(Analysis, AnotherMapIsAnotherMap) {
     const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
     check_skeleton(again.skeleton, whole.skeleton);
     check_places(again.places, whole.places);
+  }));
+}
+
+/// A building of which much was seen.
+AnalysisInput explored(Exploration& exploration) {
+  for (const auto& [x, y] : {std::pair(30, 60), std::pair(90, 60), std::pair(60, 40), std::pair(150, 60)})
+    exploration.look_around(x, y, 50);
+  return exploration.input(7);
+}
+
+std::vector<Stage> stages_of(const std::function<void(const StageWatch&)>& analysed) {
+  std::vector<Stage> stages;
+  analysed([&](Stage stage) { stages.push_back(stage); });
+  return stages;
+}
+
+TEST(Analysis, TellsEachStageOnceInItsOrder) {
+  EXPECT_TRUE(rc::check([] {
+    const std::vector<Stage> all{Stage::kCompass, Stage::kWalls,     Stage::kFurniture, Stage::kSkeleton,
+                                 Stage::kLabels,  Stage::kReduction, Stage::kGoals};
+    Exploration exploration(building());
+    const AnalysisInput input = explored(exploration);
+    IncrementalAnalysis incremental;
+    RC_ASSERT(stages_of([&](const StageWatch& done) { (void)analyse(input, {}, done); }) == all);
+    for (int round = 0; round < 2; ++round)
+      RC_ASSERT(stages_of([&](const StageWatch& done) { (void)incremental.take(input, {}, done); }) == all);
+    RC_ASSERT(stages_of([&](const StageWatch& done) { (void)analyse({}, {}, done); }) == all);
+  }));
+}
+
+TEST(Analysis, OfNoMapIsEmpty) {
+  IncrementalAnalysis incremental;
+  AnalysisInput input;
+  input.revision = 11;
+  for (const Analysis& none : {analyse(input, {}), incremental.take(input, {})}) {
+    EXPECT_EQ(none.revision, 11U);
+    EXPECT_FALSE(none.compass.angle_rad);
+    EXPECT_TRUE(none.walls.empty() && none.skeleton.axis.empty() && none.places.places.empty());
+    EXPECT_TRUE(none.goals.goals.empty() && none.goals.rejected.empty());
+    EXPECT_TRUE(clearance_of(none).empty());
+  }
+}
+
+TEST(Analysis, IsOfTheMapThatWasGiven) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    const AnalysisInput input = explored(exploration);
+    const Analysis a = analyse(input, {});
+    RC_ASSERT(a.revision == 7U);
+    RC_ASSERT(a.map.box == input.map.box && a.map.cells == input.map.cells);
+    RC_ASSERT(a.coarse_m.empty());
+    RC_ASSERT(std::ranges::equal(clearance_of(a), input.clearance_m));
+    Analysis coarse = a;
+    coarse.coarse_m.assign(a.map.cells.size(), 0.25F);
+    RC_ASSERT(clearance_of(coarse) == coarse.coarse_m);
+  }));
+}
+
+TEST(Analysis, WithoutTheWallStoreItsPointsDoNotCount) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    AnalysisInput input = explored(exploration);
+    AnalysisParams ablation;
+    ablation.wall_store = false;
+    const Analysis bare = analyse(input, {});
+    input.wall_points = {{0.0, 0.0}};  // no walls
+    const Analysis told = analyse(input, {}), untold = analyse(input, ablation);
+    RC_ASSERT(told.walls.empty());
+    RC_ASSERT(!bare.walls.empty());
+    RC_ASSERT(untold.walls.size() == bare.walls.size());
+    for (std::size_t w = 0; w < bare.walls.size(); ++w)
+      RC_ASSERT(untold.walls[w].a == bare.walls[w].a && untold.walls[w].b == bare.walls[w].b);
+    check_places(untold.places, bare.places);
+    check_goals(untold.goals.goals, bare.goals.goals);
+  }));
+}
+
+TEST(Analysis, ItsPartsAgreeWithEachOther) {
+  std::size_t places = 0, goals = 0;
+  EXPECT_TRUE(rc::check([&] {
+    Exploration exploration(building());
+    AnalysisParams params;
+    params.goals.worth_min = 0.01;  // nearly every opening is worth a goal
+    const Analysis a = analyse(explored(exploration), params);
+    std::vector<std::size_t> cells_of(a.places.places.size() + 1, 0);
+    for (std::size_t i = 0; i < a.map.cells.size(); ++i) {
+      const std::uint16_t label = a.places.labels[i];
+      RC_ASSERT(label < cells_of.size());
+      RC_ASSERT(label == 0 || a.map.cells[i] == CellState::kFree);
+      RC_ASSERT(!a.skeleton.on[i] || a.map.cells[i] != CellState::kUnknown);
+      ++cells_of[label];
+    }
+    for (std::size_t p = 1; p < cells_of.size(); ++p) RC_ASSERT(cells_of[p] > 0U);
+    for (const places::PlaceBorder& border : a.places.borders) {
+      RC_ASSERT(border.a < border.b && border.b < a.places.places.size());
+      RC_ASSERT(border.length_m > 0.0);
+    }
+    for (const goals::Goal& goal : a.goals.goals) {
+      RC_ASSERT(goal.verdict == goals::Verdict::kAccepted);
+      RC_ASSERT(a.map.state(a.map.cell_at(goal.p_map)) == CellState::kFree);
+      RC_ASSERT(goal.place <= a.places.places.size());
+    }
+    for (const goals::Goal& goal : a.goals.rejected) RC_ASSERT(goal.verdict != goals::Verdict::kAccepted);
+    places += a.places.places.size();
+    goals += a.goals.goals.size();
+  }));
+  EXPECT_GT(places, 100U);
+  EXPECT_GT(goals, 50U);
+}
+
+/// The building's walls are along the axes, and nothing of it is turned.
+TEST(Analysis, FindsTheWallsAlongTheCompass) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    const Analysis a = analyse(explored(exploration), {});
+    RC_ASSERT(a.compass.angle_rad.has_value());
+    RC_ASSERT(std::abs(std::remainder(*a.compass.angle_rad, std::numbers::pi / 2.0)) < 0.01);
+    RC_ASSERT(a.walls.size() > 3U);
+    for (const types::Segment& wall : a.walls) {
+      const types::Vector2 way = (wall.b - wall.a).normalized();
+      RC_ASSERT(std::min(std::abs(way.x()), std::abs(way.y())) < 0.05);
+    }
   }));
 }
 

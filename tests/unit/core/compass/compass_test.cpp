@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "tests/unit/core/walls/points.hpp"
 
@@ -160,6 +161,68 @@ TEST(Compass, APointFarOutCostsNoMemory) {
   Points plan = cell_centres(building());
   plan.emplace_back(1e9, -1e9);
   EXPECT_LE(entropy_compass(plan).entropy.size(), 90U);
+}
+
+TEST(Compass, HasAValueForEachStepOfAQuarterTurn) {
+  const Points plan = cell_centres(building());
+  for (const int steps : {4, 30, 90, 180}) {
+    const Compass compass = entropy_compass(plan, {.coarse_step_rad = kQuarterTurn / steps});
+    EXPECT_EQ(compass.entropy.size(), static_cast<std::size_t>(steps));
+    EXPECT_GE(compass.confidence, 0.0);
+    EXPECT_LE(compass.confidence, 1.0);
+    for (const double entropy : compass.entropy) EXPECT_GT(entropy, 0.0);
+  }
+  EXPECT_EQ(entropy_compass(plan, {.coarse_step_rad = 10.0}).entropy.size(), 4U) << "but a few";
+}
+
+TEST(Compass, OfAMirroredBuildingIsMirrored) {
+  for (const int a : {3, 20, 44, 70}) {
+    Points plan = turned(building(), a * types::kDegree_rad);
+    for (types::Vector2& p : plan) p.y() = -p.y();
+    const auto mirrored = entropy_compass(cell_centres(plan)).angle_rad;
+    ASSERT_TRUE(mirrored) << a;
+    EXPECT_LT(apart_deg(*mirrored, -a * types::kDegree_rad), 0.11) << a;
+  }
+}
+
+TEST(Compass, DoesNotDependOnWhereTheBuildingStands) {
+  for (const auto& [x_m, y_m] : {std::pair(0.0, 0.0), std::pair(123.45, -67.8), std::pair(-2000.0, 900.0)}) {
+    Points plan = turned(building(), 0.5);
+    for (types::Vector2& p : plan) p += types::Vector2(x_m, y_m);
+    const auto angle_rad = entropy_compass(cell_centres(plan)).angle_rad;
+    ASSERT_TRUE(angle_rad) << x_m;
+    EXPECT_LT(apart_deg(*angle_rad, 0.5), 0.11) << x_m;
+  }
+}
+
+TEST(Compass, OfFewerPointsIsTheSameDirection) {
+  const Points plan = cell_centres(turned(building(), 0.7));
+  for (const std::size_t most : {500U, 1000U, 2000U, 70000U}) {
+    const auto angle_rad = entropy_compass(plan, {.points_max = most}).angle_rad;
+    ASSERT_TRUE(angle_rad) << most;
+    EXPECT_LT(apart_deg(*angle_rad, 0.7), 0.5) << most;
+  }
+}
+
+TEST(Compass, IsNotSaidBelowTheConfidenceThatIsAskedFor) {
+  const Points plan = cell_centres(turned(building(), 0.3));
+  const Compass compass = entropy_compass(plan);
+  ASSERT_TRUE(compass.angle_rad);
+  const auto at_least = [&](double confidence) {
+    return entropy_compass(plan, {.confidence_min = confidence}).angle_rad;
+  };
+  EXPECT_EQ(at_least(0.99 * compass.confidence), compass.angle_rad);
+  EXPECT_FALSE(at_least(1.01 * compass.confidence));
+}
+
+TEST(Compass, WantsThirtyPoints) {
+  Points wall;
+  for (int i = 0; i < 30; ++i) wall.emplace_back(0.05 * i, 1.0);
+  EXPECT_FALSE(entropy_compass(wall).entropy.empty());
+  wall.pop_back();
+  CompassMemory memory;
+  EXPECT_TRUE(entropy_compass({wall, wall, {}}, {}, memory).entropy.empty());
+  EXPECT_TRUE(memory.few.at.empty() && memory.all.at.empty()) << "and keeps nothing";
 }
 
 }  // namespace

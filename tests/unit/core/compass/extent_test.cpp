@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <random>
+#include <vector>
+
 #include "tests/unit/core/walls/points.hpp"
 
 namespace topo::compass {
@@ -43,6 +46,30 @@ TEST(Extent, LooksAtAllPointsOnlyWhenOneAtAnEndGoes) {
   EXPECT_EQ(looks, 2);
   const Extent end = renewed({0.0, 7.0}, {all, {}, {{7, 0}}}, counted);
   EXPECT_EQ(end, (Extent{0.0, 5.0}));
+}
+
+TEST(Extent, OfNoPointsIsEmptyAndOfOneIsItsValue) {
+  const Extent none = extent_of({}, sum_of);
+  EXPECT_GT(none.low, none.high);
+  EXPECT_EQ(extent_of(Points{{2.0, -5.0}}, sum_of), (Extent{-3.0, -3.0}));
+  const Points points{{1.0, 1.0}, {4.0, 0.0}, {-2.0, 0.5}};
+  EXPECT_EQ(extent_of(points, sum_of), (Extent{-1.5, 4.0}));
+  EXPECT_EQ(renewed(none, {points, points, {}}, sum_of), (Extent{-1.5, 4.0}));
+  EXPECT_EQ(renewed({-1.5, 4.0}, {{}, {}, points}, sum_of), none) << "all are gone";
+}
+
+TEST(Extent, DoesNotDependOnTheOrderAndHoldsAllValues) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0.0, 3.0);
+  Extent ahead, back;
+  std::vector<double> values(100);
+  for (double& value : values) value = normal(random);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ahead.add(values[i]);
+    back.add(values[values.size() - 1 - i]);
+  }
+  EXPECT_EQ(ahead, back);
+  for (const double value : values) EXPECT_TRUE(ahead.low <= value && value <= ahead.high);
 }
 
 }  // namespace

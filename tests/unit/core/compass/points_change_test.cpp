@@ -6,6 +6,8 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <iterator>
+#include <random>
 
 #include "tests/unit/core/walls/points.hpp"
 
@@ -43,6 +45,32 @@ TEST(PointsChange, RowByRowIsNoMoreThanTheDifference) {
   const PointsChange change = points_change(before, now);
   EXPECT_EQ(change.come, (Points{{1, 0}, {0, 2}}));
   EXPECT_EQ(change.gone, (Points{{2, 0}, {1, 2}}));
+}
+
+TEST(PointsChange, OfSortedPointsIsTheDifferenceOfTheSets) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const auto some = [&] {
+      Points points;
+      for (std::size_t k = random() % 30; k > 0; --k) {
+        const double x = static_cast<double>(random() % 6), y = static_cast<double>(random() % 6);
+        points.emplace_back(x, y);
+      }
+      points = sorted(std::move(points));
+      points.erase(std::unique(points.begin(), points.end()), points.end());
+      return points;
+    };
+    const Points before = some(), now = some();
+    Points come, gone;
+    std::ranges::set_difference(now, before, std::back_inserter(come), comes_before);
+    std::ranges::set_difference(before, now, std::back_inserter(gone), comes_before);
+    const PointsChange change = points_change(before, now);
+    EXPECT_EQ(change.come, come) << seed;
+    EXPECT_EQ(change.gone, gone) << seed;
+    EXPECT_TRUE(points_change(now, now).come.empty() && points_change(now, now).gone.empty());
+    EXPECT_EQ(points_change({}, now).come, now);
+    EXPECT_EQ(points_change(before, {}).gone, before);
+  }
 }
 
 }  // namespace

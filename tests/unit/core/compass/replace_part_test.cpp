@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <random>
+
 namespace topo::compass {
 namespace {
 
@@ -26,6 +29,22 @@ TEST(ReplacePart, OfNothingIsAll) {
   Numbers all;
   replace_part(all, all.begin(), all.end(), {1, 2});
   EXPECT_EQ(all, (Numbers{1, 2}));
+}
+
+TEST(ReplacePart, OfAnyLengthAnywhereIsThePartsInARow) {
+  std::mt19937 random(1);
+  for (int k = 0; k < 300; ++k) {
+    Numbers all(random() % 12), others(random() % 12);
+    std::iota(all.begin(), all.end(), 0);
+    std::iota(others.begin(), others.end(), 100);
+    const std::size_t first = random() % (all.size() + 1), length = random() % (all.size() - first + 1);
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+    Numbers expected(all.begin(), at(first));
+    expected.insert(expected.end(), others.begin(), others.end());
+    expected.insert(expected.end(), at(first + length), all.end());
+    replace_part(all, at(first), at(first + length), others);
+    EXPECT_EQ(all, expected) << first << " " << length;
+  }
 }
 
 }  // namespace

@@ -65,5 +65,52 @@ TEST(Samples, UpToALimitLieFarFromEachOther) {
   EXPECT_LT(beside, cloud.x.size() / 20);
 }
 
+TEST(HashLimit, IsTheShareOfAllHashes) {
+  EXPECT_EQ(hash_limit(100, 100), UINT64_MAX);
+  EXPECT_EQ(hash_limit(100, 200), UINT64_MAX);
+  EXPECT_EQ(hash_limit(100, 0), 0U);
+  EXPECT_EQ(hash_limit(4, 1), std::uint64_t{1} << 62U);
+  EXPECT_EQ(hash_limit(2, 1), std::uint64_t{1} << 63U);
+  std::uint64_t before = 0;
+  for (std::size_t size = 1; size <= 1000; ++size) {
+    EXPECT_GT(hash_limit(1000, size), before) << size;
+    before = hash_limit(1000, size);
+  }
+}
+
+TEST(HashLimit, LetsAboutAsManyPointsThrough) {
+  const Points points = grid(200, 150);
+  for (const std::size_t size : {300U, 3000U, 15000U, 29000U}) {
+    const auto count = within(Samples(points), 0, hash_limit(points.size(), size)).size();
+    // Five standard deviations of as many independent draws.
+    const double share = static_cast<double>(size) / static_cast<double>(points.size());
+    EXPECT_NEAR(static_cast<double>(count), static_cast<double>(size),
+                5.0 * std::sqrt(static_cast<double>(size) * (1.0 - share)));
+  }
+}
+
+TEST(Sample, LiesInItsCellWhereverThatIs) {
+  const Placing placing{{1.0, -2.0}, 0.05, 0.04};
+  Cloud cloud;
+  const Points points = grid(40, 40);
+  double sum_x = 0.0, sum_y = 0.0;
+  for (const types::Vector2& p : points) {
+    Sample(p).append_to(cloud, placing);
+    const double x_m = static_cast<double>(cloud.x.back()) * 0.05 + 1.0 - p.x();
+    const double y_m = static_cast<double>(cloud.y.back()) * 0.05 - 2.0 - p.y();
+    EXPECT_LE(std::abs(x_m), 0.02 + 1e-5);
+    EXPECT_LE(std::abs(y_m), 0.02 + 1e-5);
+    sum_x += x_m;
+    sum_y += y_m;
+  }
+  // Spread evenly over the cell: the mean of 1600 is off by 0.3 mm.
+  EXPECT_NEAR(sum_x / 1600.0, 0.0, 0.0015);
+  EXPECT_NEAR(sum_y / 1600.0, 0.0, 0.0015);
+  Cloud exact;
+  Sample({1.1, -2.2}).append_to(exact, {{1.0, -2.0}, 0.05, 0.0});
+  EXPECT_NEAR(exact.x[0], 2.0F, 1e-5F);
+  EXPECT_NEAR(exact.y[0], -4.0F, 1e-5F);
+}
+
 }  // namespace
 }  // namespace topo::compass

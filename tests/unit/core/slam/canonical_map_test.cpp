@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <map>
+
+#include "tests/unit/core/slam/graph_fixture.hpp"
 #include "tests/unit/core/slam/map_contents.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
@@ -177,6 +180,50 @@ TEST(CanonicalMap, isSolvedAndNotOnlyChained) {
       EXPECT_GT(total_chi2(others, edges), least);
     }
     others[i] = map.poses[i];
+  }
+}
+
+KeyframePtr nothing_seen(const KeyframeId& id) {
+  auto keyframe = std::make_shared<Keyframe>();
+  keyframe->id = id;
+  return keyframe;
+}
+
+TEST(CanonicalSession, relationsThatAgreeGiveTheTruthFromAnyOrigin) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const std::size_t nodes = 2 + random() % 15;
+    const auto truth = testing::random_poses(nodes, random);
+    Sets sets;
+    std::map<KeyframeId, std::size_t> node_of;
+    std::vector<KeyframeId> ids;
+    while (ids.size() < nodes) {
+      const KeyframeId id{static_cast<std::uint16_t>(random() % 3),
+                          static_cast<std::uint32_t>(random() % 40)};
+      if (!node_of.try_emplace(id, ids.size()).second) continue;
+      ids.push_back(id);
+      sets.keyframes.insert(nothing_seen(id));
+    }
+    for (const auto& [from, to] : testing::random_ties(nodes, nodes, random)) {
+      Relation relation;
+      relation.T_from_to = truth[from].inverse() * truth[to];
+      relation.robust = random() % 3 == 0;
+      sets.relations.insert({ids[from], ids[to]}, relation);
+    }
+    sets.relations.insert({ids[0], {9, 0}}, {});  // a keyframe that nobody has sent
+    const std::size_t origin = random() % nodes;
+    const Session session = canonical_session(sets.keyframes, sets.relations, ids[origin], {});
+    ASSERT_EQ(session.keyframes.size(), nodes);
+    EXPECT_TRUE(check_session(session));
+    std::size_t k = 0;
+    for (const auto& [id, node] : node_of) {
+      EXPECT_EQ(session.keyframes[k]->id, id) << "in the order of the keys";
+      EXPECT_LT(testing::difference(session.poses[k], truth[origin].inverse() * truth[node]), 1e-6) << seed;
+      if (node == origin) {
+        EXPECT_EQ(session.poses[k], Se2{});
+      }
+      ++k;
+    }
   }
 }
 

@@ -202,5 +202,89 @@ TEST(MakeSurfels, AveragesTheNoiseAcrossTheSurface) {
   EXPECT_LT(fitted / count, 0.25 * raw);  // at least half the standard deviation
 }
 
+types::Scan room_scan(double sigma_m) {
+  std::mt19937 random(11);
+  return mocks::take_scan(mocks::two_rooms(), {3.0, 3.0, 0.2}, {}, {1081, 4.7, 30.0, sigma_m}, random);
+}
+
+Cloud cloud_of(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion = {}) {
+  Cloud cloud;
+  make_cloud(scan, T_base_laser, motion, kCloudParams, cloud);
+  return cloud;
+}
+
+TEST(MakeCloud, MovesWithTheLaserAndWithTheRobot) {
+  const types::Scan scan = room_scan(0.01);
+  const Cloud at_base = cloud_of(scan, {});
+  const types::Se2 mount{0.3, -0.1, 2.5};
+  const Cloud mounted = cloud_of(scan, mount), carried = cloud_of(scan, {}, {mount, mount});
+  ASSERT_EQ(mounted.points.size(), at_base.points.size());
+  ASSERT_EQ(carried.points.size(), at_base.points.size());
+  EXPECT_EQ(mounted.spacing_m, at_base.spacing_m);
+  for (std::size_t i = 0; i < at_base.points.size(); ++i) {
+    const Point expected = (mount * types::Vector2(at_base.points[i].cast<double>())).cast<float>();
+    EXPECT_LT((mounted.points[i] - expected).norm(), 1e-5F);
+    EXPECT_LT((carried.points[i] - expected).norm(), 1e-5F);
+  }
+  EXPECT_LT((mounted.sensor - Point(0.3F, -0.1F)).norm(), 1e-6F);
+}
+
+TEST(MakeCloud, IntoUsedMemoryIsAsIntoNew) {
+  Cloud cloud = cloud_of(room_scan(0.01), {0.1, 0.0, 0.0});
+  types::Scan few = room_scan(0.02);
+  few.beams = 200;
+  make_cloud(few, {}, {}, kCloudParams, cloud);
+  const Cloud fresh = cloud_of(few, {});
+  EXPECT_EQ(cloud.points, fresh.points);
+  EXPECT_EQ(cloud.spacing_m, fresh.spacing_m);
+  EXPECT_EQ(cloud.sensor, fresh.sensor);
+}
+
+TEST(SelectPoints, AreHitsInTheOrderOfTheBeams) {
+  const Cloud cloud = cloud_of(room_scan(0.02), {});
+  for (const int most : {1, 7, 100, 400, 5000}) {
+    CloudParams params = kCloudParams;
+    params.match_points_max = most;
+    std::vector<Point> points{Point(9.0F, 9.0F)};  // from before
+    select_points(cloud, params, points);
+    ASSERT_FALSE(points.empty());
+    EXPECT_LE(points.size(), static_cast<std::size_t>(most));
+    auto at = cloud.points.begin();
+    for (const Point& p : points) {
+      at = std::find(at, cloud.points.end(), p);
+      ASSERT_NE(at, cloud.points.end());
+      ++at;
+    }
+  }
+}
+
+TEST(MakeSurfels, TurnWithTheCloud) {
+  const types::Scan scan = room_scan(0.01);
+  const types::Se2 mount{-0.2, 0.15, -1.1};
+  const std::vector<Surfel> here = make_surfels(cloud_of(scan, {}), kCloudParams);
+  const std::vector<Surfel> there = make_surfels(cloud_of(scan, mount), kCloudParams);
+  ASSERT_EQ(here.size(), there.size());
+  std::ptrdiff_t alike = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const types::Vector2 position = mount * types::Vector2(here[i].position.cast<double>());
+    const types::Vector2 end = mount * types::Vector2((here[i].position + here[i].normal).cast<double>());
+    const bool is_alike = (there[i].position.cast<double>() - position).norm() < 1e-3 &&
+                          (there[i].normal.cast<double>() - (end - position)).norm() < 1e-2;
+    alike += is_alike && here[i].planar == there[i].planar ? 1 : 0;
+    EXPECT_NEAR(there[i].normal.norm(), 1.0F, 1e-5F);
+  }
+  EXPECT_GE(alike, std::ssize(here) - 2) << "but for rounding at a limit";
+}
+
+TEST(MakeSurfels, OfLoneHitsThereAreNone) {
+  Cloud cloud;
+  EXPECT_TRUE(make_surfels(cloud, kCloudParams).empty());
+  for (int i = 0; i < 10; ++i) {
+    cloud.points.emplace_back(2.0F, static_cast<float>(i));
+    cloud.spacing_m.push_back(0.02F);
+  }
+  EXPECT_TRUE(make_surfels(cloud, kCloudParams).empty()) << "a metre from each other";
+}
+
 }  // namespace
 }  // namespace topo::slam

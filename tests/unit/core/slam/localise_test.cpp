@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "core/slam/mapper.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
@@ -140,6 +143,28 @@ TEST(Localise, MapsThatAreTooLargeAreRefused) {
   session.poses.back().x_m += 5000.0;
   const auto view = testing::view_of(mocks::two_rooms(), kPlaces[0], 0.02, random);
   EXPECT_EQ(localise_anywhere(session, view.cloud, {}).refusal, LocaliseRefusal::kTooLarge);
+}
+
+TEST(Describe, SaysOfEachOutcomeSomethingElse) {
+  Localisation out;
+  out.match.T_map_base = {1.25, -3.5, 0.5};
+  out.match.response = 0.83;
+  std::set<std::string> sentences;
+  for (const LocaliseRefusal refusal :
+       {LocaliseRefusal::kNone, LocaliseRefusal::kNoMap, LocaliseRefusal::kTooLarge,
+        LocaliseRefusal::kNothingFits, LocaliseRefusal::kDegenerate, LocaliseRefusal::kAmbiguous}) {
+    out.refusal = refusal;
+    EXPECT_EQ(out.found(), refusal == LocaliseRefusal::kNone);
+    const std::string text = describe(out);
+    EXPECT_TRUE(sentences.insert(text).second) << text;
+    const bool was_searched = refusal != LocaliseRefusal::kNoMap && refusal != LocaliseRefusal::kTooLarge;
+    EXPECT_EQ(text.find("x 1.25 y -3.50 theta 0.50 (83 % of the scan fits)") != std::string::npos,
+              was_searched)
+        << text;
+  }
+  out.rival = out.match;
+  out.rival->T_map_base.x_m = 9.75;
+  EXPECT_NE(describe(out).find("x 9.75"), std::string::npos) << "the other of two places is named";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "core/slam/linear_start.hpp"
 #include "core/slam/spanning_start.hpp"
+#include "tests/unit/core/slam/graph_fixture.hpp"
 
 namespace topo::slam {
 namespace {
@@ -287,6 +288,64 @@ TEST(SolveConsistently, KeepsTheOnlyTieOfAPieceHoweverFarOff) {
         << "each contradicts the other";
   ASSERT_TRUE(solve_consistently(poses, edges, {}).solved);
   EXPECT_EQ(poses, with_both);
+}
+
+TEST(EdgeError, IsTheSameInAnyFrame) {
+  std::mt19937 random(21);
+  for (int k = 0; k < 50; ++k) {
+    const auto poses = testing::random_poses(2, random);
+    const Edge edge = testing::measured(poses, 0, 1, {0.3, -0.2, 0.1});
+    const Se2 frame = testing::random_pose(random);
+    const Eigen::Vector3d here = edge_error(edge, poses[0], poses[1]);
+    EXPECT_LT((edge_error(edge, frame * poses[0], frame * poses[1]) - here).norm(), 1e-9);
+    // What the measurement errs by is the way back from it.
+    const Se2 back = Se2{0.3, -0.2, 0.1}.inverse();
+    EXPECT_LT((here - Eigen::Vector3d(back.x_m, back.y_m, back.theta_rad)).norm(), 1e-9);
+  }
+}
+
+TEST(TotalChi2, IsTheSumOverTheEdges) {
+  std::mt19937 random(22);
+  const auto poses = testing::random_poses(10, random);
+  const auto edges = testing::measured_ties(poses, testing::random_ties(10, 8, random), 0.1, random);
+  double sum = 0.0;
+  for (const Edge& edge : edges) {
+    const Eigen::Vector3d error = edge_error(edge, poses[edge.from], poses[edge.to]);
+    EXPECT_NEAR(edge_chi2(edge, poses), error.dot(edge.information * error), 1e-12);
+    EXPECT_GE(edge_chi2(edge, poses), 0.0);
+    sum += edge_chi2(edge, poses);
+  }
+  EXPECT_NEAR(total_chi2(poses, edges), sum, 1e-9 * sum);
+  EXPECT_EQ(total_chi2(poses, {}), 0.0);
+}
+
+TEST(Solve, EdgesThatAgreeGiveTheTruth) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    std::mt19937 random(seed);
+    const std::size_t nodes = 2 + random() % 20, fixed = random() % nodes;
+    const auto truth = testing::random_poses(nodes, random);
+    const auto edges = testing::measured_ties(truth, testing::random_ties(nodes, nodes, random), 0.0, random);
+    std::normal_distribution<double> off(0.0, 0.05);
+    std::vector<Se2> poses = truth;
+    for (std::size_t i = 0; i < nodes; ++i)
+      if (i != fixed) poses[i] = poses[i] * Se2{off(random), off(random), off(random)};
+    const SolveReport report = solve(poses, edges, exact(), fixed);
+    ASSERT_TRUE(report.solved) << seed;
+    EXPECT_LT(testing::greatest_difference(poses, truth), 1e-6) << seed;
+    EXPECT_LE(report.chi2_end, report.chi2_start) << seed;
+    EXPECT_NEAR(report.chi2_end, total_chi2(poses, edges), 1e-9 + 1e-6 * report.chi2_end) << seed;
+  }
+}
+
+TEST(Solve, ARobustEdgeThatFitsIsAsGoodAsAnother) {
+  std::mt19937 random(23);
+  const auto truth = testing::random_poses(8, random);
+  auto edges = testing::measured_ties(truth, testing::random_ties(8, 6, random), 0.0, random);
+  for (Edge& edge : edges) edge.robust = true;
+  std::vector<Se2> poses = truth;
+  for (std::size_t i = 1; i < poses.size(); ++i) poses[i] = poses[i] * Se2{0.02, -0.01, 0.01};
+  ASSERT_TRUE(solve(poses, edges, exact()).solved);
+  EXPECT_LT(testing::greatest_difference(poses, truth), 1e-6);
 }
 
 }  // namespace

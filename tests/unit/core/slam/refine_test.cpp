@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
 namespace topo::slam {
@@ -67,6 +69,91 @@ TEST(Refine, WithoutAnyOverlapThePriorStays) {
   EXPECT_EQ(match.response, 0.0);
   EXPECT_EQ(match.fit(), 0.0);
   EXPECT_TRUE(match.degenerate);
+}
+
+/// A map of one surfel at the middle of a cell, and a robot that looks at it.
+SurfelMap one_surfel(const Point& normal, bool planar) {
+  SurfelMap map(0.35);
+  map.reset({0.0F, 0.0F}, 5.0);
+  map.add(std::vector<Surfel>{{Point(2.05F, 0.05F), normal, planar}}, {});
+  return map;
+}
+
+TEST(Evaluate, OfOnePointIsWhatIsReckonedByHand) {
+  const SurfelMap map = one_surfel(Point(-1.0F, 0.0F), true);
+  for (const float off : {0.0F, 0.04F, -0.04F, 0.15F}) {
+    const std::vector<Point> point{Point(2.05F + off, 0.05F)};
+    const Match match = evaluate(map, point, Point::Zero(), {}, kRefineParams);
+    const auto r = static_cast<double>(off);
+    const double weight = 1.0 / (kRefineParams.point_sigma_m * kRefineParams.point_sigma_m) /
+                          (1.0 + std::pow(r / kRefineParams.kernel_m, 2));
+    EXPECT_EQ(match.overlap, 1.0);
+    EXPECT_EQ(match.response, std::abs(r) < kRefineParams.inlier_m ? 1.0 : 0.0);
+    EXPECT_NEAR(match.rms_m, std::abs(r) < kRefineParams.inlier_m ? std::abs(r) : 0.0, 1e-6);
+    // The wall is across x; a turn moves the point by its y.
+    EXPECT_NEAR(match.scan_information(0, 0), weight, 1e-3 * weight);
+    EXPECT_NEAR(match.scan_information(1, 1), 0.0, 1e-9);
+    EXPECT_NEAR(match.scan_information(2, 2), weight * 0.05 * 0.05, 1e-5 * weight);
+  }
+}
+
+TEST(Evaluate, APointFixesAPoleInBothDirections) {
+  const SurfelMap map = one_surfel(Point(-1.0F, 0.0F), false);
+  const Match match =
+      evaluate(map, std::vector<Point>{Point(2.05F, 0.02F)}, Point::Zero(), {}, kRefineParams);
+  EXPECT_GT(match.scan_information(0, 0), 0.0);
+  EXPECT_NEAR(match.scan_information(0, 0), match.scan_information(1, 1), 1e-9);
+  EXPECT_NEAR(match.rms_m, 0.03, 1e-6) << "in whatever direction it is off";
+}
+
+TEST(Evaluate, IsTheSumOfTheEvidenceOfItsPoints) {
+  std::mt19937 random(10);
+  const mocks::FlatWorld world = mocks::two_rooms();
+  const SurfelMap map = testing::map_of(world, {{3.0, 3.0, 0.0}, {4.0, 3.5, 1.0}}, 0.01, random);
+  const testing::View view = testing::view_of(world, kTruth, 0.03, random);
+  const types::Se2 pose{3.58, 2.97, 0.43};
+  const auto of = [&](std::span<const Point> points) {
+    return evaluate(map, points, view.cloud.sensor, pose, kRefineParams);
+  };
+  const Match all = of(view.points);
+  EXPECT_EQ(all.T_map_base, pose) << "it is not moved";
+  EXPECT_EQ(all.scan_information, all.scan_information.transpose());
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double response = 0.0, overlap = 0.0, square = 0.0;
+  for (const Point& p : view.points) {
+    const Match one = of({&p, 1});
+    information += one.scan_information;
+    response += one.response;
+    overlap += one.overlap;
+    square += one.rms_m * one.rms_m;
+  }
+  const auto count = static_cast<double>(view.points.size());
+  EXPECT_LT((information - all.scan_information).norm(), 1e-9 * information.norm());
+  EXPECT_NEAR(all.response, response / count, 1e-12);
+  EXPECT_NEAR(all.overlap, overlap / count, 1e-12);
+  EXPECT_NEAR(all.rms_m, std::sqrt(square / response), 1e-9);
+  EXPECT_NEAR(all.fit(), response / overlap, 1e-12);
+}
+
+TEST(Refine, APriorThatIsSureHoldsThePose) {
+  std::mt19937 random(12);
+  const mocks::FlatWorld world = mocks::two_rooms();
+  const SurfelMap map = testing::map_of(world, {{3.0, 3.0, 0.0}, {4.0, 3.5, 1.0}}, 0.01, random);
+  const testing::View view = testing::view_of(world, kTruth, 0.01, random);
+  const types::Se2 believed{kTruth.x_m + 0.08, kTruth.y_m - 0.05, kTruth.theta_rad + 0.02};
+  double before = 0.0;
+  for (const double sure : {1e12, 1e6, 1e4, 1e-3}) {
+    const Prior prior{believed, sure * Eigen::Matrix3d::Identity()};
+    const Match match = refine(map, view.points, view.cloud.sensor, kTruth, prior, kRefineParams);
+    const double moved = distance_m(match.T_map_base, believed);
+    EXPECT_GE(moved, before - 1e-3) << "the less sure, the further the scan moves it: " << sure;
+    EXPECT_LE(match.iterations, kRefineParams.iterations_max);
+    before = moved;
+    if (sure == 1e12) {
+      EXPECT_LT(moved, 1e-4);
+    }
+  }
+  EXPECT_GT(before, 0.08);
 }
 
 }  // namespace

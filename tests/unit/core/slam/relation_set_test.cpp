@@ -6,8 +6,10 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 namespace topo::slam {
 namespace {
@@ -99,6 +101,58 @@ TEST(CheckRelation, namesTheFault) {
     const auto refused = check_relation(wrong);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message.find("relation 5 of robot 2: "), 0U) << refused.error().message;
+  }
+}
+
+/// Relations of a few keys with a few contents, which may differ in any one of their numbers.
+RelationSet random_relations(std::mt19937& random) {
+  RelationSet set;
+  for (std::size_t k = random() % 12; k > 0; --k) {
+    const KeyframeId a{0, static_cast<std::uint32_t>(random() % 3)},
+        b{1, static_cast<std::uint32_t>(random() % 3)};
+    Relation relation;
+    relation.T_from_to.y_m = static_cast<double>(random() % 2);
+    relation.information(2, 2) = 1.0 + static_cast<double>(random() % 2);
+    relation.robust = random() % 2 == 0;
+    set.insert({a, b}, relation);
+  }
+  return set;
+}
+
+RelationSet united(RelationSet a, const RelationSet& b) {
+  a.merge(b);
+  return a;
+}
+
+TEST(RelationSet, unionIsCommutativeAssociativeAndIdempotent) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    std::mt19937 random(seed);
+    const RelationSet a = random_relations(random), b = random_relations(random),
+                      c = random_relations(random);
+    EXPECT_TRUE(same(united(a, b), united(b, a))) << seed;
+    EXPECT_TRUE(same(united(united(a, b), c), united(a, united(b, c)))) << seed;
+    EXPECT_TRUE(same(united(a, a), a)) << seed;
+    RelationSet both = united(a, b);
+    EXPECT_FALSE(both.merge(a)) << "it has changed nothing";
+    EXPECT_EQ(united(a, b).relations().size() != a.relations().size() || !same(both, a),
+              RelationSet(a).merge(b));
+  }
+}
+
+TEST(CheckRelation, takesWhatIsAtTheBounds) {
+  FoundRelation found = told(2, 5, 0, 1e4);
+  found.relation.T_from_to.theta_rad = -1e4;
+  found.relation.information = Eigen::Matrix3d::Zero();
+  EXPECT_TRUE(check_relation(found)) << "no information is information";
+  found.relation.T_from_to.x_m = 1e4 + 1.0;
+  EXPECT_FALSE(check_relation(found));
+  found = told(2, 5, 0, 0.0);
+  found.key.second = {2, 5, 1};  // the same number in another run
+  EXPECT_TRUE(check_relation(found));
+  for (const double wrong : {HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
+    FoundRelation spoilt = found;
+    spoilt.relation.information(2, 2) = wrong;
+    EXPECT_FALSE(check_relation(spoilt)) << wrong;
   }
 }
 
