@@ -12,7 +12,7 @@
 
 namespace topo::slam {
 
-/// Appends fields, little-endian, to a block of bytes.
+/// Appends little-endian fields to a block of bytes.
 class ByteWriter {
  public:
   template <class Integer>
@@ -22,7 +22,8 @@ class ByteWriter {
   }
   void real(double value) { integer(std::bit_cast<std::uint64_t>(value)); }
   void real(float value) { integer(std::bit_cast<std::uint32_t>(value)); }
-  /// Seven bits a byte, lowest first, the eighth says that more come (LEB128): small numbers are short.
+  /// LEB128: seven bits per byte, lowest first; the eighth bit is set when more bytes follow. Small numbers
+  /// are short.
   void varint(std::uint64_t value) {
     for (; value >= 0x80U; value >>= 7U) byte(value | 0x80U);
     byte(value);
@@ -42,8 +43,8 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads the fields of hostile bytes in their order. A read beyond the end gives zero and makes ok() false
-/// for good, so that a reader asks once, at the end; nothing is ever read outside.
+/// Reads fields in order from untrusted bytes. A read beyond the end returns zero and makes ok() false
+/// permanently, so that the caller checks once, at the end; nothing is ever read out of bounds.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -72,8 +73,8 @@ class ByteReader {
     const std::uint64_t value = varint();
     return static_cast<std::int64_t>((value >> 1U) ^ (~(value & 1U) + 1U));
   }
-  /// A number of elements that take at least `bytes_each` of what is left: a count that the bytes cannot hold
-  /// makes ok() false, so that nobody allocates by what a file claims.
+  /// Reads a number of elements, each of which takes at least `bytes_each` of the remaining bytes. A count
+  /// that the bytes cannot hold makes ok() false, so that no memory is allocated by the claim of a file.
   [[nodiscard]] std::size_t count(std::size_t bytes_each) {
     const std::uint64_t n = varint();
     if (n > rest_.size() / bytes_each) return spoil<std::size_t>();
@@ -82,7 +83,7 @@ class ByteReader {
 
   [[nodiscard]] std::size_t remaining() const { return rest_.size(); }
   [[nodiscard]] bool ok() const { return ok_; }
-  /// Everything was there, and nothing is left over.
+  /// True when all reads succeeded and no bytes are left.
   [[nodiscard]] bool complete() const { return ok_ && rest_.empty(); }
 
  private:
