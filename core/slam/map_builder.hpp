@@ -39,10 +39,9 @@ class MapBuilder {
   /// Replaces the shown map by the map in preparation.
   void show();
 
-  /// Makes the shown map exact: redraws keyframes whose pose differs, by less than the parameters allow, from
-  /// where they were drawn, until they sum up to `beams_max` beams and columns, at least one. True when none
-  /// is left. Does nothing while a map is in preparation. `poses` are those of the map shown last and of its
-  /// extensions.
+  /// Makes the shown map exact: redraws keyframes whose pose differs from where they were drawn, until they
+  /// sum up to `beams_max` beams and columns, at least one. True when none is left. Does nothing while a map
+  /// is in preparation. `poses` are those of the map shown last and of its extensions.
   bool settle(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
               std::size_t beams_max);
 

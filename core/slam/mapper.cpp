@@ -14,16 +14,16 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kLocalHalfWidth_m = 32.0;  ///< beyond the scanner's reach
-constexpr double kRecentre_m = 6.0;         ///< how far the robot may get from the window's centre
-constexpr double kTurnedScore = 0.35;       ///< likelihood below which a heading is no find
-constexpr double kTurnedApart_rad = 0.3;    ///< nearer headings are one
-constexpr double kSearchResponse = 0.05;    ///< a found pose must be better by this to be preferred
+constexpr double kLocalHalfWidth_m = 32.0;  ///< beyond the scanner's range
+constexpr double kRecentre_m = 6.0;         ///< maximum distance of the robot from the window's centre
+constexpr double kTurnedScore = 0.35;       ///< minimum likelihood of a pose found elsewhere
+constexpr double kTurnedApart_rad = 0.3;    ///< closer headings are one peak
+constexpr double kSearchResponse = 0.05;    ///< minimum gain in response for a found pose to be preferred
 
-constexpr double kUnheard = 9.0;  ///< a way that is guessed has three times the deviation
+constexpr double kUnheard = 9.0;  ///< the deviation of an extrapolated motion is three times as large
 
-/// Is it a way that a robot can have come? Odometry that was set to another place (a base that was switched
-/// off and on) says that it came a way that none can.
+/// True when a robot can drive such a motion. Odometry that was reset (a base that was switched off and on)
+/// reports a motion that is not drivable.
 bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
   const double way_m = std::hypot(motion.x_m, motion.y_m);
   return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
@@ -93,7 +93,7 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   return report;
 }
 
-/// Where odometry says a way that no robot drives, this one is held to have gone on as before.
+/// When odometry reports a motion that is not drivable, the previous motion is extrapolated.
 Prior Mapper::predict(const types::Se2& motion, double seconds) const {
   if (!is_drivable(motion, seconds, params_.motion)) return going_on(seconds);
   return {T_map_base_ * motion, motion_information(motion, params_.motion)};
@@ -105,9 +105,9 @@ Prior Mapper::going_on(double seconds) const {
   return {T_map_base_ * guess, motion_information(guess, params_.motion) / kUnheard};
 }
 
-/// Where nothing fits near what odometry says, the robot is looked for. After a long way it is also where
-/// what fits is little: wheels that slip, or that do not tell forwards from backwards, make it up to twice as
-/// wrong as it is long, and half of another room may fit there.
+/// When nothing fits near the odometry pose, the robot is searched for elsewhere. After a long motion this is
+/// also done when the response is low: with wheels that slip, or do not distinguish forwards from backwards,
+/// the error is up to twice the motion, and half of another room may fit there.
 Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sensor, bool& searched) {
   const types::Se2& predicted = prior.T_map_base;
   const TrackParams& limits = params_.track;
@@ -130,8 +130,8 @@ Match Mapper::track(const Prior& prior, const Prior& going_on, const Point& sens
   return find_elsewhere(pyramid, predicted, all_round, sensor).value_or(match);
 }
 
-/// Beside the window a robot that went on as before is tried: odometry that was held up for a second says
-/// nothing and then everything at once, which has been matched meanwhile.
+/// In addition to the window, the extrapolation of the previous motion is tried: odometry that was delayed
+/// for a second reports no motion and then all of it at once, when that motion has already been matched.
 Match Mapper::search_near(const LikelihoodPyramid& pyramid, const Prior& prior, const Prior& going_on,
                           const Point& sensor, Match match) const {
   const SearchWindow window = window_around(prior, params_.track);
@@ -147,9 +147,9 @@ Match Mapper::search_near(const LikelihoodPyramid& pyramid, const Prior& prior, 
   return match;
 }
 
-/// Wheels slip and robots are turned by hand, and odometry hears nothing of it. Where two places fit (a
-/// corridor up and down), odometry is followed, and so it is where it leads to ground that nobody has seen:
-/// there nothing can fit, and what does elsewhere is chance.
+/// Odometry does not register slipping wheels or a robot that is turned by hand. The odometry pose is kept
+/// where two places fit (the two directions of a corridor), and where it leads to unobserved ground: nothing
+/// can fit there, and a fit elsewhere is accidental.
 std::optional<Match> Mapper::find_elsewhere(const LikelihoodPyramid& pyramid, const types::Se2& predicted,
                                             const SearchWindow& window, const Point& sensor) const {
   const TrackParams& track = params_.track;
@@ -169,7 +169,7 @@ std::optional<Match> Mapper::find_elsewhere(const LikelihoodPyramid& pyramid, co
   return match;
 }
 
-/// What the keyframes of the local map saw through.
+/// Ground crossed by the rays of the local map's keyframes.
 FreeGround Mapper::local_ground() const {
   std::vector<KeyframePtr> keyframes;
   std::vector<types::Se2> poses;
@@ -180,14 +180,14 @@ FreeGround Mapper::local_ground() const {
   return seen_through(keyframes, poses, local_map_);
 }
 
-/// Is the robot that far from where a keyframe was made, or turned that much?
+/// True when the robot is further than this from where a keyframe was made, or turned by more.
 bool Mapper::is_apart(std::size_t node, double way_m, double turn_rad) const {
   const types::Se2& pose = poses_[node];
   return distance_m(pose, T_map_base_) > way_m ||
          std::abs(types::wrap_angle(T_map_base_.theta_rad - pose.theta_rad)) > turn_rad;
 }
 
-/// Does the tracking window have as many keyframes of here as it needs?
+/// True when the tracking window has enough keyframes near the robot's pose.
 bool Mapper::has_enough_alike() const {
   const KeyframeParams& params = params_.keyframe;
   const auto alike =
@@ -240,7 +240,7 @@ void Mapper::extend_local_map() {
   const Point here = T_map_base_.translation().cast<float>();
   const std::size_t held = own_.size() - window_first_;
   const bool first = own_.size() == 1;
-  // Dropping one keyframe means building the map again: let a few gather.
+  // Removing a keyframe requires a rebuild of the map: a few are collected first.
   if (first || (here - local_centre_).norm() > static_cast<float>(kRecentre_m) ||
       held > static_cast<std::size_t>(2 * params_.keyframe.window_travel_m / params_.keyframe.travel_m)) {
     rebuild_local_map();
@@ -262,8 +262,8 @@ void Mapper::rebuild_local_map() {
   }
   for (std::size_t k = window_first_; k < own_.size(); ++k)
     local_map_.add(keyframes_[own_[k]]->surfels, poses_[own_[k]]);
-  // A resumed path is short at first: what was mapped here before helps, until the window has left that
-  // place.
+  // A resumed path is short at first: older keyframes of the same place support it until the window has left
+  // that place.
   if (window_first_ > resumed_at_) neighbours_.clear();
   for (const std::size_t i : neighbours_) {
     if (i < own_[window_first_]) local_map_.add(keyframes_[i]->surfels, poses_[i]);

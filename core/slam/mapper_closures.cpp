@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The mapper's half that asks for closures and takes them in; tracking and keyframes are in mapper.cpp.
+// The part of the mapper that requests closures and applies them; tracking and keyframes are in mapper.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ void Mapper::ask(std::size_t node) {
   if (!query.groups.empty()) query_ = std::move(query);
 }
 
-/// One node a call: each costs as much as a new keyframe's question.
+/// One node per call: each costs as much as the request of a new keyframe.
 std::optional<LoopQuery> Mapper::take_second_query() {
   const auto node = open_questions_.take();
   if (!node) return std::nullopt;
@@ -76,13 +76,14 @@ LoopVerdict Mapper::apply(const LoopAnswer& answer) {
   return verdict;
 }
 
-/// What people say of starts is not: there the maps are still to be matched.
+/// True when the position is as certain as from a match. Known starts are less certain: there the maps are
+/// still to be matched.
 bool Mapper::is_as_sure_as_a_match(const Edge& edge) const {
   const double sigma_m = 2.0 * params_.graph.loop_trans_floor_m;
   return edge.information.topLeftCorner<2, 2>().diagonal().minCoeff() * sigma_m * sigma_m > 1.0;
 }
 
-/// Further than the narrowest search for closures makes up for.
+/// True when the error exceeds half the narrowest loop search window.
 bool Mapper::is_far_off(const Edge& edge) const {
   const Eigen::Vector3d error = edge_error(edge, poses_[edge.from], poses_[edge.to]);
   return error.head<2>().norm() > 0.5 * params_.loop.search_floor_m ||
@@ -93,7 +94,7 @@ bool Mapper::is_known(const Edge& edge) const {
   return known_.contains({keyframes_[edge.from]->id, keyframes_[edge.to]->id});
 }
 
-/// A way over an edge that the poses do not obey yet would make them look surer than they are.
+/// A path over an edge that the poses do not satisfy yet would understate their uncertainty.
 void Mapper::add_edge(const Edge& edge) {
   if (is_far_off(edge))
     unlinked_.push_back(edges_.size());
@@ -156,7 +157,7 @@ SolveReport Mapper::optimise() {
   return solution.report;
 }
 
-/// What the poses obey now. What they do not is too new, or a closure that the rest contradicts.
+/// Links the edges that the poses satisfy now. The others are too new, or closures that the rest contradicts.
 void Mapper::relink() {
   std::erase_if(unlinked_, [&](std::size_t i) {
     if (is_far_off(edges_[i])) return false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The mapper's half that takes in what team-mates saw and found.
+// The part of the mapper that adds the keyframes and relations of team-mates.
 
 #include <algorithm>
 #include <utility>
@@ -11,16 +11,17 @@
 namespace topo::slam {
 namespace {
 
-/// Keyframes on either side of a tied one are tied as well as it is: neighbours on a way hardly err.
+/// Keyframes within this many of a tied one count as tied, too: neighbours on a path have little relative
+/// error.
 constexpr std::size_t kTiedReach = 3;
 
-constexpr std::size_t kAlignFrom = 50;  ///< keyframes of a team-mate's: less cannot have places that agree
-constexpr double kAlignGrowth = 1.2;    ///< of both maps, before the same is asked again
+constexpr std::size_t kAlignFrom = 50;  ///< keyframes of a team-mate: fewer cannot yield agreeing places
+constexpr double kAlignGrowth = 1.2;    ///< of both maps together, before the request is repeated
 
 }  // namespace
 
-/// One call of join(): what may enter the map now, odometry before closures, because a keyframe is placed by
-/// the first relation that reaches it.
+/// One call of join(): the relations that may enter the map now, odometry before closures, because the first
+/// relation that reaches a keyframe determines its pose.
 struct Mapper::Joining {
   Mapper& mapper;
   std::set<std::pair<bool, RelationKey>> open{};
@@ -88,7 +89,7 @@ std::size_t Mapper::add_mates_node(KeyframePtr keyframe, const types::Se2& pose)
   std::vector<std::size_t>& way = mates_[id.origin()];
   const auto at = std::upper_bound(way.begin(), way.end(), id, [&](const KeyframeId& a, std::size_t b) {
     return a < keyframes_[b]->id;
-  });  // it may have come late
+  });  // it may have arrived late
   const std::size_t node = keyframes_.size();
   way.insert(at, node);
   return add_node(std::move(keyframe), pose);

@@ -13,8 +13,8 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kMapReach_m = 1e5;    // a hostile file's pose must not make cell numbers overflow
-constexpr double kNeighbour_m = 10.0;  // old keyframes this near help to track until the new path has its own
+constexpr double kMapReach_m = 1e5;    // the pose of an untrusted file must not make cell numbers overflow
+constexpr double kNeighbour_m = 10.0;  // older keyframes this near support tracking on the new path
 
 bool sane(const types::Se2& pose) {
   return std::abs(pose.x_m) <= kMapReach_m && std::abs(pose.y_m) <= kMapReach_m &&
@@ -47,7 +47,7 @@ types::Status check_session(const Session& session) {
 }
 
 void Mapper::resume(const Session& session, const Arrival& arrival) {
-  // Keyframes are numbered on: the key of the grow-only set never comes twice.
+  // Keyframe numbers continue: no key of the grow-only set occurs twice.
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
     const KeyframeId& id = session.keyframes[i]->id;
     if (id.origin() == maker_) next_sequence_ = std::max(next_sequence_, id.sequence + 1);
@@ -56,14 +56,14 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
     else
       add_mates_node(session.keyframes[i], session.poses[i]);
   }
-  for (const Edge& edge : session.edges) add_found_edge(edge);  // told once more under this run
+  for (const Edge& edge : session.edges) add_found_edge(edge);  // sent again under this run
   edges_asked_ = edges_solved_ = edges_.size();
   relink();
   T_map_base_ = arrival.T_map_base;
   T_odom_base_ = arrival.T_odom_base;
   stamp_ = arrival.cloud.stamp;
   const std::size_t node = keyframes_.size();
-  Edge edge;  // to the nearest one
+  Edge edge;  // from the nearest keyframe
   for (std::size_t i = 0; i < node; ++i) {
     const double d = distance_m(poses_[i], T_map_base_);
     if (d < distance_m(poses_[edge.from], T_map_base_)) edge.from = i;
