@@ -16,7 +16,8 @@
 namespace topo::goals {
 namespace {
 
-/// The candidate of an opening, judged for itself; what it promises where it may become a goal.
+/// The candidate of an opening after the filters that judge it alone; `prospect` is set where it may become a
+/// goal.
 struct Candidate {
   Goal goal;
   std::optional<Prospect> prospect;
@@ -41,7 +42,7 @@ Candidate candidate_of(const GoalInput& input, const Opening& opening, const Goa
   return {goal, Prospect{goal.p_map, *stand, goal.chance}};
 }
 
-/// A side without an opening: kept with the reason, for who asks why there is no goal.
+/// The candidate of a side without an opening: rejected, with the reason, to explain why there is no goal.
 Goal closed_side(const GoalInput& input, std::uint16_t place, Side side) {
   Goal goal;
   goal.opening = goal.p_map = side_midpoint(input.places, place, side);
@@ -69,7 +70,8 @@ std::vector<Candidate> candidates(const GoalInput& input, const GoalParams& para
   return all;
 }
 
-/// Accepts those from whose places all openings are served that are worth it.
+/// Accepts few candidates; from their viewpoints all openings with enough expected information gain are
+/// served.
 void accept_few(const GoalInput& input, std::vector<Candidate>& candidates, const GoalParams& params) {
   std::vector<Prospect> prospects;
   std::vector<Goal*> goals;

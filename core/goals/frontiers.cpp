@@ -17,11 +17,12 @@ using grid::CellIndex;
 using grid::CellState;
 using grid::DenseMap;
 
-/// The free cells with unknown space at one of their four sides, in runs; beyond the array all is unknown.
+/// The free cells with unknown space at one of their four sides, as runs; all cells outside the array are
+/// unknown.
 class FrontierRuns {
  public:
   struct Cluster {
-    std::uint32_t span;  ///< in columns or rows, whichever are more
+    std::uint32_t span;  ///< the greater of its numbers of columns and rows
     std::vector<std::uint32_t> cells;
   };
 
@@ -39,8 +40,8 @@ class FrontierRuns {
     }
   }
 
-  /// Those that hang together and span at least so many columns or rows: the cells of each in rising order,
-  /// by their first cells.
+  /// The connected clusters that span at least `span_min` columns or rows, in the order of their first cells;
+  /// the cells of each are ascending.
   [[nodiscard]] std::vector<Cluster> clusters(std::uint32_t span_min) {
     const std::vector<grid::JoinedRuns::Extent> extents = runs_.extents();
     std::vector<Cluster> found;
@@ -61,7 +62,7 @@ class FrontierRuns {
   }
 
  private:
-  /// Cells [first, end) of a row, beside which all is unknown.
+  /// Marks the cells [first, end) of a row; the rest of the row is unknown.
   void mark(const CellState* below, const CellState* row, const CellState* above, std::size_t first,
             std::size_t end) {
     const auto unknown = [](CellState s) { return s == CellState::kUnknown ? 1U : 0U; };
@@ -80,10 +81,10 @@ class FrontierRuns {
   grid::JoinedRuns runs_;
 };
 
-/// Spreads from a frontier over free cells, ring by ring, as far as `steps`.
+/// Breadth-first search from a frontier over free cells, ring by ring, up to `steps`.
 class Spread {
  public:
-  /// A cell by its number in the map, and in the window of cells that can be come to.
+  /// A cell by its index in the map and in the window of reachable cells.
   struct Place {
     std::uint32_t in_map;
     std::uint32_t in_window;
@@ -117,7 +118,8 @@ class Spread {
   }
 
  private:
-  /// What is free in the box, with a ring around it that is not, so that neighbours need no bounds.
+  /// Copies the free cells of the box, with a border of cells that are not free, so that neighbours need no
+  /// bounds check.
   void copy_window(const DenseMap& map, const grid::CellBox& box) {
     const auto width = static_cast<std::size_t>(box.width());
     open_.assign((width + 2) * static_cast<std::size_t>(box.height() + 2), 0);
@@ -134,7 +136,7 @@ class Spread {
   }
 
   std::array<Place, 8> around_{};
-  std::vector<std::uint8_t> open_;  ///< free, and not visited yet
+  std::vector<std::uint8_t> open_;  ///< free and not yet visited
   std::vector<Place> ring_, before_;
 };
 
@@ -143,7 +145,7 @@ class Spread {
 std::vector<Frontier> find_frontiers(const DenseMap& map, double width_min_m) {
   std::vector<Frontier> frontiers;
   if (map.cells.empty()) return frontiers;
-  // Half a thousandth of a cell of slack: 15 cells of 0.05 m are 0.75 m, whatever the sum of fractions says.
+  // Half a thousandth of a cell of slack: 15 cells of 0.05 m are 0.75 m, regardless of rounding errors.
   const double cells_min = std::clamp(std::ceil(width_min_m / map.resolution_m - 0.0005), 0.0, 4e9);
   for (auto& [span, cells] : FrontierRuns(map).clusters(static_cast<std::uint32_t>(cells_min))) {
     types::Vector2 sum(0.0, 0.0);
@@ -214,7 +216,7 @@ double unknown_behind_m2(const DenseMap& map, const Frontier& frontier) {
     const CellIndex c = map.cell(i);
     if (std::abs(c.x - centre.x) < reach && std::abs(c.y - centre.y) < reach) visit_sides(c);
   }
-  // The newest first: what leaves is mostly out after a straight line.
+  // Depth first: a space that extends beyond the square is mostly left along a straight line.
   for (; !open.empty() && !leaves; ++found) {
     const CellIndex at = open.back();
     open.pop_back();

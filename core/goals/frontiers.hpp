@@ -21,20 +21,21 @@ struct Frontier {
   std::vector<std::uint32_t> cells;  ///< indices into the map, ascending
 };
 
-/// All clusters at least `width_min_m` wide (0.75 m: what a robot can enter, and what explore_lite counts),
-/// in the order of their first cells. Linear in the cells.
+/// All frontiers at least `width_min_m` wide (0.75 m: the minimum that a robot can enter, and that
+/// explore_lite counts), in the order of their first cells. Linear in the cells.
 std::vector<Frontier> find_frontiers(const grid::DenseMap& map, double width_min_m = 0.75);
 
-/// Of some cells the one nearest to their centroid, which may itself lie anywhere: a frontier can be a ring.
+/// The one of the cells that is nearest to their centroid, which need not be one of them: a frontier can be a
+/// ring.
 std::uint32_t middle_of(const grid::DenseMap& map, std::span<const std::uint32_t> cells);
 
-/// Unknown space behind a frontier, as far as 1.2 m around the middle of its cells: m2, or HUGE_VAL when it
-/// goes on beyond. Costs the cells of that square.
+/// Area of the unknown space behind a frontier, m2, within a square of 1.2 m around the middle of its cells;
+/// HUGE_VAL when the space extends beyond. Cost: the cells of that square.
 double unknown_behind_m2(const grid::DenseMap& map, const Frontier& frontier);
 
-/// The cell from which a frontier is best visited: of the cells that the field reaches, the one with the
-/// fewest steps over free cells to the frontier's cells, and of several the one nearest to the frontier's
-/// centroid; nothing when none is within `within_m` of such steps. Costs the cells around the frontier.
+/// The cell from which to visit a frontier: of the cells that the field reaches, the one with the fewest
+/// steps over free cells to the frontier's cells, and of several the one nearest to the frontier's centroid;
+/// empty when none is within `within_m` in such steps. Cost: the cells around the frontier.
 std::optional<grid::CellIndex> approach_cell(const grid::DenseMap& map, const Frontier& frontier,
                                              const grid::TravelField& field, double within_m);
 

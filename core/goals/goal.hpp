@@ -14,31 +14,31 @@ namespace topo::goals {
 enum class Side : std::uint8_t { kEast, kNorth, kWest, kSouth, kNone };  ///< of a place's box, compass frame
 std::string_view to_text(Side side);
 
-/// What a candidate became.
+/// Result of the filters for a candidate.
 enum class Verdict : std::uint8_t {
   kAccepted,
   kInternal,   ///< a boundary between two places, not a frontier of the map
   kNoOpening,  ///< no unknown space behind it that a robot could enter
   kVisited,    ///< a robot was there already
   kServed,     ///< in sight of another goal
-  kUnlikely,   ///< too small a chance that it leads onto much
+  kUnlikely,   ///< the chance that it leads onto a large area is too small
 };
-/// One sentence for a person.
+/// The verdict as one phrase for the user.
 std::string_view to_text(Verdict verdict);
 
-/// A place to go to in order to see more.
+/// A viewpoint for exploration.
 struct Goal {
-  types::Vector2 p_map{0.0, 0.0};    ///< where the robot shall go: free, with room for it
-  types::Vector2 opening{0.0, 0.0};  ///< middle of the frontier that it is for, in map
+  types::Vector2 p_map{0.0, 0.0};    ///< destination of the robot: free, with clearance for it
+  types::Vector2 opening{0.0, 0.0};  ///< middle of the frontier that it serves, in map
   double opening_m = 0.0;            ///< width of that frontier
-  double behind_m2 = HUGE_VAL;       ///< enclosed unknown space behind it; HUGE_VAL: it leads on
-  double chance = 0.0;               ///< that it leads onto much (opening_chance.hpp), where it leads on
-  std::uint16_t place = 0;           ///< label in the place map, 0 without one
+  double behind_m2 = HUGE_VAL;       ///< enclosed unknown space behind it; HUGE_VAL: not enclosed
+  double chance = 0.0;               ///< of a large area behind it (opening_chance.hpp), where not enclosed
+  std::uint16_t place = 0;           ///< label in the place map; 0: none
   Side side = Side::kNone;
   Verdict verdict = Verdict::kAccepted;
 };
 
-/// Accepted goals, and every candidate that was not.
+/// The accepted goals and all rejected candidates.
 struct GoalSet {
   std::vector<Goal> goals;
   std::vector<Goal> rejected;

@@ -10,7 +10,7 @@
 namespace topo::goals {
 namespace {
 
-/// What may be hoped for at each place.
+/// The expected information gain of each viewpoint.
 class Hopes {
  public:
   Hopes(std::span<const Prospect> prospects, std::span<const StandingPlace> places)
@@ -27,7 +27,7 @@ class Hopes {
     }
   }
 
-  /// Precondition: there is a place.
+  /// Precondition: there is at least one viewpoint.
   [[nodiscard]] std::uint32_t best() const {
     std::uint32_t best = 0;
     for (std::uint32_t p = 1; p < hope_.size(); ++p)
@@ -38,7 +38,7 @@ class Hopes {
   [[nodiscard]] const std::vector<bool>& served() const { return served_; }
   void give_up(std::uint32_t place) { hope_[place] = -HUGE_VAL; }
 
-  /// What a place serves is served. Its likeliest opening that was not.
+  /// Marks all openings of a viewpoint as served. Returns the likeliest that was not served before.
   std::uint32_t choose(std::uint32_t place) {
     std::uint32_t likeliest = 0;
     double most = -1.0;
@@ -54,7 +54,7 @@ class Hopes {
   }
 
  private:
-  /// Sums of the same chances may differ by their order.
+  /// The tolerance covers rounding: sums of equal chances may differ by their order.
   [[nodiscard]] bool is_better(std::uint32_t a, std::uint32_t b) const {
     constexpr double kSame = 1e-9;
     if (hope_[a] > hope_[b] + kSame) return true;
@@ -64,7 +64,7 @@ class Hopes {
   std::span<const Prospect> prospects_;
   std::span<const StandingPlace> places_;
   std::vector<double> hope_;
-  std::vector<std::vector<std::uint32_t>> served_from_;  ///< the places, by prospect
+  std::vector<std::vector<std::uint32_t>> served_from_;  ///< the viewpoints that serve each prospect
   std::vector<bool> served_;
 };
 

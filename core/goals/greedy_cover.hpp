@@ -11,10 +11,10 @@
 
 namespace topo::goals {
 
-/// A place that was chosen.
+/// A selected viewpoint.
 struct Chosen {
   std::uint32_t place = 0;
-  std::uint32_t prospect = 0;  ///< the likeliest that nobody served before
+  std::uint32_t prospect = 0;  ///< the likeliest one that no earlier choice serves
 };
 
 struct GreedyCover {
@@ -22,11 +22,12 @@ struct GreedyCover {
   std::vector<bool> served;    ///< by prospect
 };
 
-/// Few places that serve all openings worth it: greedily the one at which most can be hoped for, by the sum
-/// of the chances of the openings that none serves yet, as long as that is at least `worth_min`; of several
-/// the one nearest to them. A place that no opening calls its own is left out where a robot was within
-/// visited_radius_m of it (paper section II-E): who was there saw what can be seen from there. Costs the
-/// places, and the poses, for each that is chosen or left out. Precondition: worth_min is positive.
+/// A small set of viewpoints that serves all openings with enough expected information gain. Greedy: selects
+/// the viewpoint with the greatest sum of the chances of its openings that are not yet served, as long as the
+/// sum is at least `worth_min`; of equals the one nearest to them. A shared viewpoint (not an opening's own)
+/// is skipped when a robot was within visited_radius_m (paper section II-E): all that is visible from there
+/// has been seen. Cost: the viewpoints and the poses, for each one selected or skipped. Precondition:
+/// worth_min is positive.
 GreedyCover cover_openings(std::span<const Prospect> prospects, std::span<const StandingPlace> places,
                            std::span<const std::vector<types::Vector2>> visited, const GoalParams& params);
 

@@ -9,16 +9,17 @@
 
 namespace topo::goals {
 
-/// How likely an opening leads onto much, 10 m2 or more that a robot can reach: the odds grow in proportion
-/// to its width, and with its distance from all paths to the power 1.5. Who has passed close by has seen into
-/// whatever is wide; what is still unknown beside a path is the shadow of something. That is the pose history
-/// of paper section II-E as a matter of degree. Fitted to the openings of partial maps of the floor plans
-/// that the project is measured on; fits to halves of them agree. The unknown space ahead says a little more,
-/// and costs a flood at every opening; room for the robot's disc, occupied cells beside it and rays add
-/// nothing.
+/// The probability that an opening leads onto a large area: 10 m2 or more that a robot can reach. The odds
+/// are proportional to the opening's width and to its distance from all paths (plus an offset, up to a limit)
+/// to the power 1.5. A robot that has passed close by has seen into every wide opening; space beside a path
+/// that is still unknown is the shadow of an object. This is the pose history of paper section II-E as a
+/// continuous measure. Fitted to the openings of partial maps of the floor plans on which the project is
+/// evaluated; fits to halves of them agree. The unknown space ahead adds a little information, but costs a
+/// flood fill at every opening; clearance for the robot's disc, occupied cells beside the opening and rays
+/// add none.
 double chance_to_lead_on(double opening_m, double from_paths_m);
 
-/// From a point to the nearest pose of all paths; HUGE_VAL where there is none. Costs the poses.
+/// Distance from a point to the nearest pose of all paths; HUGE_VAL without poses. Linear in the poses.
 double distance_from_paths_m(const types::Vector2& p_map, std::span<const std::vector<types::Vector2>> paths);
 
 }  // namespace topo::goals

@@ -16,7 +16,7 @@ using grid::CellState;
 
 constexpr std::array<CellIndex, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-/// The cells around an opening, as far as it is looked into.
+/// The bounding box of an opening, extended by `reach` cells.
 grid::CellBox surroundings_of(const grid::DenseMap& map, std::span<const std::uint32_t> opening, int reach) {
   grid::CellBox box;
   for (const std::uint32_t i : opening) box.extend(map.cell(i));
@@ -24,7 +24,7 @@ grid::CellBox surroundings_of(const grid::DenseMap& map, std::span<const std::ui
 }
 
 struct Step {
-  CellIndex at, from;  ///< from: the opening's cell where the way into the unknown began
+  CellIndex at, from;  ///< from: the opening's cell at which the route into the unknown began
 };
 
 }  // namespace

@@ -9,9 +9,9 @@
 
 namespace topo::goals {
 
-/// Opening check: can the robot's disc, as far as anything occupied is known, go on through the opening for
-/// behind_m into unknown space, of which at least behind_m2 can be had so? Shadows of furniture, slots and
-/// niches are less. Costs the cells of the opening's box and as far around it.
+/// Opening check: true when the robot's disc, avoiding all known occupied cells, can move through the opening
+/// and on for behind_m into unknown space, and can reach at least behind_m2 of it. Shadows of furniture,
+/// slots and niches are smaller. Cost: the cells of the opening's box extended by behind_m.
 bool leads_to_unknown(const grid::DenseMap& map, std::span<const std::uint32_t> opening,
                       const GoalParams& params);
 

@@ -14,7 +14,7 @@ namespace {
 
 using places::CompassFrame;
 
-/// Of the middle of a frontier, else of the first of its cells that has one; 0 without.
+/// The place label of a frontier's middle, else of the first of its cells that has one; 0 without any.
 std::uint16_t place_of(const GoalInput& input, std::uint32_t middle, const Frontier& frontier) {
   if (const std::uint16_t place = input.places.labels[middle]; place != 0) return place;
   for (const std::uint32_t i : frontier.cells)

@@ -12,8 +12,8 @@ namespace topo::goals {
 
 /// A frontier of a place.
 struct Opening {
-  std::uint16_t place = 0;   ///< label in the place map, of its middle
-  Side side = Side::kNone;   ///< of that place's box, where its middle is
+  std::uint16_t place = 0;   ///< label in the place map, at its middle
+  Side side = Side::kNone;   ///< of that place's box, nearest to its middle
   std::uint32_t middle = 0;  ///< the cell nearest to the centroid of the cells
   double width_m = 0.0;      ///< greater extent of its cells plus one cell
   std::vector<std::uint32_t> cells;
@@ -21,9 +21,10 @@ struct Opening {
 
 /// The openings at least `opening_min_m` wide, by place and side.
 ///
-/// Departure from paper section II-E, which tries the midpoints of the four sides of a place's box: on a side
-/// of thirty metres the midpoint says little of a doorway near its end, and a frontier through a door need
-/// not lie at any midpoint. So a side's candidates stand where the place is really open there.
+/// Departure from paper section II-E, which uses the midpoints of the four sides of a place's box: on a side
+/// of thirty metres the midpoint carries little information about a doorway near its end, and a frontier
+/// through a door need not lie at any midpoint. The candidates of a side are therefore located at its actual
+/// openings.
 std::vector<Opening> find_openings(const GoalInput& input, const GoalParams& params);
 
 /// The side of the place's box that a point is nearest to.

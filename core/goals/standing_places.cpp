@@ -11,7 +11,7 @@
 namespace topo::goals {
 namespace {
 
-/// The stands of prospects, found by where they are.
+/// The stands of prospects, sorted by x for a search by position.
 class Stands {
  public:
   Stands(const grid::DenseMap& map, std::span<const Prospect> prospects, double in_sight_m)
@@ -22,7 +22,7 @@ class Stands {
                      [](const Stand& a, const Stand& b) { return a.p_map.x() < b.p_map.x(); });
   }
 
-  /// What is served from there; `own` even out of sight.
+  /// The viewpoint at a point with the prospects that it serves; `own` is served even out of sight.
   [[nodiscard]] StandingPlace place_at(const types::Vector2& p_map, std::optional<std::uint32_t> own) const {
     StandingPlace place{p_map, {}, 0.0, !own};
     const grid::CellIndex cell = map_.cell_at(p_map);

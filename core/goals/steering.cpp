@@ -14,11 +14,11 @@ namespace {
 using grid::CellIndex;
 using grid::CellState;
 
-/// Straight ones first, unlike grid::kNeighbours: of two that are as good the nearer one counts.
+/// Straight neighbours first, unlike grid::kNeighbours: of two equally good ones the nearer one is taken.
 constexpr std::array<CellIndex, 8> kStraightFirst = {
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// The skeleton's own clearance is that of the map without furniture.
+/// From the input: the skeleton's own clearance is that of the map without furniture.
 double clear_at(const GoalInput& input, CellIndex cell) {
   return static_cast<double>(input.clearance_m[input.map.index(cell)]);
 }
@@ -40,7 +40,7 @@ std::optional<std::uint32_t> free_node(const GoalInput& input, CellIndex from, c
   return best;
 }
 
-/// Up the distance field until it is clear or the axis is hit.
+/// Ascends the distance field to clear_m, to the axis with clearance for the robot, or to a local maximum.
 CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params) {
   CellIndex here = from;
   while (true) {
@@ -59,7 +59,7 @@ CellIndex climb(const GoalInput& input, CellIndex from, const GoalParams& params
   }
 }
 
-/// The same within a window around the opening.
+/// nearest_room() within a window around the opening.
 std::optional<CellIndex> nearest_room_within(const GoalInput& input, std::span<const std::uint32_t> opening,
                                              double reach_m, const GoalParams& params) {
   const int reach = static_cast<int>(std::lround(reach_m / input.map.resolution_m));
@@ -104,7 +104,7 @@ bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
 
 std::optional<CellIndex> nearest_room(const GoalInput& input, std::span<const std::uint32_t> opening,
                                       const GoalParams& params) {
-  constexpr double kMostlyM = 1.0;  // saves the wide window
+  constexpr double kMostlyM = 1.0;  // mostly sufficient: avoids the wide window
   if (const auto room = nearest_room_within(input, opening, kMostlyM, params)) return room;
   return nearest_room_within(input, opening, params.room_reach_m, params);
 }

@@ -14,13 +14,12 @@
 
 namespace topo::goals {
 
-/// The nodes of a skeleton that have no goal yet, by their rows: who looks for one that is near need not look
-/// at all.
+/// The nodes of a skeleton that have no goal yet, sorted by row: a search for a near node need not visit all.
 class FreeNodes {
  public:
   explicit FreeNodes(const places::Skeleton& skeleton);
 
-  /// Calls f(number, node) for those in the rows [low, high].
+  /// Calls f(number, node) for the free nodes in the rows [low, high].
   template <class F>
   void for_each_in_rows(std::int32_t low, std::int32_t high, F&& f) const {
     const auto below = [](const Row& row, std::int32_t y) { return row.y < y; };
@@ -36,18 +35,19 @@ class FreeNodes {
     std::uint32_t node;
   };
   const std::vector<places::SkeletonNode>* nodes_;
-  std::vector<Row> rows_;  ///< ascending, and by number in each
+  std::vector<Row> rows_;  ///< ascending, by number within each row
   std::vector<bool> taken_;
 };
 
-/// The cell with robot_radius_m of clearance that is nearest to an opening through free space; nothing when
+/// The cell with robot_radius_m of clearance that is nearest to an opening through free space; empty when
 /// there is none within room_reach_m.
 std::optional<grid::CellIndex> nearest_room(const GoalInput& input, std::span<const std::uint32_t> opening,
                                             const GoalParams& params);
 
-/// Steering: to the nearest node of the skeleton within node_reach_m that has room, is seen from the opening
-/// and is one of `nodes` (from which it is taken); else up the distance field until clear_m or the axis.
-/// Where that ends too narrow, `stand`.
+/// Steering: returns the nearest node of the skeleton within node_reach_m that has robot_radius_m of
+/// clearance, is in sight of the opening and is in `nodes` (and removes it there). Without one it ascends the
+/// distance field to clear_m of clearance or to the axis; where that ends with too little clearance, it
+/// returns `stand`.
 types::Vector2 steer(const GoalInput& input, const Opening& opening, grid::CellIndex stand,
                      const GoalParams& params, FreeNodes& nodes);
 

@@ -12,20 +12,20 @@ namespace topo::slam {
 
 enum class AlignmentRefusal { kNone, kNoMap, kTooFew, kTooNear, kAmbiguous, kContradicted };
 
-/// Where a team-mate's map lies on one's own, with its evidence; `refusal` says whether that is believed.
+/// The pose of a team-mate's map in the own one, with its evidence; `refusal` reports whether it is accepted.
 struct Alignment {
   types::Se2 T_own_mates;
-  int agreeing = 0;  ///< patches that were found where this alignment has them
+  int agreeing = 0;  ///< patches found where this alignment predicts them
   int clear = 0;     ///< of these, those whose second place is far worse
-  int rival = 0;     ///< patches that stand for the next best alignment
-  int against = 0;   ///< patches that would contradict the map where the alignment has them
+  int rival = 0;     ///< patches that support the next best alignment
+  int against = 0;   ///< patches that contradict the map at the predicted place
   double spread_m = 0.0;
-  std::vector<std::pair<RelationKey, Relation>> closures;  ///< one for each that agrees
+  std::vector<std::pair<RelationKey, Relation>> closures;  ///< one for each agreeing patch
   AlignmentRefusal refusal = AlignmentRefusal::kNoMap;
   [[nodiscard]] bool found() const { return refusal == AlignmentRefusal::kNone; }
 };
 
-/// A question to the loop closure thread: values and shared constants.
+/// A request to the loop closure thread: values and shared constants.
 struct AlignmentQuery {
   Session own, mates;
   MapperParams params;

@@ -12,8 +12,8 @@
 namespace topo::slam {
 
 /// Cholesky factorisation of a positive definite matrix of B x B blocks, left-looking (Davis 2006, section
-/// 4.8): written straight into the pattern of the factor, factorised in place, solved with. Blocks keep the
-/// inner loops free of indices, which is what a scalar factorisation spends its time on.
+/// 4.8). The matrix is written directly into the pattern of the factor and factorised in place. Blocks keep
+/// index computations, which dominate a scalar factorisation, out of the inner loops.
 template <int B>
 class BlockFactor {
  public:
@@ -34,7 +34,7 @@ class BlockFactor {
 
   void set_zero() { std::fill(blocks_.begin(), blocks_.end(), Block::Zero()); }
 
-  /// Adds to the block (row, column) and with it to (column, row).
+  /// Adds to the block (row, column) and, by symmetry, to (column, row).
   void add(const Elimination::Place& place, const Block& block) {
     if (place.transposed)
       blocks_[place.index] += block.transpose();
@@ -42,7 +42,7 @@ class BlockFactor {
       blocks_[place.index] += block;
   }
 
-  /// Adds to the scalar diagonal of every block: f(entry) -> what to add.
+  /// Adds f(entry) to each scalar entry of the diagonal.
   template <class F>
   void add_to_diagonal(F&& f) {
     for (std::size_t j = 0; j < pattern_.variables(); ++j) {
@@ -51,7 +51,7 @@ class BlockFactor {
     }
   }
 
-  /// In place; false when the matrix is not positive definite to working precision.
+  /// Factorises in place; false when the matrix is not positive definite to working precision.
   [[nodiscard]] bool factorise() {
     std::fill(first_.begin(), first_.end(), kNone);
     for (std::size_t column = 0; column < pattern_.variables(); ++column) {
@@ -68,7 +68,7 @@ class BlockFactor {
     return true;
   }
 
-  /// Solves in place; `x` in the order of the variables.
+  /// Solves in place; `x` is in the order of the variables.
   void solve(std::vector<Vector>& x) {
     const std::size_t size = pattern_.variables();
     for (std::size_t i = 0; i < size; ++i) scratch_[pattern_.rank(i)] = x[i];
@@ -92,10 +92,11 @@ class BlockFactor {
  private:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  /// Takes what finished column j contributes to the column that is its turn, and queues j for its next row.
+  /// Subtracts the contribution of the finished column j from the current column, and queues j for its next
+  /// row.
   void subtract(std::size_t j) {
     const std::size_t end = pattern_.begin(j + 1), own = cursor_[j];
-    Block left = Block::Zero();  // g++ 12 takes Eigen's look at aliasing for a use
+    Block left = Block::Zero();  // g++ 12 takes Eigen's alias check for a use
     left = blocks_[own].transpose();
     for (std::size_t p = own; p < end; ++p) blocks_[where_[pattern_.row(p)]].noalias() -= blocks_[p] * left;
     queue(j, own + 1, end);
@@ -109,7 +110,7 @@ class BlockFactor {
     head = j;
   }
 
-  /// Factorises the diagonal block, and keeps the inverse of its factor there.
+  /// Factorises the diagonal block and stores the inverse of its factor there.
   bool finish(std::size_t column) {
     const std::size_t begin = pattern_.begin(column), end = pattern_.begin(column + 1);
     Block inverse;
@@ -121,7 +122,7 @@ class BlockFactor {
     return true;
   }
 
-  /// Inverse of the lower Cholesky factor of a small block, of which only the lower triangle is read.
+  /// Inverse of the lower Cholesky factor of a small block; reads only the block's lower triangle.
   static bool inverse_factor(const Block& block, Block& inverse) {
     Block l = Block::Zero();
     for (int c = 0; c < B; ++c) {
@@ -150,9 +151,9 @@ class BlockFactor {
 
   const Elimination& pattern_;
   std::vector<Block> blocks_;
-  std::vector<std::size_t> where_;   ///< block of each row in the column whose turn it is
-  std::vector<std::size_t> first_;   ///< columns that contribute to a column: heads of lists
-  std::vector<std::size_t> next_;    ///< the lists' links
+  std::vector<std::size_t> where_;   ///< block of each row in the current column
+  std::vector<std::size_t> first_;   ///< heads of the lists of columns that contribute to each column
+  std::vector<std::size_t> next_;    ///< links of the lists
   std::vector<std::size_t> cursor_;  ///< next block of each finished column
   std::vector<Vector> scratch_;
 };

@@ -12,7 +12,7 @@
 namespace topo::slam {
 namespace {
 
-/// The keys that relations tie to the origin, in order.
+/// The keys that relations connect to the origin, in order.
 std::vector<KeyframeId> tied_to(const KeyframeId& origin, const KeyframeSet& keyframes,
                                 const RelationSet& relations) {
   std::map<KeyframeId, std::vector<KeyframeId>> beside;
@@ -41,7 +41,7 @@ std::optional<std::size_t> place_of(const KeyframeId& id, const std::vector<Keyf
   return static_cast<std::size_t>(at - sorted.begin());
 }
 
-/// Which relations chain the poses before the others: odometry, then what is sure, then closures.
+/// Rank of a relation in the spanning tree: odometry first, then other certain relations, then closures.
 int rank_of(const RelationKey& key, const Relation& relation) {
   const auto& [a, b] = key;
   if (relation.robust) return 2;
@@ -74,13 +74,13 @@ Session canonical_session(const KeyframeSet& keyframes, const RelationSet& relat
   if (ids.empty()) return out;
   for (const KeyframeId& id : ids) out.keyframes.push_back(keyframes.find(id));
   Graph graph = graph_among(ids, relations);
-  out.poses = *spanning_start(ids.size(), graph.edges, graph.ranks);  // all are tied together
+  out.poses = *spanning_start(ids.size(), graph.edges, graph.ranks);  // all nodes are connected
   out.edges = std::move(graph.edges);
   const std::size_t fixed = *place_of(origin, ids);
   const types::Se2 T_origin_first = out.poses[fixed].inverse();
   for (types::Se2& pose : out.poses) pose = T_origin_first * pose;
   out.poses[fixed] = {};
-  // Where it cannot be solved, the tree stands.
+  // When it cannot be solved, the poses of the tree are kept.
   (void)solve_consistently(out.poses, out.edges, params, fixed);
   return out;
 }

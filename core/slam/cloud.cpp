@@ -10,10 +10,10 @@
 namespace topo::slam {
 namespace {
 
-constexpr std::size_t kNeighbours = 3;  ///< on either side, however far apart the beams are
-constexpr float kFlat = 0.2F;           ///< of the scatter across to the scatter along: flatter is a line
+constexpr std::size_t kNeighbours = 3;  ///< on either side, regardless of the distance between the beams
+constexpr float kFlat = 0.2F;           ///< maximum ratio of the scatter across to the scatter along a line
 
-/// Are hits i and i + 1 neighbours on one surface?
+/// True when hits i and i + 1 are neighbours on one surface.
 bool connected(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   const float gap = (cloud.points[i + 1] - cloud.points[i]).norm();
   const float spacing = std::max(cloud.spacing_m[i], cloud.spacing_m[i + 1]);
@@ -21,8 +21,8 @@ bool connected(const Cloud& cloud, std::size_t i, const CloudParams& params) {
                         static_cast<float>(params.break_floor_m));
 }
 
-/// First and last index of the run of connected hits around i that stays within the radius; at least one
-/// neighbour on each side where there is one, however far the beams are apart.
+/// First and last index of the run of connected hits around i within the radius; up to kNeighbours connected
+/// hits on each side belong to it regardless of their distance.
 struct Run {
   std::size_t first, last;
 };
@@ -42,11 +42,11 @@ Run neighbours(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   return run;
 }
 
-/// How far noise along the beam turns the fitted line: it adds variance * u u^T to the scatter (u the beam's
-/// direction), which is not across the line where the beam meets it aslant, and which turns the larger
-/// eigenvector towards u. The variance is what the scatter across the line shows of it.
+/// The angle by which noise along the beam turns the fitted line. The noise adds variance * u u^T to the
+/// scatter (u: direction of the beam). Where the beam is oblique to the line, this is not across the line and
+/// turns the larger eigenvector towards u. The variance is estimated from the scatter across the line.
 float noise_tilt(const Point& along, const Point& beam, float small, float large) {
-  constexpr float kGrazing = 0.15F;  // sine of the angle to the surface: below, nothing is seen of the noise
+  constexpr float kGrazing = 0.15F;  // sine of the angle to the surface; below it the noise is not observable
   const Point u = beam.normalized();
   const float u_along = along.dot(u), u_across = -along.y() * u.x() + along.x() * u.y();
   if (std::abs(u_across) < kGrazing || large <= 0.0F) return 0.0F;
@@ -77,15 +77,15 @@ Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   surfel.normal = Point(-std::sin(direction - tilt), std::cos(direction - tilt));
   if (surfel.normal.dot(cloud.sensor - p) < 0.0F) surfel.normal = -surfel.normal;
   surfel.planar = count >= 3.0F && small < kFlat * large;
-  // The measured point, moved onto the fitted line: noise across the surface is averaged, place along it
-  // kept.
+  // The measured point, projected onto the fitted line: averages the noise across the surface and keeps the
+  // position along it.
   surfel.position = surfel.planar ? Point(p - surfel.normal.dot(p - mean) * surfel.normal) : p;
   return surfel;
 }
 
-/// Chooses hits by the way that the beam has swept across its range, not by the distance of measured points:
-/// among those the ones whose noise happens to push them ahead would be chosen more often, outwards on one
-/// wall of a corridor and inwards on the other, and the map would turn (2 degrees in 60 m at 30 mm of noise).
+/// Selects hits by the distance that the beam has swept at its range, not by the distance of measured points.
+/// The latter would prefer points that noise pushes ahead, outwards on one wall of a corridor and inwards on
+/// the other, and the map would turn (2 degrees in 60 m at 30 mm of noise).
 class Thinning {
  public:
   explicit Thinning(double spacing_m) : spacing_m_(static_cast<float>(spacing_m)), swept_m_(spacing_m_) {}
@@ -100,13 +100,13 @@ class Thinning {
   float spacing_m_, swept_m_;
 };
 
-/// Is the hit of a beam that met an edge, and measured something between it and what is behind it? Those are
-/// lone readings between two surfaces (veiling points; Tuley, Vandapel and Hebert 2005). A wall that is seen
-/// at a grazing angle jumps from beam to beam as well, but by much the same each time.
+/// True for the hit of a beam that met an edge and measured a range between the edge and the background: a
+/// single reading between two surfaces (veiling points; Tuley, Vandapel and Hebert 2005). A wall at a grazing
+/// angle also has jumps from beam to beam, but of nearly equal size.
 bool is_mixed(std::span<const float> range_m, std::size_t i, float jump_m) {
   if (i < 2 || i + 2 >= range_m.size()) return false;
   const float before = range_m[i] - range_m[i - 1], after = range_m[i + 1] - range_m[i];
-  // Beside a beam without a distance nothing compares.
+  // False also when a neighbouring beam has no range.
   if (!(before * after > 0.0F) || !(std::abs(before) > jump_m) || !(std::abs(after) > jump_m)) return false;
   return std::abs(range_m[i - 1] - range_m[i - 2]) < 0.5F * std::abs(before) &&
          std::abs(range_m[i + 2] - range_m[i + 1]) < 0.5F * std::abs(after);
@@ -131,8 +131,8 @@ void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const S
   const double beams = std::max<double>(1.0, scan.beams - 1.0);
   const std::span<const float> ranges_m(scan.range_m.data(), scan.beams);
   const float range_max = std::min(scan.geometry.range_max_m, static_cast<float>(params.range_max_m));
-  // One rotation a beam by recurrence instead of a sine and cosine a beam; drift over 1440 steps is below
-  // 1e-12.
+  // One rotation per beam by recurrence instead of a sine and cosine per beam; the drift over 1440 steps is
+  // below 1e-12.
   const double step = static_cast<double>(scan.geometry.angle_increment_rad) + turn / beams;
   double c = std::cos(first.theta_rad + static_cast<double>(scan.geometry.angle_min_rad));
   double s = std::sin(first.theta_rad + static_cast<double>(scan.geometry.angle_min_rad));
@@ -173,8 +173,8 @@ std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params) 
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {
     if (!thinning.takes(cloud.spacing_m[i])) continue;
     const Run run = neighbours(cloud, i, params);
-    // A hit without neighbours is a wall seen at a grazing angle or noise: where it lies on the surface says
-    // nothing.
+    // A hit without neighbours is noise or on a wall at a grazing angle: its position on the surface is
+    // unknown.
     if (run.last - run.first < 2) continue;
     surfels.push_back(fit(cloud, run, i));
   }

@@ -13,8 +13,9 @@ namespace topo::slam {
 
 using Point = Eigen::Vector2f;
 
-/// A small piece of a surface: mean of its points and unit normal towards the sensor. `planar` is false
-/// where the neighbourhood is no line (a chair leg); such a surfel constrains in both directions.
+/// A small piece of a surface: a measured point and the unit normal towards the sensor. Where `planar`, the
+/// point is projected onto the line fitted to its neighbourhood. `planar` is false where the neighbourhood is
+/// not a line (a chair leg); such a surfel constrains in both directions.
 struct Surfel {
   Point position;
   Point normal;
@@ -27,26 +28,26 @@ struct Cloud {
   Point sensor = Point::Zero();  ///< the laser in base_link
   std::vector<Point> points;     ///< hits, in beam order
   std::vector<float> spacing_m;  ///< distance between neighbouring beams at each hit's range
-  double invalid_share = 0.0;    ///< of the scan's beams, those that told nothing
+  double invalid_share = 0.0;    ///< share of the scan's beams without information
 };
 
-/// Of a scan's beams, those that tell nothing; 0 of none.
+/// Share of a scan's beams that carry no information; 0 for a scan without beams.
 double invalid_share(const types::Scan& scan);
 
-/// Motion of base_link during the sweep, as its pose relative to the pose at `stamp`, at the first and at the
-/// last beam. Poses between are interpolated.
+/// Motion of base_link during the sweep: its pose relative to the pose at `stamp`, at the first and the last
+/// beam. Poses in between are interpolated.
 struct SweepMotion {
   types::Se2 T_ref_first;
   types::Se2 T_ref_last;
 };
 
-/// The scan's hits in base_link at the reference stamp. Invalid, too near, too far and missing returns are
-/// left out, and mixed pixels. `cloud` is reused: nothing is allocated once its vectors have grown.
+/// The scan's hits in base_link at the reference stamp. Leaves out invalid, too near, too far and missing
+/// returns, and mixed pixels. `cloud` is reused: nothing is allocated once its vectors have grown.
 void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const SweepMotion& motion,
                 const CloudParams& params, Cloud& cloud);
 
-/// Points for matching: one for every `match_spacing_m` that the beam sweeps across its range, and at most
-/// `match_points_max`, evenly.
+/// Points for matching: one per `match_spacing_m` of beam sweep at the measured range, at most
+/// `match_points_max`, evenly distributed.
 void select_points(const Cloud& cloud, const CloudParams& params, std::vector<Point>& out);
 
 /// Surfels of a keyframe: line fit over each point's neighbours along the beam order, thinned like the points

@@ -30,8 +30,8 @@ void Elimination::order(std::span<const Link> links) {
     rank_[static_cast<std::size_t>(eliminated.indices()[k])] = static_cast<std::size_t>(k);
 }
 
-/// The pattern of column j is that of the matrix and those of its children in the elimination tree (Davis,
-/// section 4.1, theorem 4.1 to 4.3).
+/// The pattern of column j is the union of the matrix's column and those of its children in the elimination
+/// tree (Davis, section 4.1, theorem 4.1 to 4.3).
 void Elimination::fill(std::span<const Link> links) {
   const std::size_t size = rank_.size();
   std::vector<std::vector<std::size_t>> below(size);

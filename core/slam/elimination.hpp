@@ -9,20 +9,21 @@
 
 namespace topo::slam {
 
-/// Symbolic Cholesky factorisation of a symmetric matrix of square blocks: order of elimination and the
-/// pattern of the factor (Davis, Direct Methods for Sparse Linear Systems, 2006, chapter 4). Made once for a
-/// graph; the numbers go through BlockFactor as often as needed.
+/// Symbolic Cholesky factorisation of a symmetric matrix of square blocks: elimination order and pattern of
+/// the factor (Davis, Direct Methods for Sparse Linear Systems, 2006, chapter 4). Computed once per graph;
+/// the numeric factorisation is repeated by BlockFactor.
 class Elimination {
  public:
-  /// A block off the diagonal: the two variables that share it.
+  /// The two variables of a block off the diagonal.
   using Link = std::pair<std::size_t, std::size_t>;
 
-  /// `links` below `variables`, in any order, repetitions allowed. The order of elimination is approximate
-  /// minimum degree on the graph of blocks, a third of the matrix's rows.
+  /// `links` refer to variables below `variables`, in any order; repetitions are allowed. The elimination
+  /// order is approximate minimum degree on the graph of blocks, which is smaller than the scalar matrix by
+  /// the block size.
   Elimination(std::size_t variables, std::span<const Link> links);
 
-  /// Where a block is stored in the factor. The stored block is the one of the lower triangle, after
-  /// reordering: `transposed` says that it is the block (column, row) of the question.
+  /// Where a block is stored in the factor. Only blocks of the lower triangle, after reordering, are stored:
+  /// `transposed` is true when the stored block is (column, row) of the requested one.
   struct Place {
     std::size_t index = 0;
     bool transposed = false;
@@ -32,7 +33,7 @@ class Elimination {
 
   [[nodiscard]] std::size_t variables() const { return rank_.size(); }
   [[nodiscard]] std::size_t blocks() const { return rows_.size(); }
-  /// Position of a variable in the order of elimination.
+  /// Position of a variable in the elimination order.
   [[nodiscard]] std::size_t rank(std::size_t variable) const { return rank_[variable]; }
   /// Blocks of column j of the factor: [begin(j), begin(j + 1)), the diagonal first, rows ascending.
   [[nodiscard]] std::size_t begin(std::size_t column) const { return begin_[column]; }

@@ -9,10 +9,10 @@ namespace topo::slam {
 namespace {
 
 constexpr float kCell_m = 0.15F;
-constexpr float kShort_m = 0.40F;      ///< before its end a ray grazes what it ends at
-constexpr float kNear_m = 0.20F;       ///< a surface this near explains a point
-constexpr int kRays = 3;               ///< fewer may be noise
-constexpr std::size_t kRayStride = 2;  ///< neighbouring rays pass over the same ground
+constexpr float kShort_m = 0.40F;      ///< before its end a ray grazes the surface
+constexpr float kNear_m = 0.20F;       ///< a surface within this distance explains a point
+constexpr int kRays = 3;               ///< fewer rays may be noise
+constexpr std::size_t kRayStride = 2;  ///< neighbouring rays cross the same ground
 
 }  // namespace
 

@@ -11,29 +11,29 @@
 
 namespace topo::slam {
 
-/// Ground that rays of a map's keyframes passed over: what a scan shows there contradicts the map, while what
-/// it shows where nobody has looked says nothing.
+/// Ground crossed by the rays of a map's keyframes. A scan point there contradicts the map; a scan point on
+/// unobserved ground carries no evidence.
 class FreeGround {
  public:
-  /// A square window, lower left corner and width.
+  /// A square window, given by its lower left corner and width.
   FreeGround(const Point& origin, double width_m);
 
-  /// A ray up to shortly before where it ended.
+  /// Marks a ray up to a short distance before its end.
   void add_ray(const Point& from, const Point& to);
 
-  /// Share of the points (base_link) that, at the pose, are on free ground with no surface near.
+  /// Share of the points (base_link) that, at the pose, lie on free ground with no surface near.
   [[nodiscard]] double contradiction(const SurfelMap& map, std::span<const Point> points,
                                      const types::Se2& T_map_base) const;
 
  private:
-  /// Place of a point's cell; the number of cells when it is outside.
+  /// Index of a point's cell; the number of cells when the point is outside.
   [[nodiscard]] std::size_t at(const Point& p) const;
   Point origin_;
   std::size_t side_;
-  std::vector<std::uint8_t> passed_;  ///< how many rays, up to 255
+  std::vector<std::uint8_t> passed_;  ///< number of rays, up to 255
 };
 
-/// What keyframes at their poses saw through, in the window of a map.
+/// The ground crossed by the rays of keyframes at their poses, within the window of a map.
 FreeGround seen_through(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
                         const SurfelMap& map);
 

@@ -11,20 +11,20 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kReach_m = 10.0;  ///< a step of the angle moves a point here by one cell
+constexpr double kReach_m = 10.0;  ///< an angle step moves a point at this range by one cell
 
-/// Blocks that are remembered: many more than the places that one peak excludes lie in, so that the best half
-/// of them holds as many peaks as anyone asks for.
+/// Maximum number of stored blocks: many more than the blocks that one peak excludes, so that the better half
+/// of them contains all peaks that are requested.
 constexpr std::size_t kPromisingMax = 1U << 16U;
 
-/// A square of places for one direction of the robot, by its lower left cell.
+/// A square of places for one heading of the robot, by its lower left cell.
 struct MapNode {
   int rotation = 0;
   int x = 0, y = 0;
   int score = 0;
 };
 
-/// Equal scores are taken in the order of direction and cell: the result does not depend on the sort.
+/// Equal scores are ordered by heading and cell: the result does not depend on the sort.
 bool before(const MapNode& a, const MapNode& b) {
   if (a.score != b.score) return a.score > b.score;
   if (a.rotation != b.rotation) return a.rotation < b.rotation;
@@ -60,7 +60,7 @@ class MapSearcher {
   }
 
  private:
-  /// What a score must be more than.
+  /// A score must be greater than this.
   [[nodiscard]] int units(double score) const {
     return static_cast<int>(std::ceil(score * 255.0 * static_cast<double>(count_))) - 1;
   }
@@ -70,7 +70,7 @@ class MapSearcher {
   [[nodiscard]] double angle_of(int rotation) const {
     return 2.0 * std::numbers::pi * rotation / rotations_ - std::numbers::pi;
   }
-  /// The middle of a finest square's cell.
+  /// Centre of the cell of a finest square.
   [[nodiscard]] types::Se2 pose_of(const MapNode& node) const {
     const Point& origin = levels_.pyramid().origin();
     const double cell = levels_.pyramid().cell_m();
@@ -91,8 +91,8 @@ class MapSearcher {
     }
   }
 
-  /// The widest squares with the score of the best square of the next level in each, which says more about
-  /// where the best places are than their own.
+  /// The widest squares, each with the score of its best square of the next level, which indicates the best
+  /// places better than its own score.
   [[nodiscard]] std::vector<MapNode> promising_roots() const {
     constexpr int kWidth = 1 << PlaceLevels::kRoot;
     std::vector<MapNode> roots;
@@ -111,7 +111,7 @@ class MapSearcher {
     return roots;
   }
 
-  /// Looks at no more points than it takes to say no.
+  /// Stops as soon as the root's score cannot exceed the floor.
   [[nodiscard]] bool can_be_better(const MapNode& root) const {
     int possible = 255 * static_cast<int>(count_);
     for (const CellOffset& cell : cells_of(root)) {
@@ -121,7 +121,7 @@ class MapSearcher {
     return true;
   }
 
-  /// The squares of a block, `step` cells wide, that are better than the floor and have room.
+  /// The squares of a block, `step` cells wide, that score above the floor and contain standing room.
   [[nodiscard]] std::vector<MapNode> better_in(const MapNode& block, const PlaceBlocks& places,
                                                int step) const {
     const PlaceBlocks::Scores scores = places.score(cells_of(block), block.x, block.y);
@@ -135,7 +135,7 @@ class MapSearcher {
     return better;
   }
 
-  /// A block's best place that no peak excludes; not better than the floor when there is none.
+  /// The best place of a block that no peak excludes; its score is the floor when there is none.
   [[nodiscard]] MapNode best_in(const MapNode& block) const {
     MapNode best{block.rotation, block.x, block.y, floor_};
     for (const MapNode& place : better_in(block, levels_.fine(), 1)) {
@@ -152,7 +152,7 @@ class MapSearcher {
     });
   }
 
-  /// Notes the finest blocks in which there is a place that may be a peak.
+  /// Stores the finest blocks that contain a place which may be a peak.
   void look_through(const MapNode& root) {
     std::vector<MapNode> squares = better_in(root, levels_.coarse(), PlaceBlocks::kSide);
     std::sort(squares.begin(), squares.end(), before);
@@ -167,7 +167,7 @@ class MapSearcher {
     }
   }
 
-  /// Of a scan that fits everywhere (one wall, from near) no more is remembered than can count.
+  /// Bounds the memory for a scan that fits everywhere (a single wall at close range).
   void keep_better_half() {
     const auto middle = promising_.begin() + kPromisingMax / 2;
     std::nth_element(promising_.begin(), middle, promising_.end(), before);
@@ -175,7 +175,7 @@ class MapSearcher {
     floor_ = std::max(floor_, std::max_element(promising_.begin(), promising_.end(), before)->score);
   }
 
-  /// One after the other, each the best place that those before it leave.
+  /// Selects the peaks in order, each the best place that the earlier ones do not exclude.
   [[nodiscard]] std::vector<SearchHit> peaks() {
     floor_ = least_;
     std::make_heap(promising_.begin(), promising_.end(), after);
@@ -196,12 +196,12 @@ class MapSearcher {
   const PlaceLevels& levels_;
   const StandingRoom& room_;
   PeakSearch wanted_;
-  std::vector<CellOffset> cells_;  ///< of all points in one direction after the other
+  std::vector<CellOffset> cells_;  ///< of all points, one direction after the other
   std::size_t count_ = 0;
   int rotations_ = 0;
-  int least_ = 0;                   ///< what is no better is no peak
-  int floor_ = 0;                   ///< what is no better is not looked at
-  std::vector<MapNode> promising_;  ///< finest blocks, with their best places' scores
+  int least_ = 0;                   ///< a score up to this is not a peak
+  int floor_ = 0;                   ///< squares with a score up to this are skipped
+  std::vector<MapNode> promising_;  ///< finest blocks with the scores of their best places
   std::vector<SearchHit> peaks_;
 };
 
@@ -236,7 +236,7 @@ void StandingRoom::add_ray(const Point& from, const Point& to) {
     const Point at = (from + way * (static_cast<float>(i) / static_cast<float>(steps)) - origin_) / square;
     const int x = static_cast<int>(std::floor(at.x())), y = static_cast<int>(std::floor(at.y()));
     mark(x, y);
-    // The nearer half's neighbour on either axis: what lies beside a sparse fan of rays.
+    // The nearer neighbour on either axis: covers the space between the rays of a sparse fan.
     mark(at.x() - std::floor(at.x()) < 0.5F ? x - 1 : x + 1, y);
     mark(x, at.y() - std::floor(at.y()) < 0.5F ? y - 1 : y + 1);
   }

@@ -10,23 +10,22 @@
 
 namespace topo::slam {
 
-/// Squares of a pyramid's window where a robot can stand, and for every level whether one of 2^level cells'
-/// side has any: halves what is searched in a building, and more outside of it.
+/// The squares of a pyramid's window where a robot can stand, and for every level whether a square of 2^level
+/// cells' side contains any. Halves the search space inside a building, and reduces it more outside.
 class StandingRoom {
  public:
   static constexpr int kFinest = 3;  ///< squares of 8 cells
 
   explicit StandingRoom(const LikelihoodPyramid& pyramid, double width_m);
 
-  /// Marks the squares along a free ray, and their neighbours, where the ray's samples may have passed over
-  /// one.
+  /// Marks the squares along a free ray, and the neighbours that the ray may cross between its samples.
   void add_ray(const Point& from, const Point& to);
-  /// After the last ray: the coarser levels.
+  /// Computes the coarser levels; called after the last ray.
   void close();
 
-  /// Is any of the square's ground free? (x, y): lower left cell, a multiple of its side 2^level.
+  /// True when any ground of the square is free. (x, y): lower left cell, a multiple of the side 2^level.
   [[nodiscard]] bool any(int level, int x, int y) const;
-  /// Cells of the window's side.
+  /// Side of the window in cells.
   [[nodiscard]] int width() const { return width_; }
 
  private:
@@ -38,12 +37,12 @@ class StandingRoom {
   std::vector<int> side_;
 };
 
-/// A map's likelihood on the three levels that are searched one after the other.
+/// A map's likelihood on the three levels that are searched in succession.
 class PlaceLevels {
  public:
   static constexpr int kCoarse = 3, kRoot = 6;  ///< squares of 8 and of 64 cells
 
-  /// `params.depth` is not asked: it is kRoot.
+  /// `params.depth` is ignored: the depth is kRoot.
   PlaceLevels(const SurfelMap& map, SearchParams params);
 
   [[nodiscard]] const LikelihoodPyramid& pyramid() const { return pyramid_; }
@@ -55,18 +54,18 @@ class PlaceLevels {
   PlaceBlocks fine_, coarse_;
 };
 
-/// Which places are looked for.
+/// Which peaks a search returns.
 struct PeakSearch {
-  double score_min = 0.35;  ///< likelihood from which a place is one
-  double ratio = 0.80;      ///< and its least share of the best one's
+  double score_min = 0.35;  ///< minimum likelihood of a peak
+  double ratio = 0.80;      ///< minimum share of the best peak's likelihood
   std::size_t count_max = 5;
-  double apart_m = 0.7;  ///< nearer poses are one place, of which the best counts
+  double apart_m = 0.7;  ///< closer poses are one peak, of which the best counts
   double apart_rad = 0.3;
 };
 
-/// The best places of the points in the room and in all directions, the best first, by branch and bound over
-/// blocks of squares: exact on the likelihood's cells and on angle steps of a cell at 10 m. Each is the best
-/// that is apart from those before it.
+/// The best poses of the points over the standing room and all directions, best first, by branch and bound
+/// over blocks of squares: exact on the likelihood's cells and on angle steps of one cell at 10 m. Each is
+/// the best pose that is apart from all poses before it.
 std::vector<SearchHit> search_everywhere(const PlaceLevels& levels, const StandingRoom& room,
                                          std::span<const Point> points, const PeakSearch& wanted,
                                          const SearchParams& params);

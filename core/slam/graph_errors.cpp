@@ -12,7 +12,7 @@ using Direction = GraphErrors::Direction;
 
 Direction direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 
-/// A vector in the axes that are turned by a direction.
+/// A vector in axes rotated by a direction.
 Eigen::Vector2d in_axes(const Direction& d, const Eigen::Vector2d& v) {
   return {d.cos * v.x() + d.sin * v.y(), -d.sin * v.x() + d.cos * v.y()};
 }
@@ -47,7 +47,7 @@ LinearError GraphErrorModel::linearise(std::size_t edge, const GraphErrors& erro
   const GraphErrors::AtEdge& at = errors.edges[edge];
   const Direction &a = errors.headings[edges_[edge].from], &z = measured_[edge];
   const double c = a.cos * z.cos - a.sin * z.sin, s = a.sin * z.cos + a.cos * z.sin;
-  // d(Ra^T d)/d theta, turned into the axes of the measured `to`.
+  // d(Ra^T d)/d theta, rotated into the axes of the measured `to`.
   const Eigen::Vector2d turned = in_axes(z, {at.between.y(), -at.between.x()});
   LinearError out;
   out.error = at.error;

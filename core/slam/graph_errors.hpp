@@ -16,32 +16,31 @@ struct GraphErrors {
     double cos = 1.0, sin = 0.0;
   };
   struct AtEdge {
-    Eigen::Vector2d between;  ///< from the edge's one node to the other, in the axes of `from`
-    Eigen::Vector3d error;    ///< as edge_error gives it
+    Eigen::Vector2d between;  ///< from node `from` to node `to`, in the axes of `from`
+    Eigen::Vector3d error;    ///< as returned by edge_error
     double chi2 = 0.0;
   };
   std::vector<Direction> headings;  ///< of the nodes
   std::vector<AtEdge> edges;
   double chi2 = 0.0;  ///< sum over the edges
-  double loss = 0.0;  ///< the same, of closures the robust loss
+  double loss = 0.0;  ///< the same, with the robust loss for closures
 };
 
-/// An edge's error to first order, and what it weighs (Triggs et al. 2000, section 4.3: a robust loss as
-/// weight).
+/// An edge's linearised error and its weight (Triggs et al. 2000, section 4.3: a robust loss as a weight).
 struct LinearError {
   Eigen::Vector3d error;
   Eigen::Matrix3d from, to;  ///< Jacobians with respect to (x, y, theta) of the nodes
   Eigen::Matrix3d weight;
 };
 
-/// Evaluates a graph over and over: what poses do not change is worked out once, sines and cosines once a
-/// node instead of once an edge.
+/// Evaluates a graph repeatedly: terms that do not depend on the poses are computed once, sines and cosines
+/// once per node instead of once per edge.
 class GraphErrorModel {
  public:
   /// The edges must outlive the model. `kernel`: Cauchy scale of closures, in standard deviations.
   GraphErrorModel(std::span<const Edge> edges, double kernel);
 
-  /// At these poses, into memory that is used again.
+  /// Evaluates at these poses; reuses the memory of `out`.
   void evaluate(std::span<const types::Se2> poses, GraphErrors& out) const;
 
   [[nodiscard]] LinearError linearise(std::size_t edge, const GraphErrors& errors) const;
@@ -49,7 +48,7 @@ class GraphErrorModel {
  private:
   std::span<const Edge> edges_;
   double kernel2_;
-  std::vector<GraphErrors::Direction> measured_;  ///< turn of each edge
+  std::vector<GraphErrors::Direction> measured_;  ///< direction of the measured rotation of each edge
 };
 
 }  // namespace topo::slam

@@ -11,7 +11,7 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kTurnOnTheSpot_m = 0.05;  ///< a link costs as much at least
+constexpr double kTurnOnTheSpot_m = 0.05;  ///< added to the length of every link, for turns on the spot
 
 }  // namespace
 

@@ -10,12 +10,12 @@
 
 namespace topo::slam {
 
-/// Which nodes a graph ties together, and over how many metres: what drift grows with.
+/// The nodes that a graph connects, and the path length between them in metres: drift grows with it.
 class GraphLinks {
  public:
   void add(const Edge& edge);
 
-  /// Metres of the shortest way from a node to every other of `nodes`; infinite where none leads.
+  /// Length in metres of the shortest path from a node to every other of `nodes`; infinite without one.
   [[nodiscard]] std::vector<double> distances_m(std::size_t nodes, std::size_t from) const;
 
  private:

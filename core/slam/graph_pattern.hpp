@@ -10,10 +10,10 @@
 
 namespace topo::slam {
 
-/// Whether chains of edges tie all nodes together. Edges name nodes below `nodes`.
+/// True when chains of edges connect all nodes. Edges refer to nodes below `nodes`.
 bool is_connected(std::size_t nodes, std::span<const Edge> edges);
 
-/// Which block of the normal equations each edge of a graph adds to. All nodes but the fixed one are
+/// The blocks of the normal equations that each edge of a graph adds to. All nodes except the fixed one are
 /// variables, in the order of the nodes.
 class GraphPattern {
  public:

@@ -9,26 +9,27 @@
 
 namespace topo::slam {
 
-/// The pose graph as it stood when something new was in it: a question to the loop closure thread. Values;
-/// nothing in it changes any more.
+/// A snapshot of the pose graph with new edges, as a request to the loop closure thread. Value type,
+/// immutable once created.
 struct GraphQuery {
   std::vector<types::Se2> poses;
   std::vector<Edge> edges;
   GraphParams params;
 };
 
-/// Its nodes' corrected poses. Not solved: nothing came of it, and the same may be asked again.
+/// The corrected poses of its nodes. When not solved, the poses are unchanged and the same request may be
+/// repeated.
 struct GraphSolution {
   std::vector<types::Se2> poses;
   SolveReport report;
 };
 
-/// Pure; any thread.
+/// Pure function; callable from any thread.
 GraphSolution solve_graph(const GraphQuery& query);
 
-/// Poses of all nodes once the first of them were corrected: a node that came since keeps its place beside
-/// the earlier node that the first edge ties it to. `poses`: of all nodes as they stand; `edges`: those that
-/// came since.
+/// Poses of all nodes after the first of them were corrected: a newer node keeps its pose relative to the
+/// earlier node of its first edge, or without an edge to the node before it. `poses`: current poses of all
+/// nodes; `edges`: those added since the request.
 std::vector<types::Se2> corrected_poses(std::vector<types::Se2> solved, std::span<const types::Se2> poses,
                                         std::span<const Edge> edges);
 

@@ -21,7 +21,7 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& matrix, double angle_rad) {
 Eigen::Matrix3d edge_information(const Eigen::Matrix3d& information_map, double theta_rad,
                                  double trans_floor_m, double rot_floor_rad) {
   Eigen::Matrix3d regular = information_map;
-  regular.diagonal().array() += 1e-6;  // a direction without any evidence: 1 km
+  regular.diagonal().array() += 1e-6;  // 1 km for a direction without any evidence
   Eigen::Matrix3d covariance = turned(regular.inverse(), -theta_rad);
   covariance.diagonal() += Eigen::Vector3d(trans_floor_m * trans_floor_m, trans_floor_m * trans_floor_m,
                                            rot_floor_rad * rot_floor_rad);

@@ -8,14 +8,14 @@
 
 namespace topo::slam {
 
-/// Information of an edge from the information of a match: turned from map axes into the axes of the matched
-/// pose, and bounded from above, because neighbouring points do not err independently and the surfaces
-/// matched against are only known so well.
+/// Information of an edge from the information of a match: rotated from map axes into the axes of the matched
+/// pose, and bounded from above, because the errors of neighbouring points are not independent and the
+/// surfaces matched against have an accuracy of their own.
 Eigen::Matrix3d edge_information(const Eigen::Matrix3d& information_map, double theta_rad,
                                  double trans_floor_m, double rot_floor_rad);
 
-/// Information of the pose after a motion that odometry measured; equal along and across, so the same in all
-/// axes.
+/// Information of the pose after a motion measured by odometry; equal along and across the motion, therefore
+/// the same in all axes.
 Eigen::Matrix3d motion_information(const types::Se2& T_last_now, const MotionNoise& noise);
 
 }  // namespace topo::slam

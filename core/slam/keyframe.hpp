@@ -13,16 +13,16 @@
 
 namespace topo::slam {
 
-/// Who makes keyframes: a robot in one run of its program. A robot that begins to count anew has another run
-/// number, so that nothing of two runs has one key.
+/// The source of keyframes: a robot in one run of its program. A robot that restarts its count has another
+/// run number, so that no key occurs in two runs.
 struct Origin {
   std::uint16_t robot = 0;
   std::uint32_t run = 0;
   friend auto operator<=>(const Origin&, const Origin&) = default;
 };
 
-/// Who made a keyframe and as which of his: the key of the grow-only set (DESIGN "Team"). Ordered by robot,
-/// run and sequence.
+/// The origin of a keyframe and its number there: the key of the grow-only set (DESIGN "Team"). Ordered by
+/// robot, run and sequence.
 struct KeyframeId {
   std::uint16_t robot = 0;
   std::uint32_t sequence = 0;
@@ -34,17 +34,17 @@ struct KeyframeId {
   }
 };
 
-/// Everything that a place of the path adds to the map, frozen: nothing else enters the map. All in base_link
-/// at `stamp`.
+/// The complete contribution of one pose of the path to the map, immutable: nothing else enters the map. All
+/// in base_link at `stamp`.
 struct Keyframe {
   KeyframeId id;
   types::Stamp stamp{};
   types::Se2 T_odom_base;  ///< dead reckoning at `stamp`
   Point sensor = Point::Zero();
   std::vector<Point> hits;                  ///< ends of the rays
-  std::vector<Surfel> surfels;              ///< for others to be matched against
-  std::vector<Point> match_points;          ///< to be matched against others
-  std::vector<walls::ColumnPoint> columns;  ///< what the coronal laser saw since the keyframe before
+  std::vector<Surfel> surfels;              ///< for matching other scans against this keyframe
+  std::vector<Point> match_points;          ///< for matching this keyframe against others
+  std::vector<walls::ColumnPoint> columns;  ///< seen by the coronal laser since the keyframe before
 };
 
 using KeyframePtr = std::shared_ptr<const Keyframe>;

@@ -18,7 +18,7 @@ using types::Result;
 
 constexpr double kPart_rad = 2.0 * std::numbers::pi / kNormalParts;
 constexpr std::int64_t kReach = static_cast<std::int64_t>(kKeyframeReach_m / kPositionQuantum_m);
-// Odometry drifts, but no robot gets further from where it was switched on.
+// Odometry drifts, but stays within this distance of the place where the robot was switched on.
 constexpr double kOdometryReach_m = 1e7;
 
 bool within(float v) { return std::abs(v) <= kKeyframeReach_m; }  // false for a NaN
@@ -34,7 +34,7 @@ Point normal_of(std::uint16_t part) {
   return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// Points, surfels and columns as the codec's positions.
+// Uniform access to the positions of points, surfels and columns.
 float x_of(const Point& p) { return p.x(); }
 float y_of(const Point& p) { return p.y(); }
 float x_of(const Surfel& s) { return s.position.x(); }
@@ -59,7 +59,7 @@ void write_positions(types::ByteWriter& out, const std::vector<T>& items) {
   for (const T& item : items) out.zigzag(quanta(y_of(item)) - std::exchange(last, quanta(y_of(item))));
 }
 
-/// One axis of the positions; false when one is out of reach.
+/// Reads one axis of the positions; false when one is out of reach.
 bool read_axis(types::ByteReader& in, std::vector<float>& axis) {
   std::int64_t at = 0;
   for (float& v : axis) {
@@ -71,7 +71,8 @@ bool read_axis(types::ByteReader& in, std::vector<float>& axis) {
   return in.ok();
 }
 
-/// As many items, with their positions. What is left to read bounds `count`: whoever calls has looked.
+/// Reads `count` items with their positions. Precondition: the caller has checked `count` against the
+/// remaining bytes.
 template <class T>
 bool read_positions(types::ByteReader& in, std::size_t count, std::vector<T>& items) {
   std::vector<float> x(count), y(count);
@@ -81,8 +82,8 @@ bool read_positions(types::ByteReader& in, std::size_t count, std::vector<T>& it
   return true;
 }
 
-/// Where each match point stands among the hits, as gaps; nothing when they are not taken from there in
-/// order.
+/// Writes the index of each match point among the hits, as gaps; false when the points are not a subsequence
+/// of the hits.
 bool gaps_among(const std::vector<Point>& points, const std::vector<Point>& hits, types::ByteWriter& gaps) {
   std::size_t next = 0;
   for (const Point& point : points) {
@@ -230,7 +231,7 @@ Result<Keyframe> decode_keyframe(std::span<const std::byte> bytes) {
   Keyframe keyframe;
   if (!read_head(in, with_run, keyframe) || !read_body(in, keyframe))
     return types::fail(Errc::kProtocol, "keyframe: cut, too long or out of range");
-  // Longer forms of the same numbers and the like: two files of one map would differ.
+  // Rejects longer encodings of the same numbers and the like: two files of one map would differ.
   if (!std::ranges::equal(encode_keyframe(keyframe), bytes))
     return types::fail(Errc::kProtocol, "keyframe: not in its one form");
   return keyframe;

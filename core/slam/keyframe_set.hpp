@@ -12,9 +12,10 @@ namespace topo::slam {
 
 /// The grow-only set of keyframes keyed (robot, run, sequence) that several robots share (DESIGN "Team"): a
 /// join-semilattice (Shapiro et al., Conflict-free Replicated Data Types, 2011). Union is commutative,
-/// associative and idempotent, so that neither order nor repetition of messages matters. Under one key the
-/// keyframe is frozen; should two differ after all (a robot that began to count anew and did not say so), the
-/// one whose bytes come first stays, in whatever order they came. A value; copies share the keyframes.
+/// associative and idempotent, so that neither order nor repetition of messages matters. The keyframe under a
+/// key is immutable; if two differ nevertheless (a robot restarted its count without a new run number), the
+/// one with the lexicographically lower bytes is kept, independent of the order of arrival. Value semantics;
+/// copies share the keyframes.
 class KeyframeSet {
  public:
   using Map = std::map<KeyframeId, KeyframePtr>;
@@ -25,15 +26,17 @@ class KeyframeSet {
   bool merge(const KeyframeSet& other);
 
   [[nodiscard]] bool contains(const KeyframeId& id) const { return keyframes_.contains(id); }
-  /// Null when it is not there.
+  /// Null when the key is not in the set.
   [[nodiscard]] KeyframePtr find(const KeyframeId& id) const;
   [[nodiscard]] std::size_t size() const { return keyframes_.size(); }
   /// In the order of their keys.
   [[nodiscard]] const Map& keyframes() const { return keyframes_; }
 
-  /// What is here without a gap, by origin: what a robot tells another, so that it sends the rest.
+  /// Per origin, the length of the gap-free sequence held here: sent to other robots, which then send the
+  /// rest.
   [[nodiscard]] std::vector<OriginCount> counts() const { return counts_of(keyframes_); }
-  /// What is here and, by its counts, not there; at most `count_max`, origin by origin, oldest first.
+  /// Keyframes held here that, by its counts, the other robot lacks; at most `count_max`, origin by origin,
+  /// oldest first.
   [[nodiscard]] std::vector<KeyframePtr> missing(std::span<const OriginCount> there,
                                                  std::size_t count_max) const {
     return missing_of(keyframes_, there, count_max);
@@ -43,7 +46,7 @@ class KeyframeSet {
   Map keyframes_;
 };
 
-/// Equal keys, and equal bytes under each.
+/// True when the keys are equal, and the bytes under each key.
 bool operator==(const KeyframeSet& a, const KeyframeSet& b);
 
 }  // namespace topo::slam

@@ -8,14 +8,14 @@
 
 namespace topo::slam {
 
-/// How well people put robots down where they say: standard deviations.
+/// How accurately robots are placed at their given starts: standard deviations.
 struct StartNoise {
   double trans_m = 0.10;
   double rot_rad = 0.05;
 };
 
-/// What ties two robots' first keyframes when it is known where they start, in one frame. The same relation
-/// whichever of the two says it. Robust: robots that were put down elsewhere do not bend the map.
+/// The relation between the first keyframes of two robots with known starts in one frame. It is the same for
+/// both robots. Robust: robots that were placed elsewhere do not distort the map.
 [[nodiscard]] std::pair<RelationKey, Relation> known_starts(const KeyframeId& a, const types::Se2& start_a,
                                                             const KeyframeId& b, const types::Se2& start_b,
                                                             const StartNoise& noise = {});

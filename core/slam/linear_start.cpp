@@ -19,7 +19,7 @@ Matrix rotation(double angle_rad) {
   return (Matrix() << c, -s, s, c).finished();
 }
 
-/// Linear least squares over one vector a node, with the residual  x_to - M x_from - d  of weight W.
+/// Linear least squares over one vector per node, with the residual x_to - M x_from - d of weight W.
 class NodeSystem {
  public:
   NodeSystem(const GraphPattern& pattern, const Vector& fixed_value)

@@ -9,11 +9,11 @@
 
 namespace topo::slam {
 
-/// Poses to start the least squares from that owe nothing to an estimate: headings from the relaxed rotations
-/// (chordal relaxation), then positions with these headings, two linear systems (Carlone et al.,
-/// Initialization techniques for 3D SLAM, 2015, section III-B, in the plane). Outliers are not recognised:
-/// for graphs whose edges are believed. Node `fixed` keeps its pose. False, and poses unchanged, when the
-/// edges do not tie all nodes together or a system is singular.
+/// Initial poses for the least squares, computed without a prior estimate by two linear systems: headings
+/// from the relaxed rotations (chordal relaxation), then positions with these headings (Carlone et al.,
+/// Initialization techniques for 3D SLAM, 2015, section III-B, in the plane). Outliers are not rejected: only
+/// for graphs with trusted edges. Node `fixed` keeps its pose. False, with the poses unchanged, when the
+/// edges do not connect all nodes or a system is singular.
 bool start_linearly(std::vector<types::Se2>& poses, std::span<const Edge> edges, std::size_t fixed = 0);
 
 }  // namespace topo::slam

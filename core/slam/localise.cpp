@@ -13,7 +13,7 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kMargin_m = 2.0;  ///< around what a scan may see
+constexpr double kMargin_m = 2.0;  ///< around the range of a scan
 
 LocaliseRefusal gate(const Match& match, const LocaliseParams& params) {
   const bool fits = match.overlap >= params.overlap_min && match.response >= params.response_min;

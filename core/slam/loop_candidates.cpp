@@ -13,8 +13,8 @@ SearchWindow window_for(double graph_distance, const LoopParams& params) {
           std::min(params.search_max_rad, params.search_floor_rad + params.drift_per_m_rad * graph_distance)};
 }
 
-/// The keyframes on either side of the nearest one, `count` of them and as many as the window reaches along
-/// the way: where the search looks and the map does not, only places fit that are not the right one.
+/// The run around the nearest keyframe: on either side `count` keyframes, and as many as the search window
+/// reaches along the path. Where the window extends beyond the map, only wrong places can fit.
 LoopRun around(std::span<const types::Se2> poses, Way way, std::size_t nearest, std::size_t end,
                const SearchWindow& window, std::size_t count) {
   LoopRun run{nearest, nearest, nearest, window, 0.0};

@@ -10,25 +10,25 @@
 
 namespace topo::slam {
 
-/// The nodes that one robot made, in the order of its way.
+/// The nodes of one robot, in the order of its path.
 using Way = std::span<const std::size_t>;
 
 /// A run of keyframes of another visit near a node.
 struct LoopRun {
-  std::size_t first = 0, last = 0;  ///< places on the way, inclusive
+  std::size_t first = 0, last = 0;  ///< indices into the path, inclusive
   std::size_t nearest = 0;
   SearchWindow window;
   double distance_m = 0.0;  ///< of the nearest
 };
 
-/// Places [0, end) of a way are of another visit than the place `at`: the path left in between is longer than
-/// the gap.
+/// Returns `end`: the indices [0, end) of a path belong to another visit than the index `at`, because the
+/// path length between them is at least the gap.
 std::size_t end_of_other_visits(std::span<const types::Se2> poses, Way way, std::size_t at,
                                 const LoopParams& params);
 
-/// Where on the places [0, end) of a way a node may have been: runs of places that are near, given how far
-/// the estimate may have drifted (`distances_m`: GraphLinks::distances_m from the node). Nearest first, at
-/// most `groups_max`. Pure.
+/// The runs among the indices [0, end) of a path that a node may revisit: those that are near, given the
+/// possible drift of the estimate (`distances_m`: GraphLinks::distances_m from the node). Nearest first, at
+/// most `groups_max`. Pure function.
 std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span<const double> distances_m,
                                     std::size_t node, Way way, std::size_t end, const LoopParams& params);
 

@@ -14,8 +14,8 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kWide_m = 1.0;        ///< a window in which more must fit
-constexpr double kWideSearch_m = 0.6;  ///< from here on a plain refinement could fall into a wrong valley
+constexpr double kWide_m = 1.0;        ///< a window this wide requires a higher response
+constexpr double kWideSearch_m = 0.6;  ///< from here on a plain refinement could reach a wrong local minimum
 
 double reach_of(const Keyframe& keyframe) {
   float reach2 = 1.0F;
@@ -23,13 +23,13 @@ double reach_of(const Keyframe& keyframe) {
   return std::min(20.0, static_cast<double>(std::sqrt(reach2)));
 }
 
-/// Does enough of the scan fit? Where it sees much that the other visit did not, the rest is all that there
-/// is to fit: then less is enough when nothing of it speaks against the place.
+/// True when enough of the scan fits. A scan that sees much that the other visit did not can only fit in the
+/// remaining part: a lower response is then sufficient if hardly any point contradicts the place.
 bool fits(const Match& match, const LoopQuery& query, const LoopGroup& group, const SurfelMap& map) {
   const LoopParams& params = query.params.loop;
   const bool wide = group.window.half_m > kWide_m;
   if (match.response >= (wide ? params.response_min_wide : params.response_min)) return true;
-  if (group.window.half_m < kWideSearch_m) return false;  // no drift to mend: what is left must be exact
+  if (group.window.half_m < kWideSearch_m) return false;  // no drift to correct: the fit must be exact
   if (match.response < params.response_unopposed || match.fit() < params.fit_unopposed) return false;
   const auto& points = query.keyframe->match_points;
   const double share_max = std::max(params.contradiction_max,
@@ -47,8 +47,7 @@ LoopRejection gate(const Match& match, const LoopCandidate& candidate, const Loo
   return fits(match, query, group, map) ? LoopRejection::kNone : LoopRejection::kLowResponse;
 }
 
-/// Start poses for the refinement: of a wide window the best peak of the search, of a narrow one the
-/// estimate.
+/// Start pose for the refinement: the best peak of the search in a wide window, the estimate in a narrow one.
 std::optional<types::Se2> start_pose(const LoopQuery& query, const LoopGroup& group, const SurfelMap& map,
                                      LoopCandidate& candidate) {
   if (group.window.half_m < kWideSearch_m) return query.pose;
@@ -84,7 +83,7 @@ LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
   candidate.edge.information =
       edge_information(match.scan_information, match.T_map_base.theta_rad, params.graph.loop_trans_floor_m,
                        params.graph.loop_rot_floor_rad);
-  // Out of the window: the refinement ran away.
+  // Far outside the window: the refinement has diverged.
   const types::Se2 off = query.pose.inverse() * match.T_map_base;
   if (std::hypot(off.x_m, off.y_m) > 1.5 * group.window.half_m + 0.3)
     candidate.rejection = LoopRejection::kNoMatch;

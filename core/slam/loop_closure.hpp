@@ -10,16 +10,16 @@
 
 namespace topo::slam {
 
-/// Keyframes of another visit, one run of them, with their poses as they stood when the question was asked.
+/// One run of keyframes of another visit, with their poses at the time of the request.
 struct LoopGroup {
   std::vector<KeyframePtr> keyframes;
   std::vector<types::Se2> poses;
   std::size_t reference = 0;  ///< node that a closure is attached to
   types::Se2 reference_pose;
-  SearchWindow window;  ///< how far the drift between the visits may have carried
+  SearchWindow window;  ///< bound on the drift between the visits
 };
 
-/// A question to the loop closure thread. Values and shared constants: nothing in it changes any more.
+/// A request to the loop closure thread. Values and shared constants, immutable once created.
 struct LoopQuery {
   std::size_t node = 0;
   KeyframePtr keyframe;
@@ -28,7 +28,7 @@ struct LoopQuery {
   MapperParams params;
 };
 
-/// Why a candidate was not taken.
+/// Why a candidate was rejected.
 enum class LoopRejection { kNone, kNoMatch, kLowResponse, kLowOverlap, kAmbiguous, kDegenerate };
 
 /// One candidate with its evidence; `rejection` is the gate's decision.
@@ -45,13 +45,13 @@ struct LoopAnswer {
   std::vector<LoopCandidate> candidates;
 };
 
-/// What became of an answer.
+/// Outcome of an answer.
 struct LoopVerdict {
   int accepted = 0;
   int rejected = 0;
 };
 
-/// Matches the keyframe against every group. Pure; any thread.
+/// Matches the keyframe against every group. Pure function; callable from any thread.
 LoopAnswer find_closures(const LoopQuery& query);
 
 }  // namespace topo::slam

@@ -9,9 +9,9 @@
 
 namespace topo::slam {
 
-/// Freezes a deskewed scan and the heights seen since the keyframe before, rounded as the codec rounds: a
-/// loaded session gives the same map as the live one, to the bit. `match_points` are those selected of the
-/// cloud.
+/// Creates an immutable keyframe from a deskewed scan and the heights seen since the keyframe before, rounded
+/// as by the codec: a loaded session gives a map that is bit-identical to the live one. `match_points` are
+/// those selected from the cloud.
 [[nodiscard]] KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud,
                                         std::span<const Point> match_points, const types::Se2& T_odom_base,
                                         std::vector<walls::ColumnPoint> columns, const CloudParams& params);

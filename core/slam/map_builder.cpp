@@ -28,7 +28,7 @@ void MapBuilder::extend(std::span<const KeyframePtr> keyframes, std::span<const 
       draw(shown_, i, keyframe, poses[i]);
       continue;
     }
-    // This version ends when the next one is shown: nothing will be taken back from it.
+    // This version ends when the next one is shown: nothing will be removed from it.
     rasteriser_.draw(shown_.grid, poses[i], keyframe.sensor, keyframe.hits);
     walls::draw_columns(shown_.walls, keyframe.columns, poses[i]);
     shown_.drawn.push_back(poses[i]);
@@ -84,7 +84,8 @@ bool MapBuilder::is_drawn_well(const Version& version, std::size_t i, const type
          std::abs(types::wrap_angle(pose.theta_rad - drawn.theta_rad)) < params_.redo_rad;
 }
 
-/// Into a version that later ones are made from. The keyframe is in it, or the one after the last that is.
+/// Draws into a version from which later ones are derived. The keyframe is already in it, or follows the last
+/// one.
 void MapBuilder::draw(Version& version, std::size_t i, const Keyframe& keyframe, const types::Se2& pose) {
   if (i < version.drawn.size()) {
     rasteriser_.move(version.grid, version.drawn[i], pose, keyframe.sensor, keyframe.hits);

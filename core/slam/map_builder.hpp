@@ -15,10 +15,10 @@
 
 namespace topo::slam {
 
-/// Draws keyframes into the grid and the wall store, and again where they moved. The result is a function of
-/// the keyframes and the poses they were drawn at. Where many moved, the map at their new poses is prepared
-/// beside the one that is shown, a piece at a time, so that nobody waits for it and nobody sees half of it.
-/// Belongs to the thread that made it, or that called adopt().
+/// Draws keyframes into the grid and the wall store, and redraws those that moved. The result is a function
+/// of the keyframes and the poses at which they were drawn. When many moved, the map at the new poses is
+/// prepared piece by piece beside the shown one, so that no reader waits for it or sees it half done. Belongs
+/// to the thread that created it or called adopt().
 class MapBuilder {
  public:
   explicit MapBuilder(const GridParams& params);
@@ -26,28 +26,27 @@ class MapBuilder {
   /// Makes the calling thread the owner of all nodes.
   void adopt();
 
-  /// Draws the keyframes that came since into the map that is shown.
+  /// Draws the keyframes added since the last call into the shown map.
   void extend(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses);
 
-  /// Draws towards the map of these keyframes at these poses, which is begun when none is in preparation.
-  /// Costs those that are new or that moved more than the parameters say, of them as many as see `beams_max`
-  /// beams and columns together, and one at least. True when all are drawn. Until show(), the poses of those
-  /// that were in a call before stay the same.
+  /// Continues the map of these keyframes at these poses, and begins it when none is in preparation. Draws
+  /// the keyframes that are new or moved more than the parameters allow, until they sum up to `beams_max`
+  /// beams and columns, at least one. True when all are drawn. Until show(), the poses of keyframes from
+  /// earlier calls must stay the same.
   bool prepare(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
                std::size_t beams_max);
 
-  /// The map in preparation takes the place of the one that is shown.
+  /// Replaces the shown map by the map in preparation.
   void show();
 
-  /// Draws the shown map to the cell: keyframes that lie less than the parameters say from where they were
-  /// drawn, of them as many as see `beams_max` beams and columns together, and one at least. True when none
-  /// is left. Nothing while a map is in preparation. `poses` are those of the map that was shown last, and of
-  /// what extended it.
+  /// Makes the shown map exact: redraws keyframes whose pose differs from where they were drawn, until they
+  /// sum up to `beams_max` beams and columns, at least one. True when none is left. Does nothing while a map
+  /// is in preparation. `poses` are those of the map shown last and of its extensions.
   bool settle(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
               std::size_t beams_max);
 
-  /// All of it at once, to the cell: the map of these keyframes at these poses is shown, the same as if they
-  /// had been drawn nowhere before.
+  /// Does all of it at once and exactly: shows the map of these keyframes at these poses, identical to a map
+  /// drawn from scratch.
   void update(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses);
 
   [[nodiscard]] const grid::OccupancyGrid& grid() const { return shown_.grid; }
@@ -58,7 +57,7 @@ class MapBuilder {
   struct Version {
     grid::OccupancyGrid grid;
     walls::WallStore walls;
-    std::vector<types::Se2> drawn;  ///< poses of the keyframes in it
+    std::vector<types::Se2> drawn;  ///< poses at which the keyframes in it are drawn
   };
   bool is_drawn_well(const Version& version, std::size_t i, const types::Se2& pose) const;
   void draw(Version& version, std::size_t i, const Keyframe& keyframe, const types::Se2& pose);
@@ -69,9 +68,9 @@ class MapBuilder {
   grid::ScanRasteriser rasteriser_;
   Version shown_;
   std::optional<Version> next_;  ///< in preparation
-  std::size_t prepared_ = 0;     ///< keyframes that are drawn well in it
-  std::size_t settled_ = 0;      ///< keyframes that are drawn to the cell in the shown map
-  walls::ColumnLedger ledger_;   ///< of the version that later ones are made from
+  std::size_t prepared_ = 0;     ///< keyframes drawn in it within the parameters
+  std::size_t settled_ = 0;      ///< keyframes drawn exactly in the shown map
+  walls::ColumnLedger ledger_;   ///< of the version from which later ones are derived
 };
 
 }  // namespace topo::slam

@@ -18,90 +18,90 @@
 
 namespace topo::slam {
 
-/// What became of one scan.
+/// Outcome of one scan.
 struct MatchReport {
   types::Stamp stamp{};
   types::Se2 T_map_base;
   Match match;
-  bool matched = false;   ///< false: lost, the pose is odometry's
+  bool matched = false;   ///< false: lost, the pose is from odometry
   bool searched = false;  ///< the correlative search was needed
   bool keyframe = false;  ///< the scan became one
-  std::size_t node = 0;   ///< keyframe that the pose hangs on: correct it with that keyframe's correction
+  std::size_t node = 0;   ///< keyframe that the pose is relative to: apply that keyframe's correction
   types::Se2 T_node_base;
   types::Se2 T_previous_base;  ///< motion since the scan before, by matching; odometry's when lost
   types::Se2 T_odom_base;
 };
 
-/// Tracks the robot against the keyframes of its recent path and keeps the pose graph (front and back end
-/// without what may take long: the loop search is find_closures, the graph's solution solve_graph). Takes in
-/// what team-mates saw and found: one graph holds all of it, while tracking keeps to what the robot saw
-/// itself, whose frame is not in question. State of the mapping thread; not thread-safe.
+/// Tracks the robot against the keyframes of its recent path and maintains the pose graph: front end and back
+/// end without the slow parts (the loop search is find_closures, the solution of the graph solve_graph).
+/// Accepts the keyframes and relations of team-mates: one graph holds all of them, while tracking uses only
+/// the robot's own keyframes, whose frame is certain. State of the mapping thread; not thread-safe.
 class Mapper {
  public:
-  /// `start`: where the map has the robot at its first scan.
+  /// `start`: pose in map at the first scan.
   explicit Mapper(const MapperParams& params, const Origin& origin = {}, const types::Se2& start = {});
 
-  /// Goes on with a session that was checked, from where a scan was found in its map: the scan becomes the
-  /// next keyframe, hung on the nearest one. Of a new mapper only.
+  /// Continues a checked session from the pose at which a scan was found in its map: the scan becomes the
+  /// next keyframe, linked to the nearest one. Precondition: a new mapper.
   void resume(const Session& session, const Arrival& arrival);
 
   /// Places one deskewed scan. `T_odom_base` is dead reckoning at the cloud's stamp. A keyframe takes the
-  /// heights collected since the one before.
+  /// heights collected since the previous one.
   MatchReport add(const Cloud& cloud, const types::Se2& T_odom_base, walls::ColumnCollector& columns);
 
-  /// The question that the newest keyframe raised, once.
+  /// The loop closure request of the newest keyframe, once.
   [[nodiscard]] std::optional<LoopQuery> take_query();
 
-  /// The oldest question that came to nothing when it was raised and whose keyframe has been corrected since;
-  /// nothing when there is none, or when no other visit is near it now either.
+  /// The oldest request that found no closure and whose keyframe has been corrected since; empty when there
+  /// is none, or when no other visit is near the keyframe now.
   std::optional<LoopQuery> take_second_query();
 
-  /// Takes in keyframes and relations of team-mates, in any order and with any repetition. A keyframe enters
-  /// the map when relations tie it to one that is in it; what nothing ties waits. Relations passed
-  /// check_relation.
+  /// Adds keyframes and relations of team-mates, in any order and with any repetition. A keyframe enters the
+  /// map when relations connect it to one in the map; unconnected keyframes wait. Precondition: the relations
+  /// passed check_relation.
   JoinVerdict join(std::span<const KeyframePtr> keyframes, std::span<const FoundRelation> relations);
 
-  /// A relation that this robot knows from elsewhere (where a team-mate started, where it was recognised):
-  /// joined, and told as found.
+  /// Joins a relation that this robot knows from another source (the start of a team-mate, the place where it
+  /// was recognised), and adds it to its own findings.
   JoinVerdict relate(const RelationKey& key, const Relation& relation);
 
-  /// Where on the robot's own way a team-mate's keyframes may have been seen, for those that came since and
-  /// that nothing ties to it: at most `count_max` questions, the oldest first.
+  /// Loop closure requests for newly added keyframes of team-mates near the robot's own path that no relation
+  /// ties to it: at most `count_max`, the oldest first.
   std::vector<LoopQuery> take_mate_queries(std::size_t count_max);
   [[nodiscard]] bool has_mates_to_ask_about() const { return intake_.has_new(); }
 
-  /// Whether a team-mate's map, of which nothing ties anything to this one, lies on it: asked when enough has
-  /// come, and again when both have grown.
+  /// A request to align the map of a team-mate that no relation connects to this one: made when enough
+  /// keyframes have arrived, and again when the two maps together have grown.
   std::optional<AlignmentQuery> take_alignment_query();
 
-  /// What this robot found itself, from a number on: odometry, closures, and what relate() said.
+  /// This robot's own findings from a number on: odometry, closures, and relations from relate().
   [[nodiscard]] std::span<const FoundRelation> found_since(std::uint32_t number) const;
 
-  /// Puts closures into the graph.
+  /// Adds accepted closures to the graph.
   LoopVerdict apply(const LoopAnswer& answer);
 
-  /// The graph, to be solved beside tracking, when what came since says something new. Not again until
-  /// adopt() or give_up_solving().
+  /// The graph, to be solved in parallel to tracking, when edges added since the last request carry new
+  /// information. Empty until adopt() or give_up_solving() after a request.
   std::optional<GraphQuery> take_graph_query();
   [[nodiscard]] bool is_solving() const { return solving_.out; }
 
-  /// Where a solution of the graph that was asked about puts all nodes that are there now.
+  /// Poses of all current nodes according to a solution of the requested graph.
   [[nodiscard]] std::vector<types::Se2> corrected(const GraphSolution& solution) const;
 
-  /// Goes on from poses that corrected() gave, for all nodes that are there.
+  /// Continues with poses from corrected(), for all current nodes.
   void adopt(std::vector<types::Se2> poses);
   void give_up_solving();
 
-  /// Solves the graph with everything in it, at once. What was asked about is no longer waited for.
+  /// Solves the complete graph at once. A pending request becomes obsolete.
   SolveReport optimise();
 
   [[nodiscard]] std::span<const KeyframePtr> keyframes() const { return graph_.keyframes(); }
   [[nodiscard]] std::span<const types::Se2> poses() const { return graph_.poses(); }
   [[nodiscard]] std::span<const Edge> edges() const { return graph_.edges(); }
-  /// A keyframe's place in these lists; nothing when it is not in the map.
+  /// Index of a keyframe in these lists; empty when it is not in the map.
   [[nodiscard]] std::optional<std::size_t> node_of(const KeyframeId& id) const { return graph_.node_of(id); }
   [[nodiscard]] const Origin& origin() const { return origin_; }
-  /// Nodes of the robot's own way, in its order, and of each other origin in the order of the keys.
+  /// Nodes of the robot's own path, in order, and of each other origin in the order of the keys.
   [[nodiscard]] std::span<const std::size_t> own_way() const { return graph_.own(); }
   [[nodiscard]] const std::map<Origin, std::vector<std::size_t>>& mates_ways() const {
     return graph_.mates();
@@ -109,9 +109,8 @@ class Mapper {
   [[nodiscard]] Session session() const { return graph_.session(); }
   [[nodiscard]] types::Se2 T_map_odom() const { return motion_.T_map_base * motion_.T_odom_base.inverse(); }
   [[nodiscard]] const types::Se2& T_map_base() const { return motion_.T_map_base; }
-  [[nodiscard]] const types::Se2& T_odom_base() const {
-    return motion_.T_odom_base;
-  }  ///< of the scan placed last
+  /// Of the last scan.
+  [[nodiscard]] const types::Se2& T_odom_base() const { return motion_.T_odom_base; }
   [[nodiscard]] const MapperParams& params() const { return params_; }
 
  private:

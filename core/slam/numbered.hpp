@@ -9,11 +9,11 @@
 
 #include "core/slam/keyframe.hpp"
 
-// What origins number from 0 on, kept in a std::map by KeyframeId: how one who has some of it says what, so
-// that another sends the rest.
+// Items that each origin numbers from 0 on, stored in a std::map by KeyframeId: how a robot describes which
+// items it has, so that another sends the rest.
 namespace topo::slam {
 
-/// Of one origin's things somebody has all below `next`, and maybe some more.
+/// A robot has all items of an origin below `next`, and possibly some above.
 struct OriginCount {
   std::uint16_t robot = 0;
   std::uint32_t next = 0;
@@ -21,7 +21,7 @@ struct OriginCount {
   friend auto operator<=>(const OriginCount&, const OriginCount&) = default;
 };
 
-/// What is there without a gap, by origin.
+/// The gap-free counts of the items, by origin.
 template <class Value>
 std::vector<OriginCount> counts_of(const std::map<KeyframeId, Value>& things) {
   std::vector<OriginCount> counts;
@@ -33,7 +33,8 @@ std::vector<OriginCount> counts_of(const std::map<KeyframeId, Value>& things) {
   return counts;
 }
 
-/// What is here and, by its counts, not there; at most `count_max`, origin by origin, oldest first.
+/// Items held here that, by its counts, the other robot lacks; at most `count_max`, origin by origin, oldest
+/// first.
 template <class Value>
 std::vector<Value> missing_of(const std::map<KeyframeId, Value>& things, std::span<const OriginCount> there,
                               std::size_t count_max) {

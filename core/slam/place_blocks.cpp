@@ -8,14 +8,15 @@
 namespace topo::slam {
 namespace {
 
-/// The sums of a block's row: an extension that GCC and clang share, and where GCC 12 left to itself adds
-/// them one by one.
+/// The sums of a block's row: a vector extension of GCC and clang, because GCC 12 does not vectorise the
+/// plain loop.
 using Row = std::uint16_t __attribute__((vector_size(2 * PlaceBlocks::kSide)));
 
 }  // namespace
 
 PlaceBlocks::PlaceBlocks(const LikelihoodPyramid& pyramid, int level) : level_(level) {
-  // A block's width of nothing on either side: a block that reaches in is read without looking where it ends.
+  // A border of one block's width of zeros on either side: blocks that overlap the border need no bounds
+  // check.
   const int step = 1 << level;
   squares_ = (pyramid.width() + step - 1) / step + 2 * kSide;
   maxima_.reserve(static_cast<std::size_t>(step) * static_cast<std::size_t>(step) *

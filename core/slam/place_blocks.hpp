@@ -11,12 +11,12 @@
 
 namespace topo::slam {
 
-/// One level of a pyramid, laid out so that 8 x 8 places are scored at once: what a point adds to eight
-/// neighbouring squares lies side by side, and one instruction adds it to their eight sums.
+/// One level of a pyramid, laid out so that 8 x 8 places are scored at once: the contributions of a point to
+/// eight neighbouring squares are contiguous, and one instruction adds them to the eight sums.
 class PlaceBlocks {
  public:
   static constexpr int kSide = 8;              ///< places along a side of a block
-  static constexpr std::size_t kPoints = 250;  ///< of so many points at most the scores are summed in 16 bits
+  static constexpr std::size_t kPoints = 250;  ///< maximum number of points: scores are summed in 16 bits
   /// Sums of likelihoods in 255ths, row by row from the lower left.
   using Scores = std::array<std::uint16_t, static_cast<std::size_t>(kSide) * kSide>;
 
@@ -29,7 +29,7 @@ class PlaceBlocks {
  private:
   int level_;
   int squares_ = 0;                    ///< along the side of a plane
-  std::vector<std::uint16_t> maxima_;  ///< a plane of squares for every cell that these may begin at
+  std::vector<std::uint16_t> maxima_;  ///< a plane of squares for every cell offset of their origin
 };
 
 }  // namespace topo::slam

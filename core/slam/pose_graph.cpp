@@ -34,7 +34,7 @@ class Solver {
 
   [[nodiscard]] double chi2() const { return errors_.chi2; }
 
-  /// Iterates; false when the system is singular at the start.
+  /// Iterates; false when no step was accepted (the system is singular or the loss not finite).
   bool run(int& iterations) {
     for (iterations = 0; iterations < params_.iterations_max;) {
       build();
@@ -52,7 +52,7 @@ class Solver {
   }
 
  private:
-  static constexpr double kDampingMin = 1e-7;  ///< below: a plain Gauss-Newton step
+  static constexpr double kDampingMin = 1e-7;  ///< below it a plain Gauss-Newton step is used
   static constexpr double kDampingMax = 1e8;
 
   void build() {
@@ -82,7 +82,7 @@ class Solver {
     if (places.has_from && places.has_to) factor_.add(places.between, lin.from.transpose() * wt);
   }
 
-  /// One damped step; false when it was refused, and then the damping is greater than before.
+  /// Tries one damped step; false when it was refused, with the damping increased.
   bool try_step() {
     if (!factor_.factorise()) return refuse();
     for (std::size_t i = 0; i < gradient_.size(); ++i) step_[i] = -gradient_[i];
@@ -107,7 +107,7 @@ class Solver {
     return false;
   }
 
-  /// Of the quadratic model: -(2 g + H s) s with (H + damping D) s = -g.
+  /// Decrease predicted by the quadratic model: -(2 g + H s) s with (H + damping D) s = -g.
   [[nodiscard]] double predicted_decrease() const {
     double sum = 0.0;
     for (std::size_t i = 0; i < step_.size(); ++i) {
@@ -132,7 +132,7 @@ class Solver {
     return largest;
   }
 
-  static constexpr double kRounding = 1e-13;  ///< at the optimum sums differ by their rounding
+  static constexpr double kRounding = 1e-13;  ///< at the optimum the sums differ by rounding errors
 
   std::vector<types::Se2>& poses_;
   std::vector<types::Se2> next_poses_;
@@ -142,7 +142,7 @@ class Solver {
   GraphPattern pattern_;
   Factor factor_;
   std::vector<Eigen::Vector3d> gradient_, step_;
-  std::vector<Eigen::Vector3d> diagonal_;  ///< of the undamped matrix, in the order of elimination
+  std::vector<Eigen::Vector3d> diagonal_;  ///< of the undamped matrix, in the elimination order
   double damping_ = 0.0, growth_ = 2.0;
   bool moved_ = false;
 };

@@ -38,13 +38,13 @@ double total_chi2(std::span<const types::Se2> poses, std::span<const Edge> edges
 
 /// Least squares over SE(2) with node `fixed` held: Levenberg-Marquardt with analytic Jacobians on the sparse
 /// normal equations (Kuemmerle et al. 2011; step control after Nielsen 1999). Nodes that no chain of edges
-/// ties to `fixed` make the system singular. Pure function of its input; one thread.
+/// connects to `fixed` make the system singular. Pure function of its input; one thread.
 SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
                   std::size_t fixed = 0);
 
-/// The same, and once more without the closures that contradict the rest: whose error in the first solution
-/// is beyond `params.contradicted_chi2`. Which those are depends on the graph alone, not on when each was
-/// found. Where the rest does not hold together without them the first solution stands.
+/// Solves, then solves again without the closures that contradict the rest: those whose error in the first
+/// solution exceeds `params.contradicted_chi2`. The selection depends only on the graph, not on when each
+/// closure was found. When the remaining graph is not connected, the first solution is kept.
 SolveReport solve_consistently(std::vector<types::Se2>& poses, std::span<const Edge> edges,
                                const GraphParams& params, std::size_t fixed = 0);
 

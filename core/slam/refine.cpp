@@ -48,7 +48,7 @@ Sums linearise(const SurfelMap& map, std::span<const Point> points, const Point&
     if (surfel == nullptr) continue;
     const Point delta = q - surfel->position;
     if (delta.squaredNorm() > reach2) continue;
-    // The other face of a thin wall is another surface.
+    // A planar surfel that faces away from the sensor is the other face of a thin wall: another surface.
     if (surfel->planar && surfel->normal.dot(sensor_map - q) < 0.0F) continue;
     ++sums.found;
     const double ax = static_cast<double>(arm.x()), ay = static_cast<double>(arm.y());
@@ -73,7 +73,7 @@ Sums linearise(const SurfelMap& map, std::span<const Point> points, const Point&
   return sums;
 }
 
-/// Is the translation determined in every direction once the rotation is?
+/// True when, with the rotation eliminated, one direction of translation is not determined.
 bool is_degenerate(const Eigen::Matrix3d& h, const RefineParams& params) {
   if (!(h(2, 2) > 0.0)) return true;
   const Eigen::Matrix2d schur =
@@ -118,7 +118,7 @@ Match refine(const SurfelMap& map, std::span<const Point> points, const Point& s
       h += prior->information;
       g += prior->information * e;
     }
-    // Keeps the step finite along what neither scan nor prior determines.
+    // Keeps the step finite in directions that neither scan nor prior determines.
     h.diagonal().array() += 1e-3;
     const Eigen::Vector3d step = h.ldlt().solve(-g);
     if (!step.allFinite()) break;

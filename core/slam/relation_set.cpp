@@ -11,9 +11,9 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kReach_m = 1e4;  // of a relation: a hostile one must not make cell numbers overflow
+constexpr double kReach_m = 1e4;  // of a relation: an untrusted one must not make cell numbers overflow
 
-/// All its numbers, to be put in order.
+/// All numbers of a relation, for a total order.
 std::array<double, 13> numbers_of(const Relation& relation) {
   std::array<double, 13> numbers{relation.robust ? 1.0 : 0.0, relation.T_from_to.x_m, relation.T_from_to.y_m,
                                  relation.T_from_to.theta_rad};
@@ -21,7 +21,7 @@ std::array<double, 13> numbers_of(const Relation& relation) {
   return numbers;
 }
 
-/// Does the first stay when both have come under one key?
+/// True when `a` is kept after both have arrived under one id.
 bool comes_first(const FoundRelation& a, const FoundRelation& b) {
   return std::tuple(a.key, numbers_of(a.relation)) <= std::tuple(b.key, numbers_of(b.relation));
 }

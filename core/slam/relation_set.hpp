@@ -13,29 +13,29 @@
 
 namespace topo::slam {
 
-/// What ties two keyframes: odometry, a match, a closure, or starts that are known.
+/// A constraint between two keyframes: odometry, a match, a closure, or known starts.
 struct Relation {
   types::Se2 T_from_to;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  ///< as Edge has it
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  ///< as in Edge
   bool robust = false;
 };
 
-/// Which keyframes a relation ties: from, to.
+/// The keyframes of a relation: from, to.
 using RelationKey = std::pair<KeyframeId, KeyframeId>;
 
-/// A relation as its finder tells it to others.
+/// A relation as its finder sends it to team-mates.
 struct FoundRelation {
-  KeyframeId id;  ///< who found it, and as which of his
+  KeyframeId id;  ///< the finder and its number there
   RelationKey key;
   Relation relation;
 };
 
-/// Whether a relation from outside is one: between two keyframes, finite, within reach, of an information
-/// that is symmetric and of no negative diagonal. kInvalidInput names the fault.
+/// Checks a relation from outside: two distinct keyframes, finite and within reach, a symmetric information
+/// without negative diagonal entries. kInvalidInput names the fault.
 [[nodiscard]] types::Status check_relation(const FoundRelation& found);
 
-/// The grow-only set of relations, keyed (from, to), beside the keyframes'. Two under one key are joined as
-/// keyframes are: the one whose numbers come first stays. All numbers are finite (check_relation).
+/// The grow-only set of relations, keyed (from, to), beside that of keyframes. Of two relations under one
+/// key, as with keyframes, the lexicographically lower one is kept. All numbers are finite (check_relation).
 class RelationSet {
  public:
   using Key = RelationKey;
@@ -51,20 +51,21 @@ class RelationSet {
   std::map<Key, Relation> relations_;
 };
 
-/// The grow-only set of what everybody found, keyed by finder and number as keyframes are by origin and
-/// sequence: what robots send one another until all have all of it.
+/// The grow-only set of all robots' findings, keyed by finder and number as keyframes are by origin and
+/// sequence: robots exchange them until all have the complete log.
 class RelationLog {
  public:
   /// True when the log has changed.
   bool insert(const FoundRelation& found);
   [[nodiscard]] std::size_t size() const { return found_.size(); }
   [[nodiscard]] std::vector<OriginCount> counts() const { return counts_of(found_); }
-  /// What is here and, by its counts, not there; at most `count_max`, finder by finder, oldest first.
+  /// Relations held here that, by its counts, the other robot lacks; at most `count_max`, finder by finder,
+  /// oldest first.
   [[nodiscard]] std::vector<FoundRelation> missing(std::span<const OriginCount> there,
                                                    std::size_t count_max) const {
     return missing_of(found_, there, count_max);
   }
-  /// By their keys: what a map is made of.
+  /// The relations by their keys, from which a map is built.
   [[nodiscard]] RelationSet relations() const;
 
  private:

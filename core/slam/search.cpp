@@ -99,8 +99,7 @@ class WindowSearcher {
   }
 
   void descend(std::vector<WindowNode>& nodes) {
-    // Equal scores are taken in the order of rotation and cell, so that the result does not depend on the
-    // sort.
+    // Equal scores are ordered by rotation and cell, so that the result does not depend on the sort.
     std::sort(nodes.begin(), nodes.end(), [](const WindowNode& a, const WindowNode& b) {
       if (a.score != b.score) return a.score > b.score;
       if (a.rotation != b.rotation) return a.rotation < b.rotation;
@@ -135,7 +134,7 @@ class WindowSearcher {
   bool found_ = false;
 };
 
-/// exp(-d^2 / 2 sigma^2) in 255ths, from a table over d^2.
+/// exp(-d^2 / 2 sigma^2) in 255ths, from a table indexed by d^2.
 class Kernel {
  public:
   Kernel(double reach_m, double sigma_m) {
@@ -192,7 +191,7 @@ void LikelihoodPyramid::coarsen(std::size_t level) {
   above = below;
   const auto width = static_cast<std::size_t>(width_);
   const std::size_t step = std::size_t{1} << (level - 1);
-  // Two passes of plain maxima, which the compiler turns into one instruction for sixteen cells.
+  // Two passes of plain maxima, which the compiler vectorises to sixteen cells per instruction.
   for (std::size_t y = 0; y < width && step < width; ++y) {
     const std::uint8_t* from = &below[y * width];
     std::uint8_t* to = &above[y * width];
@@ -206,8 +205,8 @@ void LikelihoodPyramid::coarsen(std::size_t level) {
 }
 
 std::uint8_t LikelihoodPyramid::clipped(int level, int x, int y) const {
-  // A square that begins outside to the lower left may still reach in: its maximum is bounded by the square
-  // of the same size that begins at the border.
+  // A square that begins outside to the lower left may extend into the window: its maximum is bounded by the
+  // square of the same size that begins at the border.
   const int width = 1 << level;
   if (x >= width_ || y >= width_ || x <= -width || y <= -width) return 0;
   return levels_[static_cast<std::size_t>(level)]

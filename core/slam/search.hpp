@@ -11,7 +11,7 @@
 
 namespace topo::slam {
 
-/// A point's cell, relative to that of the pose which is tried.
+/// A point's cell relative to the cell of the evaluated pose.
 struct CellOffset {
   int x, y;
 };
@@ -57,7 +57,7 @@ class LikelihoodPyramid {
   std::vector<std::vector<std::uint8_t>> levels_;
 };
 
-/// Poses around one that was found: without them, a search finds the second peak.
+/// Poses around an earlier result: a search without them finds the second peak.
 struct Exclusion {
   types::Se2 centre;
   double radius_m = 0.5;
@@ -65,7 +65,7 @@ struct Exclusion {
 };
 
 /// The best pose of the points (base_link) within the window around `centre`, by branch and bound (Hess et
-/// al. 2016): exact on the grid of cells and angle steps. Nothing when no pose scores at least `score_min`.
+/// al. 2016): exact on the grid of cells and angle steps. Empty when no pose scores at least `score_min`.
 std::optional<SearchHit> search(const LikelihoodPyramid& pyramid, std::span<const Point> points,
                                 const types::Se2& centre, const SearchWindow& window, double score_min,
                                 const SearchParams& params, const std::optional<Exclusion>& exclusion = {});

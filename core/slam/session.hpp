@@ -10,19 +10,19 @@
 
 namespace topo::slam {
 
-/// Everything that a map is made of: what is saved, and what mapping goes on from. Keyframes are immutable,
+/// The complete content of a map: what is saved, and from which mapping continues. Keyframes are immutable,
 /// so that copies share them.
 struct Session {
   std::vector<KeyframePtr> keyframes;
   std::vector<types::Se2> poses;  ///< T_map_base of each keyframe
-  std::vector<Edge> edges;        ///< between keyframes, by their place in the list
+  std::vector<Edge> edges;        ///< between keyframes, by their index in the list
 };
 
-/// Whether a session from outside is one: a pose for every keyframe, edges between keyframes that are there,
-/// every number finite. kInvalidInput names the first fault.
+/// Checks a session from outside: a pose for every keyframe, edges between existing keyframes, poses and
+/// edges finite and in range. kInvalidInput names the first fault.
 [[nodiscard]] types::Status check_session(const Session& session);
 
-/// Where a robot stands in a session's map, and by which scan that is known.
+/// A robot's pose in a session's map, and the scan that determined it.
 struct Arrival {
   Cloud cloud;                                            ///< a deskewed scan
   types::Se2 T_odom_base;                                 ///< dead reckoning at the cloud's stamp

@@ -13,7 +13,7 @@ namespace {
 
 bool successive(const Edge& edge) { return std::max(edge.from, edge.to) - std::min(edge.from, edge.to) == 1; }
 
-/// Edges at each node, as indices.
+/// Indices of the edges at each node.
 std::vector<std::vector<std::size_t>> edges_at_nodes(std::size_t nodes, std::span<const Edge> edges) {
   std::vector<std::vector<std::size_t>> at(nodes);
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -27,7 +27,7 @@ std::vector<std::vector<std::size_t>> edges_at_nodes(std::size_t nodes, std::spa
 
 std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::span<const Edge> edges,
                                                       std::span<const int> ranks, const types::Se2& first) {
-  // Prim's algorithm; the weight of an edge is its rank, then its place in the list.
+  // Prim's algorithm; the weight of an edge is its rank, then its index.
   using Weight = std::pair<int, std::size_t>;
   std::priority_queue<Weight, std::vector<Weight>, std::greater<>> open;
   const auto at_nodes = edges_at_nodes(nodes, edges);

@@ -10,15 +10,15 @@
 
 namespace topo::slam {
 
-/// Poses chained along a spanning tree from node 0, which is put at `first`. `ranks`: of each edge; the tree
-/// is of the edges of the least rank, and of those of one rank of the earlier in the list, whatever the
-/// nodes' numbers are. Nothing when the edges do not tie all nodes together.
+/// Poses chained along a spanning tree from node 0, which is placed at `first`. `ranks`: one per edge; the
+/// tree prefers edges of lower rank, and within one rank those earlier in the list, independent of the nodes'
+/// numbers. Empty when the edges do not connect all nodes.
 std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::span<const Edge> edges,
                                                       std::span<const int> ranks,
                                                       const types::Se2& first = {});
 
-/// The same of one robot's nodes, numbered along its way: the edges between successive nodes wherever there
-/// is one (dead reckoning), other edges only where nothing else reaches a node.
+/// The same for the nodes of one robot, numbered along its path: edges between successive nodes (dead
+/// reckoning) are preferred; other edges are used only where nothing else reaches a node.
 std::optional<std::vector<types::Se2>> spanning_start(std::size_t nodes, std::span<const Edge> edges,
                                                       const types::Se2& first = {});
 

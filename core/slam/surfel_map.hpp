@@ -11,24 +11,25 @@
 
 namespace topo::slam {
 
-/// Surfels of several keyframes in one frame, with the nearest one to a cell of 0.1 m found in constant time.
-/// Which one that is, is worked out when the cell is first asked for and remembered: a scan asks for a small
-/// part of the cells that a map has within reach of its surfels, and a map that serves one match (a loop
-/// candidate) would cost more to prepare than to use. Sized for what it holds: a window of the map, not the
-/// map. Lookups write to the memory of answers: one thread at a time, const or not.
+/// Surfels of several keyframes in one frame; the surfel nearest to a cell of 0.1 m is found in constant
+/// time. It is computed at the first query of the cell and cached: a scan queries a small part of the cells
+/// within reach of a map's surfels, and a map that serves one match (a loop candidate) would cost more to
+/// precompute than to use. Sized for a window of the map, not the whole map. Queries write to the cache: one
+/// thread at a time, even through const.
 class SurfelMap {
  public:
-  /// `reach_m`: how far from a surfel a point still finds it; at most kBlock cells.
+  /// `reach_m`: maximum distance from the centre of a point's cell to the returned surfel; at most kBlock
+  /// cells.
   explicit SurfelMap(double reach_m, double cell_m = 0.10);
 
-  /// Empties the map and centres a window of the given half width on `centre`. Keeps its memory.
+  /// Empties the map and centres a window of the given half width on `centre`. Keeps the allocated memory.
   void reset(const Point& centre, double half_width_m);
 
-  /// Adds a keyframe's surfels, given in its base_link, at its pose. Those outside the window are left out.
+  /// Adds a keyframe's surfels, given in its base_link, at its pose; drops those outside the window.
   void add(std::span<const Surfel> surfels, const types::Se2& T_map_base);
 
-  /// The surfel nearest to the centre of p's cell (of several as near the first that was added), or null
-  /// beyond its reach or outside the window.
+  /// The surfel nearest to the centre of p's cell (the first added of equally near ones); null beyond its
+  /// reach or outside the window.
   [[nodiscard]] const Surfel* nearest(const Point& p) const {
     const float fx = (p.x() - origin_.x()) * inverse_cell_, fy = (p.y() - origin_.y()) * inverse_cell_;
     if (!(fx >= 0.0F && fy >= 0.0F)) return nullptr;
@@ -49,10 +50,10 @@ class SurfelMap {
 
  private:
   static constexpr std::uint32_t kBlock = 4;  ///< cells along a side of a block
-  /// Blocks exist around surfels alone: those that hold one and their eight neighbours.
+  /// Blocks exist only around surfels: those that contain one and their eight neighbours.
   struct Block {
-    std::int32_t first = -1;                                ///< newest surfel within; next_ leads on
-    std::uint32_t known = 0;                                ///< bit per cell: `nearest` is worked out
+    std::int32_t first = -1;                                ///< newest surfel within; next_ continues
+    std::uint32_t known = 0;                                ///< bit per cell: `nearest` is computed
     std::array<std::int32_t, kBlock* kBlock> nearest = {};  ///< surfel or -1
   };
   void put(std::int32_t index);
@@ -62,10 +63,10 @@ class SurfelMap {
   Point origin_ = Point::Zero();  ///< lower left corner
   std::uint32_t width_ = 0;       ///< cells
   std::uint32_t blocks_wide_ = 0;
-  std::vector<std::int32_t> index_;    ///< block by place, or -1
-  mutable std::vector<Block> blocks_;  ///< mutable: remembers answers
+  std::vector<std::int32_t> index_;    ///< block by position, or -1
+  mutable std::vector<Block> blocks_;  ///< mutable: caches query results
   std::vector<Surfel> surfels_;
-  std::vector<std::int32_t> next_;  ///< of a surfel's block, or -1
+  std::vector<std::int32_t> next_;  ///< next surfel of the same block, or -1
 };
 
 }  // namespace topo::slam

@@ -13,19 +13,19 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kPatchThin_m = 0.08;  ///< one point of a patch a cell
+constexpr double kPatchThin_m = 0.08;  ///< cell size; one point of a patch per cell
 
-/// Some successive keyframes of a team-mate's as one scan, in the axes of the middle one.
+/// Several successive keyframes of a team-mate merged into one scan, in the axes of the middle one.
 struct Patch {
-  std::size_t middle = 0;  ///< keyframe of the mate's session
-  types::Se2 pose;         ///< of it, in the mate's map
+  std::size_t middle = 0;  ///< index in the team-mate's session
+  types::Se2 pose;         ///< of the middle keyframe, in the team-mate's map
   Point sensor = Point::Zero();
   std::vector<Point> points;
-  std::vector<Peak> peaks;  ///< where it was found, best first
-  bool clear = false;       ///< the first of them has no rival
+  std::vector<Peak> peaks;  ///< places found, best first
+  bool clear = false;       ///< the best place has no rival
 };
 
-/// A place found for a patch, and the alignment that it stands for.
+/// A place found for a patch and the alignment that it implies.
 struct Hypothesis {
   std::size_t patch = 0, peak = 0;
   types::Se2 T_own_mates;
@@ -55,7 +55,7 @@ Patch make_patch(const Session& mates, std::size_t first, std::size_t last) {
   return patch;
 }
 
-/// Patches evenly over the session, none across two origins.
+/// Patches distributed evenly over the session; none spans two origins.
 std::vector<Patch> make_patches(const Session& mates, const AlignmentParams& params) {
   std::vector<std::pair<std::size_t, std::size_t>> runs;
   const std::size_t length = 2 * params.patch_half + 1;
@@ -73,7 +73,7 @@ std::vector<Patch> make_patches(const Session& mates, const AlignmentParams& par
   return patches;
 }
 
-/// The places that are as good as the best, and good enough.
+/// Stores the places that are nearly as good as the best and pass the acceptance criteria.
 void find(Patch& patch, const WholeMap& map, const AlignmentParams& params) {
   std::vector<Peak> peaks = map.peaks(patch.points, patch.sensor);
   const double best = peaks.empty() ? 0.0 : peaks.front().evidence;
@@ -100,7 +100,7 @@ class Vote {
     }
   }
 
-  /// The alignment that most patches stand for, and of as many the one with the best evidence.
+  /// The alignment supported by most patches, and of equals the one with the best evidence.
   [[nodiscard]] std::vector<Hypothesis> best(const Hypothesis* apart_from = nullptr) const {
     std::vector<Hypothesis> best;
     double best_evidence = 0.0;
@@ -122,7 +122,7 @@ class Vote {
     return patches_[h.patch].peaks[h.peak].evidence;
   }
 
-  /// Of every patch the place that fits the hypothesis, itself first.
+  /// The places that agree with the hypothesis, at most one per patch; the hypothesis itself is first.
   [[nodiscard]] std::vector<Hypothesis> agreeing_with(const Hypothesis& one) const {
     std::vector<Hypothesis> agreeing{one};
     for (const Hypothesis& other : hypotheses_) {
@@ -133,7 +133,7 @@ class Vote {
     return agreeing;
   }
 
-  /// Where the one has the other's patch, is it where that was found?
+  /// True when the place of the other's patch, as predicted by the one, agrees with the place found.
   [[nodiscard]] bool agree(const Hypothesis& one, const Hypothesis& other, double factor = 1.0) const {
     const types::Se2& pose = patches_[other.patch].pose;
     const types::Se2 off = (one.T_own_mates * pose).inverse() * (other.T_own_mates * pose);
@@ -159,7 +159,8 @@ double spread_of(const std::vector<Hypothesis>& agreeing, const std::vector<Patc
   return spread_m;
 }
 
-/// Patches that, where the alignment has them and as well as they can be moved there, contradict the map.
+/// Number of patches without agreement that contradict the map at the predicted place, after refinement
+/// there.
 int count_against(const std::vector<Patch>& patches, const std::vector<Hypothesis>& agreeing,
                   const WholeMap& map, const AlignmentParams& params) {
   int against = 0;
@@ -174,7 +175,7 @@ int count_against(const std::vector<Patch>& patches, const std::vector<Hypothesi
   return against;
 }
 
-/// The closure from the own keyframe that is nearest to where the patch was found.
+/// The closure from the own keyframe nearest to the place where the patch was found.
 std::pair<RelationKey, Relation> closure_of(const Hypothesis& found, const Patch& patch,
                                             const AlignmentQuery& query) {
   const Session& own = query.own;
@@ -194,8 +195,8 @@ std::pair<RelationKey, Relation> closure_of(const Hypothesis& found, const Patch
   return {{from, query.mates.keyframes[patch.middle]->id}, relation};
 }
 
-/// Most of the team-mate's patches must stand for the alignment: in a building with rooms that are alike a
-/// handful of them agree on a wrong one, and what is joined wrongly is not taken apart again.
+/// At least half of the team-mate's patches must support the alignment: in a building with similar rooms a
+/// handful of patches agree on a wrong one, and a wrong join is never undone.
 AlignmentRefusal judge(const Alignment& alignment, std::size_t patches, const AlignmentParams& params) {
   if (alignment.agreeing < params.agreeing_min || alignment.clear < params.clear_min ||
       2 * static_cast<std::size_t>(alignment.agreeing) < patches)

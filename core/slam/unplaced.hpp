@@ -10,8 +10,8 @@
 
 namespace topo::slam {
 
-/// What team-mates sent and what nothing ties to the map yet: keyframes, and relations with an end that is
-/// not in it.
+/// Data of team-mates that nothing connects to the map yet: keyframes, and relations with an end that is not
+/// in the map.
 class Unplaced {
  public:
   void add(const KeyframePtr& keyframe) { keyframes_.try_emplace(keyframe->id, keyframe); }
@@ -22,10 +22,10 @@ class Unplaced {
   /// Keys of the relations that have the keyframe at one end.
   [[nodiscard]] const std::vector<RelationKey>& at(const KeyframeId& id) const;
   [[nodiscard]] const std::map<KeyframeId, KeyframePtr>& keyframes() const { return keyframes_; }
-  /// What is tied to a keyframe here, as a map of its own.
+  /// The keyframes here that are connected to a keyframe, as a separate map.
   [[nodiscard]] Session tied_to(const KeyframeId& origin, const GraphParams& graph) const;
 
-  /// What enters the map leaves here. The keyframe is here.
+  /// Removes what enters the map. Precondition of take(): the keyframe is here.
   KeyframePtr take(const KeyframeId& id);
   void erase(const RelationKey& key);
 

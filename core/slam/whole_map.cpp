@@ -8,14 +8,14 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kMargin_m = 2.0;    ///< around everything that the map holds
-constexpr double kThin_m = 0.05;     ///< one surfel a cell and side of a wall is enough
-constexpr double kPeakRatio = 0.80;  ///< a coarse peak this good against the best may refine to a better one
+constexpr double kMargin_m = 2.0;    ///< around the bounds of the map
+constexpr double kThin_m = 0.05;     ///< cell size; one surfel per cell and side of a wall is sufficient
+constexpr double kPeakRatio = 0.80;  ///< minimum score of a coarse peak relative to the best
 constexpr std::size_t kRayStride = 4;
-/// What stands where the map was seen through speaks louder against a place than what the map does not know.
+/// A point on ground that was seen to be free counts more against a place than a point on unknown ground.
 constexpr double kContradictionWeight = 2.0;
 
-/// The whole map's bounds.
+/// Bounding box of the map.
 types::Rectangle bounds_of(const Session& session) {
   types::Rectangle box;
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
@@ -26,8 +26,8 @@ types::Rectangle bounds_of(const Session& session) {
   return box;
 }
 
-/// Takes a surfel when it is the first of its cell and quarter of directions: a corridor that was driven ten
-/// times has as many as one that was driven once.
+/// Selects the first surfel of each cell and quadrant of normals: a corridor driven ten times has as many
+/// surfels as one driven once.
 class Thinner {
  public:
   Thinner(const Point& origin, double width_m)
@@ -54,7 +54,7 @@ class Thinner {
   std::vector<unsigned char> seen_;
 };
 
-/// The ground that the session's keyframes saw through: coarse, for where a robot can stand, and fine.
+/// Marks the ground crossed by the session's rays: coarse for the standing room, fine for contradictions.
 void see_through(const Session& session, StandingRoom& room, FreeGround& ground) {
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
     const Keyframe& keyframe = *session.keyframes[i];

@@ -15,47 +15,46 @@
 
 namespace topo::slam {
 
-/// A place with what speaks for it: the share of points that fit less, weighted, the share that contradicts
-/// the map.
+/// A pose with its evidence: the share of points that fit minus the weighted share that contradicts the map.
 struct Peak {
   Match match;
   double evidence = 0.0;
 };
 
-/// How a whole map is searched.
+/// Parameters of the search of a whole map.
 struct WholeSearch {
-  double score_min = 0.35;  ///< least likelihood of a coarse peak: the less, the longer the search
-  int rivals_max = 4;       ///< peaks beside the best
-  double apart_m = 0.7;     ///< nearer poses are one place
+  double score_min = 0.35;  ///< minimum likelihood of a coarse peak; a lower value makes the search slower
+  int rivals_max = 4;       ///< peaks in addition to the best
+  double apart_m = 0.7;     ///< closer poses are one place
   double apart_rad = 0.3;
-  double width_max_m = 300.0;               ///< of a map that is searched
+  double width_max_m = 300.0;               ///< maximum width of a map that is searched
   SearchParams search{0.10, 0.15, 100, 6};  ///< coarse
 };
 
-/// Are two poses two places?
+/// True when two poses are different places.
 [[nodiscard]] bool apart(const types::Se2& a, const types::Se2& b, const WholeSearch& search);
 
-/// A session's surfels around a centre, thinned: a corridor that was driven ten times has as many as one that
-/// was driven once. In the session's map axes.
+/// A session's surfels around a centre, thinned: a corridor driven ten times has as many as one driven once.
+/// In the session's map axes.
 [[nodiscard]] SurfelMap thinned_map(const Session& session, const types::Vector2& centre, double half_m,
                                     double reach_m);
 
-/// A session's map made ready to be searched as a whole: its surfaces, where a robot can stand, and what was
-/// seen through. Answers for as many scans as one likes; one thread at a time.
+/// A session's map prepared for searches of the whole map: its surfaces, the space where a robot can stand,
+/// and the ground seen to be free. Serves any number of scans; one thread at a time.
 class WholeMap {
  public:
-  /// Nothing when there is no keyframe or the map is wider than `search` allows.
+  /// Empty when there is no keyframe or the map is wider than `search` allows.
   static std::optional<WholeMap> of(const Session& session, const WholeSearch& search,
                                     const RefineParams& refine);
 
-  /// Where points (base_link, seen from `sensor`) fit: coarse peaks by branch and bound over all places where
-  /// a robot can stand and all directions, refined, the best evidence first.
+  /// Poses at which the points (base_link, seen from `sensor`) fit: coarse peaks by branch and bound over all
+  /// places where a robot can stand and all directions, refined, the best evidence first.
   [[nodiscard]] std::vector<Peak> peaks(std::span<const Point> points, const Point& sensor) const;
 
-  /// Refined from a pose that is known about, with its evidence.
+  /// The pose refined from a given one, with its evidence.
   [[nodiscard]] Peak at(std::span<const Point> points, const Point& sensor, const types::Se2& pose) const;
 
-  /// Share of the points that, at the pose, stand where the map was seen through.
+  /// Share of the points that, at the pose, lie on ground that was seen to be free.
   [[nodiscard]] double contradiction(std::span<const Point> points, const types::Se2& pose) const {
     return ground_.contradiction(map_, points, pose);
   }

@@ -10,7 +10,7 @@
 namespace topo::team {
 namespace {
 
-/// For one robot the nearest goal of each cluster.
+/// The nearest goal of a cluster for one robot.
 struct Nearest {
   std::size_t goal = 0;
   double cost_m = HUGE_VAL;

@@ -7,7 +7,7 @@
 namespace topo::team {
 namespace {
 
-/// How many other robots are nearer to a goal.
+/// The number of other robots that are nearer to a goal; ties go to the lower row.
 std::size_t position(const CostTable& table, std::size_t robot, std::size_t goal) {
   const double cost_m = table.cost_m(robot, goal);
   std::size_t nearer = 0;
@@ -19,7 +19,7 @@ std::size_t position(const CostTable& table, std::size_t robot, std::size_t goal
   return nearer;
 }
 
-/// P of the paper: the chance that one goal is seen from another.
+/// P of the paper: the probability that one goal is seen from another.
 double chance_to_see(double distance_m, double range_m) { return std::max(0.0, 1.0 - distance_m / range_m); }
 
 }  // namespace

@@ -14,9 +14,10 @@
 namespace topo::team {
 namespace {
 
-constexpr double kScannerRange_m = 30.0;  // UTM-30LX (PROTOCOLS), of the rule that reckons with what is seen
+constexpr double kScannerRange_m = 30.0;  // UTM-30LX (PROTOCOLS); used by Rule::kUtility
 
-/// Everybody's goals: of all bids, in the order of their points, those that are for no goal before.
+/// The distinct goals of all bids, in the order of comes_before: a bid for the same goal as an earlier one
+/// adds none.
 std::vector<types::Vector2> goals_of(std::span<const StatusMessage* const> team) {
   std::vector<types::Vector2> points, goals;
   for (const StatusMessage* message : team) {
@@ -30,7 +31,7 @@ std::vector<types::Vector2> goals_of(std::span<const StatusMessage* const> team)
   return goals;
 }
 
-/// Of goals_of() the one that a bid is for: the nearest.
+/// The goal, of goals_of(), that a bid is for: the nearest.
 std::size_t goal_of(const std::vector<types::Vector2>& goals, const Bid& bid) {
   const auto nearest = std::min_element(goals.begin(), goals.end(), [&](const auto& a, const auto& b) {
     return (a - bid.p_map).squaredNorm() < (b - bid.p_map).squaredNorm();
@@ -38,7 +39,8 @@ std::size_t goal_of(const std::vector<types::Vector2>& goals, const Bid& bid) {
   return static_cast<std::size_t>(nearest - goals.begin());
 }
 
-/// Who bids how much for which goal, by the order of ids; of a robot's bids for one goal the cheapest counts.
+/// The cost of each robot's bids for each goal, in the order of ids; of several bids of one robot for one
+/// goal the cheapest counts.
 CostTable table_of(std::span<const StatusMessage* const> team) {
   std::vector<std::uint16_t> robots;
   for (const StatusMessage* message : team) robots.push_back(message->robot);
@@ -55,7 +57,7 @@ CostTable table_of(std::span<const StatusMessage* const> team) {
   return table;
 }
 
-/// The same; a goal costs who has claimed it no more than when it was taken.
+/// The table, where a claimed goal costs its claimant at most the cost of the claim.
 CostTable with_claims(CostTable table, std::span<const StatusMessage* const> team) {
   for (std::size_t row = 0; row < team.size(); ++row) {
     for (std::size_t goal = 0; team[row]->claim && goal < table.goals().size(); ++goal) {
@@ -80,8 +82,8 @@ const Bid& cheapest_for(const StatusMessage& self, const CostTable& table, std::
   return *best;
 }
 
-/// The robot's bids in the cluster of a goal, and the one that it is bound for, whatever cluster that is in
-/// now: clusters change with every goal that is found, and who turns round for that loses both ways.
+/// The robot's bids in the cluster of a goal, plus the bid for its current goal, whatever its cluster is now:
+/// clusters change with every new goal, and turning back for that wastes both routes.
 std::vector<std::size_t> share_of(const StatusMessage& self, const CostTable& table, std::size_t row,
                                   std::size_t assigned, Rule rule) {
   const std::vector<std::size_t> cluster = clusters_of(table, rule == Rule::kClusters);
@@ -112,7 +114,8 @@ Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sig
   return assign_clusters(table, rule == Rule::kClusters);
 }
 
-/// Has a mate a better claim on what the robot bids for? What it claims itself counts as it was claimed.
+/// True when a team-mate has a better claim on the robot's bid. For the robot's own claim the cost of the
+/// claim counts.
 bool is_claimed(const Bid& bid, const StatusMessage& self, std::span<const StatusMessage* const> mates) {
   const bool own = self.claim && self.claim->p_map == bid.p_map;
   const Bid& said = own ? *self.claim : bid;
@@ -122,7 +125,8 @@ bool is_claimed(const Bid& bid, const StatusMessage& self, std::span<const Statu
   });
 }
 
-/// Does a mate, after its own goal, get to the robot's no later than the robot, as far as can be seen?
+/// True when a team-mate, continuing from its own goal in a straight line of sight, reaches the robot's goal
+/// no later than the robot.
 bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_t row, std::size_t goal,
                   const PointsInSight& in_sight) {
   const types::Vector2& wanted = table.goals()[goal];
@@ -149,7 +153,7 @@ std::optional<std::size_t> coordinate(Rule rule, const StatusMessage& self,
   const std::vector<const StatusMessage*> messages(team.begin(), team.end());
   const auto row = static_cast<std::size_t>(std::distance(team.begin(), team.find(&self)));
   CostTable table = table_of(messages);
-  for (;;) {  // ends: every round takes a goal out
+  for (;;) {  // terminates: every round removes a goal
     const Assignment assigned = assign(rule, claims ? with_claims(table, messages) : table, in_sight);
     if (!assigned[row]) return std::nullopt;
     const Bid& bid = claims && choose ? self.bids[choose(share_of(self, table, row, *assigned[row], rule))]

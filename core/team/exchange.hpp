@@ -13,24 +13,24 @@
 #include "core/slam/relation_set.hpp"
 #include "core/team/status_message.hpp"
 
-// What robots of a team send each other: keyframes, relations and status messages. Pure: letters in, letters
+// What the robots of a team exchange: keyframes, relations and status messages. No I/O: letters in, letters
 // out.
 namespace topo::team {
 
-/// A keyframe, and where the sender's map has it.
+/// A keyframe and its pose in the sender's map.
 struct PosedKeyframe {
   slam::KeyframePtr keyframe;
   types::Se2 T_map_base;
 };
 
-/// What a robot has seen and found, or heard of others.
+/// Keyframes and relations of a robot, its own or received.
 struct News {
   std::vector<PosedKeyframe> keyframes;
   std::vector<slam::FoundRelation> relations;
   [[nodiscard]] bool empty() const { return keyframes.empty() && relations.empty(); }
 };
 
-/// What one robot sends another in one exchange; all of it may come twice, late or never.
+/// What one robot sends to another in one exchange; any of it may arrive twice, late or never.
 struct Letter {
   std::optional<StatusMessage> message;
   std::vector<slam::OriginCount> keyframe_counts, relation_counts;  ///< what the sender has
@@ -42,19 +42,20 @@ struct ExchangeParams {
   std::size_t relations_in_letter = 60;  ///< some keyframes have two or three
 };
 
-/// Keeps the robots of a team in keyframes and relations. They go until the receiver's counts say that they
-/// are there: what is lost is sent again, and one robot's reach a third by way of a second. A value.
+/// Synchronises keyframes and relations between the robots of a team. An item is sent until the receiver's
+/// counts include it: lost items are sent again, and items of one robot reach a third through a second. Value
+/// semantics.
 class Exchange {
  public:
   explicit Exchange(const ExchangeParams& params = {}) : params_(params) {}
 
   /// The robot's own keyframes and relations.
   void add_own(const News& news);
-  /// The pose of a keyframe in the robot's map; null when it is not in it.
+  /// The pose of a keyframe in the robot's map; null when the map does not contain it.
   using PoseOf = std::function<const types::Se2*(const slam::KeyframeId& id)>;
   [[nodiscard]] Letter letter_to(std::uint16_t robot, const std::optional<StatusMessage>& message,
                                  const PoseOf& pose_of) const;
-  /// Takes a letter in. Returns the part of its news that was not here.
+  /// Accepts a letter. Returns the part of its news that was not stored here before.
   News take(std::uint16_t from, const Letter& letter);
 
   [[nodiscard]] const slam::KeyframeSet& keyframes() const { return keyframes_; }
@@ -68,10 +69,10 @@ class Exchange {
   ExchangeParams params_;
   slam::KeyframeSet keyframes_;
   slam::RelationLog relations_;
-  std::map<std::uint16_t, Counts> there_;  // by robot, as last heard
+  std::map<std::uint16_t, Counts> there_;  // by robot, as last received
 };
 
-/// A status message of one map's frame in another's.
+/// A status message transformed from a team-mate's map frame into the robot's own.
 StatusMessage in_frame(const types::Se2& T_map_mates, StatusMessage message);
 
 }  // namespace topo::team

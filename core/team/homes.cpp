@@ -13,20 +13,20 @@ namespace {
 
 using types::Vector2;
 
-constexpr double kThere_m = 0.6;  // of a start: nobody else has room
+constexpr double kThere_m = 0.6;  // of a start: within it there is no room for another robot
 
 bool is_near(const Vector2& a, const Vector2& b) { return (a - b).norm() <= kThere_m; }
 
 bool takes(const StatusMessage& mate, const Home& start, const StatusMessage& self) {
   if (is_near(self.T_map_base.translation(), start.p_map))
-    return false;  // who is there does not go away again
+    return false;  // a robot that stands there does not leave again
   const bool there = is_near(mate.T_map_base.translation(), start.p_map);
   if (there && mate.way_map.empty()) return true;
   const bool first = there || (mate.robot < self.robot && start.from != mate.robot);
   return mate.home && is_near(*mate.home, start.p_map) && first;
 }
 
-/// Everybody's, in an order that everybody has them in.
+/// All starts, in an order that is the same for all robots.
 std::vector<Home> starts_of(const StatusMessage& self, std::span<const StatusMessage* const> mates) {
   std::vector<Home> starts{{self.robot, self.start}};
   for (const StatusMessage* mate : mates) starts.push_back({mate->robot, mate->start});

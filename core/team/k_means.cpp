@@ -19,7 +19,7 @@ Vector2 mean_of(const Points& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// The first of those that are farthest from what is near them.
+/// The first of the greatest distances.
 std::size_t farthest(const std::vector<double>& away_m2) {
   return static_cast<std::size_t>(std::max_element(away_m2.begin(), away_m2.end()) - away_m2.begin());
 }
@@ -45,7 +45,7 @@ std::size_t nearest(const Points& centres, const Vector2& p) {
   return static_cast<std::size_t>(std::min_element(centres.begin(), centres.end(), nearer) - centres.begin());
 }
 
-/// Centres at the means of their points; one that lost all its points stays where it is.
+/// Moves each centre to the mean of its points; a centre without points stays where it is.
 void recentre(const Points& points, const std::vector<std::size_t>& cluster, Points& centres) {
   Points sums(centres.size(), Vector2(0.0, 0.0));
   std::vector<std::size_t> counts(centres.size(), 0);
@@ -58,7 +58,7 @@ void recentre(const Points& points, const std::vector<std::size_t>& cluster, Poi
   }
 }
 
-/// Numbers the clusters in the order in which the points first have them; those without points get none.
+/// Renumbers the clusters in the order of their first points; clusters without points get no number.
 void number_by_first(std::vector<std::size_t>& cluster) {
   std::vector<std::size_t> met;
   for (std::size_t& c : cluster) {

@@ -9,19 +9,20 @@
 
 namespace topo::team {
 
-/// Where a robot was when it last heard of a mate that is at work, and for how long it has heard of none.
-/// What it found meanwhile nobody else knows, and others may be looking at the same.
+/// The robot's position at its last contact with a working team-mate, and the time since. What the robot has
+/// found since then is unknown to the team, and team-mates may be exploring the same area.
 class LastContact {
  public:
-  /// `lost_s`: out of contact for longer is lost; 0: never.
+  /// `lost_s`: contact counts as lost after this time; 0: never.
   explicit LastContact(double lost_s = 0.0) : lost_s_(lost_s) {}
 
   void heard(const types::Vector2& here, types::Stamp now);
-  /// It makes no sense to look for the others: they are home, or there were never any.
+  /// To be called when a search for team-mates is pointless: all are home, or there were never any.
   void forget() { place_.reset(); }
-  /// The robot went there in vain, or could not: not again before it has been lost for as long once more.
+  /// Defers the return to the place of contact, after an attempt that failed or was not possible: contact
+  /// must be lost for `lost_s` once more.
   void put_off(types::Stamp now) { since_ = now; }
-  /// In map, while contact is lost.
+  /// In map; only while contact is lost.
   [[nodiscard]] std::optional<types::Vector2> lost_at(types::Stamp now) const;
 
  private:

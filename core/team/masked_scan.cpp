@@ -10,9 +10,9 @@ namespace {
 
 using types::Vector2;
 
-constexpr double kMast_m = 0.5;  // no part of a mate is that much higher than the scanner on another's mast
+constexpr double kMast_m = 0.5;  // no part of a team-mate is that far above another robot's mast scanner
 
-/// `ends(range, angle)`: where a beam ends, in the scanner's frame, seen from above.
+/// `ends(range, angle)`: the end of a beam in the scanner's frame, projected onto the floor.
 template <class Ends>
 std::size_t mask(types::Scan& scan, const types::Se2& T_map_laser, std::span<const Vector2> mates,
                  double radius_m, Ends ends) {
@@ -43,7 +43,7 @@ std::size_t mask_mates(types::Scan& scan, const types::Se2& T_map_laser, std::sp
 std::size_t mask_mates_coronal(types::Scan& scan, const types::Se2& T_map_laser,
                                std::span<const Vector2> mates, double radius_m) {
   return mask(scan, T_map_laser, mates, radius_m, [](double range_m, double angle_rad) {
-    if (range_m * std::cos(angle_rad) > kMast_m) return Vector2(HUGE_VAL, 0.0);  // what is above a mate
+    if (range_m * std::cos(angle_rad) > kMast_m) return Vector2(HUGE_VAL, 0.0);  // above a team-mate
     return Vector2(0.0, range_m * std::sin(angle_rad));
   });
 }

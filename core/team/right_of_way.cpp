@@ -51,7 +51,7 @@ std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid
                                            const RightOfWayParams& params) {
   const auto reach = static_cast<std::int32_t>(std::ceil(search_m / map.resolution_m));
   std::optional<grid::CellIndex> best;
-  float best_m = 2.0F * static_cast<float>(search_m);  // crowding counts
+  float best_m = 2.0F * static_cast<float>(search_m);  // the cost includes inflation
   for (std::int32_t dy = -reach; dy <= reach; dy += kStride) {
     for (std::int32_t dx = -reach; dx <= reach; dx += kStride) {
       const grid::CellIndex cell{field.start.x + dx, field.start.y + dy};

@@ -8,35 +8,37 @@
 #include "core/grid/wavefront.hpp"
 #include "core/team/status_message.hpp"
 
-// Two robots that meet where only one can pass: which of them makes room is decided by their messages alone,
-// so that both come to the same end.
+// Two robots that meet where only one can pass: which of them gives way is decided from their messages alone,
+// so that both come to the same decision.
 namespace topo::team {
 
 struct RightOfWayParams {
-  double near_m = 3.0;  ///< mates further away are no matter yet
-  double room_m = 0.9;  ///< between the centres of two robots that pass each other: two discs and a little
-  /// Two swing radii (0.53 m), both slowing down from 0.65 m/s (0.72), and closing at twice that for a
-  /// planning period and the scanner's and the base's delay (0.65).
+  double near_m = 3.0;  ///< team-mates further away are ignored
+  double room_m = 0.9;  ///< between the centres of two robots that pass each other: two discs plus a margin
+  /// Sum of: two swing radii (0.53 m), both robots braking from 0.65 m/s (0.72), and closing at twice that
+  /// speed for a planning period and the delays of the scanner and the base (0.65).
   double beside_m = 2.0;
-  double abreast_m = 0.3;  ///< ahead or behind by less is neither
-  double speed_mps = 0.7;  ///< of a mate since it was last heard of
+  double abreast_m = 0.3;  ///< a smaller offset ahead or behind counts as abreast
+  double speed_mps = 0.7;  ///< assumed of a team-mate since its last message
 };
 
-/// Has a robot to go slowly for a mate that moves, and was heard of `age_s` ago? Two robots see each other
-/// where they were: what is free of one when it is looked at is not when it gets there. Who has the mate
-/// clearly behind it drives on, so that two with one way do not crawl side by side; of two abreast the one
-/// with the lower id.
+/// True when the robot must drive slowly because of a moving team-mate whose message is `age_s` old. Two
+/// robots see each other where they were: space that is free when it is checked may be occupied on arrival.
+/// The robot that has the team-mate clearly behind it drives on, so that two robots with the same route do
+/// not both slow down side by side; of two abreast the one with the lower id drives on, unless they may
+/// already be in contact.
 bool slows_for(const StatusMessage& self, const StatusMessage& mate, double age_s,
                const RightOfWayParams& params = {});
 
-/// The mate that this robot has to make room for: near, with a way that leads through where this robot is;
-/// and either this one stands, or their ways lead through each other and the mate's id is lower. Null when
-/// there is none. Of several the lowest id.
+/// The team-mate to which this robot must give way: it is near, its route leads through this robot's
+/// position, and either this robot stands, or each route leads through the other's position and the
+/// team-mate's id is lower. Null when there is none; of several the lowest id.
 const StatusMessage* who_needs_room(const StatusMessage& self, std::span<const StatusMessage* const> mates,
                                     const RightOfWayParams& params = {});
 
-/// Where to make room: the cheapest cell to get to that is room_m off the mate's way and off every mate, at
-/// most `search_m` away; nothing when there is none. Looks at every fourth cell each way.
+/// The cell to which the robot gives way: the cheapest one that is room_m from the team-mate's route and from
+/// every team-mate, at most `search_m` away along each axis; empty when there is none. Checks every fourth
+/// cell along each axis.
 std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid::TravelField& field,
                                            const StatusMessage& mate,
                                            std::span<const StatusMessage* const> mates, double search_m,

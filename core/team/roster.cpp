@@ -9,7 +9,7 @@
 namespace topo::team {
 namespace {
 
-/// It moves up for who wants past (homes.hpp).
+/// Such a robot moves up for one that needs to pass (homes.hpp).
 bool waits_at_home(const StatusMessage& message) {
   return message.duty == Duty::kOver && message.home && is_at_home(message, {message.robot, *message.home});
 }

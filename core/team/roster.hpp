@@ -10,52 +10,54 @@
 
 namespace topo::team {
 
-/// A robot's swing radius, and how far it gets from when it said where it is until it is seen there.
+/// A robot's swing radius plus the distance it travels between reporting its position and being seen.
 inline constexpr double kMateRadius_m = 0.75;
-/// Who was heard of longer ago is somewhere else.
+/// A position older than this is out of date.
 inline constexpr types::Duration kPlaceAgeMax = std::chrono::seconds(2);
 
 struct RosterParams {
-  double silent_s = 10.0;    ///< not heard of for so long: its goal is free
-  double missing_s = 240.0;  ///< nobody waits for it at home any more
+  double silent_s = 10.0;    ///< no message for so long: its goal is free
+  double missing_s = 240.0;  ///< no message for so long: no longer waited for at home
   double unable_s = 10.0;    ///< lost or stopped for so long: its goal is free
-  double stuck_s = 30.0;     ///< claims a goal and stays for so long where it is: its goal is free
-  double progress_m = 0.5;   ///< less than this is staying
+  double stuck_s = 30.0;     ///< claims a goal but does not move for so long: its goal is free
+  double progress_m = 0.5;   ///< a shorter move counts as none
 };
 
-/// The team as one robot knows it. Old and repeated messages change nothing, and neither does the order in
-/// which those of different robots come. A robot that was silent may count anew: it was started again. Words
-/// are judged by when they came here: robots' clocks need not agree.
+/// The team as known to one robot. Old and repeated messages change nothing, nor does the order in which
+/// messages of different robots arrive. A robot that was silent may restart its count: it was restarted. The
+/// age of a message is measured from its arrival here: the robots' clocks need not agree.
 class Roster {
  public:
   explicit Roster(const RosterParams& params = {}) : params_(params) {}
 
-  /// False: old or repeated.
+  /// Returns false for an old or repeated message.
   bool take(const StatusMessage& message, types::Stamp now);
 
-  /// True when no team-mate was ever heard.
+  /// True when no team-mate was ever heard from.
   [[nodiscard]] bool empty() const { return mates_.empty(); }
-  /// Those heard of lately, by id: where they are is known. Good until the next take().
+  /// The messages of the team-mates that are not silent, by id: their positions are known. Valid until the
+  /// next take().
   [[nodiscard]] std::vector<const StatusMessage*> heard(types::Stamp now) const;
-  /// How long ago one of those was heard of.
+  /// The age of one of these messages.
   [[nodiscard]] types::Duration age_of(const StatusMessage& message, types::Stamp now) const {
     return now - mates_.at(message.robot).heard;
   }
-  /// Of those the ones whose bids and claims count: neither home nor, for a while now, unable or stuck.
+  /// Those of heard() whose bids and claims count: mission not over, and not unable or stuck for some time.
   [[nodiscard]] std::vector<const StatusMessage*> counted(types::Stamp now) const;
-  /// Where those are that can go out of the way, heard of within kPlaceAgeMax: counted ones, and those that
-  /// wait at home.
+  /// Positions of the team-mates that can give way, heard from within kPlaceAgeMax: able counted ones, and
+  /// those that wait at home.
   [[nodiscard]] std::vector<types::Vector2> going_at(types::Stamp now) const;
-  /// Was anybody, silent or not, still out when last heard of?
+  /// True when the mission of any team-mate, silent or not, was not over at its last message.
   [[nodiscard]] bool any_at_work() const;
-  /// Is everybody that was ever heard of home, or missing? Who is only out of reach may still want past.
+  /// True when the mission of every team-mate is over, or the team-mate is missing. One that is only out of
+  /// reach may still need to pass.
   [[nodiscard]] bool all_home(types::Stamp now) const;
 
  private:
   struct Mate {
     StatusMessage message;
     types::Stamp heard{};
-    types::Stamp able_at{};      ///< when it last was
+    types::Stamp able_at{};      ///< when it was last able
     types::Stamp progress_at{};  ///< when it last moved, or had no goal
     types::Vector2 stood{0.0, 0.0};
   };

@@ -12,47 +12,48 @@
 
 namespace topo::team {
 
-/// What a robot can be counted on for.
+/// What the team can expect from a robot.
 enum class Duty : std::uint8_t {
   kAble,    ///< explores, or waits for a goal
-  kUnable,  ///< lost, stopped, paused or told to do something else
-  kOver,    ///< its mission is: it is home, or has ended where it is
+  kUnable,  ///< lost, stopped, paused or under another command
+  kOver,    ///< its mission is over: it is at home, or has ended where it is
 };
 std::string_view to_text(Duty duty);
 
-/// A goal that a robot could go to, and what that would cost it: the way, less what it gets off for being on
-/// its way there already, so that robots do not swap goals without gain.
+/// A goal that a robot could go to, and its cost: the route, less a bonus for the goal that the robot is
+/// already heading for (hysteresis), so that robots do not swap goals without gain.
 struct Bid {
   types::Vector2 p_map{0.0, 0.0};
   double cost_m = 0.0;
-  bool essential = true;  ///< not just a gap to be filled in: the building goes on there
+  bool essential = true;  ///< the building continues there; false: only a gap to be filled
 };
 
-/// What one robot tells the others once a planning period: everything that its team decides by.
+/// What a robot sends to its team-mates once per planning period: all inputs of the team's decisions.
 struct StatusMessage {
   std::uint16_t robot = 0;
   std::uint64_t sequence = 0;  ///< counts the robot's messages
   types::Se2 T_map_base;
-  types::Vector2 start{0.0, 0.0};      ///< where it entered, in map: a place to come home to
-  std::optional<types::Vector2> home;  ///< the start, its own or another's, that it comes home to now
+  types::Vector2 start{0.0, 0.0};      ///< where it entered, in map: a possible home
+  std::optional<types::Vector2> home;  ///< the start, own or another's, to which it is returning
   Duty duty = Duty::kUnable;
-  /// The goal that it is on its way to, at what it cost when it was taken: a number that is the same for all
-  /// who have heard of the claim, however long ago.
+  /// The goal that the robot is heading for, with the cost at which it was taken: a number that is the same
+  /// for all receivers of the claim, regardless of its age.
   std::optional<Bid> claim;
   std::vector<Bid> bids;  ///< every goal that it could go to
-  /// Goals that it has been at, and from where no more could be seen: no reason for anybody to go there.
+  /// Goals that the robot has visited and from which nothing more can be seen: no robot needs to go there.
   std::vector<types::Vector2> visited;
-  /// Openings that it has looked into in its last sweep (exploration/final_sweep.hpp): nobody needs to again.
+  /// Openings that it has looked into in its final sweep (exploration/final_sweep.hpp): no robot needs to
+  /// again.
   std::vector<types::Vector2> looked;
   std::vector<types::Vector2> way_map;  ///< the next metres of its route, from the robot on; empty: it stands
 };
 
-/// Bids no further apart are for one goal: robots see it from different maps.
+/// Bids at most this far apart are for one goal: robots see it from different maps.
 inline constexpr double kSameGoal_m = 1.5;
 
 bool is_same_goal(const types::Vector2& a, const types::Vector2& b);
 
-/// Of two claims on one goal the lower cost, then the lower id, wins (DESIGN "Exploration").
+/// Of two claims on one goal the one with the lower cost wins, then the lower id (DESIGN "Exploration").
 bool beats(const Bid& a, std::uint16_t robot_a, const Bid& b, std::uint16_t robot_b);
 
 }  // namespace topo::team

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "core/slam/bytes.hpp"
+#include "core/types/bytes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 
 #include "tests/unit/support/hex.hpp"
 
-namespace topo::slam {
+namespace topo::types {
 namespace {
 
 using test::from_hex;
@@ -202,4 +202,4 @@ TEST(ByteReader, FieldsComeBackAndNoPartOfThemIsWhole) {
 }
 
 }  // namespace
-}  // namespace topo::slam
+}  // namespace topo::types
