@@ -120,6 +120,27 @@ TEST_F(SessionConnect, RightSerialNumberPasses) {
   EXPECT_TRUE(run_scans(1, 5s));
 }
 
+/// On TCP (no line speed) as on USB; a sensor that was exchanged while the line was cut.
+TEST_F(SessionConnect, EveryConnectionChecksTheSerialNumber) {
+  for (const bool usb : {false, true}) {
+    line.has_baud = usb;
+    start(utm_ew(), {.serial_number = "H0123456"});
+    ASSERT_TRUE(run_scans(3, 10s)) << usb;
+    sensor->vv = utm_usb().vv;
+    sensor->power_cycle();
+    line.unplug();
+    ASSERT_TRUE(run_health(Health::kWrongDevice, 20s)) << usb << connection->message();
+    EXPECT_THAT(connection->message(), HasSubstr("H0902680"));
+    EXPECT_THAT(connection->message(), HasSubstr("expected H0123456"));
+    scans = 0;
+    run_for(30s);
+    EXPECT_EQ(scans, 0) << usb;
+    sensor->vv = utm_ew().vv;
+    EXPECT_TRUE(run_scans(3, 20s)) << usb;
+    connection.reset();
+  }
+}
+
 TEST_F(SessionConnect, APioneerOnThePortIsNamed) {
   start(utm_ew());
   sensor->mute = true;
