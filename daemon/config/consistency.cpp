@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "daemon/config/forward_view.hpp"
 
@@ -34,12 +33,28 @@ char to_small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' 
 
 constexpr std::string_view kSerial = "serial:";
 
+/// An absolute path without empty parts, "." and "..", by its text alone.
+std::string normal_path(std::string_view path) {
+  std::string normal;
+  while (!path.empty()) {
+    path.remove_prefix(1);  // the slash
+    const std::string_view part = path.substr(0, path.find('/'));
+    path.remove_prefix(part.size());
+    if (part.empty() || part == ".") continue;
+    if (part == "..")
+      normal.resize(normal.empty() ? 0 : normal.rfind('/'));
+    else
+      normal.append("/").append(part);
+  }
+  return normal;
+}
+
 /// The address in the form used for comparison: a path without prefix, "//" and "..", a host in small
 /// letters.
 std::string same_device(std::string_view address) {
   std::string_view path = address;
   if (path.starts_with(kSerial)) path.remove_prefix(kSerial.size());
-  if (path.starts_with("/")) return std::filesystem::path(path).lexically_normal().string();
+  if (path.starts_with("/")) return normal_path(path);
   std::string text(address);
   if (text.starts_with("tcp:")) std::transform(text.begin(), text.end(), text.begin(), to_small);
   return text;
