@@ -43,7 +43,7 @@ std::string forward_view_fault(double yaw_rad) {
       "found {} ({:.0f} degrees): a scanner with {:.0f} degrees of view (UTM-30LX) then sees {:.0f} of the "
       "{:.0f} degrees ahead that braking needs ({:.0f} to either side), and the robot would drive blind; "
       "expected -{:.3f} to {:.3f} ({:.0f} degrees either way)",
-      yaw_rad, degrees(yaw_rad), degrees(kFieldOfView_rad), std::floor(degrees(seen_rad)),
+      yaw_rad, degrees(yaw_rad), degrees(kFieldOfView_rad), std::floor(degrees(seen_rad + kRounding_rad)),
       degrees(kNeeded_rad), degrees(perception::kForwardSector_rad), printed_rad, printed_rad,
       degrees(most_rad));
 }
