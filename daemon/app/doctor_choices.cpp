@@ -21,7 +21,8 @@ Check check_sonar(const Configuration& c) {
           true,
           "off (base.sonar = false)",
           {},
-          "glass, what is below or above the front scanner's plane, and a scanner that lies are then seen by "
+          "glass, what is below or above the front scanner's plane, and what a scanner with wrong data hides "
+          "are then seen by "
           "nothing; base.sonar = true"};
 }
 

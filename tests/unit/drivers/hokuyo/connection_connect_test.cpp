@@ -141,6 +141,40 @@ TEST_F(SessionConnect, EveryConnectionChecksTheSerialNumber) {
   }
 }
 
+/// Behind a bridge on TCP, which goes on while the sensor is exchanged.
+TEST_F(SessionConnect, ASensorThatIsExchangedWithoutALossOfTheLineIsNoticed) {
+  for (const bool deaf_to_quit : {false, true}) {  // found by the probe, or after the reset
+    start(utm_ew(), {.serial_number = "H0123456"});
+    ASSERT_TRUE(run_scans(3, 10s));
+    sensor->mute_scans = true;
+    if (deaf_to_quit) sensor->mute_commands = "QT";
+    ASSERT_TRUE(run_health(Health::kSilent, 5s));
+    sensor->vv = utm_usb().vv;
+    sensor->mute_scans = false;
+    ASSERT_TRUE(run_health(Health::kDisconnected, 5s)) << connection->message();
+    EXPECT_THAT(connection->message(), HasSubstr("exchanged (serial number H0902680, before H0123456)"));
+    sensor->mute_commands.clear();
+    scans = 0;
+    ASSERT_TRUE(run_health(Health::kWrongDevice, 10s));
+    run_for(10s);
+    EXPECT_EQ(scans, 0);
+    connection.reset();
+  }
+}
+
+TEST_F(SessionConnect, AnUnknownSensorThatIsExchangedIsReadAnew) {
+  start(utm_ew());
+  ASSERT_TRUE(run_scans(3, 10s));
+  sensor->vv = ust().vv;
+  sensor->pp = ust().pp;
+  sensor->mute_scans = true;
+  ASSERT_TRUE(run_health(Health::kDisconnected, 10s));
+  sensor->mute_scans = false;
+  ASSERT_TRUE(run_scans(3, 10s)) << connection->message();
+  EXPECT_EQ(connection->info()->serial_number, ust().serial);
+  EXPECT_FLOAT_EQ(scan.geometry.range_max_m, 30.0F);
+}
+
 TEST_F(SessionConnect, APioneerOnThePortIsNamed) {
   start(utm_ew());
   sensor->mute = true;
