@@ -29,6 +29,16 @@ bool is_forward(const Scan& scan, const types::Se2& T_base_laser, std::size_t be
   return std::abs(bearing_rad(scan, T_base_laser, beam)) <= kForwardSector_rad;
 }
 
+/// Beams that lie within the forward sector at least, when the scan covers it; infinity where the increment
+/// is not a step to another direction.
+double beams_of_sector(const types::ScanGeometry& geometry) {
+  const double step_rad = std::abs(static_cast<double>(geometry.angle_increment_rad));
+  if (!(step_rad > 0.0) || std::isinf(step_rad)) return HUGE_VAL;
+  // Where the sector is a multiple of the increment, rounding may place the beams at both ends outside.
+  constexpr double kRounding = 1e-3;
+  return std::floor(2.0 * kForwardSector_rad / step_rad - kRounding);
+}
+
 bool is_valid_range(float range_m) { return types::is_hit(range_m) || range_m == types::kNoReturn; }
 
 /// One past the last invalid beam from `beam` on.
@@ -155,7 +165,8 @@ double forward_valid_fraction(const Scan& scan, const types::Se2& T_base_laser) 
     ++forward;
     if (is_valid_range(scan.range_m[i])) ++valid;
   }
-  return forward == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(forward);
+  const double needed = std::max(beams_of_sector(scan.geometry), static_cast<double>(forward));
+  return needed > 0.0 ? static_cast<double>(valid) / needed : 0.0;
 }
 
 std::size_t scan_points(const Scan& scan, const types::Se2& T_base_laser, std::span<ScanPoint> out) {

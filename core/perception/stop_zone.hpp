@@ -37,8 +37,10 @@ struct Surroundings {
   bool backing_off = false;
 };
 
-/// Fraction of the forward sector's beams that measured a distance or nothing within range; 0 for a scan
-/// without a beam there. Below one half the gate stops the robot (DESIGN "Motion and safety").
+/// Fraction, 0 to 1, of the beams that the forward sector should have at the scan's angle increment which
+/// measured a distance or nothing within range. A direction without a beam counts as not seen, so that a
+/// scanner that does not look ahead is blind; 0 for an increment or a mount that is not finite. Below one
+/// half the gate stops the robot (DESIGN "Motion and safety").
 double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_laser);
 
 /// Writes the obstacle points of a scan as free_time_s() uses them, still including the robot's own outline.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 
 #include "core/types/watchdog.hpp"
 #include "daemon/app/battery_text.hpp"
@@ -16,9 +17,9 @@ namespace {
 
 using motion::GateReason;
 
-Check good(std::string name, std::string found) { return {std::move(name), true, std::move(found), {}}; }
+Check good(std::string name, std::string found) { return {std::move(name), true, std::move(found), {}, {}}; }
 Check bad(std::string name, std::string found, std::string cure) {
-  return {std::move(name), false, std::move(found), std::move(cure)};
+  return {std::move(name), false, std::move(found), std::move(cure), {}};
 }
 
 bool mentions(const std::string& message, int error) {
@@ -31,7 +32,7 @@ std::string device_cure(const DoctorFacts::Device& d) {
   if (d.state == "wrong device") {
     return fmt::format(
         "another device answers at {} than the configured one: exchange the plugs, or mend {} "
-        "and the model or serial number beside it",
+        "and the model, name or serial number that is expected there",
         d.address, key);
   }
   if (d.state == "unsafe") return "see the check \"firmware watchdog\"";
@@ -120,11 +121,22 @@ Check check_bumpers(const DoctorFacts& f) {
              "move the robot away from what it touches by hand");
 }
 
+Check permitted_watchdog(const DoctorFacts& f) {
+  constexpr int kDaring_ms = 1000;
+  Check check = good("firmware watchdog", fmt::format("{} ms", *f.watchdog_ms));
+  if (*f.watchdog_ms > kDaring_ms) {
+    check.safer = fmt::format(
+        "when the computer dies, the robot runs on for up to {:.1f} m before it brakes, and it keeps as much "
+        "more distance all the time; set WatchDog of its FLASH to {} ms or less with ARCOScfg",
+        f.configuration.base.v_max_mps * *f.watchdog_ms * 1e-3, kDaring_ms);
+  }
+  return check;
+}
+
 Check check_watchdog(const DoctorFacts& f) {
   const std::string name = "firmware watchdog";
   if (!f.watchdog_ms) return bad(name, "unknown: the robot has not told it yet", "first the check \"base\"");
-  if (types::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms)))
-    return good(name, fmt::format("{} ms", *f.watchdog_ms));
+  if (types::is_watchdog_safe(std::chrono::milliseconds(*f.watchdog_ms))) return permitted_watchdog(f);
   return bad(
       name, *f.watchdog_ms == 0 ? "off or not reported" : fmt::format("{} ms", *f.watchdog_ms),
       fmt::format("set the parameter WatchDog of the robot's FLASH to 1 to {} ms with ARCOScfg: without "
@@ -198,7 +210,13 @@ Check check_threads(const DoctorFacts& f) {
 }
 
 Check check_real_time(const DoctorFacts& f) {
-  if (f.policy == RealtimePolicy::kOff) return good("real time", "not asked for (realtime.policy = \"off\")");
+  if (f.policy == RealtimePolicy::kOff) {
+    Check check = good("real time", "not asked for (realtime.policy = \"off\")");
+    check.safer =
+        "other programs may delay the thread that brakes; realtime.policy = \"try\", or \"enforce\" on a "
+        "robot";
+    return check;
+  }
   if (f.refusals.empty()) return good("real time", "granted");
   return bad("real time", fmt::format("{}", fmt::join(f.refusals, "; ")),
              "start it as the service, whose unit grants them (LimitRTPRIO=50, LimitMEMLOCK=infinity), or "
@@ -214,7 +232,13 @@ Check check_session(const DoctorFacts& f) {
         "them); topoctl session new takes the map made since the start: its origin is where the robot "
         "was then, and the areas of the configuration count from there");
   }
-  if (f.sessions.empty()) return good(name, "none is kept");
+  if (f.sessions.empty()) {
+    Check check = good(name, "none is kept");
+    check.safer =
+        "the map ends with the daemon, and a mission with it when the daemon is killed; session.folder = "
+        "\"/var/lib/topometric\" with session.journal = true";
+    return check;
+  }
   if (!f.journal.failing) return good(name, "kept in " + f.sessions);
   const std::string message = f.journal.message.str();
   return bad(name, fmt::format("not being kept in {}: {}", f.sessions, message),
@@ -259,6 +283,7 @@ std::vector<Check> examine(const DoctorFacts& facts) {
   checks.push_back(check_real_time(facts));
   checks.push_back(check_session(facts));
   checks.push_back(check_disks(facts));
+  std::ranges::move(examine_choices(facts.configuration), std::back_inserter(checks));
   return checks;
 }
 

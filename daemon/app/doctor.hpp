@@ -15,6 +15,7 @@ namespace topo::daemon {
 
 /// Input of examine(); a value, so that tests can construct it.
 struct DoctorFacts {
+  Configuration configuration{};  ///< for what it permits although it is daring
   struct Device {
     std::string name, address, state, message;
     bool working = false;
@@ -53,7 +54,14 @@ struct Check {
   bool ok = true;
   std::string found;
   std::string cure;  ///< in plain words; empty when ok
+  /// Of a warning: what the finding means and what would be safer; empty: no warning. A warning is ok: what
+  /// is permitted does not keep the robot from moving.
+  std::string safer{};
 };
+
+/// What the configuration permits although something else would be safer: sonar, margin, stamps, serial
+/// numbers, speed. One check each, with a warning where it is daring.
+std::vector<Check> examine_choices(const Configuration& configuration);
 
 /// Checks everything that may keep the robot from moving, and the rest of the system; returns all checks,
 /// passed ones too.

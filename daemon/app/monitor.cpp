@@ -81,6 +81,7 @@ void Monitor::note_refusal(const std::string& refusal) {
 DoctorFacts Monitor::facts() const {
   DoctorFacts facts;
   const Configuration& c = configuration_;
+  facts.configuration = c;
   for (const Device& device : devices_) {
     const std::string& address = device.name == "base"    ? c.base.address
                                  : device.name == "front" ? c.front.address

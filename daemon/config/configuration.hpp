@@ -31,7 +31,9 @@ struct RobotConfig {
 };
 
 struct BaseConfig : types::DriveLimits {
-  std::string address;  ///< format: drivers/io/make_connector.hpp
+  std::string address;        ///< format: drivers/io/make_connector.hpp
+  std::string name;           ///< that the controller tells of itself; empty: any
+  std::string serial_number;  ///< of the controller; empty: any
   bool sonar = true;
 };
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "daemon/config/forward_view.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -27,11 +29,35 @@ void contradict(LoadedConfiguration& loaded, std::string_view a, std::string_vie
   loaded.faults.push_back({place, fmt::format("{} contradicts {} ({}): {}", a, b, where, what)});
 }
 
+char to_small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 constexpr std::string_view kSerial = "serial:";
 
-/// The address without its optional prefix.
-std::string_view same_device(std::string_view address) {
-  return address.starts_with(kSerial) ? address.substr(kSerial.size()) : address;
+/// An absolute path without empty parts, "." and "..", by its text alone.
+std::string normal_path(std::string_view path) {
+  std::string normal;
+  while (!path.empty()) {
+    path.remove_prefix(1);  // the slash
+    const std::string_view part = path.substr(0, path.find('/'));
+    path.remove_prefix(part.size());
+    if (part.empty() || part == ".") continue;
+    if (part == "..")
+      normal.resize(normal.empty() ? 0 : normal.rfind('/'));
+    else
+      normal.append("/").append(part);
+  }
+  return normal;
+}
+
+/// The address in the form used for comparison: a path without prefix, "//" and "..", a host in small
+/// letters.
+std::string same_device(std::string_view address) {
+  std::string_view path = address;
+  if (path.starts_with(kSerial)) path.remove_prefix(kSerial.size());
+  if (path.starts_with("/")) return normal_path(path);
+  std::string text(address);
+  if (text.starts_with("tcp:")) std::transform(text.begin(), text.end(), text.begin(), to_small);
+  return text;
 }
 
 bool is_serial(std::string_view address) { return same_device(address).starts_with("/"); }
@@ -39,7 +65,7 @@ bool is_serial(std::string_view address) { return same_device(address).starts_wi
 void check_addresses(LoadedConfiguration& loaded) {
   struct Device {
     std::string_view key;
-    std::string_view address;
+    std::string address;
   };
   const Configuration& c = loaded.values;
   const std::array<Device, 3> devices{{{"base.address", same_device(c.base.address)},
@@ -47,7 +73,7 @@ void check_addresses(LoadedConfiguration& loaded) {
                                        {"scanner.coronal.address", same_device(c.coronal.address)}}};
   for (std::size_t i = 0; i < devices.size(); ++i) {
     for (std::size_t j = i + 1; j < devices.size(); ++j) {
-      const std::string_view a = devices[i].address;
+      const std::string& a = devices[i].address;
       if (a.empty() || a != devices[j].address) continue;
       contradict(loaded, devices[i].key, devices[j].key,
                  fmt::format("both are {}; every device has an address of its own", a));
@@ -79,6 +105,12 @@ void check_serial_numbers(LoadedConfiguration& loaded) {
              "numbers, expected one such as \"H0902680\"",
              section)});
   }
+}
+
+void check_forward_view(LoadedConfiguration& loaded) {
+  const std::string fault = forward_view_fault(loaded.values.front.yaw_rad);
+  if (fault.empty()) return;
+  loaded.faults.push_back({place_of(loaded, "scanner.front.yaw_rad"), "scanner.front.yaw_rad: " + fault});
 }
 
 void check_model(LoadedConfiguration& loaded) {
@@ -156,6 +188,7 @@ std::string normal_serial_number(std::string_view text) {
 void check_consistency(LoadedConfiguration& loaded) {
   check_addresses(loaded);
   check_serial_numbers(loaded);
+  check_forward_view(loaded);
   check_model(loaded);
   check_area(loaded);
   check_the_rest(loaded);

@@ -51,6 +51,10 @@ bool all_of(std::string_view text, std::size_t max, std::string_view extra) {
 
 bool is_name(std::string_view text) { return all_of(text, 32, "-_"); }
 bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, ""); }
+bool is_told_text(std::string_view text) {
+  return text.size() <= 32 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
 bool is_group(std::string_view text) { return all_of(text, 32, "-_") && text.front() != '-'; }
 bool is_absolute(std::string_view text) {
   return text.size() > 1 && text.size() < 4096 && text.front() == '/' && text.back() != '/' &&
@@ -61,6 +65,8 @@ bool is_optional_path(std::string_view text) { return text.empty() || is_absolut
 // sockaddr_un.sun_path holds 108 bytes including the terminating zero.
 bool is_socket_path(std::string_view text) { return is_absolute(text) && text.size() < 108; }
 
+constexpr std::string_view kToldForm =
+    "up to 32 printable characters as the robot tells them, or \"\" for any";
 constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for none";
 
 void add_robot(std::vector<KeySpec>& t) {
@@ -86,6 +92,10 @@ void add_base(std::vector<KeySpec>& t) {
   using C = BaseConfig;
   t.push_back({"base.address", "", true, AddressKey{&at<kS, &C::address>, true},
                "where the Pioneer's controller answers"});
+  t.push_back({"base.name", "", false, TextKey{&at<kS, &C::name>, kToldForm, &is_told_text},
+               "name that the controller must tell (SYNC2, CONFIG), exactly; \"\": any"});
+  t.push_back({"base.serial_number", "", false, TextKey{&at<kS, &C::serial_number>, kToldForm, &is_told_text},
+               "serial number that the controller must tell (CONFIG), exactly; \"\": any"});
   t.push_back({"base.v_max_mps", "m/s", false, RealKey{&at<kS, &C::v_max_mps>, 0.05, 2.0},
                "forward speed never exceeded"});
   t.push_back({"base.omega_max_radps", "rad/s", false, RealKey{&at<kS, &C::omega_max_radps>, 0.1, 5.0},
@@ -121,8 +131,10 @@ void add_scanner(std::vector<KeySpec>& t, const std::string& section, bool coron
     t.push_back({key("mirrored"), "", false, SwitchKey{&at<kS, &C::mirrored>},
                  "the sensor's beams run from the robot's left to its right over its top"});
   } else {
-    t.push_back({key("yaw_rad"), "rad", false, RealKey{&at<kS, &C::yaw_rad>, -3.15, 3.15},
-                 "turn of the sensor's zero beam from straight ahead, counter-clockwise seen from above"});
+    t.push_back(
+        {key("yaw_rad"), "rad", false, RealKey{&at<kS, &C::yaw_rad>, -3.15, 3.15},
+         "turn of the sensor's zero beam from straight ahead, counter-clockwise seen from above; the forward "
+         "sector must stay in view"});
   }
   t.push_back({key("intensity"), "", false, SwitchKey{&at<kS, &C::intensity>},
                "stream intensities too (ME instead of MD): half as much again on the wire"});

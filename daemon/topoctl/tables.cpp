@@ -109,9 +109,14 @@ std::string watch_line(const Json& status) {
 std::string doctor_table(const Json& doctor) {
   std::string out = rows(doctor, "/checks", [](const Json& c) {
     const bool ok = text(c, "/ok") == "yes";
-    std::string line =
-        fmt::format("{:<4} {:<18} {}\n", ok ? "ok" : "BAD", text(c, "/check"), text(c, "/found"));
-    return ok ? line : line + fmt::format("     {:<18} cure: {}\n", "", text(c, "/cure"));
+    const bool warning = text(c, "/warning") == "yes";
+    const std::string line = fmt::format("{:<4} {:<18} {}\n",
+                                         !ok       ? "BAD"
+                                         : warning ? "warn"
+                                                   : "ok",
+                                         text(c, "/check"), text(c, "/found"));
+    if (!ok) return line + fmt::format("     {:<18} cure: {}\n", "", text(c, "/cure"));
+    return warning ? line + fmt::format("     {:<18} {}\n", "", text(c, "/safer")) : line;
   });
   return out;
 }

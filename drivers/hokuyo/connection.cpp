@@ -124,11 +124,14 @@ void Connection::Impl::on_reply() {
     case Phase::kStart:
       return on_start_reply();
     case Phase::kProbe:
-      return enter(Phase::kProbeState, "II", 500ms);
+      return enter(Phase::kProbeVersion, "VV", 500ms);
+    case Phase::kProbeVersion:
+    case Phase::kResetVersion:
+      return on_version_again();
     case Phase::kProbeState:
       return after_probe();
     case Phase::kReset:
-      return restart_stream();
+      return enter(Phase::kResetVersion, "VV", 500ms);
     case Phase::kReboot:
       return reboot_or_reconnect();
     case Phase::kBackoff:
@@ -163,9 +166,11 @@ void Connection::Impl::on_timeout() {
     case Phase::kStreaming:
       return on_silence();
     case Phase::kProbe:
+    case Phase::kProbeVersion:
     case Phase::kProbeState:
       return reset_sensor();
     case Phase::kReset:
+    case Phase::kResetVersion:
     case Phase::kReboot:
       return reboot_or_reconnect();
     case Phase::kBackoff:

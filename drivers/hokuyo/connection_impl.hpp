@@ -33,10 +33,12 @@ enum class Phase : std::uint8_t {
   kLaserPause,   ///< the laser spins up; BM again at the deadline
   kStart,        ///< MD or ME
   kStreaming,
-  kProbe,       ///< QT after silence or too many bad scans
-  kProbeState,  ///< II after kProbe
-  kReset,       ///< RS
-  kReboot,      ///< RB, RB
+  kProbe,         ///< QT after silence or too many bad scans
+  kProbeVersion,  ///< VV after kProbe
+  kProbeState,    ///< II after kProbeVersion
+  kReset,         ///< RS
+  kResetVersion,  ///< VV after kReset
+  kReboot,        ///< RB, RB
 };
 
 /// What the connection reports of itself.
@@ -135,6 +137,7 @@ struct Connection::Impl {
   void on_stream_status();
   void on_silence();
   void probe();
+  void on_version_again();
   void after_probe();
   void reset_sensor();
   void reboot_or_reconnect();

@@ -138,6 +138,20 @@ void Connection::Impl::probe() {
   enter(Phase::kProbe, "QT", kProbeLimit);
 }
 
+/// Behind a bridge on TCP the sensor may be exchanged while the connection lasts: the stream is resumed only
+/// with the one that it began with. Another one is connected to anew, with its own parameters.
+void Connection::Impl::on_version_again() {
+  SensorInfo answers;
+  if (!read_version(line.reply(), answers)) return on_timeout();
+  if (!same_serial(answers.serial_number, found.serial_number)) {
+    return lose(Health::kDisconnected, place() + ": the sensor was exchanged (serial number " +
+                                           answers.serial_number + ", before " + found.serial_number +
+                                           "); connecting again");
+  }
+  if (pending.phase == Phase::kResetVersion) return restart_stream();
+  enter(Phase::kProbeState, "II", 500ms);
+}
+
 void Connection::Impl::after_probe() {
   read_state(line.reply(), found);
   info = found;

@@ -120,7 +120,8 @@ void Connection::Impl::open(Duration timeout) {
     return;
   }
   link.emplace(std::move(*stream), counters);
-  handshake.emplace(*link, config.expected_subclass, connector->name(), good_baud, retry.may_drive_until);
+  ExpectedRobot expected{config.expected_subclass, config.expected_name, config.expected_serial_number};
+  handshake.emplace(*link, std::move(expected), connector->name(), good_baud, retry.may_drive_until);
   if (auto begun = handshake->begin(); !begun) {
     lose(Health::kDisconnected, begun.error().message);
     return;

@@ -19,6 +19,8 @@ namespace topo::pioneer {
 /// Configuration of the base.
 struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and the firmware's limits
   std::string expected_subclass;                ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
+  std::string expected_name;                    ///< as in SYNC2 and CONFIG, exactly; empty: any
+  std::string expected_serial_number;  ///< as in CONFIG, exactly; empty: any, also a base without CONFIG
   bool sonar = true;
 };
 

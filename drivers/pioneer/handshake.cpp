@@ -37,12 +37,9 @@ bool is_reset(const PacketView& packet) {
 
 }  // namespace
 
-Handshake::Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud,
+Handshake::Handshake(Link& link, ExpectedRobot expected, std::string_view device, int first_baud,
                      types::Stamp may_drive_until)
-    : link_(link),
-      expected_subclass_(std::move(expected_subclass)),
-      device_(device),
-      may_drive_until_(may_drive_until) {
+    : link_(link), expected_(std::move(expected)), device_(device), may_drive_until_(may_drive_until) {
   static_assert(kBaudOrder.size() + 1 == std::tuple_size_v<decltype(bauds_.rates)>,
                 "every rate, and the first one");
   if (!link.has_baud()) return;
@@ -114,7 +111,7 @@ Handshake::Progress Handshake::on_time() {
       send_open();
       return Progress::kPending;
     case Phase::kConfig:
-      if (++tries_ >= kTries) return Progress::kDone;
+      if (++tries_ >= kTries) return no_config();
       send_config_request();
       return Progress::kPending;
   }
@@ -180,8 +177,7 @@ Handshake::Progress Handshake::on_packet(const PacketView& packet) {
       return Progress::kPending;
     case Phase::kConfig:
       if (is_reset(packet)) return restart("the controller resets at CONFIG");
-      config_ = decode_config(packet.payload);
-      return config_ ? Progress::kDone : Progress::kPending;
+      return on_config(packet);
   }
   return Progress::kPending;
 }
@@ -208,14 +204,41 @@ Handshake::Progress Handshake::on_names(const PacketView& packet) {
                                           "; expected name, class and subclass of a Pioneer");
   const std::string found = device_ + ": found robot \"" + name_ + "\", class \"" + robot_class +
                             "\", subclass \"" + subclass + "\"; expected ";
-  const RobotModel* expected = find_model(expected_subclass_);
+  const RobotModel* expected = find_model(expected_.subclass);
   model_ = find_model(subclass);
-  if (!expected_subclass_.empty() && (model_ == nullptr || model_ != expected))
-    return fail(Health::kWrongDevice, found + "subclass \"" + expected_subclass_ + "\"");
+  if (!expected_.subclass.empty() && (model_ == nullptr || model_ != expected))
+    return fail(Health::kWrongDevice, found + "subclass \"" + expected_.subclass + "\"");
   if (model_ == nullptr) return fail(Health::kWrongDevice, found + "one of " + known_subclasses());
+  // Before OPEN: another robot's connection is not opened.
+  if (!expected_.name.empty() && name_ != expected_.name)
+    return another_robot("\"" + name_ + "\"", "\"" + expected_.name + "\"");
   tries_ = 0;
   send_open();
   return Progress::kPending;
+}
+
+Handshake::Progress Handshake::on_config(const PacketView& packet) {
+  config_ = decode_config(packet.payload);
+  if (!config_) return Progress::kPending;
+  if (!expected_.name.empty() && config_->name != expected_.name)
+    return another_robot("\"" + config_->name + "\" (by its CONFIG packet)", "\"" + expected_.name + "\"");
+  if (!expected_.serial_number.empty() && config_->serial_number != expected_.serial_number)
+    return another_robot("\"" + name_ + "\" with the serial number \"" + config_->serial_number + "\"",
+                         "the serial number \"" + expected_.serial_number + "\"");
+  return Progress::kDone;
+}
+
+/// Old firmware does not know CONFIG and is accepted, but not as a robot that is told apart by it.
+Handshake::Progress Handshake::no_config() {
+  if (expected_.serial_number.empty()) return Progress::kDone;
+  return fail(Health::kSilent, device_ + ": found robot \"" + name_ +
+                                   "\" that does not tell its serial number (no CONFIG packet); expected \"" +
+                                   expected_.serial_number + "\": is the line bad, or the firmware too old?");
+}
+
+Handshake::Progress Handshake::another_robot(const std::string& found, const std::string& expected) {
+  return fail(Health::kWrongDevice, device_ + ": found robot " + found + "; expected " + expected +
+                                        ": are the cables or addresses of two robots exchanged?");
 }
 
 void Handshake::send_open() {

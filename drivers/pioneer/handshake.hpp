@@ -15,6 +15,11 @@
 
 namespace topo::pioneer {
 
+/// The robot that must answer; an empty text accepts any.
+struct ExpectedRobot {
+  std::string subclass, name, serial_number;
+};
+
 /// From an open port to an open connection with a known robot (PROTOCOLS sections 2 and 7): a state machine
 /// with deadlines that never blocks. The first bytes at every speed are E_STOP, VEL 0, RVEL 0, CLOSE: a robot
 /// that lost its host resumes its last setpoint on any packet. On a line that loses bytes, any one of them
@@ -24,9 +29,10 @@ class Handshake {
  public:
   enum class Progress { kPending, kDone, kFailed };
 
-  /// `first_baud` is tried before the other speeds; 0: unknown. Until `may_drive_until` the robot may still
-  /// follow a setpoint of a lost connection.
-  Handshake(Link& link, std::string expected_subclass, std::string_view device, int first_baud,
+  /// A robot other than `expected` ends in kFailed with kWrongDevice; so does, with kSilent, one that does
+  /// not tell its serial number while one is expected. `first_baud` is tried before the other speeds; 0:
+  /// unknown. Until `may_drive_until` the robot may still follow a setpoint of a lost connection.
+  Handshake(Link& link, ExpectedRobot expected, std::string_view device, int first_baud,
             types::Stamp may_drive_until = {});
 
   /// Sets the first speed and queues the first bytes.
@@ -67,12 +73,15 @@ class Handshake {
   Progress no_answer();
   Progress on_sync_packet(const PacketView& packet);
   Progress on_names(const PacketView& packet);
+  Progress on_config(const PacketView& packet);
+  Progress no_config();
+  Progress another_robot(const std::string& found, const std::string& expected);
   void send_open();
   void send_config_request();
   Progress fail(Health health, std::string message);
 
   Link& link_;
-  std::string expected_subclass_;
+  ExpectedRobot expected_;
   std::string device_;
   Bauds bauds_;
   types::Stamp may_drive_until_;

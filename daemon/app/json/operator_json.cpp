@@ -91,8 +91,12 @@ void Operator::doctor(std::function<void(Json)> done) {
     bool ok = true;
     for (const Check& check : examine(facts)) {
       ok = ok && check.ok;
-      checks.push_back(
-          {{"check", check.name}, {"ok", check.ok}, {"found", check.found}, {"cure", check.cure}});
+      checks.push_back({{"check", check.name},
+                        {"ok", check.ok},
+                        {"warning", !check.safer.empty()},
+                        {"found", check.found},
+                        {"cure", check.cure},
+                        {"safer", check.safer}});
     }
     return [done, json = Json{{"ok", ok}, {"checks", std::move(checks)}}] { done(json); };
   };

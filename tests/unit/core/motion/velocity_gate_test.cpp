@@ -247,6 +247,10 @@ const std::vector<Fault>& faults() {
       {"mount is NaN", GateReason::kBlindScan, [](Scene& s) { s.input.T_base_laser.x_m = kNaN; }},
       {"mount's angle is NaN", GateReason::kBlindScan,
        [](Scene& s) { s.input.T_base_laser.theta_rad = kNaN; }},
+      {"scanner looks backwards", GateReason::kBlindScan,
+       [](Scene& s) { s.input.T_base_laser.theta_rad = 3.14; }},
+      {"scanner sees one side only", GateReason::kBlindScan,
+       [](Scene& s) { s.scan->beams = 500; }},  // from -135 to -10 degrees
       {"watchdog off", GateReason::kNoWatchdog, [](Scene& s) { s.input.firmware_watchdog = {}; }},
       {"watchdog slow", GateReason::kNoWatchdog,
        [](Scene& s) { s.input.firmware_watchdog = milliseconds(3000); }},

@@ -298,5 +298,36 @@ TEST(FreeDistance, IsThatOfTheCentre) {
   EXPECT_FALSE(is_on_the_spot({-0.011, 1.0}));
 }
 
+TEST_F(StopZone, DirectionsWithoutABeamAreNotSeen) {
+  const auto fraction_at = [&](double yaw_deg) {
+    return forward_valid_fraction(*scan, {0.1, 0.0, yaw_deg * types::kDegree_rad});
+  };
+  // The view of 270 degrees contains the forward sector up to a turn of 75 degrees.
+  for (const double yaw_deg : {-75.0, -30.0, 0.1, 74.9})
+    EXPECT_NEAR(fraction_at(yaw_deg), 1.0, 0.003) << yaw_deg;
+  EXPECT_NEAR(fraction_at(105.0), 0.75, 0.01);
+  EXPECT_NEAR(fraction_at(-135.0), 0.5, 0.01);
+  EXPECT_NEAR(fraction_at(180.0), 0.25, 0.01);
+  scan->beams = 361;  // from -135 to -45 degrees
+  EXPECT_NEAR(fraction_at(0.0), 0.125, 0.01);
+}
+
+TEST_F(StopZone, AScanWithoutAStepBetweenBeamsSeesNothing) {
+  for (const float step_rad : {0.0F, std::nanf(""), HUGE_VALF}) {
+    scan->geometry.angle_min_rad = 0.0F;
+    scan->geometry.angle_increment_rad = step_rad;
+    EXPECT_EQ(forward_valid_fraction(*scan, mount), 0.0) << step_rad;
+  }
+}
+
+TEST_F(StopZone, CoarseAndDenseScansAreSeenWhole) {
+  for (const int beams : {181, 361, 721}) {
+    scan->beams = static_cast<std::uint16_t>(beams);
+    scan->geometry.angle_min_rad = -std::numbers::pi_v<float> / 2.0F;
+    scan->geometry.angle_increment_rad = std::numbers::pi_v<float> / static_cast<float>(beams - 1);
+    EXPECT_EQ(forward_valid_fraction(*scan, mount), 1.0) << beams;
+  }
+}
+
 }  // namespace
 }  // namespace topo::perception

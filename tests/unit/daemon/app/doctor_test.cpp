@@ -22,12 +22,18 @@ DoctorFacts healthy() {
   facts.base.ready = true;
   facts.base.control.reason = motion::GateReason::kFree;
   facts.base.state.battery_v = 12.6F;
-  facts.watchdog_ms = 2000;
+  facts.watchdog_ms = 1000;
   facts.battery = {11.6, 0.2};
   facts.has_map = true;
   facts.scans_matched_lately = 100;
   facts.disks = {{"/maps", 1ULL << 30U}, {"/sessions", 1ULL << 30U}};
   facts.sessions = "/sessions";
+  facts.policy = RealtimePolicy::kTry;
+  Configuration& c = facts.configuration;
+  c.front.present = c.coronal.present = true;
+  c.base.serial_number = "SB0123";
+  c.front.serial_number = "H0902680";
+  c.coronal.serial_number = "H0902681";
   return facts;
 }
 
@@ -46,7 +52,69 @@ TEST(Doctor, FindsNothingWrongWithAHealthyRobot) {
   for (const Check& check : examine(healthy())) {
     EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
     EXPECT_THAT(check.cure, IsEmpty()) << check.name;
+    EXPECT_THAT(check.safer, IsEmpty()) << check.name;
   }
+}
+
+/// The only warning; nothing is bad.
+Check the_warning(const DoctorFacts& facts) {
+  std::vector<Check> warnings;
+  for (const Check& check : examine(facts)) {
+    EXPECT_TRUE(check.ok) << check.name << ": " << check.found;
+    EXPECT_THAT(check.cure, IsEmpty()) << check.name;
+    if (!check.safer.empty()) warnings.push_back(check);
+  }
+  EXPECT_EQ(warnings.size(), 1U);
+  return warnings.empty() ? Check{} : warnings.front();
+}
+
+TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
+  struct Row {
+    std::string_view name, found, safer;
+    void (*make)(DoctorFacts&);
+  };
+  const std::vector<Row> rows{
+      {"sonar", "off", "base.sonar = true", [](DoctorFacts& f) { f.configuration.base.sonar = false; }},
+      {"margin", "0.02 m", "motion.margin_m = 0.05 or more",
+       [](DoctorFacts& f) { f.configuration.motion.margin_m = 0.02; }},
+      {"stamps", "front: 0.05 s", "50 ms younger than the sensor says, at full speed 0.035 m",
+       [](DoctorFacts& f) { f.configuration.front.stamp_offset_s = 0.05; }},
+      {"stamps", "coronal: -0.01 s", "10 ms older",
+       [](DoctorFacts& f) { f.configuration.coronal.stamp_offset_s = -0.01; }},
+      {"serial numbers", "base.serial_number not set", "topoctl status --json",
+       [](DoctorFacts& f) { f.configuration.base.serial_number.clear(); }},
+      {"serial numbers", "scanner.front.serial_number, scanner.coronal.serial_number not set", "exchanged",
+       [](DoctorFacts& f) {
+         f.configuration.front.serial_number.clear();
+         f.configuration.coronal.serial_number.clear();
+       }},
+      {"session", "none is kept", "session.journal = true", [](DoctorFacts& f) { f.sessions.clear(); }},
+      {"real time", "not asked for", "\"enforce\"", [](DoctorFacts& f) { f.policy = RealtimePolicy::kOff; }},
+      {"firmware watchdog", "2000 ms", "up to 1.4 m before it brakes",
+       [](DoctorFacts& f) { f.watchdog_ms = 2000; }},
+      {"speed", "at most 0.8 m/s", "0.64 m (0.49 m at 0.7 m/s)",
+       [](DoctorFacts& f) { f.configuration.base.v_max_mps = 0.8; }},
+  };
+  for (const Row& row : rows) {
+    DoctorFacts facts = healthy();
+    row.make(facts);
+    const Check check = the_warning(facts);
+    EXPECT_EQ(check.name, row.name);
+    EXPECT_THAT(check.found, HasSubstr(row.found)) << row.name;
+    EXPECT_THAT(check.safer, HasSubstr(row.safer)) << row.name;
+  }
+}
+
+TEST(Doctor, TheEdgeOfWhatIsDaring) {
+  DoctorFacts facts = healthy();
+  facts.watchdog_ms = 1000;
+  facts.configuration.motion.margin_m = 0.03;
+  facts.configuration.base.v_max_mps = 0.7;
+  facts.configuration.coronal = {};  // without a coronal scanner, nothing is said of it
+  facts.configuration.coronal.stamp_offset_s = 0.05;
+  for (const Check& check : examine(facts)) EXPECT_THAT(check.safer, IsEmpty()) << check.name;
+  facts.watchdog_ms = 1001;
+  EXPECT_EQ(the_warning(facts).name, "firmware watchdog");
 }
 
 TEST(Doctor, ASessionThatCannotBeGoneOnWith) {

@@ -142,6 +142,46 @@ TEST(Configuration, SameDeviceWrittenInTwoWays) {
   EXPECT_THAT(faults, ElementsAre(HasSubstr("scanner.front.address contradicts base.address (line 4)")));
 }
 
+TEST(Configuration, ScannersOfOneAddressWrittenInTwoWays) {
+  EXPECT_THAT(
+      faults_of(with("[scanner.coronal]\naddress = \"tcp:LocalHost:10940\"\n")),
+      ElementsAre(StartsWith("8:1: scanner.coronal.address contradicts scanner.front.address (line 6)")));
+  EXPECT_THAT(
+      faults_of("[robot]\nmodel = \"p3dx\"\n[base]\naddress = \"/dev/ttyUSB0\"\n[scanner.front]\naddress = "
+                "\"/dev/ttyACM0\"\nserial_number = \"H1\"\n[scanner.coronal]\naddress = "
+                "\"serial:/dev/serial/..//ttyACM0\"\nserial_number = \"H2\"\n"),
+      ElementsAre(
+          StartsWith("9:1: scanner.coronal.address contradicts scanner.front.address (line 6): both are "
+                     "/dev/ttyACM0")));
+}
+
+TEST(Configuration, NameAndSerialNumberOfTheBase) {
+  const std::string_view text =
+      "[robot]\nmodel = \"p3dx\"\n[base]\naddress = \"can:can0:0\"\nname = \"Old Joe 2\"\nserial_number = "
+      "\"SB0123\"\n[scanner.front]\naddress = \"tcp:h:1\"\n";
+  const auto loaded = parse_configuration(text, "f.toml");
+  ASSERT_THAT(loaded.faults, IsEmpty());
+  EXPECT_EQ(loaded.values.base.name, "Old Joe 2");
+  EXPECT_EQ(loaded.values.base.serial_number, "SB0123");
+  EXPECT_THAT(effective_text(loaded), HasSubstr("serial_number = \"SB0123\""));
+  EXPECT_THAT(faults_of("[robot]\nmodel = \"p3dx\"\n[base]\naddress = \"can:can0:0\"\nserial_number = "
+                        "\"a\\tb\"\nname = 7\n[scanner.front]\naddress = \"tcp:h:1\"\n"),
+              ElementsAre(StartsWith("5:17: base.serial_number: found"),
+                          StartsWith("6:8: base.name: found 7, expected a string: up to 32 printable")));
+}
+
+TEST(Configuration, AFrontScannerThatDoesNotLookAhead) {
+  EXPECT_THAT(
+      faults_of(with("yaw_rad = 3.14\n")),
+      ElementsAre("7:1: scanner.front.yaw_rad: found 3.14 (180 degrees): a scanner with 270 degrees of "
+                  "view (UTM-30LX) then sees 30 of the 120 degrees ahead that braking needs (60 to either "
+                  "side), and the robot would drive blind; expected -1.308 to 1.308 (75 degrees either "
+                  "way)"));
+  EXPECT_THAT(faults_of(with("yaw_rad = -1.4\n")), ElementsAre(HasSubstr("sees 114 of the 120 degrees")));
+  EXPECT_THAT(faults_of(with("yaw_rad = 1.308\n")), IsEmpty());
+  EXPECT_THAT(faults_of(with("yaw_rad = -1.308\n")), IsEmpty());
+}
+
 TEST(Configuration, ContradictorySerialNumbers) {
   EXPECT_THAT(
       faults_of(with("serial_number = \"H0902680\"\n[scanner.coronal]\naddress = \"tcp:localhost:10941\"\n"

@@ -80,6 +80,15 @@ TEST(Tables, DoctorNamesTheCureOfWhatIsBad) {
   EXPECT_THAT(doctor_table(doctor), HasSubstr("cure: clear it"));
 }
 
+TEST(Tables, DoctorWarnsOfWhatIsDaring) {
+  const Json doctor{
+      {"checks",
+       {{{"check", "sonar"}, {"ok", true}, {"warning", true}, {"found", "off"}, {"safer", "on"}},
+        {{"check", "speed"}, {"ok", true}, {"warning", false}, {"found", "0.7"}, {"safer", ""}}}}};
+  EXPECT_EQ(doctor_table(doctor),
+            fmt::format("warn {:<18} off\n     {:<18} on\nok   {:<18} 0.7\n", "sonar", "", "speed"));
+}
+
 TEST(Tables, Mission) {
   const Json mission{{"number", 2},      {"order", "explore"}, {"state", "failed"},
                      {"reason", "lost"}, {"elapsed_s", 10.0},  {"distance_m", 1.0}};

@@ -120,6 +120,61 @@ TEST_F(SessionConnect, RightSerialNumberPasses) {
   EXPECT_TRUE(run_scans(1, 5s));
 }
 
+/// On TCP (no line speed) as on USB; a sensor that was exchanged while the line was cut.
+TEST_F(SessionConnect, EveryConnectionChecksTheSerialNumber) {
+  for (const bool usb : {false, true}) {
+    line.has_baud = usb;
+    start(utm_ew(), {.serial_number = "H0123456"});
+    ASSERT_TRUE(run_scans(3, 10s)) << usb;
+    sensor->vv = utm_usb().vv;
+    sensor->power_cycle();
+    line.unplug();
+    ASSERT_TRUE(run_health(Health::kWrongDevice, 20s)) << usb << connection->message();
+    EXPECT_THAT(connection->message(), HasSubstr("H0902680"));
+    EXPECT_THAT(connection->message(), HasSubstr("expected H0123456"));
+    scans = 0;
+    run_for(30s);
+    EXPECT_EQ(scans, 0) << usb;
+    sensor->vv = utm_ew().vv;
+    EXPECT_TRUE(run_scans(3, 20s)) << usb;
+    connection.reset();
+  }
+}
+
+/// Behind a bridge on TCP, which goes on while the sensor is exchanged.
+TEST_F(SessionConnect, ASensorThatIsExchangedWithoutALossOfTheLineIsNoticed) {
+  for (const bool deaf_to_quit : {false, true}) {  // found by the probe, or after the reset
+    start(utm_ew(), {.serial_number = "H0123456"});
+    ASSERT_TRUE(run_scans(3, 10s));
+    sensor->mute_scans = true;
+    if (deaf_to_quit) sensor->mute_commands = "QT";
+    ASSERT_TRUE(run_health(Health::kSilent, 5s));
+    sensor->vv = utm_usb().vv;
+    sensor->mute_scans = false;
+    ASSERT_TRUE(run_health(Health::kDisconnected, 5s)) << connection->message();
+    EXPECT_THAT(connection->message(), HasSubstr("exchanged (serial number H0902680, before H0123456)"));
+    sensor->mute_commands.clear();
+    scans = 0;
+    ASSERT_TRUE(run_health(Health::kWrongDevice, 10s));
+    run_for(10s);
+    EXPECT_EQ(scans, 0);
+    connection.reset();
+  }
+}
+
+TEST_F(SessionConnect, AnUnknownSensorThatIsExchangedIsReadAnew) {
+  start(utm_ew());
+  ASSERT_TRUE(run_scans(3, 10s));
+  sensor->vv = ust().vv;
+  sensor->pp = ust().pp;
+  sensor->mute_scans = true;
+  ASSERT_TRUE(run_health(Health::kDisconnected, 10s));
+  sensor->mute_scans = false;
+  ASSERT_TRUE(run_scans(3, 10s)) << connection->message();
+  EXPECT_EQ(connection->info()->serial_number, ust().serial);
+  EXPECT_FLOAT_EQ(scan.geometry.range_max_m, 30.0F);
+}
+
 TEST_F(SessionConnect, APioneerOnThePortIsNamed) {
   start(utm_ew());
   sensor->mute = true;

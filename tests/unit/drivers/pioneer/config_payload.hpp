@@ -9,7 +9,7 @@
 namespace topo::pioneer {
 
 struct ConfigValues {
-  std::string robot_class = "Pioneer", subclass = "p3dx-sh";
+  std::string robot_class = "Pioneer", subclass = "p3dx-sh", serial_number = "SN123", name = "scripted";
   unsigned watchdog_ms = 2000;
   unsigned velocity_top_mmps = 1500;
   unsigned sip_cycle_ms = 100;
@@ -29,10 +29,10 @@ inline Bytes config_payload(const ConfigValues& v) {
   };
   str(v.robot_class);
   str(v.subclass);
-  str("SN123");
+  str(v.serial_number);
   u8(0);
   for (const unsigned x : {360U, v.velocity_top_mmps, 300U, 2000U, 500U}) u16(x);
-  str("scripted");
+  str(v.name);
   for (const unsigned x : {v.sip_cycle_ms, 0U, 0U}) u8(x);
   u16(0);  // gripper
   u16(1);  // front sonar

@@ -148,7 +148,7 @@ void ScriptedRobot::on_handshake(int command, bool has_argument) {
   }
   if (command < 2 && sync_ < 3) send({static_cast<std::byte>(command)});
   if (command == 2) {
-    const std::string names = "scripted" + std::string(1, '\0') + robot_class + '\0' + subclass + '\0';
+    const std::string names = name + '\0' + robot_class + '\0' + subclass + '\0';
     send(Bytes{std::byte{2}} + to_bytes(std::as_bytes(std::span(names))));
   }
   ++sync_;

@@ -34,7 +34,7 @@ class ScriptedRobot {
   ScriptedRobot();
 
   // What a test sets.
-  std::string robot_class = "Pioneer", subclass = "p3dx-sh";
+  std::string robot_class = "Pioneer", subclass = "p3dx-sh", name = "scripted";  ///< in SYNC2
   ConfigValues config;
   bool answers_config = true;
   bool powered = true;  ///< off: silence
