@@ -181,6 +181,8 @@ Check check_gate(const DoctorFacts& f) {
       return bad(name, found, "see the check \"motors\"");
     case GateReason::kBumper:
       return bad(name, found, "see the check \"bumpers\"");
+    case GateReason::kImplausible:
+      return bad(name, found, "see the check \"agreement\"");
     case GateReason::kEmergencyStop:
       // The base reports once per period: a report from before the clear is out of date.
       if (!f.estop_latched) return good(name, "the emergency stop was cleared a moment ago");
@@ -188,6 +190,30 @@ Check check_gate(const DoctorFacts& f) {
     default:
       return good(name, found);
   }
+}
+
+/// What is commanded, measured and seen (core/plausibility).
+std::vector<Check> check_agreement(const DoctorFacts& f) {
+  const std::string name = "agreement";
+  const plausibility::Opinion& opinion = f.base.control.plausibility;
+  std::vector<Check> checks;
+  for (std::size_t i = 0; i < plausibility::kDoubts; ++i) {
+    const plausibility::DoubtText& text = plausibility::doubt_texts()[i];
+    if (opinion.doubts.test(i)) checks.push_back(bad(name, std::string(text.found), std::string(text.cure)));
+  }
+  if (!checks.empty()) return checks;
+  Check check = good(name, fmt::format("commands, reports and scans agree; wheels answer after {:.2f} s",
+                                       types::to_seconds(opinion.lag)));
+  constexpr double kWeak = 0.8;
+  const double believed_mps2 = f.configuration.base.deceleration_mps2;
+  if (opinion.deceleration_mps2 > 0.0 && opinion.deceleration_mps2 < kWeak * believed_mps2) {
+    check.safer = fmt::format(
+        "the robot was measured to brake with {:.2f} m/s2, and its distance is kept for {:.2f}: it stops "
+        "later than planned; look at the load and the floor, and set base.deceleration_mps2 to {:.2f}",
+        opinion.deceleration_mps2, believed_mps2, opinion.deceleration_mps2);
+  }
+  checks.push_back(std::move(check));
+  return checks;
 }
 
 Check check_mapping(const DoctorFacts& f) {
@@ -278,6 +304,7 @@ std::vector<Check> examine(const DoctorFacts& facts) {
   checks.push_back(check_bumpers(facts));
   checks.push_back(check_battery(facts));
   checks.push_back(check_gate(facts));
+  std::ranges::move(check_agreement(facts), std::back_inserter(checks));
   checks.push_back(check_mapping(facts));
   checks.push_back(check_threads(facts));
   checks.push_back(check_real_time(facts));

@@ -9,15 +9,16 @@
 #include "drivers/pioneer/base_connector.hpp"
 
 namespace topo::daemon {
-/// The state of the base, for users.
-std::string_view state_text(const BaseReport& base) {
+std::string state_text(const BaseReport& base) {
   const pipeline::ControlReport& control = base.control;
-  if (control.estop_latched) return motion::to_text(motion::GateReason::kEmergencyStop);
+  if (control.estop_latched) return std::string(motion::to_text(motion::GateReason::kEmergencyStop));
   if (!base.ready) return "base not connected";
+  if (control.plausibility.doubts.any())
+    return fmt::format("stopped: {}", plausibility::found_text(control.plausibility.doubts));
   if (control.mode == pipeline::ControlMode::kStanding) return "standing";
   const bool as_asked =
       control.reason == motion::GateReason::kFree || control.reason == motion::GateReason::kLimited;
-  return as_asked ? "driving" : motion::to_text(control.reason);
+  return as_asked ? "driving" : std::string(motion::to_text(control.reason));
 }
 
 namespace {
@@ -58,11 +59,20 @@ void Monitor::update(types::Stamp now) {
       spdlog::info("base: something is in the way: recovery {} begins", heard.recoveries);
     if (heard.mode == pipeline::ControlMode::kStuck && base_.control.mode != heard.mode)
       spdlog::warn("base: stuck, recovery did not help; the goal is given up");
+    tell_doubts(base_.control.plausibility.doubts, heard.plausibility.doubts);
     base_ = *report;
   }
   if (const auto* report = hand_overs_.mapping.report.take_new(); report != nullptr) mapping_ = *report;
   update_pulses(now);
   update_tallies(now);
+}
+
+void Monitor::tell_doubts(const plausibility::DoubtSet& before, const plausibility::DoubtSet& now) const {
+  for (std::size_t i = 0; i < plausibility::kDoubts; ++i) {
+    const plausibility::DoubtText& text = plausibility::doubt_texts()[i];
+    if (now.test(i) && !before.test(i)) spdlog::warn("stopped: {}: {}", text.found, text.cure);
+    if (before.test(i) && !now.test(i)) spdlog::info("no longer: {}", text.found);
+  }
 }
 
 void Monitor::update_tallies(types::Stamp now) {

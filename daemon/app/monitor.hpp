@@ -16,7 +16,7 @@ namespace topo::daemon {
 class Workers;
 
 /// The state of the base in words, for operators.
-std::string_view state_text(const BaseReport& base);
+std::string state_text(const BaseReport& base);
 
 /// Main's view of the other threads: the newest of every report, and whether the threads advance. Main only.
 class Monitor {
@@ -64,6 +64,7 @@ class Monitor {
     types::Stamp changed{};
   };
   void update_devices();
+  void tell_doubts(const plausibility::DoubtSet& before, const plausibility::DoubtSet& now) const;
   void update_pulses(types::Stamp now);
   void update_tallies(types::Stamp now);
   [[nodiscard]] types::Se2 pose() const;

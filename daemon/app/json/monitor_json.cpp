@@ -25,6 +25,20 @@ Json histogram_json(const sync::Histogram& histogram) {
           {"max_ms", static_cast<double>(s.max_ns) * kMs}};
 }
 
+Json plausibility_json(const plausibility::Opinion& opinion) {
+  Json doubts = Json::array();
+  for (std::size_t i = 0; i < plausibility::kDoubts; ++i) {
+    const plausibility::DoubtText& text = plausibility::doubt_texts()[i];
+    if (opinion.doubts.test(i))
+      doubts.push_back({{"name", text.name}, {"found", text.found}, {"cure", text.cure}});
+  }
+  return {{"doubts", std::move(doubts)},
+          {"lag_s", types::to_seconds(opinion.lag)},
+          {"scan_late_s", types::to_seconds(opinion.scan_late)},
+          {"status_late_s", types::to_seconds(opinion.status_late)},
+          {"deceleration_mps2", opinion.deceleration_mps2}};
+}
+
 Json bus_json(const io::BusFaults& faults) {
   Json json = Json::object();
   for (const auto& [fault, key, words] : io::bus_fault_names()) json[std::string(key)] = faults[fault];
@@ -56,6 +70,7 @@ Json Monitor::status() const {
           {"motors_enabled", base_.state.motors_enabled},
           {"stall", base_.state.stall_left || base_.state.stall_right},
           {"bumpers", {{"front", base_.state.bumpers_front}, {"rear", base_.state.bumpers_rear}}},
+          {"plausibility", plausibility_json(control.plausibility)},
           {"map", map()},
           {"devices", devices()}};
 }
@@ -103,6 +118,10 @@ Json Monitor::health() const {
     if (device.report.working) continue;
     faults.push_back(
         fmt::format("{}: {}: {}", device.name, device.report.state.view(), device.report.message.view()));
+  }
+  for (std::size_t i = 0; i < plausibility::kDoubts; ++i) {
+    if (base_.control.plausibility.doubts.test(i))
+      faults.push_back(std::string(plausibility::doubt_texts()[i].found));
   }
   const bool healthy = faults.empty();
   return {{"healthy", healthy}, {"alive", alive()}, {"faults", std::move(faults)}};
