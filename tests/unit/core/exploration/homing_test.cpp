@@ -123,7 +123,7 @@ TEST_F(Homing, WithMatesOutTheRobotWaitsForThem) {
   EXPECT_TRUE(std::holds_alternative<Done>(home(now, returning()).phase));
 }
 
-TEST_F(Homing, OrderedHomeItWaitsForNobody) {
+TEST_F(Homing, OrderedHomeItDoesNotWait) {
   hear(mate_at(7, {500.0, 0.0}));
   Situation now = away_from_home(0.1);
   now.mission.order = Order::kHome;

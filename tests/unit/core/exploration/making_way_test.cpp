@@ -41,13 +41,13 @@ class MakingRoom : public ToyDecision {
   }
 };
 
-TEST_F(MakingRoom, AloneNobodyStandsAside) {
+TEST_F(MakingRoom, AloneARobotDoesNotStandAside) {
   const Intent after = give(situation(), exploring());
   EXPECT_TRUE(std::holds_alternative<Exploring>(after.phase));
   EXPECT_EQ(after.pursuit.number, 4U);
 }
 
-TEST_F(MakingRoom, WhoStandsInAMatesWayGoesOutOfIt) {
+TEST_F(MakingRoom, ARobotInAMatesWayGoesOutOfIt) {
   const Intent after = making_way();
   ASSERT_TRUE(std::holds_alternative<MakingWay>(after.phase));
   const auto& [passage, task] = std::get<MakingWay>(after.phase);
@@ -63,7 +63,7 @@ TEST_F(MakingRoom, WhoStandsInAMatesWayGoesOutOfIt) {
     EXPECT_GE((p - aside).norm(), team::RightOfWayParams{}.room_m);
 }
 
-TEST_F(MakingRoom, WithoutAWayThroughHereNobodyMakesRoom) {
+TEST_F(MakingRoom, AMateWithAnotherWayIsNotMadeRoomFor) {
   team::StatusMessage mate = coming_mate();
   for (Vector2& p : mate.way_map) p.x() += 5.0;
   hear(mate);
@@ -103,7 +103,7 @@ TEST_F(MakingRoom, AfterHalfAMinuteEachGoesItsWayForAsLong) {
   EXPECT_TRUE(std::holds_alternative<MakingWay>(give(heard_later(61), after).phase));
 }
 
-TEST_F(MakingRoom, WhoStandsAsideMakesProgress) {
+TEST_F(MakingRoom, StandingAsideCountsAsProgress) {
   Intent aside = making_way();
   aside.pursuit.last_progress = aside.pursuit.taken = types::Stamp{};
   const Intent after = give(situation(), aside);

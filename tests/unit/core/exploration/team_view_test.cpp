@@ -133,7 +133,7 @@ TEST(TeamView, AMateWasWhereItSaysAsLongAsItIsHeard) {
   EXPECT_FALSE(mate_was_at(roster, after(11.0), {5.0, 5.0}, 0.5));
 }
 
-TEST(TeamView, AMateIsBehindWhoeverLooksWhere) {
+TEST(TeamView, AMateIsBehindInTheRobotsFrame) {
   EXPECT_TRUE(rc::check([] {
     const types::Se2 robot{0.1 * *rc::gen::inRange(-50, 50), 0.1 * *rc::gen::inRange(-50, 50),
                            0.1 * *rc::gen::inRange(-31, 32)};
@@ -147,7 +147,7 @@ TEST(TeamView, AMateIsBehindWhoeverLooksWhere) {
   }));
 }
 
-TEST(TeamView, ARobotSlowsForAMovingMateAheadThatMayHaveComeNearer) {
+TEST(TeamView, ARobotSlowsForAMovingMateThatMayBeNearByNow) {
   team::StatusMessage mate = able_mate(7, {1.9, 0.0, 0.0});
   const auto slows = [&](double age_s) {
     const team::Roster roster = roster_of({mate});
@@ -163,7 +163,7 @@ TEST(TeamView, ARobotSlowsForAMovingMateAheadThatMayHaveComeNearer) {
   EXPECT_FALSE(slows(0.0)) << "behind";
 }
 
-TEST(TeamView, WhoStandsInAMatesWayHasToLetItPass) {
+TEST(TeamView, ARobotInAMatesWayHasToLetItPass) {
   team::StatusMessage mate = able_mate(7, {2.0, 0.0, 0.0});
   mate.way_map = {{2.0, 0.0}, {1.0, 0.0}, {0.0, 0.0}, {-1.0, 0.0}};
   const team::Roster roster = roster_of({mate});

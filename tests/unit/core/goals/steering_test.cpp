@@ -44,7 +44,7 @@ TEST(NearestRoom, IsTheFewestStepsAwayOverFreeCells) {
   }));
 }
 
-TEST(FreeNodes, AreThoseOfTheRowsThatNobodyTook) {
+TEST(FreeNodes, AreThoseOfTheRowsThatWereNotTaken) {
   EXPECT_TRUE(rc::check([] {
     places::Skeleton skeleton;
     for (int n = *rc::gen::inRange(0, 30); n > 0; --n) {

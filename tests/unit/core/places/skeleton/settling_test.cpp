@@ -32,7 +32,7 @@ struct Settled {
   std::vector<std::uint32_t> free;
 };
 
-TEST(Settling, WhatFitsTogetherStaysWhoeverDoubtsIt) {
+TEST(Settling, StatesThatFitTogetherStayWhenDoubted) {
   EXPECT_TRUE(rc::check([] {
     const Settled done;
     std::vector<ThinningState> states = done.erosion.states;
