@@ -99,6 +99,14 @@ tl::expected<RpcRequest, RpcError> parse_request(std::string_view line) {
   return request;
 }
 
+bool is_estop(std::string_view line) {
+  // JSON may spell any letter as \u and its number.
+  const bool may_be = line.find(kEstopMethod) != line.npos || line.find("\\u") != line.npos;
+  if (!may_be) return false;
+  const auto request = parse_request(line);
+  return request.has_value() && request->method == kEstopMethod;
+}
+
 /// Does not throw: invalid UTF-8 from a peer is replaced.
 std::string result_text(const Json& result) {
   return result.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "drivers/io/posix.hpp"
@@ -21,8 +22,10 @@ constexpr std::size_t kMaxUnread = 1 << 20;
 // Of one client: a script that sends all its requests at once has fewer. Beyond, the kernel's buffer fills
 // and the client waits.
 constexpr std::size_t kMaxWaiting = 64;
-// Before one turn: more than any number of programs that start at the same moment; 16 take less than 1 ms.
-constexpr int kMaxAccepted = 16;
+// Before one turn, some 5 us each when they are too many: a flood of connections is dealt with faster than it
+// comes.
+constexpr int kMaxAccepted = 256;
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 std::uint64_t to_usec(types::Stamp stamp) {
   const auto usec = std::chrono::ceil<std::chrono::microseconds>(stamp.time_since_epoch()).count();
@@ -50,7 +53,8 @@ ControlServer::ControlServer(sd_event* event, io::ListeningSocket socket, Contro
       socket_(std::move(socket)),
       rules_(std::move(rules)),
       handler_(std::move(handler)),
-      turns_(rules_.quota) {}
+      turns_(rules_.quota),
+      connections_(rules_.quota.connection_period, rules_.quota.connection_burst) {}
 
 ControlServer::~ControlServer() = default;
 
@@ -98,7 +102,10 @@ int ControlServer::on_turn(sd_event_source*, std::uint64_t, void* server) {
 void ControlServer::take_turn() {
   for (int accepted = 0; accepted < kMaxAccepted && accept_one();) ++accepted;
   read_from_all();
-  if (const auto turn = turns_.next(io::monotonic_now())) serve(*turn);
+  if (const auto turn = turns_.next(io::monotonic_now())) {
+    serve(*turn);
+    drop_when_through(turn->client);
+  }
   schedule();
 }
 
@@ -110,32 +117,37 @@ void ControlServer::schedule() {
 }
 
 void ControlServer::serve(const Turns::Turn& turn) {
-  if (!turn.arrived) {
+  auto parsed = parse_request(turn.line);
+  if (!parsed) {
     turns_.answered(turn.standing.may_command);
-    return send(turn.client, error_line(nullptr, turn.arrived.error()));
+    return send(turn.client, error_line(nullptr, parsed.error()));
   }
-  const RpcRequest& request = *turn.arrived;
+  RpcRequest& request = *parsed;
   if (const std::string* text = cache_.find(request, io::monotonic_now())) {
     turns_.answered(turn.standing.may_command);
     if (!request.notify) send(turn.client, prepared_line(request.id, *text));
     return;
   }
   if (Client* client = find(turn.client)) ++client->unanswered;
-  const Call call{turn.client, turn.standing.may_command, request, turn.overtaken};
+  const Call call{turn.client, turn.standing.may_command, std::move(request), turn.overtaken};
   if (const auto given = handler_(call)) answer(call, *given);
 }
 
 void ControlServer::answer(const Call& call, const Answer& answer) {
   turns_.answered(call.may_command);
   if (Client* client = find(call.client)) --client->unanswered;
-  if (!answer) {
-    if (!call.request.notify) send(call.client, error_line(call.request.id, answer.error()));
-    return schedule();
+  const Json& id = call.request.id;
+  std::string line;
+  if (answer) {
+    const std::string text = result_text(*answer);
+    cache_.keep(call.request, text, io::monotonic_now());
+    line = prepared_line(id, text);
+  } else {
+    line = error_line(id, answer.error());
   }
-  const std::string text = result_text(*answer);
-  cache_.keep(call.request, text, io::monotonic_now());
-  if (!call.request.notify) send(call.client, prepared_line(call.request.id, text));
-  schedule();
+  if (!call.request.notify) send(call.client, line);
+  drop_when_through(call.client);
+  schedule();  // one who may not command may have waited for this
 }
 
 /// False when there is nobody to be accepted.
@@ -144,21 +156,28 @@ bool ControlServer::accept_one() {
   if (!fd.valid()) return false;  // the client has left, or no descriptor is free: it may try again
   const auto peer = peer_of(fd.get());
   if (!peer) return true;
-  const Standing standing{rules_.may_command(*peer), peer->uid};
-  make_room(standing);
+  take_in(std::move(fd), {rules_.may_command(*peer), peer->uid});
+  return true;
+}
+
+void ControlServer::take_in(io::UniqueFd fd, const Standing& standing) {
+  const bool too_many = !standing.may_command && !connections_.take(standing.user, io::monotonic_now());
+  if (!too_many) make_room(standing);
   Client& client = clients_.emplace_back();
   client.server = this;
   client.number = next_client_++;
   client.standing = standing;
   client.fd = std::move(fd);
+  turns_.join(client.number, standing);
+  if (too_many) {  // an e-stop that has come is done all the same
+    hear_out(client);
+    return drop(client.number);
+  }
   sd_event_source* source = nullptr;
   if (sd_event_add_io(event_, &source, client.fd.get(), EPOLLIN, &ControlServer::on_client, &client) < 0) {
-    clients_.pop_back();
-    return true;
+    return drop(client.number);
   }
   client.source.reset(source);
-  turns_.join(client.number, standing);
-  return true;
 }
 
 void ControlServer::make_room(const Standing& newcomer) {
@@ -167,7 +186,7 @@ void ControlServer::make_room(const Standing& newcomer) {
   const auto leaves = who_leaves(present, newcomer, rules_.seats);
   if (!leaves) return;
   Client& client = *std::next(clients_.begin(), static_cast<std::ptrdiff_t>(*leaves));
-  read_from(client);  // an e-stop that has come is done, though nobody is answered
+  hear_out(client);  // an e-stop that has come is done, though nobody is answered
   drop(client.number);
 }
 
@@ -175,17 +194,14 @@ void ControlServer::read_from_all() {
   for (auto next = clients_.begin(); next != clients_.end();) {
     Client& client = *next++;
     const bool alive = read_from(client);
-    // One that sends nothing any more leaves when all is answered that it asked.
-    const bool through =
-        client.ended && client.out.empty() && client.unanswered == 0 && turns_.waiting(client.number) == 0;
-    if (!alive || through || !watch(client)) drop(client.number);
+    if (!alive || is_through(client) || !watch(client)) drop(client.number);
   }
 }
 
 /// Takes in what has come, as far as there is room. False when the client has to leave.
 bool ControlServer::read_from(Client& client) {
   if (client.dead) return false;
-  take_lines(client);
+  take_lines(client, kMaxWaiting);
   if (client.ended || turns_.waiting(client.number) >= kMaxWaiting) return true;
   std::array<char, 4096> bytes{};
   const ssize_t got = ::recv(client.fd.get(), bytes.data(), bytes.size(), 0);
@@ -193,34 +209,30 @@ bool ControlServer::read_from(Client& client) {
   if (got == 0) return true;
   if (got < 0) return errno == EAGAIN || errno == EINTR;
   const bool fits = client.in.append({bytes.data(), static_cast<std::size_t>(got)});
-  take_lines(client);
+  take_lines(client, kMaxWaiting);
   if (fits) return true;
   send(client, error_line(nullptr, {RpcCode::kInvalidRequest,
                                     fmt::format("request of more than {} bytes", kMaxRequestBytes)}));
   return false;
 }
 
-void ControlServer::take_lines(Client& client) {
-  while (turns_.waiting(client.number) < kMaxWaiting) {
-    const auto line = client.in.take_line();
+void ControlServer::take_lines(Client& client, std::size_t room) {
+  for (std::size_t waiting = turns_.waiting(client.number); waiting < room; ++waiting) {
+    auto line = client.in.take_line();
     if (!line) return;
-    if (!line->empty()) turns_.add(client.number, parse_request(*line));
+    const bool estop = is_estop(*line);
+    if (!line->empty()) turns_.add(client.number, std::move(*line), estop);
   }
 }
 
-/// The peer has closed the connection: takes in the rest that it sent, without limit, because no more will
-/// come than the kernel's buffer holds. What has no effect without a reader is not parsed.
+/// The client is about to be dropped: takes in the rest that it sent, at most what the kernel's buffer holds.
 void ControlServer::hear_out(Client& client) {
+  constexpr int kMostPieces = 64;  // 256 KiB; the kernel's buffer holds 208 KiB (net.core.wmem_default)
   std::array<char, 4096> bytes{};
-  bool fits = true;
-  while (fits) {
-    while (const auto line = client.in.take_line()) {
-      const bool matters = client.standing.may_command || line->find(kEstopMethod) != std::string::npos;
-      if (matters && !line->empty()) turns_.add(client.number, parse_request(*line));
-    }
+  for (int piece = 0; piece < kMostPieces; ++piece) {
+    take_lines(client, kNoLimit);
     const ssize_t got = ::recv(client.fd.get(), bytes.data(), bytes.size(), 0);
-    if (got <= 0) return;
-    fits = client.in.append({bytes.data(), static_cast<std::size_t>(got)});
+    if (got <= 0 || !client.in.append({bytes.data(), static_cast<std::size_t>(got)})) return;
   }
 }
 
@@ -271,6 +283,15 @@ bool ControlServer::watch(Client& client) {
   const bool reads = !client.ended && turns_.waiting(client.number) < kMaxWaiting;
   const std::uint32_t events = (reads ? EPOLLIN : 0U) | (client.out.empty() ? 0U : EPOLLOUT);
   return sd_event_source_set_io_events(client.source.get(), events) >= 0;
+}
+
+/// One that sends nothing any more leaves when it has been answered.
+bool ControlServer::is_through(const Client& client) const {
+  return client.ended && client.out.empty() && client.unanswered == 0 && turns_.waiting(client.number) == 0;
+}
+
+void ControlServer::drop_when_through(std::uint64_t number) {
+  if (const Client* client = find(number); client != nullptr && is_through(*client)) drop(number);
 }
 
 void ControlServer::drop(std::uint64_t number) {

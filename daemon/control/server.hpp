@@ -82,10 +82,11 @@ class ControlServer {
   void schedule();
   void serve(const Turns::Turn& turn);
   bool accept_one();
+  void take_in(io::UniqueFd fd, const Standing& standing);
   void make_room(const Standing& newcomer);
   void read_from_all();
   bool read_from(Client& client);
-  void take_lines(Client& client);
+  void take_lines(Client& client, std::size_t room);
   void hear_out(Client& client);
   bool write_to(Client& client);
   bool watch(Client& client);
@@ -93,12 +94,15 @@ class ControlServer {
   void send(std::uint64_t client, const std::string& line);
   void send(Client& client, const std::string& line);
   void drop(std::uint64_t client);
+  [[nodiscard]] bool is_through(const Client& client) const;
+  void drop_when_through(std::uint64_t client);
 
   sd_event* event_;
   io::ListeningSocket socket_;
   ControlRules rules_;
   Handler handler_;
   Turns turns_;
+  UserQuota connections_;  ///< of users who may not command
   AnswerCache cache_;
   EventSource source_, next_turn_;
   std::list<Client> clients_;  ///< oldest first; addresses stay

@@ -3,7 +3,7 @@
 #include "daemon/control/turns.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace topo::daemon {
 
@@ -19,11 +19,10 @@ void Turns::leave(std::uint64_t client) {
   if (found->stops.empty() && found->others.empty()) clients_.erase(found);
 }
 
-void Turns::add(std::uint64_t client, Arrived arrived) {
+void Turns::add(std::uint64_t client, std::string line, bool estop) {
   const auto found = find(client);
   if (found == clients_.end()) return;
-  const bool stop = arrived.has_value() && arrived->method == kEstopMethod;
-  (stop ? found->stops : found->others).push_back({std::move(arrived), stops_served_});
+  (estop ? found->stops : found->others).push_back({std::move(line), stops_served_});
 }
 
 std::size_t Turns::waiting(std::uint64_t client) const {
@@ -38,10 +37,7 @@ std::optional<Turns::Turn> Turns::next(types::Stamp now) {
   if (other != clients_.end()) {
     owes_other_ = false;
     if (!other->standing.may_command) {
-      forget_full_buckets(now);
-      auto& bucket = buckets_.try_emplace(other->standing.user, quota_.request_period, quota_.request_burst)
-                         .first->second;
-      static_cast<void>(bucket.take(now));  // first_other() has looked
+      static_cast<void>(requests_.take(other->standing.user, now));  // first_other() has looked
       ++unanswered_;
     }
     return take(other, other->others);
@@ -59,8 +55,8 @@ std::optional<types::Stamp> Turns::next_at(types::Stamp now) const {
   for (const Client& client : clients_) {
     const bool at_once = !client.stops.empty() || (!client.others.empty() && client.standing.may_command);
     if (at_once) return now;
-    if (client.others.empty() || unanswered_ >= quota_.unanswered) continue;
-    const types::Stamp at = within_quota_at(client.standing.user, now);
+    if (client.others.empty() || unanswered_ >= unanswered_max_) continue;
+    const types::Stamp at = requests_.next_at(client.standing.user, now);
     earliest = std::min(earliest.value_or(at), at);
   }
   return earliest;
@@ -83,30 +79,19 @@ Turns::Clients::iterator Turns::first_other(types::Stamp now) {
   const auto commander = std::find_if(clients_.begin(), clients_.end(), [](const Client& c) {
     return !c.others.empty() && c.standing.may_command;
   });
-  if (commander != clients_.end() || unanswered_ >= quota_.unanswered) return commander;
+  if (commander != clients_.end() || unanswered_ >= unanswered_max_) return commander;
   return std::find_if(clients_.begin(), clients_.end(), [this, now](const Client& c) {
-    return !c.others.empty() && within_quota_at(c.standing.user, now) <= now;
+    return !c.others.empty() && requests_.next_at(c.standing.user, now) <= now;
   });
-}
-
-types::Stamp Turns::within_quota_at(uid_t user, types::Stamp now) const {
-  const auto bucket = buckets_.find(user);
-  return bucket == buckets_.end() ? now : bucket->second.next_at(now);
 }
 
 Turns::Turn Turns::take(Clients::iterator client, std::deque<Queued>& queue) {
   Queued& first = queue.front();
-  Turn turn{client->number, client->standing, std::move(first.arrived), first.stops_before < stops_served_};
+  Turn turn{client->number, client->standing, std::move(first.line), first.stops_before < stops_served_};
   queue.pop_front();
   clients_.splice(clients_.end(), clients_, client);
   if (client->left && client->stops.empty() && client->others.empty()) clients_.erase(client);
   return turn;
-}
-
-/// A user's bucket outlives its connections, or a new connection would bring a new quota; when it is full it
-/// says nothing any more.
-void Turns::forget_full_buckets(types::Stamp now) {
-  std::erase_if(buckets_, [now](const auto& bucket) { return bucket.second.is_full(now); });
 }
 
 }  // namespace topo::daemon

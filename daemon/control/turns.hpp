@@ -7,12 +7,11 @@
 #include <cstdint>
 #include <deque>
 #include <list>
-#include <map>
 #include <optional>
+#include <string>
 
 #include "core/types/stamp.hpp"
-#include "daemon/control/json_rpc.hpp"
-#include "daemon/control/token_bucket.hpp"
+#include "daemon/control/user_quota.hpp"
 
 namespace topo::daemon {
 
@@ -27,11 +26,11 @@ struct Standing {
 struct Quota {
   types::Duration request_period = std::chrono::milliseconds(50);  ///< of one user: 20 requests a second
   int request_burst = 20;  ///< of one user: a program that has just started asks for everything
-  int unanswered = 2;      ///< of all of them: jobs (doctor, session.list) that share threads with commands
+  types::Duration connection_period =
+      std::chrono::milliseconds(20);  ///< of one user: 50 connections a second
+  int connection_burst = 50;          ///< of one user: a script that runs topoctl in a loop
+  int unanswered = 2;  ///< of all of them: jobs (doctor, session.list) that share threads with commands
 };
-
-/// A line of a client: a request, or the error to answer it with.
-using Arrived = tl::expected<RpcRequest, RpcError>;
 
 /// Requests that wait, and whose turn it is. One request of one client a turn: first an e-stop in whatever
 /// place of whichever client's queue, then those who may command, in rotation, then the others, in rotation
@@ -43,19 +42,20 @@ class Turns {
   struct Turn {
     std::uint64_t client = 0;
     Standing standing;
-    Arrived arrived;
+    std::string line;
     /// An e-stop was served after this had arrived: what would undo it must not be done.
     bool overtaken = false;
   };
 
-  explicit Turns(const Quota& quota) : quota_(quota) {}
+  explicit Turns(const Quota& quota)
+      : requests_(quota.request_period, quota.request_burst), unanswered_max_(quota.unanswered) {}
 
   void join(std::uint64_t client, const Standing& standing);
   /// The client gets no answers any more. What it has asked for is still done where that has an effect: its
   /// e-stops, and its commands when it may command.
   void leave(std::uint64_t client);
   /// Precondition: the client has joined and not left.
-  void add(std::uint64_t client, Arrived arrived);
+  void add(std::uint64_t client, std::string line, bool estop);
   [[nodiscard]] std::size_t waiting(std::uint64_t client) const;
 
   /// Takes the request whose turn it is.
@@ -67,7 +67,7 @@ class Turns {
 
  private:
   struct Queued {
-    Arrived arrived;
+    std::string line;
     std::uint64_t stops_before = 0;  ///< e-stops that were served before this arrived
   };
   struct Client {
@@ -81,13 +81,11 @@ class Turns {
   [[nodiscard]] Clients::iterator find(std::uint64_t client);
   [[nodiscard]] Clients::iterator first_stop();
   [[nodiscard]] Clients::iterator first_other(types::Stamp now);
-  [[nodiscard]] types::Stamp within_quota_at(uid_t user, types::Stamp now) const;
   Turn take(Clients::iterator client, std::deque<Queued>& queue);
-  void forget_full_buckets(types::Stamp now);
 
-  Quota quota_;
-  Clients clients_;                       ///< whose turn was longest ago first
-  std::map<uid_t, TokenBucket> buckets_;  ///< of users who may not command; a missing one is full
+  UserQuota requests_;  ///< of users who may not command
+  int unanswered_max_;
+  Clients clients_;  ///< whose turn was longest ago first
   std::uint64_t stops_served_ = 0;
   bool owes_other_ = false;  ///< the last turn was an e-stop
   int unanswered_ = 0;       ///< requests of those who may not command

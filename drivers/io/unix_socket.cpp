@@ -50,8 +50,8 @@ const sockaddr* generic(const sockaddr_un& address) {
 }
 
 constexpr mode_t kLockMode = 0600;
-// Of connections that wait to be accepted: a flood of them must not make others wait in the kernel.
-constexpr int kBacklog = 128;
+// Connections that wait to be accepted: room for a flood of them, so that nobody is turned away meanwhile.
+constexpr int kBacklog = 512;
 
 std::string lock_path_of(const std::string& path) { return path + ".lock"; }
 

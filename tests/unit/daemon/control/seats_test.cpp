@@ -10,7 +10,7 @@ namespace topo::daemon {
 namespace {
 
 constexpr Seats kSeats{.commanding = 2, .others = 4, .of_one_other = 3};
-constexpr Standing kCommander{true, 1}, kA{false, 2}, kB{false, 3}, kC{false, 4};
+constexpr Standing kInGroup{true, 1}, kA{false, 2}, kB{false, 3}, kC{false, 4};
 
 std::optional<std::size_t> leaves(const std::vector<Standing>& present, const Standing& newcomer) {
   return who_leaves(present, newcomer, kSeats);
@@ -18,13 +18,13 @@ std::optional<std::size_t> leaves(const std::vector<Standing>& present, const St
 
 TEST(Seats, NobodyLeavesWhileThereIsRoom) {
   EXPECT_FALSE(leaves({}, kA));
-  EXPECT_FALSE(leaves({kA, kA, kCommander}, kB));
-  EXPECT_FALSE(leaves({kA, kA, kA, kB, kCommander}, kCommander));
+  EXPECT_FALSE(leaves({kA, kA, kInGroup}, kB));
+  EXPECT_FALSE(leaves({kA, kA, kA, kB, kInGroup}, kInGroup));
 }
 
 TEST(Seats, CommandersLeaveForCommandersOnly) {
-  EXPECT_EQ(leaves({kA, kCommander, kCommander, kB}, kCommander), 1U);
-  EXPECT_EQ(leaves({kCommander, kCommander, kA, kA, kB, kB}, kC), 2U);
+  EXPECT_EQ(leaves({kA, kInGroup, kInGroup, kB}, kInGroup), 1U);
+  EXPECT_EQ(leaves({kInGroup, kInGroup, kA, kA, kB, kB}, kC), 2U);
 }
 
 TEST(Seats, AUserDisplacesHimself) { EXPECT_EQ(leaves({kB, kA, kA, kA}, kA), 1U); }

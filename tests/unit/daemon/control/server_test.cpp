@@ -209,7 +209,7 @@ class FloodTest : public ServerTest {
 };
 
 TEST_F(FloodTest, EstopGoesBeforeWhatOthersSent) {
-  connect_flooders(20, 8);
+  connect_flooders(20, 7);  // the victim is of the same user, who has 8 seats
   for (const bool commands : {true, false}) {
     newcomers_command = commands;
     const auto victim = connect();
@@ -287,6 +287,19 @@ TEST_F(FloodTest, ThoseWhoLookDoNotTakeTheSeatsOfThoseWhoCommand) {
   pour(commander, "start", 1);
   settle();
   EXPECT_NE(read(commander).find("\"echo\":\"start\""), std::string::npos);
+}
+
+/// A user who connects all the time is hung up on, his e-stop is done nevertheless.
+TEST_F(FloodTest, TooManyConnectionsAreClosedAndAnEstopAmongThemIsServed) {
+  newcomers_command = false;
+  for (int i = 0; i < 200; ++i) {
+    const auto flooder = io::connect_unix(path);
+    ASSERT_TRUE(flooder.has_value());
+    pour(*flooder, i == 199 ? "estop" : "goals", 1);
+  }
+  settle();
+  EXPECT_EQ(std::count(served.begin(), served.end(), "estop"), 1);
+  EXPECT_EQ(served.front(), "estop");
 }
 
 TEST_F(FloodTest, CostlyAnswersAreGivenAgainForAMoment) {
