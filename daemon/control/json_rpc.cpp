@@ -99,10 +99,13 @@ tl::expected<RpcRequest, RpcError> parse_request(std::string_view line) {
   return request;
 }
 
-bool is_estop(std::string_view line) {
+bool may_hold_estop(std::string_view text) {
   // JSON may spell any letter as \u and its number.
-  const bool may_be = line.find(kEstopMethod) != line.npos || line.find("\\u") != line.npos;
-  if (!may_be) return false;
+  return text.find(kEstopMethod) != text.npos || text.find("\\u") != text.npos;
+}
+
+bool is_estop(std::string_view line) {
+  if (!may_hold_estop(line)) return false;
   const auto request = parse_request(line);
   return request.has_value() && request->method == kEstopMethod;
 }

@@ -48,7 +48,9 @@ struct RpcRequest {
 /// Parses a request; on failure returns the error for the answer (id null, as the specification requires).
 tl::expected<RpcRequest, RpcError> parse_request(std::string_view line);
 
-/// True when the line is a request of kEstopMethod. Cheap for nearly all others: no more than a search.
+/// False when no line of the text is a request of kEstopMethod; no more than a search.
+bool may_hold_estop(std::string_view text);
+/// True when the line is a request of kEstopMethod. Cheap for nearly all others.
 bool is_estop(std::string_view line);
 
 /// One line with its line feed.

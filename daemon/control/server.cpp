@@ -22,14 +22,21 @@ constexpr std::size_t kMaxUnread = 1 << 20;
 // Of one client: a script that sends all its requests at once has fewer. Beyond, the kernel's buffer fills
 // and the client waits.
 constexpr std::size_t kMaxWaiting = 64;
-// Before one turn, some 5 us each when they are too many: a flood of connections is dealt with faster than it
-// comes.
-constexpr int kMaxAccepted = 256;
+// Before one turn: the kernel holds no more (io::ListeningSocket). Those beyond their quota take some
+// microseconds.
+constexpr int kMaxAccepted = 512;
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 std::uint64_t to_usec(types::Stamp stamp) {
   const auto usec = std::chrono::ceil<std::chrono::microseconds>(stamp.time_since_epoch()).count();
   return static_cast<std::uint64_t>(std::max<std::int64_t>(usec, 0));
+}
+
+/// True when something has come on the connection, and no e-stop is in it.
+bool only_asks(int fd) {
+  std::array<char, 4096> bytes{};
+  const ssize_t got = ::recv(fd, bytes.data(), bytes.size(), MSG_PEEK);
+  return got > 0 && !may_hold_estop({bytes.data(), static_cast<std::size_t>(got)});
 }
 
 }  // namespace
@@ -161,18 +168,15 @@ bool ControlServer::accept_one() {
 }
 
 void ControlServer::take_in(io::UniqueFd fd, const Standing& standing) {
-  const bool too_many = !standing.may_command && !connections_.take(standing.user, io::monotonic_now());
-  if (!too_many) make_room(standing);
+  const bool within_quota = standing.may_command || connections_.take(standing.user, io::monotonic_now());
+  if (!within_quota && only_asks(fd.get())) return;
+  make_room(standing);
   Client& client = clients_.emplace_back();
   client.server = this;
   client.number = next_client_++;
   client.standing = standing;
   client.fd = std::move(fd);
   turns_.join(client.number, standing);
-  if (too_many) {  // an e-stop that has come is done all the same
-    hear_out(client);
-    return drop(client.number);
-  }
   sd_event_source* source = nullptr;
   if (sd_event_add_io(event_, &source, client.fd.get(), EPOLLIN, &ControlServer::on_client, &client) < 0) {
     return drop(client.number);

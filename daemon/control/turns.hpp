@@ -26,9 +26,9 @@ struct Standing {
 struct Quota {
   types::Duration request_period = std::chrono::milliseconds(50);  ///< of one user: 20 requests a second
   int request_burst = 20;  ///< of one user: a program that has just started asks for everything
-  types::Duration connection_period =
-      std::chrono::milliseconds(20);  ///< of one user: 50 connections a second
-  int connection_burst = 50;          ///< of one user: a script that runs topoctl in a loop
+  /// Of one user: 50 connections a second, of those that come with a question. topoctl makes one a call.
+  types::Duration connection_period = std::chrono::milliseconds(20);
+  int connection_burst = 50;  ///< of one user: a script that runs topoctl in a loop
   int unanswered = 2;  ///< of all of them: jobs (doctor, session.list) that share threads with commands
 };
 
