@@ -289,17 +289,21 @@ TEST_F(FloodTest, ThoseWhoLookDoNotTakeTheSeatsOfThoseWhoCommand) {
   EXPECT_NE(read(commander).find("\"echo\":\"start\""), std::string::npos);
 }
 
-/// A user who connects all the time is hung up on, his e-stop is done nevertheless.
-TEST_F(FloodTest, TooManyConnectionsAreClosedAndAnEstopAmongThemIsServed) {
+/// A user who connects with questions all the time is hung up on; his e-stop is answered nevertheless.
+TEST_F(FloodTest, ConnectionsBeyondTheQuotaAreClosedButForAnEstop) {
   newcomers_command = false;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const auto flooder = io::connect_unix(path);
     ASSERT_TRUE(flooder.has_value());
-    pour(*flooder, i == 199 ? "estop" : "goals", 1);
+    pour(*flooder, "goals", 3);
   }
-  settle();
-  EXPECT_EQ(std::count(served.begin(), served.end(), "estop"), 1);
-  EXPECT_EQ(served.front(), "estop");
+  const auto asks = io::connect_unix(path), stops = io::connect_unix(path);
+  ASSERT_TRUE(asks.has_value() && stops.has_value());
+  pour(*asks, "goals", 1);
+  pour(*stops, "estop", 1);
+  EXPECT_LE(others_before_estop(), 2U);
+  EXPECT_NE(read(*stops).find("\"echo\":\"estop\""), std::string::npos);
+  EXPECT_EQ(read(*asks), "closed");
 }
 
 TEST_F(FloodTest, CostlyAnswersAreGivenAgainForAMoment) {
