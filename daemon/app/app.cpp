@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 #include <sys/epoll.h>
 #include <systemd/sd-daemon.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -85,7 +86,9 @@ Status App::serve_control() {
   methods_ = std::make_unique<Methods>(
       *operator_, [this](const Call& call, const Answer& answer) { control_->answer(call, answer); },
       [this](std::uint64_t client) { control_->subscribe(client); });
-  control_ = std::make_unique<ControlServer>(event_.get(), std::move(options_.socket), group,
+  ControlRules rules;
+  rules.may_command = [group](const Peer& peer) { return may_command(peer, ::geteuid(), group); };
+  control_ = std::make_unique<ControlServer>(event_.get(), std::move(options_.socket), std::move(rules),
                                              [this](const Call& call) { return methods_->answer(call); });
   return control_->start();
 }
@@ -114,9 +117,14 @@ Status App::add_events() {
     static_cast<App*>(app)->collect(1);
     return 0;
   };
+  const auto latched = [](sd_event_source*, int, std::uint32_t, void* app) {
+    static_cast<App*>(app)->collect(2);
+    return 0;
+  };
   const auto fds = operator_->finished_fds();
   if (auto s = watch(fds[0], saved, this, saved_); !s) return s;
   if (auto s = watch(fds[1], searched, this, searched_); !s) return s;
+  if (auto s = watch(fds[2], latched, this, latched_); !s) return s;
   const int added = sd_event_add_time_relative(event, &source, CLOCK_MONOTONIC, kTickUsec, kTickAccuracyUsec,
                                                &App::on_tick, this);
   if (auto s = from_sd(added, "timer"); !s) return s;
@@ -141,6 +149,7 @@ Status App::watch(int fd, sd_event_io_handler_t handler, void* data, EventSource
 void App::end_readers() {
   saved_.reset();
   searched_.reset();
+  latched_.reset();
   operator_.reset();  // no longer called: the event loop, which serves the socket, has ended
 }
 

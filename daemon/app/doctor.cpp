@@ -94,6 +94,12 @@ Check check_estop(const DoctorFacts& f) {
     return bad(name, "the stop button on the robot is pressed",
                "pull or turn the button until it springs out, then topoctl clear-estop");
   }
+  if (f.estop_latched && !f.estop_trouble.empty()) {
+    return bad(
+        name, f.estop_trouble,
+        "see that control.state_folder is a folder that the daemon's user may write to, with room on its "
+        "disk; when the way is clear: topoctl clear-estop");
+  }
   if (f.estop_latched) return bad(name, "latched", "when the way is clear: topoctl clear-estop");
   return good(name, "clear");
 }

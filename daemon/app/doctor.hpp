@@ -29,6 +29,7 @@ struct DoctorFacts {
   };
   std::optional<Can> can;  ///< present when the base is on a CAN bus
   BaseReport base;
+  std::string estop_trouble;       ///< what is wrong with the keeping of its latch; empty: nothing
   bool estop_latched = false;      ///< according to the operator's state; `base` may be from before a clear
   std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the connection
   types::BatteryLimits battery;

@@ -30,18 +30,28 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       monitor_(monitor),
       announce_(std::move(announce)),
       plan_(hand_overs),
+      estop_(
+          hand_overs.estop, [&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
+          configuration.control.state_folder, [this](const Json& event) { announce_(event); }),
       saver_(hand_overs),
       sessions_(configuration, hand_overs, files_) {}
 
 Status Operator::start() {
+  if (auto s = estop_.start(); !s) return s;
   if (auto s = files_.start("files"); !s) return s;
   return searches_.start("searches");
+}
+
+void Operator::collect(std::size_t i) {
+  if (i == 0) return files_.collect();
+  i == 1 ? searches_.collect() : estop_.collect();
 }
 
 void Operator::tick(types::Stamp now) {
   plan_.update();
   add_distance();
-  if (estop_latched()) interrupt("the emergency stop");
+  estop_.tick();
+  if (estop_.latched()) interrupt("the emergency stop");
   const auto* report = plan_.report();
   if (report != nullptr && missions_.note(*report, now)) {
     announce_mission("done");
@@ -85,14 +95,8 @@ void Operator::watch_readiness() {
   ready_ = ready;
 }
 
-bool Operator::estop_latched() const {
-  const pipeline::ControlReport& base = monitor_.base().control;
-  // A report of the base from before the clear is out of date.
-  return hand_overs_.estop.pressed() || (base.estop_latched && base.stamp > estop_cleared_);
-}
-
 std::string Operator::obstacle() const {
-  if (estop_latched()) return "the e-stop is latched; clear it first (topoctl clear-estop)";
+  if (std::string stopped = estop_.obstacle(); !stopped.empty()) return stopped;
   if (std::string device = monitor_.device_obstacle(); !device.empty()) return device;
   const auto* report = plan_.report();
   if (!monitor_.has_map() || report == nullptr)
@@ -149,17 +153,13 @@ void Operator::announce_mission(std::string_view event) {
 
 void Operator::estop() {
   ++commands_;
-  hand_overs_.estop.press();
-  spdlog::warn("e-stop");
+  estop_.press();
   interrupt("the emergency stop");
 }
 
-Status Operator::clear_estop() {
+void Operator::clear_estop(std::function<void(Status)> done) {
   end_driving();  // requests from before the e-stop are void
-  hand_overs_.estop.clear();
-  estop_cleared_ = io::monotonic_now();  // after the clear: a base that decides later has read it
-  spdlog::info("e-stop cleared");
-  return {};
+  estop_.clear(std::move(done));
 }
 
 Status Operator::drive(const types::Twist2& twist) {
@@ -173,9 +173,7 @@ Status Operator::drive(const types::Twist2& twist) {
                                                  twist.omega_radps, base.omega_max_radps));
   }
   // The base's report follows a clear with delay; the gate decides in any case.
-  if (hand_overs_.estop.pressed()) {
-    return fail(Errc::kBusy, "the e-stop is latched; clear it first (topoctl clear-estop)");
-  }
+  if (estop_.pressed()) return fail(Errc::kBusy, estop_.obstacle());
   ++commands_;
   interrupt("an operator who drives");  // or the robot would resume when the keys are released
   hand_overs_.drive.store({io::monotonic_now(), twist});

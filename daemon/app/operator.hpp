@@ -7,6 +7,7 @@
 
 #include "daemon/app/background.hpp"
 #include "daemon/app/battery_watch.hpp"
+#include "daemon/app/estop_control.hpp"
 #include "daemon/app/map_saver.hpp"
 #include "daemon/app/mission_control.hpp"
 #include "daemon/app/plan_watch.hpp"
@@ -25,11 +26,12 @@ class Operator final : public Operations {
   Operator(const Configuration& configuration, std::string effective, HandOvers& hand_overs, Monitor& monitor,
            Announce announce);
 
-  /// Starts the background threads.
+  /// Latches the e-stop when it was latched at the daemon's last end, and starts the background threads. To
+  /// be called before the base's thread is started.
   types::Status start();
   /// Main only: when finished_fds()[i] is readable, call collect(i).
-  [[nodiscard]] std::array<int, 2> finished_fds() const { return {files_.fd(), searches_.fd()}; }
-  void collect(std::size_t i) { i == 0 ? files_.collect() : searches_.collect(); }
+  [[nodiscard]] std::array<int, 3> finished_fds() const { return {files_.fd(), searches_.fd(), estop_.fd()}; }
+  void collect(std::size_t i);
 
   /// To be called every tick, after the monitor's update: handles planning's report, the e-stop, the journal
   /// and the battery.
@@ -44,7 +46,7 @@ class Operator final : public Operations {
   [[nodiscard]] Json progress() const override;
   void doctor(std::function<void(Json)> done) override;
   void estop() override;
-  types::Status clear_estop() override;
+  void clear_estop(std::function<void(types::Status)> done) override;
   types::Status drive(const types::Twist2& twist) override;
   void stop() override;
   types::Status explore() override { return begin(pipeline::Order::kExplore, {0.0, 0.0}); }
@@ -64,8 +66,6 @@ class Operator final : public Operations {
   types::Status begin(pipeline::Order order, const types::Vector2& target);
   /// Why the robot cannot start now; empty when it can.
   [[nodiscard]] std::string obstacle() const;
-  /// According to the operator's request, or to a report of the base later than the last clear.
-  [[nodiscard]] bool estop_latched() const;
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
   void send_mission();
@@ -83,7 +83,7 @@ class Operator final : public Operations {
   PlanWatch plan_;
   MissionControl missions_;
   std::uint64_t commands_ = 0;  ///< that move or stop the robot; a slow one must not override a later one
-  types::Stamp estop_cleared_{};
+  EStopControl estop_;
   MapSaver saver_;
   SessionControl sessions_;  // declared before the thread of its jobs, which is destroyed first
   Background files_, searches_;

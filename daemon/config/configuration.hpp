@@ -76,6 +76,7 @@ struct MotionConfig {
 struct ControlConfig {
   std::string socket = "/run/topometric/control.sock";
   std::string group = "topometric";
+  std::string state_folder = "/var/lib/topometric";  ///< empty: a latched e-stop is forgotten at the end
 };
 
 enum class LogLevel { kTrace, kDebug, kInfo, kWarning, kError };

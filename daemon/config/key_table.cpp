@@ -250,6 +250,10 @@ void add_control_and_log(std::vector<KeySpec>& t) {
       {"control.group", "", false,
        TextKey{&at<kC, &ControlConfig::group>, "a group's name: 1 to 32 letters, digits, - and _", &is_group},
        "members of this group may command, as root and the daemon's own user may"});
+  t.push_back({"control.state_folder", "", false,
+               TextKey{&at<kC, &ControlConfig::state_folder>,
+                       "an absolute path of a folder, or \"\" for none", &is_optional_path},
+               "where a latched e-stop is kept, which outlives the daemon; \"\": it is forgotten"});
   t.push_back({"log.level", "", false, choice<kL, &LogConfig::level>(kLevels),
                "the least important message still written"});
   t.push_back({"log.file", "", false, TextKey{&at<kL, &LogConfig::file>, kPathForm, &is_optional_path},

@@ -8,7 +8,9 @@ LoadedConfiguration replayed(LoadedConfiguration loaded, const std::string& sess
   loaded.values.session.folder = sessions;
   loaded.values.session.resume.clear();
   loaded.values.exploration.save_folder.clear();
-  for (const char* key : {"session.folder", "session.resume", "exploration.save_folder"})
+  loaded.values.control.state_folder.clear();
+  for (const char* key :
+       {"session.folder", "session.resume", "exploration.save_folder", "control.state_folder"})
     loaded.places.erase(key);
   return loaded;
 }

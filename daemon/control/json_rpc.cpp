@@ -41,10 +41,7 @@ int bracket_depth(std::string_view text) {
   return deepest;
 }
 
-/// Does not throw: invalid UTF-8 from a peer is replaced.
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string dump(const Json& json) { return result_text(json) + "\n"; }
 
 std::string short_dump(const Json& json) {
   const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
@@ -102,9 +99,27 @@ tl::expected<RpcRequest, RpcError> parse_request(std::string_view line) {
   return request;
 }
 
-std::string result_line(const Json& id, const Json& result) {
-  return dump(Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
+bool may_hold_estop(std::string_view text) {
+  // JSON may spell any letter as \u and its number.
+  return text.find(kEstopMethod) != text.npos || text.find("\\u") != text.npos;
 }
+
+bool is_estop(std::string_view line) {
+  if (!may_hold_estop(line)) return false;
+  const auto request = parse_request(line);
+  return request.has_value() && request->method == kEstopMethod;
+}
+
+/// Does not throw: invalid UTF-8 from a peer is replaced.
+std::string result_text(const Json& result) {
+  return result.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string prepared_line(const Json& id, std::string_view result) {
+  return fmt::format("{{\"id\":{},\"jsonrpc\":\"2.0\",\"result\":{}}}\n", result_text(id), result);
+}
+
+std::string result_line(const Json& id, const Json& result) { return prepared_line(id, result_text(result)); }
 
 std::string error_line(const Json& id, const RpcError& error) {
   return dump(Json{{"jsonrpc", "2.0"},

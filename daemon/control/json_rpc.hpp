@@ -19,6 +19,9 @@ using Json = nlohmann::json;
 inline constexpr std::size_t kMaxRequestBytes = 16384;
 inline constexpr int kMaxRequestDepth = 8;
 
+/// The method that goes before all others.
+inline constexpr std::string_view kEstopMethod = "estop";
+
 /// Error codes: those of the specification, and two server-defined ones.
 enum class RpcCode {
   kParseError = -32700,
@@ -45,9 +48,18 @@ struct RpcRequest {
 /// Parses a request; on failure returns the error for the answer (id null, as the specification requires).
 tl::expected<RpcRequest, RpcError> parse_request(std::string_view line);
 
+/// False when no line of the text is a request of kEstopMethod; no more than a search.
+bool may_hold_estop(std::string_view text);
+/// True when the line is a request of kEstopMethod. Cheap for nearly all others.
+bool is_estop(std::string_view line);
+
 /// One line with its line feed.
 std::string result_line(const Json& id, const Json& result);
 std::string error_line(const Json& id, const RpcError& error);
+/// The same in two steps, for a result that answers several requests: result_line(id, r) is
+/// prepared_line(id, result_text(r)).
+std::string result_text(const Json& result);
+std::string prepared_line(const Json& id, std::string_view result_text);
 std::string notification_line(std::string_view method, const Json& params);
 std::string request_line(std::string_view method, const Json& params, int id);
 

@@ -46,8 +46,8 @@ Answer call_log_level(Operations& o, const Json& params) {
   return done(o.set_log_level(*level));
 }
 
-const std::array<Method, 18>& methods() {
-  static const std::array<Method, 18> table{{
+const std::array<Method, 17>& methods() {
+  static const std::array<Method, 17> table{{
       {"status", false, {}, [](Operations& o, const Json&) -> Answer { return o.status(); }},
       {"version",
        false,
@@ -65,8 +65,10 @@ const std::array<Method, 18>& methods() {
       {"home", true, {}, [](Operations& o, const Json&) { return done(o.go_home()); }},
       {"pause", true, {}, [](Operations& o, const Json&) { return done(o.pause()); }},
       {"resume", true, {}, [](Operations& o, const Json&) { return done(o.resume()); }},
-      {"estop", false, {}, [](Operations& o, const Json&) -> Answer { return o.estop(), Json::object(); }},
-      {"clear_estop", true, {}, [](Operations& o, const Json&) { return done(o.clear_estop()); }},
+      {kEstopMethod,
+       false,
+       {},
+       [](Operations& o, const Json&) -> Answer { return o.estop(), Json::object(); }},
       {"drive", true, {"v_mps", "omega_radps"}, &call_drive},
       {"stop", true, {}, [](Operations& o, const Json&) -> Answer { return o.stop(), Json::object(); }},
       {"session.new", true, {}, [](Operations& o, const Json&) { return done(o.begin_anew()); }},
@@ -138,6 +140,15 @@ Answer call_load_session(Operations& o, const Call& call, const Methods::Late& l
   return Json();
 }
 
+/// A clear never undoes a stop that came after it.
+Answer call_clear_estop(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  if (call.overtaken)
+    return refuse({Errc::kBusy, "an e-stop came while this waited: it stays latched; say it again", 0});
+  waits = true;
+  o.clear_estop([late, call](const types::Status& status) { late(call, done(status)); });
+  return Json();
+}
+
 Answer call_doctor(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
   waits = true;
   o.doctor([late, call](const Json& checks) { late(call, checks); });
@@ -152,9 +163,10 @@ struct LateMethod {
   Answer (*call)(Operations&, const Call&, const Methods::Late&, bool& waits);
 };
 
-const std::array<LateMethod, 6>& late_methods() {
-  static const std::array<LateMethod, 6> table{
+const std::array<LateMethod, 7>& late_methods() {
+  static const std::array<LateMethod, 7> table{
       {{"map.save", true, {"dir"}, &call_save},
+       {"clear_estop", true, {}, &call_clear_estop},
        {"session.list", false, {}, &call_sessions},
        {"session.save", true, {"name"}, &call_save_session},
        {"session.load", true, {"name", "x_m", "y_m", "theta_rad"}, &call_load_session},

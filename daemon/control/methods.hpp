@@ -34,7 +34,8 @@ class Operations {
   virtual types::Status go_home() = 0;
   virtual types::Status pause() = 0;
   virtual types::Status resume() = 0;
-  virtual types::Status clear_estop() = 0;
+  /// Calls `done` on the main thread, later: when nothing on the disk would latch the e-stop again.
+  virtual void clear_estop(std::function<void(types::Status)> done) = 0;
   /// Drives for the dead-man's time unless repeated.
   virtual types::Status drive(const types::Twist2& twist) = 0;
   virtual void stop() = 0;

@@ -91,4 +91,18 @@ Status write_files(std::span<const FileContent> files) {
   return {};
 }
 
+Status remove_file(const std::string& path) {
+  struct stat info {};
+  // Looked for first: on a disk that is read-only, unlink() fails for a missing file too.
+  if (::lstat(path.c_str(), &info) == 0) {
+    if (::unlink(path.c_str()) != 0) return io::fail_errno(path, "cannot be removed", errno);
+  } else if (errno != ENOENT && errno != ENOTDIR) {
+    return io::fail_errno(path, "cannot be examined", errno);
+  }
+  // Also without a file: an earlier call may have failed after it had removed it.
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code none;
+  return std::filesystem::is_directory(folder, none) ? sync_folder_of(path) : Status{};
+}
+
 }  // namespace topo::daemon

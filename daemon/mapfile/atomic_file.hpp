@@ -30,4 +30,8 @@ inline types::Status write_file(const std::string& path, std::string_view text) 
   return write_file(path, std::as_bytes(std::span(text)));
 }
 
+/// Removes a file and synchronises its folder; a file or folder that is not there is no error. Blocks on the
+/// disk. Errors name the file; the file may be back after a loss of power then.
+types::Status remove_file(const std::string& path);
+
 }  // namespace topo::daemon

@@ -53,6 +53,17 @@ std::string battery_text(const Json& status) {
   return reported ? number(status, "/battery_v", 1) + " V" : "voltage not reported";
 }
 
+/// Whether it is latched, and whether it would be after a restart.
+std::string estop_text(const Json& status) {
+  std::string out = text(status, "/estop");
+  const std::string kept = text(status, "/estop_latch/kept"), since = text(status, "/estop_latch/since");
+  if (!is_said(kept)) return out;
+  out += kept == "yes"  ? "; kept in " + text(status, "/estop_latch/file")
+         : kept == "no" ? "; NOT kept over a restart: " + text(status, "/estop_latch/why")
+                        : "; not kept over a restart yet";
+  return is_said(since) ? out + "; since before the start: " + since : out;
+}
+
 std::string point_text(const Json& json) {
   return fmt::format("({}, {})", number(json, "/x_m", 2), number(json, "/y_m", 2));
 }
@@ -162,7 +173,7 @@ std::string status_table(const Json& status) {
   out += row("activity", fmt::format("{}; {}", text(status, "/activity"), text(status, "/reason")));
   out += row("mission", mission_text(at(status, "/mission")));
   out.pop_back();  // removes the line end, which row() adds
-  out += row("e-stop", text(status, "/estop"));
+  out += row("e-stop", estop_text(status));
   out += row("pose", pose_text(status, "/pose"));
   out += row("odometry", pose_text(status, "/odometry"));
   out += row("speed", fmt::format("{} m/s, {} rad/s", text(status, "/twist/v_mps"),

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <sys/time.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -48,6 +49,10 @@ const sockaddr* generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);  // type that the socket calls expect
 }
 
+constexpr mode_t kLockMode = 0600;
+// Connections that wait to be accepted: room for a flood of them, so that nobody is turned away meanwhile.
+constexpr int kBacklog = 512;
+
 std::string lock_path_of(const std::string& path) { return path + ".lock"; }
 
 /// For fcntl(): the whole file.
@@ -58,13 +63,36 @@ struct flock whole_file() {
   return range;
 }
 
+/// Only its owner may open the lock file: any process that may read it can lock it, and keep the daemon from
+/// starting.
+Status check_own(const UniqueFd& lock, const std::string& lock_path) {
+  struct stat status {};
+  if (::fstat(lock.get(), &status) != 0) return fail_path(lock_path, "cannot be examined");
+  if (!S_ISREG(status.st_mode)) {
+    return fail(
+        Errc::kInvalidInput,
+        fmt::format("control socket's lock {}: found no regular file, expected one or none", lock_path));
+  }
+  if (status.st_uid != ::geteuid()) {
+    return fail(
+        Errc::kPermission,
+        fmt::format("control socket's lock {}: found a file of user {}, expected one of user {}, who runs "
+                    "this; remove it when no daemon of the other user runs",
+                    lock_path, status.st_uid, ::geteuid()));
+  }
+  if ((status.st_mode & 07777) != kLockMode && ::fchmod(lock.get(), kLockMode) != 0)
+    return fail_path(lock_path, "its permissions cannot be set");
+  return {};
+}
+
 /// Two locks. The kernel reports the holder of an fcntl() lock, but a process that opens the file again takes
 /// that lock a second time and loses it at close. A flock() lock does not have this fault, but its holder is
 /// not reported.
 Result<UniqueFd> take_lock(const std::string& path) {
   const std::string lock_path = lock_path_of(path);
-  UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kLockMode));
   if (!lock.valid()) return fail_path(lock_path, "cannot be opened");
+  if (auto own = check_own(lock, lock_path); !own) return tl::unexpected(own.error());
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) {
     struct flock range = whole_file();
     static_cast<void>(::fcntl(lock.get(), F_SETLK, &range));  // on failure only the process id is unknown
@@ -129,7 +157,7 @@ Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mo
   if (!socket.valid()) return fail_path(path, "no socket");
   if (::bind(socket.get(), generic(*address), sizeof *address) != 0) return fail_path(path, "cannot be made");
   if (::chmod(path.c_str(), mode) != 0) return fail_path(path, "its permissions cannot be set");
-  if (::listen(socket.get(), 16) != 0) return fail_path(path, "cannot listen");
+  if (::listen(socket.get(), kBacklog) != 0) return fail_path(path, "cannot listen");
   return ListeningSocket(std::move(*lock), std::move(socket), path);
 }
 

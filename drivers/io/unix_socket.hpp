@@ -13,12 +13,13 @@
 namespace topo::io {
 
 /// A listening Unix stream socket in the file system, owned through a lock file beside it (PATH.lock): a
-/// socket left by a crash is replaced, a socket of a living process never is. The destructor removes the
-/// socket's file.
+/// socket left by a crash is replaced, a socket of a living process never is. The lock file belongs to the
+/// user who runs the process and is open to nobody else. The destructor removes the socket's file.
 class ListeningSocket {
  public:
   /// `mode`: permission to connect. By default any user: a peer's rights follow from its credentials. kBusy:
-  /// another process serves this path. kInvalidInput: a file that is not a socket is there.
+  /// another process serves this path. kInvalidInput: a file that is not a socket is there. kPermission: the
+  /// lock file belongs to another user.
   static types::Result<ListeningSocket> open(const std::string& path, mode_t mode = 0666);
 
   ListeningSocket(const ListeningSocket&) = delete;
@@ -38,7 +39,7 @@ class ListeningSocket {
 };
 
 /// Process that owns the ListeningSocket at `path`, even when it accepts no connections; 0 when there is
-/// none, when it is this process, or when its process id is not visible here.
+/// none, when it is this process, or when its process id is not visible here: to its user and to root only.
 [[nodiscard]] pid_t serving_process(const std::string& path);
 
 /// Connects to the process that serves `path`. kNotFound: none does. kPermission: no access to the file or

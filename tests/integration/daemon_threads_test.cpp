@@ -80,7 +80,7 @@ class DaemonThreads : public ::testing::Test {
     };
     return "[robot]\nmodel = \"p3dx\"\n[base]\n" + address(DeviceId::kBase) + "[scanner.front]\n" +
            address(DeviceId::kFront) + "x_m = 0.021\n[scanner.coronal]\n" + address(DeviceId::kCoronal) +
-           "[control]\nsocket = \"" + socket +
+           "[control]\nsocket = \"" + socket + "\"\nstate_folder = \"" + folder.str() +
            "\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n" + "[session]\nfolder = \"" +
            folder.str() + "\"\njournal_period_s = 0.2\n";
   }

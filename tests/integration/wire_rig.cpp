@@ -73,7 +73,7 @@ std::string WireRig::configuration() {
   return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\n" + address(DeviceId::kBase) +
          "[scanner.front]\n" + address(DeviceId::kFront) + "x_m = 0.021\n[scanner.coronal]\n" +
          address(DeviceId::kCoronal) + "[control]\nsocket = \"" + folder_.file("control.sock") +
-         "\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n";
+         "\"\nstate_folder = \"\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n";
 }
 
 bool WireRig::start_daemon() {

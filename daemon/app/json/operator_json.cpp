@@ -29,7 +29,8 @@ std::optional<std::uint64_t> free_bytes(std::string folder) {
 
 Json Operator::status() const {
   Json json = monitor_.status();
-  json["estop"] = estop_latched();
+  json["estop"] = estop_.latched();
+  json["estop_latch"] = estop_.json();
   json["mission"] = mission_json();
   json["session"] = sessions_.status();
   const auto* report = plan_.report();
@@ -48,6 +49,10 @@ Json Operator::latency() const { return monitor_.latency(); }
 
 Json Operator::health() const {
   Json json = monitor_.health();
+  if (const std::string trouble = estop_.trouble(); !trouble.empty()) {
+    json["healthy"] = false;
+    json["faults"].push_back("e-stop: " + trouble);
+  }
   if (const std::string trouble = sessions_.trouble(); !trouble.empty()) {
     json["healthy"] = false;
     json["faults"].push_back("session: " + trouble);
@@ -81,7 +86,8 @@ Json Operator::places() const {
 
 void Operator::doctor(std::function<void(Json)> done) {
   DoctorFacts facts = monitor_.facts();
-  facts.estop_latched = estop_latched();
+  facts.estop_latched = estop_.latched();
+  facts.estop_trouble = estop_.trouble();
   facts.session_obstacle = sessions_.obstacle();
   facts.journal = sessions_.journal();
   // The disk may be slow.

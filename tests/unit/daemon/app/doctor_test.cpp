@@ -233,6 +233,14 @@ TEST(Doctor, StopButtonAndLatch) {
   EXPECT_THAT(the_bad_one(facts).found, HasSubstr("stop button"));
 }
 
+TEST(Doctor, LatchThatIsNotKept) {
+  DoctorFacts facts = healthy();
+  facts.estop_latched = true;
+  facts.estop_trouble = "latched, but not kept over a restart: the disk is full";
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("the disk is full"));
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("control.state_folder"));
+}
+
 /// The base reports once a period, and an operator may ask right behind his clear-estop.
 TEST(Doctor, AReportFromBeforeTheClearIsNoComplaint) {
   DoctorFacts facts = healthy();

@@ -14,6 +14,8 @@ using ::testing::HasSubstr;
 LoadedConfiguration of_a_robot_that_keeps_everything() {
   auto loaded = parse_configuration(std::string(kSmallest) + R"([exploration]
 save_folder = "/maps"
+[control]
+state_folder = "/state"
 [session]
 folder = "/sessions"
 resume = "last"
@@ -29,6 +31,7 @@ TEST(Replayed, ReadsAndWritesNothingOfTheRobots) {
   EXPECT_EQ(loaded.values.session.folder, "");
   EXPECT_EQ(loaded.values.session.resume, "");
   EXPECT_EQ(loaded.values.exploration.save_folder, "");
+  EXPECT_EQ(loaded.values.control.state_folder, "");
   EXPECT_THAT(effective_text(loaded), HasSubstr("resume = \"\"  # default"));
 }
 
@@ -42,6 +45,7 @@ TEST(Replayed, IsTheSameRobotOtherwise) {
   LoadedConfiguration loaded = replayed(of_a_robot_that_keeps_everything(), "/sessions");
   loaded.values.session.resume = "last";
   loaded.values.exploration.save_folder = "/maps";
+  loaded.values.control.state_folder = "/state";
   loaded.places = of_a_robot_that_keeps_everything().places;
   EXPECT_EQ(effective_text(loaded), effective_text(of_a_robot_that_keeps_everything()));
 }

@@ -38,7 +38,10 @@ class FakeOperations final : public Operations {
     goto_done = std::move(done);
   }
   void estop() override { calls.push_back("estop"); }
-  types::Status clear_estop() override { return calls.push_back("clear_estop"), outcome; }
+  void clear_estop(std::function<void(types::Status)> done) override {
+    calls.push_back("clear_estop");
+    done(outcome);
+  }
   types::Status drive(const types::Twist2& t) override {
     twist = t;
     return calls.push_back("drive"), outcome;

@@ -139,5 +139,18 @@ TEST(LineBuffer, CutsAnyStreamAtItsLineFeeds) {
   EXPECT_FALSE(small.append("5"));
 }
 
+TEST(JsonRpc, EstopIsRecognisedHoweverItIsSpelt) {
+  EXPECT_TRUE(is_estop(R"({"jsonrpc":"2.0","method":"estop","id":1})"));
+  EXPECT_TRUE(is_estop(R"({"jsonrpc":"2.0","method":"e\u0073top"})"));
+  EXPECT_FALSE(is_estop(R"({"jsonrpc":"2.0","method":"clear_estop","id":1})"));
+  EXPECT_FALSE(is_estop(R"({"jsonrpc":"2.0","method":"status","id":"estop"})"));
+  EXPECT_FALSE(is_estop("estop"));
+}
+
+TEST(JsonRpc, PreparedLineIsTheResultLine) {
+  const Json result{{"places", {1, 2, 3}}, {"name", "\xff"}};
+  EXPECT_EQ(prepared_line("a\nb", result_text(result)), result_line("a\nb", result));
+}
+
 }  // namespace
 }  // namespace topo::daemon

@@ -65,10 +65,28 @@ TEST_F(MethodsTest, DriveTakesTwoNumbers) {
 
 TEST_F(MethodsTest, RefusalsCarryTheReason) {
   operations.outcome = types::fail(types::Errc::kBusy, "the stop button is pressed");
-  const auto answer = ask("clear_estop", Json::object());
+  const auto answer = ask("start", Json::object());
   ASSERT_TRUE(answer.has_value() && !answer->has_value());
   EXPECT_EQ(answer->error().code, RpcCode::kRefused);
   EXPECT_EQ(answer->error().message, "the stop button is pressed");
+}
+
+TEST_F(MethodsTest, ClearIsAnsweredWhenItIsDone) {
+  EXPECT_FALSE(ask("clear_estop", Json::object()));
+  EXPECT_THAT(operations.calls, ElementsAre("clear_estop"));
+  ASSERT_TRUE(late.has_value());
+  EXPECT_TRUE(late->has_value());
+  operations.outcome = types::fail(types::Errc::kIo, "the disk is read-only");
+  EXPECT_FALSE(ask("clear_estop", Json::object()));
+  ASSERT_FALSE(late->has_value());
+  EXPECT_EQ(late->error().message, "the disk is read-only");
+}
+
+TEST_F(MethodsTest, ClearThatAnEstopHasOvertakenIsNotDone) {
+  const auto answer = methods.answer({1, true, {"clear_estop", Json::object(), 1, false}, true});
+  ASSERT_TRUE(answer.has_value() && !answer->has_value());
+  EXPECT_EQ(answer->error().code, RpcCode::kRefused);
+  EXPECT_THAT(operations.calls, IsEmpty());
 }
 
 TEST_F(MethodsTest, MissionsAreGivenByName) {

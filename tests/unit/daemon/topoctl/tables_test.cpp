@@ -56,6 +56,22 @@ TEST(Tables, StatusSaysHowTheSessionFares) {
   EXPECT_THAT(status_table(status), Not(HasSubstr("session")));
 }
 
+TEST(Tables, StatusSaysWhetherTheEstopIsKept) {
+  Json status{{"estop", false}, {"estop_latch", {{"kept", ""}, {"why", ""}, {"since", ""}, {"file", "/f"}}}};
+  EXPECT_THAT(status_table(status), HasSubstr("e-stop      no\n"));
+  status["estop"] = true;
+  status["estop_latch"]["kept"] = "not yet";
+  EXPECT_THAT(status_table(status), HasSubstr("e-stop      yes; not kept over a restart yet\n"));
+  status["estop_latch"]["kept"] = "no";
+  status["estop_latch"]["why"] = "the disk is full";
+  EXPECT_THAT(status_table(status),
+              HasSubstr("e-stop      yes; NOT kept over a restart: the disk is full\n"));
+  status["estop_latch"]["kept"] = "yes";
+  status["estop_latch"]["since"] = "yesterday";
+  EXPECT_THAT(status_table(status),
+              HasSubstr("e-stop      yes; kept in /f; since before the start: yesterday\n"));
+}
+
 TEST(Tables, StatusGivesNoVoltageThatIsNotReported) {
   EXPECT_THAT(status_table({{"battery_v", 12.64}}), HasSubstr("battery     12.6 V\n"));
   EXPECT_THAT(status_table({{"battery_v", 0.0}}), HasSubstr("battery     voltage not reported\n"));

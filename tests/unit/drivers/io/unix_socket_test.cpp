@@ -7,8 +7,10 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/time.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cstring>
@@ -75,6 +77,35 @@ TEST_F(UnixSocketTest, TakesClientsAndLeavesNothing) {
   }
   EXPECT_FALSE(std::filesystem::exists(path));
   EXPECT_EQ(connect_unix(path).error().code, Errc::kNotFound);
+}
+
+/// Whoever may read the lock file can lock it, and no daemon would start any more.
+TEST_F(UnixSocketTest, LockFileIsNotEverybodys) {
+  const std::string lock = path + ".lock";
+  const auto mode = [&lock] { return std::filesystem::status(lock).permissions(); };
+  const auto of_the_owner = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+  { const auto listening = ListeningSocket::open(path); }
+  EXPECT_EQ(mode(), of_the_owner);
+  std::filesystem::permissions(lock,
+                               std::filesystem::perms::all);  // as an earlier version might have left it
+  { EXPECT_TRUE(ListeningSocket::open(path)); }
+  EXPECT_EQ(mode(), of_the_owner);
+}
+
+TEST_F(UnixSocketTest, LockFileOfAnotherUserIsRefused) {
+  const std::string lock = folder.write("s.lock", "");
+  if (::chown(lock.c_str(), 65534, 65534) != 0) GTEST_SKIP() << "only root gives files away";
+  const auto listening = ListeningSocket::open(path);
+  ASSERT_FALSE(listening);
+  EXPECT_EQ(listening.error().code, Errc::kPermission);
+  EXPECT_THAT(listening.error().message, HasSubstr("found a file of user 65534, expected one of user 0"));
+}
+
+TEST_F(UnixSocketTest, LockThatIsNoFileIsRefused) {
+  ASSERT_EQ(::mkfifo((path + ".lock").c_str(), 0600), 0);
+  const auto listening = ListeningSocket::open(path);
+  ASSERT_FALSE(listening);
+  EXPECT_EQ(listening.error().code, Errc::kInvalidInput);
 }
 
 TEST_F(UnixSocketTest, SecondDaemonIsRefused) {
