@@ -29,7 +29,7 @@ constexpr types::Duration kTryAgain = std::chrono::seconds(10);
 /// Faults of a session's file that are worth a report; that a killed daemon did not close its journal is not
 /// one.
 std::string lacks(const LoadedSession& file) {
-  return file.closed || file.damaged > 0 ? damage_text(file) : std::string();
+  return file.closed || file.damaged > 0 || file.records_lost > 0 ? damage_text(file) : std::string();
 }
 
 auto no_folder() {
@@ -103,13 +103,21 @@ void SessionControl::end(const std::shared_ptr<Loading>& loading) {
   if (loading_ == loading) loading_.reset();
 }
 
-Result<std::optional<SessionEntry>> SessionControl::wanted() const {
+/// The session that session.resume names; nothing when there is none to resume.
+Result<LastUsable> SessionControl::wanted() const {
   const SessionConfig& config = configuration_.session;
   const auto sessions = list_sessions(config.folder);
   if (!sessions) return tl::unexpected(sessions.error());
-  if (config.resume == "killed" || config.resume == "last") return newest_journal(*sessions);
+  if (config.resume == "killed" || config.resume == "last") {
+    LastUsable last = last_usable_journal(*sessions);
+    if (!last.session && !last.unusable.empty()) return fail(Errc::kInvalidInput, last.unusable.front());
+    return last;
+  }
   for (const SessionEntry& session : *sessions) {
-    if (session.name == config.resume) return std::optional(session);
+    if (session.name != config.resume) continue;
+    auto named = load_usable(session);
+    if (!named) return tl::unexpected(named.error());
+    return LastUsable{std::move(*named), {}};
   }
   return fail(Errc::kNotFound,
               fmt::format("{}: there is no such session", session_path(config.folder, config.resume)));
@@ -118,20 +126,16 @@ Result<std::optional<SessionEntry>> SessionControl::wanted() const {
 /// Loads the session of session.resume. With "killed", a session that was closed in order is not resumed.
 SessionControl::Resumed SessionControl::try_resume(Loading& loading) {
   Resumed resumed;
-  const auto entry = wanted();
-  if (!entry) resumed.unusable = entry.error().message;
-  if (!entry || !*entry) return resumed;
-  resumed.name = (*entry)->name;
-  const auto file = load_session((*entry)->path);
-  if (!file) {
-    resumed.unusable = file.error().message;
-  } else if (file->closed && configuration_.session.resume == "killed") {
+  const auto last = wanted();
+  if (!last) {
+    resumed.unusable = last.error().message;
     return resumed;
-  } else if (const Status sound = check_map(*file, (*entry)->path); !sound) {
-    resumed.unusable = sound.error().message;
-  } else {
-    resumed.loaded = go_on(*file, loading);
   }
+  resumed.passed_over = last->unusable;
+  if (!last->session) return resumed;
+  resumed.name = last->session->entry.name;
+  const LoadedSession& file = last->session->loaded;
+  if (!file.closed || configuration_.session.resume != "killed") resumed.loaded = go_on(file, loading);
   return resumed;
 }
 
@@ -147,6 +151,11 @@ void SessionControl::resume(types::Stamp now) {
 }
 
 void SessionControl::settle(const Resumed& resumed) {
+  // The attempt may be repeated; each is told once.
+  for (const std::string& why : resumed.passed_over) {
+    if (!passed_over_.insert(why).second) continue;
+    spdlog::warn("session.resume: {}; the one before it counts instead", why);
+  }
   if (!resumed.unusable.empty()) {
     // Another map has another origin, and the forbidden areas would be measured from there.
     return hold_back(
@@ -257,10 +266,9 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
 }
 
 Result<SessionControl::Loaded> SessionControl::load_now(const std::string& path, Loading& loading) {
-  const auto file = load_session(path);
-  if (!file) return tl::unexpected(file.error());
-  if (const Status sound = check_map(*file, path); !sound) return tl::unexpected(sound.error());
-  return go_on(*file, loading);
+  const auto usable = load_usable({.name = {}, .path = path});
+  if (!usable) return tl::unexpected(usable.error());
+  return go_on(usable->loaded, loading);
 }
 
 /// Precondition: check_map().

@@ -6,14 +6,15 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "core/slam/localise.hpp"
 #include "daemon/app/background.hpp"
 #include "daemon/config/configuration.hpp"
 #include "daemon/control/json_rpc.hpp"
-#include "daemon/session/folder.hpp"
-#include "daemon/session/session_reader.hpp"
+#include "daemon/session/last_usable.hpp"
 #include "daemon/threads/hand_overs.hpp"
 
 namespace topo::daemon {
@@ -63,7 +64,8 @@ class SessionControl {
   /// Result of session.resume.
   struct Resumed {
     std::string name;
-    std::string unusable;                         ///< why the named session cannot be read; empty: it can
+    std::string unusable;                  ///< why there is no session that can be read; empty: there is
+    std::vector<std::string> passed_over;  ///< later journals that cannot be used, and why
     std::optional<types::Result<Loaded>> loaded;  ///< nothing: unusable, or there is none to resume
   };
   /// Progress of a session that is being loaded.
@@ -95,18 +97,18 @@ class SessionControl {
                                           const Loading& loading) const;
   types::Status hand_over(const slam::Session& session, const SessionNews& news, const slam::Match& match,
                           Loading& loading);
-  /// The session that session.resume names; nothing when there is none to resume.
-  types::Result<std::optional<SessionEntry>> wanted() const;
+  types::Result<LastUsable> wanted() const;
 
   const Configuration& configuration_;
   HandOvers& hand_overs_;
   Background& files_;
   SessionClient client_;  ///< used on the background thread
   std::uint64_t params_hash_;
-  std::string obstacle_;              ///< reason from session.resume
-  bool held_back_ = false;            ///< an attempt failed
-  bool resuming_ = false;             ///< session.resume is not settled yet
-  std::shared_ptr<Loading> loading_;  ///< null: none is active
+  std::set<std::string> passed_over_;  ///< unusable journals that were reported
+  std::string obstacle_;               ///< reason from session.resume
+  bool held_back_ = false;             ///< an attempt failed
+  bool resuming_ = false;              ///< session.resume is not settled yet
+  std::shared_ptr<Loading> loading_;   ///< null: none is active
   types::Stamp next_try_{};
   JournalReport journal_;
 };

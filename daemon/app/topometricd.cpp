@@ -67,12 +67,14 @@ std::string recording_path(const LoadedConfiguration& loaded, const Arguments& a
 }
 
 types::Result<std::unique_ptr<Recorder>> start_recorder(const std::string& file,
-                                                        const std::string& configuration) {
+                                                        const LoadedConfiguration& loaded) {
   if (file.empty()) return std::unique_ptr<Recorder>();
   RecorderOptions options;
   options.path = file;
   options.channels = {"base", "front", "coronal"};
+  const std::string configuration = effective_text(loaded);
   options.config_hash = checksum(std::as_bytes(std::span(configuration)));
+  options.quota_bytes = static_cast<std::uint64_t>(loaded.values.record.quota_mb) * 1'000'000U;
   options.on_warning = [](const std::string& warning) { spdlog::warn("recording: {}", warning); };
   return Recorder::start(std::move(options));
 }
@@ -120,7 +122,7 @@ int run(const LoadedConfiguration& loaded, const Arguments& arguments) {
   // Opened before a recording is started: another daemon of this robot may be writing it.
   auto socket = io::ListeningSocket::open(loaded.values.control.socket);
   if (!socket) return complain(socket.error());
-  auto recorder = start_recorder(recording_path(loaded, arguments), effective_text(loaded));
+  auto recorder = start_recorder(recording_path(loaded, arguments), loaded);
   if (!recorder) return complain(recorder.error());
   AppOptions options{loaded.values,
                      effective_text(loaded),

@@ -71,7 +71,8 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   w.closure_.worker = std::make_unique<ClosureWorker>(hand_overs, w.closure_.vitals);
   if (!c.session.folder.empty() && c.session.journal) {
     const JournalSettings settings{c.session.folder, types::from_seconds(c.session.journal_period_s),
-                                   static_cast<std::size_t>(c.session.keep), params_hash(c)};
+                                   static_cast<std::size_t>(c.session.keep), params_hash(c),
+                                   static_cast<std::uint64_t>(c.session.quota_mb) * 1'000'000U};
     w.journal_.worker = std::make_unique<JournalWorker>(hand_overs, settings, w.journal_.vitals);
   }
   w.list_vitals();

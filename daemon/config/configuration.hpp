@@ -97,7 +97,8 @@ struct RealtimeConfig {
 };
 
 struct RecordConfig {
-  std::string folder;  ///< empty: no recording
+  std::string folder;     ///< empty: no recording
+  int quota_mb = 20'000;  ///< of the folder's recordings of this robot; 0: no limit
 };
 
 /// Sessions: saved maps that mapping can continue.
@@ -106,6 +107,7 @@ struct SessionConfig {
   bool journal = true;
   double journal_period_s = 2.0;
   int keep = 5;                   ///< journals
+  int quota_mb = 2000;            ///< of all journals; 0: no limit
   std::string resume = "killed";  ///< "killed", "last", a session's name, or empty
 };
 

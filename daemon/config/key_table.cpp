@@ -277,6 +277,10 @@ void add_realtime_and_record(std::vector<KeySpec>& t) {
                TextKey{&at<&Configuration::record, &RecordConfig::folder>,
                        "an absolute path of a folder, or \"\" for none", &is_optional_path},
                "every start records all bytes from the devices into a new file here; --record goes before"});
+  t.push_back(
+      {"record.quota_mb", "MB", false,
+       IntegerKey{&at<&Configuration::record, &RecordConfig::quota_mb>, 0, 100'000'000},
+       "this robot's recordings in the folder: the oldest finished ones are removed beyond it; 0: no limit"});
 }
 
 void add_session(std::vector<KeySpec>& t) {
@@ -292,6 +296,8 @@ void add_session(std::vector<KeySpec>& t) {
                "from one write of the journal to the next"});
   t.push_back({"session.keep", "", false, IntegerKey{&at<kS, &C::keep>, 1, 1000},
                "journals that are kept; older ones are removed, saved sessions never"});
+  t.push_back({"session.quota_mb", "MB", false, IntegerKey{&at<kS, &C::quota_mb>, 0, 100'000'000},
+               "all journals together: the oldest finished ones are removed beyond it; 0: no limit"});
   t.push_back(
       {"session.resume", "", false,
        TextKey{&at<kS, &C::resume>, "\"killed\", \"last\", a session's name, or \"\" for none", &is_resume},

@@ -17,6 +17,7 @@ constexpr std::array kTemplates{
                   "planning took {a_ms:.0f} ms, the period is {b_ms:.0f} ms; {c} times since the start"},
     EventTemplate{"journal_failed", "the session is not being kept, {a} times since the start: {text}"},
     EventTemplate{"journal_goes_on", "the session is being kept again: {a} keyframes"},
+    EventTemplate{"old_journals_removed", "{a} old journals of {b} MB are removed: session.quota_mb is {c}"},
 };
 static_assert(kTemplates.size() == static_cast<std::size_t>(EventId::kCount));
 

@@ -19,6 +19,7 @@ enum class EventId : std::uint16_t {
   kPlanningSlow,
   kJournalFailed,
   kJournalGoesOn,
+  kOldJournalsRemoved,
   kCount  ///< number of events
 };
 

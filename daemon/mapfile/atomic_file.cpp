@@ -9,9 +9,9 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <vector>
 
+#include "drivers/io/folder_sync.hpp"
 #include "drivers/io/posix.hpp"
 #include "drivers/io/unique_fd.hpp"
 
@@ -63,16 +63,6 @@ class Temporary {
   std::string path_;
 };
 
-Status sync_folder_of(const std::string& path) {
-  std::string folder = std::filesystem::path(path).parent_path().string();
-  if (folder.empty()) folder = ".";
-  const io::UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems (FUSE, network) do not support it: EINVAL.
-  if (!fd.valid() || (::fsync(fd.get()) != 0 && errno != EINVAL))
-    return io::fail_errno(folder, "cannot bring the folder to the disk", errno);
-  return {};
-}
-
 }  // namespace
 
 Status write_files(std::span<const FileContent> files) {
@@ -86,7 +76,7 @@ Status write_files(std::span<const FileContent> files) {
     if (auto s = temporary.commit(); !s.has_value()) return s;
   }
   for (const FileContent& file : files) {
-    if (auto s = sync_folder_of(file.path); !s.has_value()) return s;
+    if (auto s = io::sync_folder_of(file.path); !s.has_value()) return s;
   }
   return {};
 }

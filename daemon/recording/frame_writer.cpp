@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "daemon/recording/quota.hpp"
+#include "drivers/io/folder_sync.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -44,8 +46,10 @@ Result<FrameWriter> FrameWriter::create(const std::string& path, const Recording
     }
     return io::fail_errno(path, "cannot create the recording", errno);
   }
+  mark_as_written(fd.get());
   FrameWriter writer(path, std::move(fd));
   if (auto s = writer.append(encode_header(header)); !s.has_value()) return tl::unexpected(s.error());
+  if (auto s = io::sync_folder_of(path); !s.has_value()) return tl::unexpected(s.error());
   return writer;
 }
 

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <utility>
 
 #include "core/types/invariant.hpp"
+#include "daemon/recording/quota.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -88,7 +90,28 @@ Status Recorder::stop() {
   return first_error_;
 }
 
+/// Looked at anew each time that the recording grew by a hundredth of the quota.
+void Recorder::keep_quota() {
+  const std::uint64_t quota = options_.quota_bytes;
+  if (quota == 0 || writer_.file_bytes() < quota_checked_at_) return;
+  quota_checked_at_ = writer_.file_bytes() + quota / 100 + 1;
+  const QuotaResult kept = keep_to_quota(recordings_beside(options_.path), quota);
+  const auto tell = [this](const std::string& text) {
+    if (options_.on_warning) options_.on_warning(text);
+  };
+  constexpr std::uint64_t kMega = 1'000'000;
+  if (kept.removed > 0) {
+    tell(fmt::format("{} old recordings of {} MB are removed: record.quota_mb is {}", kept.removed,
+                     kept.removed_bytes / kMega, quota / kMega));
+  }
+  if (kept.left_bytes > quota && !std::exchange(over_quota_, true)) {
+    tell(fmt::format("{}: goes on beyond record.quota_mb = {}: no finished recording is left to be removed",
+                     options_.path, quota / kMega));
+  }
+}
+
 void Recorder::run() {
+  keep_quota();
   for (bool stopping = false; !stopping;) {
     {
       std::unique_lock lock(mutex_);
@@ -151,6 +174,7 @@ void Recorder::flush() {
   frame_.clear();
   frame_mask_ = 0;
   frame_payload_ = 0;
+  keep_quota();
 }
 
 void Recorder::note(const Status& written) {

@@ -22,8 +22,9 @@ struct RecorderOptions {
   std::size_t ring_bytes = 1U << 20U;  ///< per channel, a power of two: about 4 s of a scanner at 40 Hz
   types::Duration frame_period = std::chrono::seconds(1);
   types::Duration poll_period = std::chrono::milliseconds(50);  ///< period of emptying the rings
-  /// Called on the recorder thread: once when writing to the disk begins to fail, and once when it succeeds
-  /// again.
+  std::uint64_t quota_bytes = 0;  ///< of this recording and those of its series (quota.hpp); 0: no limit
+  /// Called on the recorder thread: for files that the quota removes, when the running recording alone
+  /// exceeds it, and once when writing to the disk begins to fail, and once when it succeeds again.
   std::function<void(const std::string&)> on_warning;
 };
 
@@ -65,6 +66,7 @@ class Recorder {
   void drain(ChannelTap& tap);
   void flush();
   void note(const types::Status& written);
+  void keep_quota();
 
   RecorderOptions options_;
   std::vector<std::unique_ptr<ChannelTap>> taps_;
@@ -75,6 +77,8 @@ class Recorder {
   std::uint32_t frame_mask_ = 0;
   std::uint64_t frame_payload_ = 0;
   types::Stamp frame_started_{};
+  std::uint64_t quota_checked_at_ = 0;  ///< size of the file at which the quota is looked at again
+  bool over_quota_ = false;
   bool disk_failing_ = false;
   types::Status first_error_;
 

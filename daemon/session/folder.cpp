@@ -79,10 +79,18 @@ std::size_t remove_old_journals(const std::vector<SessionEntry>& sessions, std::
   for (const SessionEntry& session : sessions) {
     if (journals <= keep) break;
     if (!session.journal) continue;
-    if (::unlink(session.path.c_str()) == 0) ++removed;
+    if (remove_finished(session.path)) ++removed;
     --journals;
   }
   return removed;
+}
+
+QuotaResult keep_journals_to_quota(const std::vector<SessionEntry>& sessions, std::uint64_t quota_bytes) {
+  std::vector<QuotaFile> journals;
+  for (const SessionEntry& session : sessions) {
+    if (session.journal) journals.push_back({session.path, session.bytes});
+  }
+  return keep_to_quota(journals, quota_bytes);
 }
 
 }  // namespace topo::daemon

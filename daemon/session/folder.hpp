@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/types/result.hpp"
+#include "daemon/recording/quota.hpp"
 
 namespace topo::daemon {
 
@@ -38,7 +39,12 @@ struct SessionEntry {
 /// clock: "journal-20260102T030405Z", with a number appended where the time alone does not sort last.
 [[nodiscard]] std::string next_journal_name(std::int64_t seconds, const std::vector<SessionEntry>& sessions);
 
-/// Removes the oldest journals until `keep` remain; saved sessions stay. Returns the number removed.
+/// Removes the oldest journals until `keep` remain; saved sessions and journals that are being written stay.
+/// Returns the number removed.
 std::size_t remove_old_journals(const std::vector<SessionEntry>& sessions, std::size_t keep);
+
+/// Removes the oldest journals until all journals have at most `quota_bytes` (recording/quota.hpp); saved
+/// sessions neither count nor go.
+QuotaResult keep_journals_to_quota(const std::vector<SessionEntry>& sessions, std::uint64_t quota_bytes);
 
 }  // namespace topo::daemon

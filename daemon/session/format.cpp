@@ -14,27 +14,12 @@ namespace topo::daemon {
 namespace {
 
 constexpr std::array<char, 8> kMagic{'T', 'O', 'P', 'O', 'S', 'E', 'S', '\0'};
-constexpr std::size_t kRecordHead = 28;
+constexpr std::array<char, 4> kRecordMagic{'T', 'S', 'R', 'C'};
 constexpr int kLevel = 3;  // higher levels save only 2 % after varint encoding
 
-struct RecordHead {
-  SessionRecord kind{};
-  std::uint32_t packed_bytes = 0, raw_bytes = 0;
-  std::uint64_t packed_sum = 0;
-};
-
-/// Nothing when the head is damaged or incomplete.
-std::optional<RecordHead> read_head(std::span<const std::byte> rest) {
-  if (rest.size() < kRecordHead) return std::nullopt;
-  types::ByteReader in(rest.first(kRecordHead));
-  RecordHead head;
-  head.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
-  head.packed_bytes = in.integer<std::uint32_t>();
-  head.raw_bytes = in.integer<std::uint32_t>();
-  head.packed_sum = in.integer<std::uint64_t>();
-  const bool whole = in.integer<std::uint64_t>() == checksum(rest.first(kRecordHead - 8));
-  if (!whole || head.raw_bytes > kSessionRecordBytesMax) return std::nullopt;
-  return head;
+template <std::size_t kBytes>
+bool begins_with(std::span<const std::byte> bytes, const std::array<char, kBytes>& magic) {
+  return bytes.size() >= kBytes && std::ranges::equal(bytes.first(kBytes), std::as_bytes(std::span(magic)));
 }
 
 }  // namespace
@@ -48,26 +33,30 @@ std::vector<std::byte> encode_session_header(const SessionHeader& header) {
   return out.take();
 }
 
-std::optional<SessionHeader> decode_session_header(std::span<const std::byte> file, std::uint32_t& version) {
-  version = 0;
-  if (file.size() < SessionHeader::kSize) return std::nullopt;
-  if (!std::ranges::equal(file.first(kMagic.size()), std::as_bytes(std::span(kMagic)))) return std::nullopt;
+DecodedSessionHeader decode_session_header(std::span<const std::byte> file) {
+  DecodedSessionHeader decoded;
+  if (file.size() < SessionHeader::kSize || !begins_with(file, kMagic)) return decoded;
   types::ByteReader in(file.subspan(kMagic.size()));
-  version = in.integer<std::uint32_t>();
-  SessionHeader header{in.integer<std::uint64_t>()};
-  const bool whole = in.integer<std::uint64_t>() == checksum(file.first(SessionHeader::kSize - 8));
-  if (version != kSessionVersion || !whole) return std::nullopt;
-  return header;
+  decoded.version = in.integer<std::uint32_t>();
+  const SessionHeader header{in.integer<std::uint64_t>()};
+  decoded.whole = in.integer<std::uint64_t>() == checksum(file.first(SessionHeader::kSize - 8));
+  if (decoded.whole && (decoded.version == kSessionVersion || decoded.version == kSessionVersionOld))
+    decoded.header = header;
+  return decoded;
 }
 
-bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::span<const std::byte> content) {
+bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::uint32_t number, std::uint32_t first,
+                   std::span<const std::byte> content) {
   if (content.size() > kSessionRecordBytesMax) return false;
   std::vector<std::byte> packed(ZSTD_compressBound(content.size()));
   const std::size_t n = ZSTD_compress(packed.data(), packed.size(), content.data(), content.size(), kLevel);
   if (ZSTD_isError(n) != 0U || n > kSessionRecordBytesMax) return false;
   packed.resize(n);
   types::ByteWriter head;
+  head.append(std::as_bytes(std::span(kRecordMagic)));
   head.integer(static_cast<std::uint32_t>(kind));
+  head.integer(number);
+  head.integer(first);
   head.integer(static_cast<std::uint32_t>(n));
   head.integer(static_cast<std::uint32_t>(content.size()));
   head.integer(checksum(packed));
@@ -77,25 +66,58 @@ bool append_record(std::vector<std::byte>& out, SessionRecord kind, std::span<co
   return true;
 }
 
-std::optional<ReadRecord> read_record(std::span<const std::byte> rest) {
-  const auto head = read_head(rest);
-  if (!head || head->packed_bytes > rest.size() - kRecordHead) return std::nullopt;
-  const auto packed = rest.subspan(kRecordHead, head->packed_bytes);
-  if (head->packed_sum != checksum(packed)) return std::nullopt;
-  ReadRecord record;
-  record.kind = head->kind;
-  record.content.resize(head->raw_bytes);
-  const std::size_t n = ZSTD_decompress(record.content.data(), head->raw_bytes, packed.data(), packed.size());
-  if (ZSTD_isError(n) != 0U || n != head->raw_bytes) return std::nullopt;
-  record.bytes = kRecordHead + head->packed_bytes;
-  return record;
+std::optional<SessionRecordHead> decode_session_record_head(std::span<const std::byte> rest,
+                                                            std::uint32_t version) {
+  const std::size_t size = SessionRecordHead::size_in(version);
+  const bool numbered = version != kSessionVersionOld;
+  if (rest.size() < size || (numbered && !begins_with(rest, kRecordMagic))) return std::nullopt;
+  types::ByteReader in(rest.first(size).subspan(numbered ? kRecordMagic.size() : 0));
+  SessionRecordHead head;
+  head.kind = static_cast<SessionRecord>(in.integer<std::uint32_t>());
+  if (numbered) {
+    head.number = in.integer<std::uint32_t>();
+    head.first = in.integer<std::uint32_t>();
+  }
+  head.packed_bytes = in.integer<std::uint32_t>();
+  head.raw_bytes = in.integer<std::uint32_t>();
+  head.packed_sum = in.integer<std::uint64_t>();
+  const bool whole = in.integer<std::uint64_t>() == checksum(rest.first(size - 8));
+  if (!whole || head.raw_bytes > kSessionRecordBytesMax) return std::nullopt;
+  return head;
 }
 
-bool is_cut(std::span<const std::byte> rest) {
+bool is_sealed(std::span<const std::byte> rest, const SessionRecordHead& head, std::uint32_t version) {
+  const std::size_t size = SessionRecordHead::size_in(version);
+  return head.packed_bytes <= rest.size() - size &&
+         head.packed_sum == checksum(rest.subspan(size, head.packed_bytes));
+}
+
+std::optional<std::vector<std::byte>> unpack_record(std::span<const std::byte> rest,
+                                                    const SessionRecordHead& head, std::uint32_t version) {
+  const auto packed = rest.subspan(SessionRecordHead::size_in(version), head.packed_bytes);
+  std::vector<std::byte> content(head.raw_bytes);
+  const std::size_t n = ZSTD_decompress(content.data(), content.size(), packed.data(), packed.size());
+  if (ZSTD_isError(n) != 0U || n != content.size()) return std::nullopt;
+  return content;
+}
+
+bool is_cut(std::span<const std::byte> rest, std::uint32_t version) {
   if (rest.empty()) return false;
-  if (rest.size() < kRecordHead) return true;
-  const auto head = read_head(rest);
-  return head && head->packed_bytes > rest.size() - kRecordHead;
+  const std::size_t size = SessionRecordHead::size_in(version);
+  if (rest.size() >= size) {
+    const auto head = decode_session_record_head(rest, version);
+    return head && head->packed_bytes > rest.size() - size;
+  }
+  const auto begun = rest.first(std::min(rest.size(), kRecordMagic.size()));
+  return version == kSessionVersionOld ||
+         std::ranges::equal(begun, std::as_bytes(std::span(kRecordMagic)).first(begun.size()));
+}
+
+std::size_t find_record_magic(std::span<const std::byte> file, std::size_t from) {
+  const auto magic = std::as_bytes(std::span(kRecordMagic));
+  const auto rest = file.subspan(std::min(from, file.size()));
+  const auto found = std::search(rest.begin(), rest.end(), magic.begin(), magic.end());
+  return file.size() - rest.size() + static_cast<std::size_t>(found - rest.begin());
 }
 
 }  // namespace topo::daemon

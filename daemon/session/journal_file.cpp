@@ -8,7 +8,9 @@
 
 #include <filesystem>
 
+#include "daemon/recording/quota.hpp"
 #include "daemon/session/format.hpp"
+#include "drivers/io/folder_sync.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -35,10 +37,13 @@ Result<JournalFile> JournalFile::create(const std::string& path, std::uint64_t p
       return types::fail(Errc::kInvalidInput, fmt::format("{}: there is such a file already", name), EEXIST);
     return io::fail_errno(name, "cannot create the journal", errno);
   }
+  mark_as_written(fd.get());
   JournalFile journal(path, name, std::move(fd));
-  if (auto s = journal.write(encode_session_header({params_hash})); !s) {
+  Status kept = journal.write(encode_session_header({params_hash}));
+  if (kept) kept = io::sync_folder_of(path);
+  if (!kept) {
     ::unlink(path.c_str());
-    return tl::unexpected(s.error());
+    return tl::unexpected(kept.error());
   }
   return journal;
 }

@@ -6,10 +6,9 @@
 
 #include <algorithm>
 
-#include "core/slam/keyframe_codec.hpp"
-#include "core/types/bytes.hpp"
 #include "daemon/mapfile/input_file.hpp"
 #include "daemon/session/format.hpp"
+#include "daemon/session/session_items.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -19,115 +18,117 @@ using types::Result;
 using types::Status;
 
 constexpr std::size_t kMaxFileBytes = 1U << 30U;
-constexpr std::size_t kPoseBytes = 24;
-constexpr std::size_t kEdgeBytes = 2 + 1 + 9 * 8;  ///< minimum size
 
-types::Se2 read_pose(types::ByteReader& in) {
-  types::Se2 pose;
-  pose.x_m = in.real64();
-  pose.y_m = in.real64();
-  pose.theta_rad = in.real64();
-  return pose;
-}
-
-slam::Edge read_edge(types::ByteReader& in) {
-  slam::Edge edge;
-  edge.from = static_cast<std::size_t>(in.varint());
-  edge.to = static_cast<std::size_t>(in.varint());
-  edge.robust = in.integer<std::uint8_t>() != 0;
-  edge.T_from_to = read_pose(in);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = row; column < 3; ++column)
-      edge.information(row, column) = edge.information(column, row) = in.real64();
-  }
-  return edge;
-}
-
-/// Reads items from the number given first; false when that leaves a gap, or bytes remain.
-template <class Item, class Read>
-bool replace_from(types::ByteReader& in, std::vector<Item>& items, std::size_t bytes_each, Read read) {
-  const std::uint64_t first = in.varint();
-  if (!in.ok() || first > items.size()) return false;
-  items.resize(static_cast<std::size_t>(first));
-  while (in.ok() && in.remaining() >= bytes_each) items.push_back(read(in));
-  return in.complete();
-}
-
-bool read_keyframes(std::span<const std::byte> rest, std::vector<slam::KeyframePtr>& keyframes) {
-  while (!rest.empty()) {
-    types::ByteReader in(rest);
-    const std::size_t size = in.count(1);
-    if (!in.ok() || size > in.remaining()) return false;
-    rest = rest.last(in.remaining());
-    auto keyframe = slam::decode_keyframe(rest.first(size));
-    if (!keyframe) return false;
-    keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(*keyframe)));
-    rest = rest.subspan(size);
-  }
-  return true;
-}
-
-/// Applies a record; false when its content is invalid for its kind.
-bool take(const ReadRecord& record, LoadedSession& loaded) {
-  slam::Session& session = loaded.session;
-  types::ByteReader in(record.content);
-  switch (record.kind) {
-    case SessionRecord::kKeyframes:
-      return read_keyframes(record.content, session.keyframes);
-    case SessionRecord::kEdges:
-      return replace_from(in, session.edges, kEdgeBytes, &read_edge);
-    case SessionRecord::kPoses:
-      return replace_from(in, session.poses, kPoseBytes, &read_pose);
-    case SessionRecord::kEnd:
-      loaded.closed = in.varint() == session.keyframes.size() && in.varint() == session.edges.size() &&
-                      in.varint() == session.poses.size() && in.complete();
-      return loaded.closed;
-  }
-  return false;
-}
-
-/// Removes keyframes without a written pose, and the edges that refer to them.
-void trim(slam::Session& session) {
-  const std::size_t n = std::min(session.keyframes.size(), session.poses.size());
-  session.keyframes.resize(n);
-  session.poses.resize(n);
-  std::erase_if(session.edges, [n](const slam::Edge& e) { return e.from >= n || e.to >= n; });
-}
-
-std::string foreign_text(std::uint32_t version) {
+std::string foreign_text(std::size_t bytes, std::uint32_t version) {
+  if (bytes == 0) return "the file is empty";
   return version != 0 && version != kSessionVersion
              ? fmt::format("found version {}, expected {}", version, kSessionVersion)
              : std::string("the file does not begin as a session does");
 }
 
+/// Applies the records in their order; one whose content is no good counts as damaged. Returns how many of
+/// them gave nothing.
+std::uint64_t apply(std::span<const std::byte> file, std::uint32_t version, const RecordScan& scan,
+                    SessionItems& items, LoadedSession& loaded) {
+  std::uint64_t lost = 0;
+  for (const FoundRecord& record : scan.records) {
+    const auto rest = file.subspan(record.offset);
+    const std::size_t bytes = SessionRecordHead::size_in(version) + record.head.packed_bytes;
+    if (record.sealed) {
+      const auto content = unpack_record(rest, record.head, version);
+      if (content && !items.closed && items.take(record.head, *content)) {
+        loaded.bytes += bytes;
+        continue;
+      }
+      loaded.pieces.push_back({record.offset, bytes});
+    }
+    ++lost;
+    if (version == kSessionVersionOld) {  // without numbers nothing can be placed behind it
+      loaded.pieces = {{record.offset, file.size() - record.offset}};
+      break;
+    }
+    // Of the last one nothing is in the file: what it would have replaced still stands.
+    if (&record != &scan.records.back()) items.lose(record.head);
+  }
+  return lost;
+}
+
+/// True when bytes at the file's end are of a record of which nothing else is known.
+bool lost_its_tail(const LoadedSession& loaded, const RecordScan& scan, std::size_t size) {
+  if (loaded.closed || loaded.pieces.empty() ||
+      loaded.pieces.back().offset + loaded.pieces.back().bytes != size)
+    return false;
+  return scan.records.empty() || scan.records.back().sealed;
+}
+
+bool only_cut(const LoadedSession& loaded) {
+  return loaded.cut && loaded.pieces.size() == 1 && loaded.pieces.front().offset == loaded.bytes;
+}
+
+std::string places_text(const LoadedSession& loaded) {
+  if (loaded.pieces.empty()) return "records are missing";
+  const DamagedPiece& first = loaded.pieces.front();
+  if (loaded.pieces.size() == 1)
+    return fmt::format("{} bytes from byte {} on are damaged", first.bytes, first.offset);
+  return fmt::format("{} bytes in {} places are damaged, the first at byte {}", loaded.damaged,
+                     loaded.pieces.size(), first.offset);
+}
+
+std::string mended_text(const LoadedSession& loaded) {
+  const Mended& m = loaded.mended;
+  std::string text = fmt::format(": {} of its records are lost, {} of {} keyframes are kept",
+                                 loaded.records_lost, loaded.session.keyframes.size(), m.keyframes);
+  if (m.placed > 0) text += fmt::format(", {} poses follow from edges", m.placed);
+  if (m.bridged > 0) text += fmt::format(", {} gaps are bridged by poses alone", m.bridged);
+  return text;
+}
+
 }  // namespace
 
 Result<LoadedSession> parse_session(std::span<const std::byte> file) {
-  std::uint32_t version = 0;
-  const auto header = decode_session_header(file, version);
-  if (!header) return types::fail(Errc::kInvalidInput, foreign_text(version));
+  const DecodedSessionHeader decoded = decode_session_header(file);
+  const auto foreign = [&] {
+    return types::fail(Errc::kInvalidInput, foreign_text(file.size(), decoded.version));
+  };
+  if (decoded.whole && !decoded.header) return foreign();
+  const std::uint32_t version = decoded.header ? decoded.version : kSessionVersion;
   LoadedSession loaded;
-  loaded.params_hash = header->params_hash;
-  loaded.bytes = SessionHeader::kSize;
-  while (!loaded.closed) {
-    const auto record = read_record(file.subspan(loaded.bytes));
-    if (!record || !take(*record, loaded)) break;
-    loaded.bytes += record->bytes;
+  if (decoded.header) {
+    loaded.params_hash = decoded.header->params_hash;
+    loaded.bytes = SessionHeader::kSize;
   }
+  const RecordScan scan = scan_records(file, loaded.bytes, version);
+  // Without a header, records alone tell that it is a session.
+  if (!decoded.header && scan.records.empty()) return foreign();
+  loaded.pieces = scan.pieces;
+  loaded.cut = scan.cut;
+  SessionItems items;
+  loaded.records_lost = scan.missing + apply(file, version, scan, items, loaded);
+  std::sort(loaded.pieces.begin(), loaded.pieces.end(),
+            [](const DamagedPiece& a, const DamagedPiece& b) { return a.offset < b.offset; });
   loaded.damaged = file.size() - loaded.bytes;
-  loaded.cut = is_cut(file.subspan(loaded.bytes));
-  trim(loaded.session);
+  loaded.closed = items.closed;
+  if (lost_its_tail(loaded, scan, file.size())) ++loaded.records_lost;
+  if (loaded.damaged == 0 && scan.missing == 0) {
+    loaded.session = in_order(items);
+  } else {
+    const bool unsure = scan.missing > 0 || items.poses_void || number_behind(items.poses) < items.poses_once;
+    loaded.session = mend(items, unsure, loaded.mended);
+  }
   if (const Status sound = slam::check_session(loaded.session); !sound) return tl::unexpected(sound.error());
   return loaded;
 }
 
 std::string damage_text(const LoadedSession& loaded) {
   const std::size_t size = loaded.bytes + loaded.damaged;
-  if (loaded.closed && loaded.damaged == 0) return {};
-  if (loaded.closed) return fmt::format("{} bytes behind its end are no part of it", loaded.damaged);
-  if (loaded.damaged == 0) return fmt::format("it ends at byte {} and was not closed", size);
-  if (loaded.cut) return fmt::format("cut at byte {}, its last whole record ends at {}", size, loaded.bytes);
-  return fmt::format("damaged at byte {} of {}", loaded.bytes, size);
+  if (loaded.damaged == 0 && loaded.records_lost == 0)
+    return loaded.closed ? std::string() : fmt::format("it ends at byte {} and was not closed", size);
+  if (only_cut(loaded))
+    return fmt::format("cut at byte {}, its last whole record ends at {}", size, loaded.bytes);
+  if (loaded.records_lost > 0) return places_text(loaded) + mended_text(loaded);
+  if (loaded.pieces.front().offset == loaded.bytes)
+    return fmt::format("{} bytes behind its end are no part of it", loaded.damaged);
+  return places_text(loaded) + ": nothing is lost by it";
 }
 
 Result<LoadedSession> load_session(const std::string& path) {
@@ -148,9 +149,11 @@ Status check_map(const LoadedSession& loaded, const std::string& path) {
 std::string header_fault(const std::string& path) {
   const auto beginning = read_beginning(path, SessionHeader::kSize);
   if (!beginning) return beginning.error().message;
-  std::uint32_t version = 0;
-  if (decode_session_header(std::as_bytes(std::span(*beginning)), version)) return {};
-  return foreign_text(version);
+  const DecodedSessionHeader decoded = decode_session_header(std::as_bytes(std::span(*beginning)));
+  if (decoded.header) return {};
+  if (decoded.version != 0 && !decoded.whole)
+    return "its header is damaged; what else is whole can be loaded";
+  return foreign_text(beginning->size(), decoded.version);
 }
 
 }  // namespace topo::daemon

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ struct PoseTolerance {
 class SessionWriter {
  public:
   /// Records with everything in `session` that the file lacks: new keyframes, edges from the first new or
-  /// changed one, poses from the first new or moved one. Has no side effects: written() updates the state
-  /// after the records are in the file. kInvalidInput when a keyframe is too large for a record.
+  /// changed one, poses from the first new or moved one. May be repeated: written() updates the state after
+  /// the records are in the file. kInvalidInput when a keyframe is too large for a record.
   [[nodiscard]] types::Result<std::vector<std::byte>> changes(const slam::Session& session,
-                                                              const PoseTolerance& tolerance) const;
+                                                              const PoseTolerance& tolerance);
   /// To be called when the last changes() of `session` are in the file.
   void written(const slam::Session& session, const PoseTolerance& tolerance);
 
@@ -34,6 +35,8 @@ class SessionWriter {
  private:
   [[nodiscard]] std::size_t first_moved(const slam::Session& session, const PoseTolerance& tolerance) const;
   [[nodiscard]] std::size_t first_other_edge(const slam::Session& session) const;
+  std::uint32_t records_ = 0;  ///< in the file
+  std::uint32_t pending_ = 0;  ///< in the last changes()
   std::size_t keyframes_ = 0;
   std::vector<slam::Edge> edges_;
   std::vector<types::Se2> poses_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -67,6 +68,7 @@ void JournalWorker::keep() {
     if (auto opened = open(); !opened) return note(opened);
   }
   const auto appended = file_->append(session_);
+  if (appended) remove_old();
   note(appended ? types::Status{} : types::Status(tl::unexpected(appended.error())));
 }
 
@@ -78,8 +80,28 @@ types::Status JournalWorker::open() {
   if (!created) return tl::unexpected(created.error());
   file_.emplace(std::move(*created));
   report_.name = name;
-  remove_old_journals(*sessions, std::max<std::size_t>(settings_.keep, 1) - 1);
+  old_looked_at_ = 0;
   return {};
+}
+
+/// After the first append and each further hundredth of the quota. Not before: a map must not be removed
+/// while its successor is not on the disk.
+void JournalWorker::remove_old() {
+  if (file_->bytes() < old_looked_at_) return;
+  old_looked_at_ = settings_.quota_bytes == 0 ? std::numeric_limits<std::uint64_t>::max()
+                                              : file_->bytes() + settings_.quota_bytes / 100 + 1;
+  auto sessions = list_sessions(settings_.folder);
+  if (!sessions) return;  // the next append tells it
+  if (remove_old_journals(*sessions, std::max<std::size_t>(settings_.keep, 1)) > 0)
+    sessions = list_sessions(settings_.folder);
+  if (!sessions || settings_.quota_bytes == 0) return;
+  const QuotaResult kept = keep_journals_to_quota(*sessions, settings_.quota_bytes);
+  if (kept.removed == 0) return;
+  constexpr std::int64_t kMega = 1'000'000;
+  post(vitals_.events, io::monotonic_now().time_since_epoch().count(), EventId::kOldJournalsRemoved,
+       sync::Severity::kInfo,
+       {static_cast<std::int64_t>(kept.removed), static_cast<std::int64_t>(kept.removed_bytes) / kMega,
+        static_cast<std::int64_t>(settings_.quota_bytes) / kMega});
 }
 
 void JournalWorker::close() {

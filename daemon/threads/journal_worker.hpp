@@ -19,6 +19,7 @@ struct JournalSettings {
   types::Duration period = std::chrono::seconds(2);
   std::size_t keep = 5;  ///< journals to keep, including the current one
   std::uint64_t params_hash = 0;
+  std::uint64_t quota_bytes = 0;  ///< of all journals; 0: no limit
 };
 
 /// The journal thread: writes the session into a file while it grows, so that mapping can continue the map of
@@ -42,6 +43,7 @@ class JournalWorker final : public Worker {
   void keep();
   void close();
   types::Status open();
+  void remove_old();
   void note(const types::Status& kept);
 
   HandOvers& hand_overs_;
@@ -51,6 +53,7 @@ class JournalWorker final : public Worker {
   SessionAsk known_;
   slam::Session session_;
   std::optional<JournalFile> file_;
+  std::uint64_t old_looked_at_ = 0;  ///< size of the file at which old journals are looked at again
   JournalReport report_;
   Rarely failed_;
 };

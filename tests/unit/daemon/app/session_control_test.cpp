@@ -3,7 +3,9 @@
 #include "daemon/app/session_control.hpp"
 
 #include <gtest/gtest.h>
+
 #include <poll.h>
+#include <filesystem>
 
 #include <random>
 
@@ -133,6 +135,29 @@ TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByTheSessionToResume) {
   ASSERT_TRUE(serve_until_answered());
   EXPECT_EQ(hand_overs->mapping.take_over.front(), nullptr);
   EXPECT_EQ(control.obstacle(), "");
+}
+
+// An empty journal, as a loss of power leaves it, neither refuses missions nor hides the one before.
+TEST_F(SessionControlTest, AnEmptyNewestJournalIsPassedOver) {
+  std::filesystem::rename(session_path(folder.str(), "room"), session_path(folder.str(), "journal-1"));
+  (void)folder.write("journal-2.session", "");
+  configuration.session.resume = "last";
+  SessionControl control(configuration, *hand_overs, files);
+  control.tick(io::monotonic_now(), true);
+  EXPECT_NE(control.obstacle(), "");
+  ASSERT_TRUE(serve_until_handed_over());
+  take_over();
+  EXPECT_TRUE(serve_until([&] { return control.obstacle().empty(); })) << control.obstacle();
+}
+
+TEST_F(SessionControlTest, WithoutAUsableJournalTheOperatorDecides) {
+  (void)folder.write("journal-2.session", "");
+  configuration.session.resume = "last";
+  SessionControl control(configuration, *hand_overs, files);
+  control.tick(io::monotonic_now(), true);
+  ASSERT_TRUE(serve_until([&] { return control.obstacle().find("the file is empty") != std::string::npos; }))
+      << control.obstacle();
+  EXPECT_EQ(hand_overs->mapping.take_over.front(), nullptr);
 }
 
 TEST_F(SessionControlTest, ALoadThatFailsLeavesNoObstacleBehindThatIsGone) {

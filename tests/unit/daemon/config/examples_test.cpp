@@ -98,11 +98,11 @@ TEST(KeyTable, IsDocumentedAndItsDefaultsAreAccepted) {
     EXPECT_TRUE(paths.insert(key.path).second) << key.path << " stands twice";
     EXPECT_FALSE(key.doc.empty()) << key.path;
     EXPECT_EQ(key.doc.find('\n'), std::string_view::npos) << key.path;
-    const bool unit_in_name = key.path.ends_with("_m") || key.path.ends_with("_s") ||
-                              key.path.ends_with("_rad") || key.path.ends_with("_mps") ||
-                              key.path.ends_with("_radps") || key.path.ends_with("_mps2") ||
-                              key.path.ends_with("_v") || key.path.ends_with("_radps2") ||
-                              key.path.ends_with("_per_m") || key.path.ends_with("_per_rad");
+    const bool unit_in_name =
+        key.path.ends_with("_m") || key.path.ends_with("_s") || key.path.ends_with("_rad") ||
+        key.path.ends_with("_mps") || key.path.ends_with("_radps") || key.path.ends_with("_mps2") ||
+        key.path.ends_with("_v") || key.path.ends_with("_radps2") || key.path.ends_with("_per_m") ||
+        key.path.ends_with("_per_rad") || key.path.ends_with("_mb");
     EXPECT_EQ(unit_in_name, !key.unit.empty()) << key.path;
     if (key.required) continue;
     const std::string text = std::string("[") + std::string(key.section()) + "]\n" + std::string(key.name()) +

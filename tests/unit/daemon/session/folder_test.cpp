@@ -67,5 +67,19 @@ TEST(SessionFolder, OldJournalsGoSavedSessionsStay) {
   EXPECT_EQ((*left)[1].name, "journal-2");
 }
 
+TEST(SessionFolder, JournalsAreKeptToTheirQuota) {
+  const testing::TempDir folder;
+  for (const char* name : {"a.session", "journal-1.session", "journal-2.session", "journal-3.session"})
+    (void)folder.write(name, std::string(100, 'x'));
+  const QuotaResult kept = keep_journals_to_quota(*list_sessions(folder.str()), 250);
+  EXPECT_EQ(kept.removed, 1U);
+  EXPECT_EQ(kept.removed_bytes, 100U);
+  EXPECT_EQ(kept.left_bytes, 200U);
+  const auto left = list_sessions(folder.str());
+  ASSERT_EQ(left->size(), 3U);
+  EXPECT_EQ((*left)[0].name, "a");
+  EXPECT_EQ((*left)[1].name, "journal-2");
+}
+
 }  // namespace
 }  // namespace topo::daemon

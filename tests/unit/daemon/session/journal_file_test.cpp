@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "daemon/recording/quota.hpp"
 #include "daemon/session/session_reader.hpp"
 #include "tests/unit/daemon/session/session_sample.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
@@ -79,6 +80,19 @@ TEST(JournalFile, ClosingWritesTheExactPoses) {
   EXPECT_EQ(*journal->append(session), false);
   ASSERT_TRUE(journal->close(session));
   EXPECT_TRUE(testing::same(load_session(journal->path())->session, session));
+}
+
+// Of two daemons with one folder neither removes what the other one writes.
+TEST(JournalFile, IsNotRemovedWhileItIsWritten) {
+  const testing::TempDir folder;
+  {
+    auto journal = JournalFile::create(folder.file("journal-1.session"), 7);
+    ASSERT_TRUE(journal) << journal.error().message;
+    EXPECT_FALSE(remove_finished(journal->path()));
+    EXPECT_TRUE(std::filesystem::exists(journal->path()));
+  }
+  EXPECT_TRUE(remove_finished(folder.file("journal-1.session")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("journal-1.session")));
 }
 
 // What a full disk did not take is lost only if it stays full: the file stays readable all the while.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "core/slam/keyframe_codec.hpp"
@@ -36,6 +37,31 @@ inline slam::Session sample_session(std::size_t keyframes, unsigned seed) {
   slam::Session session;
   grow(session, keyframes, random);
   return session;
+}
+
+/// Where the robot of drive_on() is at keyframe number `i`: on a circle, once round in 25 keyframes.
+inline types::Se2 on_circle(std::size_t i) {
+  const double angle = 2.0 * M_PI * static_cast<double>(i) / 25.0;
+  return {3.0 * std::cos(angle), 3.0 * std::sin(angle), types::wrap_angle(angle)};
+}
+
+/// Adds keyframes whose poses and edges agree with each other: an edge to the one before, and a closure to
+/// the round before.
+inline void drive_on(slam::Session& session, std::size_t keyframes, std::mt19937& random) {
+  for (std::size_t i = 0; i < keyframes; ++i) {
+    const std::size_t node = session.keyframes.size();
+    slam::Keyframe k = slam::testing::random_keyframe(static_cast<std::uint32_t>(node), 30, random);
+    slam::quantise(k);
+    session.keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(k)));
+    session.poses.push_back(on_circle(node));
+    for (const std::size_t back : {std::size_t{1}, std::size_t{25}}) {
+      if (node < back) continue;
+      slam::Edge edge{node - back, node, on_circle(node - back).inverse() * on_circle(node)};
+      edge.information = Eigen::Vector3d(400.0, 400.0, 4e4).asDiagonal();
+      edge.robust = back > 1;
+      session.edges.push_back(edge);
+    }
+  }
 }
 
 inline bool same(const slam::Edge& a, const slam::Edge& b) {

@@ -136,6 +136,27 @@ TEST_F(JournalWorkerTest, AnotherMapGetsAJournalOfItsOwn) {
   EXPECT_TRUE(load_session(journals().at(0).path)->closed);
 }
 
+// The map that was kept goes only when its successor is on the disk.
+TEST_F(JournalWorkerTest, OldJournalsGoBeyondTheQuotaAndItIsTold) {
+  (void)folder.write("journal-20200101T000000Z.session", std::string(3'000'000, 'x'));
+  (void)folder.write("kept.session", std::string(3'000'000, 'x'));
+  JournalSettings settings{folder.str()};
+  settings.quota_bytes = 2'000'000;
+  start(settings);
+  drive(0);
+  const types::Stamp limit = io::monotonic_now() + 50ms;
+  while (io::monotonic_now() < limit) serve();
+  EXPECT_EQ(journals().size(), 2U) << "there is no map to take its place yet";
+  drive(4);
+  ASSERT_TRUE(until_all_is_kept());
+  ASSERT_EQ(journals().size(), 2U);
+  EXPECT_EQ(journals()[0].name, hand_overs->journal.report.read()->name.view());
+  EXPECT_EQ(journals()[1].name, "kept");
+  const auto* event = vitals.events.front();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(format_event(*event), "1 old journals of 3 MB are removed: session.quota_mb is 2");
+}
+
 TEST_F(JournalWorkerTest, HeldBackItWritesNothing) {
   hand_overs->journal.held = true;
   start({folder.str()});
