@@ -47,6 +47,15 @@ TEST(NearSquares, OfAPartOfTheRowAreThoseOfTheWhole) {
   }));
 }
 
+TEST(NearSquares, OneColumnIsExactAsFarAsASquareFits) {
+  for (Steps steps = 0; steps < 200; ++steps) {
+    NearSquares near(1, true);
+    near.take(&steps, 0, 1);
+    EXPECT_EQ(near.of_block(0).front(), std::min<int>(steps > 127 ? NearSquares::kFar : steps * steps, 16383))
+        << steps;
+  }
+}
+
 TEST(NearSquares, TheGreatestIsThatOfAllTheBlock) {
   for (std::size_t i = 0; i < NearSquares::kBlock; ++i) {
     NearSquares::Block block{};

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -145,14 +146,18 @@ TEST_F(StopZone, CountsValidBeamsOfTheForwardSectorOnly) {
 /// What a room full of things looks like: mostly distances outside of the robot, and nothing. In one of four,
 /// all that a beam may say else, which stops the robot at once where it is ahead.
 void measure_anything(types::Scan& scan) {
-  const int share = *rc::gen::inRange(2, 40);
-  const bool may_fail = *rc::gen::inRange(0, 4) == 0;
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const auto below = [&](unsigned end) {
+    return std::uniform_int_distribution<unsigned>(0, end - 1)(random);
+  };
+  const unsigned share = 2 + below(38);
+  const bool may_fail = below(4) == 0;
   float range_m = 1.0F;
   for (std::size_t i = 0; i < scan.beams; ++i) {
-    if (*rc::gen::inRange(0, 12) == 0) range_m = static_cast<float>(*rc::gen::inRange(35, 400)) * 0.01F;
+    if (below(12) == 0) range_m = 0.35F + static_cast<float>(below(365)) * 0.01F;
     scan.range_m[i] = range_m;
-    if (*rc::gen::inRange(0, share) != 0) continue;
-    const float fails = *rc::gen::element(types::kInvalid, types::kTooNear);
+    if (below(share) != 0) continue;
+    const float fails = below(2) == 0 ? types::kInvalid : types::kTooNear;
     scan.range_m[i] = may_fail ? fails : types::kNoReturn;
   }
 }
