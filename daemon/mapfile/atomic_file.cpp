@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 #include "drivers/io/folder_sync.hpp"
@@ -92,7 +93,7 @@ Status remove_file(const std::string& path) {
   // Also without a file: an earlier call may have failed after it had removed it.
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code none;
-  return std::filesystem::is_directory(folder, none) ? sync_folder_of(path) : Status{};
+  return std::filesystem::is_directory(folder, none) ? io::sync_folder_of(path) : Status{};
 }
 
 }  // namespace topo::daemon

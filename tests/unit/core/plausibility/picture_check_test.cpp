@@ -66,14 +66,18 @@ TEST(PictureCheck, tenEqualPicturesAreFrozen) {
 
 TEST(PictureCheck, aNoiselessScannerMayRepeat) {
   Pictures pictures;
-  PictureCheck check({.noiseless = true});
+  PictureParams params;
+  params.noiseless = true;
+  PictureCheck check(params);
   pictures.fill(2.0);
   for (int i = 1; i <= 50; ++i) ASSERT_FALSE(pictures.show(check).frozen);
 }
 
 TEST(PictureCheck, nothingAheadForASecondIsBlind) {
   Pictures pictures;
-  PictureCheck check, open({.open_space = true});
+  PictureParams params;
+  params.open_space = true;
+  PictureCheck check, open(params);
   for (int i = 0; i < 50; ++i) {
     pictures.fill(2.0);  // behind the robot's shoulders the scanner still sees
     pictures.set(-91.0, 91.0, types::kNoReturn);

@@ -26,7 +26,10 @@ struct Robot {
       if (opinion.doubts.any()) ramp.stop();
       sent = opinion.doubts.any() ? types::Twist2{} : ramp.towards({v_mps, 0.0});
       base.step(sent);
-      Evidence evidence{.now = base.now, .commanded = sent, .base = &base.state};
+      Evidence evidence;
+      evidence.now = base.now;
+      evidence.commanded = sent;
+      evidence.base = &base.state;
       change(evidence);
       opinion = plausibility.judge(evidence);
     }
