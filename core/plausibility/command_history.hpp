@@ -5,37 +5,31 @@
 #include <array>
 #include <cstddef>
 
+#include "core/types/robot_limits.hpp"
 #include "core/types/stamp.hpp"
 #include "core/types/transform.hpp"
 
 namespace topo::plausibility {
 
-/// Commands of the last seconds, one a control period. A value; allocates nothing.
+/// Commands of the last seconds, one a control period, and the speeds of a base that follows them at once
+/// with the believed accelerations. A value; allocates nothing.
 class CommandHistory {
  public:
   static constexpr std::size_t kMax = 64;  ///< 3.2 s at 50 ms
 
-  void add(types::Stamp now, const types::Twist2& commanded) {
-    newest_ = (newest_ + 1) % kMax;
-    entries_[newest_] = {now, commanded};
-    if (count_ < kMax) ++count_;
-  }
-  void clear() { count_ = 0; }
+  void add(types::Stamp now, const types::Twist2& commanded, const types::DriveLimits& limits);
 
   /// The command in force at a time: standstill before the oldest.
-  [[nodiscard]] types::Twist2 at(types::Stamp time) const {
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Entry& entry = entries_[(newest_ + kMax - i) % kMax];
-      if (entry.stamp <= time) return entry.twist;
-    }
-    return {};
-  }
+  [[nodiscard]] types::Twist2 at(types::Stamp time) const;
+  /// The speed that a prompt base had at a time.
+  [[nodiscard]] types::Twist2 followed_at(types::Stamp time) const;
 
  private:
   struct Entry {
     types::Stamp stamp{};
-    types::Twist2 twist;
+    types::Twist2 commanded, followed;
   };
+  [[nodiscard]] const Entry* find(types::Stamp time) const;
   std::array<Entry, kMax> entries_{};
   std::size_t newest_ = 0;
   std::size_t count_ = 0;

@@ -17,11 +17,11 @@ bool is_outside(double speed, const SpeedBounds& bounds, double tolerance) {
 
 double wheel_mps(const types::Twist2& twist) { return twist.v_mps + kArm_m * twist.omega_radps; }
 
-/// Greatest change of the command within the time that a lag may have.
+/// Greatest change of the expected speed within the time that a lag may have.
 double change_mps(const CommandHistory& commands, types::Stamp now) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (types::Stamp t = now - kPast; t <= now; t += Obedience::kLagStep) {
-    const double speed = wheel_mps(commands.at(t));
+    const double speed = wheel_mps(commands.followed_at(t));
     low = std::min(low, speed);
     high = std::max(high, speed);
   }
@@ -47,10 +47,11 @@ void Obedience::follow(SpeedBounds& bounds, double commanded, double braking, do
 
 bool Obedience::measure_lag(const CommandHistory& commands, const types::BaseState& state) {
   const types::Stamp now = state.odometry.stamp;
-  if (change_mps(commands, now) < params_.informative_mps) return false;
+  // Motors that were just switched on begin late, and the commands before do not count.
+  if (now - motors_on_ < kPast || change_mps(commands, now) < params_.informative_mps) return false;
   const double measured = wheel_mps(state.odometry.twist);
   for (std::size_t i = 0; i < kLags; ++i) {
-    const double expected = wheel_mps(commands.at(now - kLagStep * static_cast<int>(i)));
+    const double expected = wheel_mps(commands.followed_at(now - kLagStep * static_cast<int>(i)));
     error_[i] = params_.lag_forgetting * error_[i] + (measured - expected) * (measured - expected);
   }
   weight_ = params_.lag_forgetting * weight_ + 1.0;
@@ -79,6 +80,7 @@ ObedienceOpinion Obedience::judge(const CommandHistory& commands, const types::B
   ObedienceOpinion opinion;
   if (!state.motors_enabled) {
     outside_ = 0;
+    motors_on_ = now;
     return opinion;
   }
   const types::Twist2& measured = state.odometry.twist;

@@ -26,10 +26,10 @@ struct ObedienceOpinion {
 
 /// Compares the speed of every status with the commands before it.
 ///
-/// Disobedience: the speed leaves the bounds. Lag: for every lag of a grid the squared difference between
-/// the speed and the command that long ago is summed over the statuses around changes of the command; the
-/// best lag is the estimate (matched filter). A base that stands still although commanded to move is not
-/// disobedient: it may be blocked, which control notices.
+/// Disobedience: the speed leaves the bounds. Lag: for every lag of a grid the squared difference between the
+/// speed and that of a prompt base so long ago (CommandHistory::followed_at) is summed over the statuses
+/// around changes; the best lag is the estimate (matched filter). A base that stands still although it is
+/// commanded to move is not disobedient: it may be blocked, which control notices.
 class Obedience {
  public:
   static constexpr types::Duration kLagStep = std::chrono::milliseconds(50);
@@ -55,6 +55,7 @@ class Obedience {
   ObedienceParams params_;
   SpeedBounds v_, omega_;
   types::Stamp last_{};
+  types::Stamp motors_on_{};  ///< the newest status without them
   int outside_ = 0;
   std::array<double, kLags> error_{};
   types::Duration late_lag_{};  ///< the longest lag that was too long

@@ -63,6 +63,9 @@ struct PlausibilityParams {
   PictureParams picture;
   /// Longest wait of data on a line, beyond its shortest (types::Scan::late, types::BaseState::late).
   types::Duration late_max = std::chrono::milliseconds(300);
+  /// Longest time from a request to the base's answer (types::BaseState::round_trip):
+  /// ObedienceParams::lag_max and a status cycle, by which an answer may wait behind a status on a slow line.
+  types::Duration round_trip_max = std::chrono::milliseconds(400);
   types::Duration hold = std::chrono::seconds(1);        ///< a doubt lasts this long after its cause
   int strikes = 3;                                       ///< the same doubt so often within
   types::Duration strikes_in = std::chrono::minutes(1);  ///< this time lasts until the operator clears it

@@ -47,11 +47,11 @@ DoubtSet Plausibility::causes(const Evidence& evidence) {
   DoubtSet now;
   // Motors that are off follow no command.
   const bool driven = evidence.base != nullptr && evidence.base->motors_enabled;
-  commands_.add(evidence.now, driven ? evidence.commanded : types::Twist2{});
+  commands_.add(evidence.now, driven ? evidence.commanded : types::Twist2{}, evidence.limits);
   if (evidence.base != nullptr) {
     judge_status(evidence);
     now.set(at(Doubt::kDisobeys), obeys_.disobeys);
-    now.set(at(Doubt::kAnswersLate), obeys_.late);
+    now.set(at(Doubt::kAnswersLate), obeys_.late || evidence.base->round_trip > params_.round_trip_max);
     now.set(at(Doubt::kImpossibleMotion), impossible_);
     now.set(at(Doubt::kLateStatuses), evidence.base->late > params_.late_max);
   }

@@ -31,6 +31,8 @@ struct BaseState {
   Stamp arrival{};  ///< when its last byte was read; staleness is measured from it
   /// How much longer than the fastest packets of its connection the packet waited on its line.
   Duration late{};
+  /// From the newest answered request to its answer; 0: the base answers none.
+  Duration round_trip{};
   std::uint64_t sequence = 0;  ///< status packets since the daemon's start
   bool motors_enabled = false;
   bool stop_button = false;

@@ -74,8 +74,10 @@ struct LineSearch {
 struct Faults {
   int bad_in_a_row = 0;
   int good_in_a_row = 0;
-  int ladder = 0;       ///< measures taken against silence: 0 none, 1 QT and II, 2 RS, 3 RB
-  bool faulty = false;  ///< the sensor itself reported a fault
+  int late_in_a_row = 0;
+  bool clock_in_doubt = false;  ///< the next stream begins with TM1
+  int ladder = 0;               ///< measures taken against silence: 0 none, 1 QT and II, 2 RS, 3 RB
+  bool faulty = false;          ///< the sensor itself reported a fault
 };
 
 /// The stream: its request and the constants that its validated parameters give.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/types/invariant.hpp"
 
@@ -53,14 +54,20 @@ bool Connection::Impl::on_scan(types::Scan& out) {
   return true;
 }
 
-/// On a line that is too slow, scans queue up: each looks fresh by its arrival but is old. Driving has ended
-/// long before (types::Scan::late); a new stream begins with an empty queue.
+/// On a line that is too slow, scans queue up: each looks fresh by its arrival but is old. A sensor whose
+/// clock was set looks the same. Driving has ended by then (types::Scan::late). A new stream begins with an
+/// empty queue and a clock that was read anew; a short hold-up of the line is not worth the pause.
 bool Connection::Impl::is_late(const SensorClock::Result& time) {
-  constexpr Duration kLatestMax = 1s;
-  if (time.late <= kLatestMax) return false;
+  constexpr Duration kLate = 300ms, kLatestMax = 1s;
+  constexpr int kInARow = 20;  // half a second
+  faults.late_in_a_row = time.late > kLate ? faults.late_in_a_row + 1 : 0;
+  if (time.late <= kLatestMax && faults.late_in_a_row < kInARow) return false;
   set_health(Health::kSilent,
-             place() + ": scans arrive more than 1 s late, the line is too slow; starting the stream anew");
-  faults.good_in_a_row = 0;
+             place() +
+                 ": scans come late by the sensor's clock: the line is too slow, or the clock was set; "
+                 "starting the stream anew");
+  faults.good_in_a_row = faults.late_in_a_row = 0;
+  faults.clock_in_doubt = true;
   probe();
   return true;
 }
@@ -155,6 +162,7 @@ void Connection::Impl::on_version_again() {
 void Connection::Impl::after_probe() {
   read_state(line.reply(), found);
   info = found;
+  if (std::exchange(faults.clock_in_doubt, false)) return restart_stream();
   if (!faults.faulty) return enter_laser();
   set_health(Health::kFault, verdict.message + "; its own words: \"" + found.status + "\"");
   reset_sensor();

@@ -142,19 +142,11 @@ void SensorClock::calibrate(const Point& point) {
   calibrated_ = point.device_ms - start_ms_ >= kCalibrationMs;
 }
 
-/// A device whose clock was set begins a new minimum, but not again within ten seconds: a line that loses
-/// data in jumps must not hide its delay.
-Duration SensorClock::wait_of(const Point& point, Stamp arrival, bool jumped) {
-  constexpr Duration kApart = std::chrono::seconds(10);
-  const Duration difference(point.difference_ns);
-  if (age_begun_ == Stamp{}) {
-    age_begun_ = arrival;
-    if (synchronised_) age_.begin(Duration(sync_.difference_ns + latency_ns_), arrival);
-  } else if (jumped && arrival - age_begun_ >= kApart) {
-    age_begun_ = arrival;
-    age_.reset();
-  }
-  return age_.update(difference, arrival);
+/// A device whose clock was set looks late; TM1 tells the difference, before the next stream (reset()).
+Duration SensorClock::wait_of(const Point& point, Stamp arrival) {
+  if (!age_begun_ && synchronised_) age_.begin(Duration(sync_.difference_ns + latency_ns_), arrival);
+  age_begun_ = true;
+  return age_.update(Duration(point.difference_ns), arrival);
 }
 
 SensorClock::Result SensorClock::on_scan(std::uint32_t counter_ms, Stamp arrival) {
@@ -176,7 +168,7 @@ SensorClock::Result SensorClock::on_scan(std::uint32_t counter_ms, Stamp arrival
   } else if (!result.repeated) {
     add(point);
   }
-  result.late = wait_of(point, arrival, result.jumped);
+  result.late = wait_of(point, arrival);
   last_ms_ = result.device_ms;
   calibrate(point);
   result.host = Stamp{Duration(minimum_at(point.device_ms) - latency_ns_ + point.device_ms * kNsPerMs)};

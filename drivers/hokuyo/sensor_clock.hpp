@@ -64,7 +64,7 @@ class SensorClock {
   void fit_drift();
   void restart(const Point& point);
   void calibrate(const Point& point);
-  types::Duration wait_of(const Point& point, types::Stamp arrival, bool jumped);
+  types::Duration wait_of(const Point& point, types::Stamp arrival);
 
   bool synchronised_ = false;
   types::Duration best_round_trip_{};
@@ -89,7 +89,7 @@ class SensorClock {
   double drift_ = 0.0;
 
   io::LineAge age_{kMaxAgeRise};
-  types::Stamp age_begun_{};
+  bool age_begun_ = false;
 };
 
 }  // namespace topo::hokuyo

@@ -47,6 +47,7 @@ enum class PacketType : std::uint8_t {
   kConfig = 0x20,
   kStatusStopped = 0x32,
   kStatusMoving = 0x33,
+  kEncoder = 0x90,
   kResetWithDiagnosis = 0xFE,
   kReset = 0xFF,
 };

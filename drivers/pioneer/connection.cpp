@@ -11,6 +11,7 @@
 #include "drivers/pioneer/handshake.hpp"
 #include "drivers/pioneer/link.hpp"
 #include "drivers/pioneer/robot_info.hpp"
+#include "drivers/pioneer/round_trip.hpp"
 #include "drivers/pioneer/sip.hpp"
 #include "drivers/pioneer/sip_delay.hpp"
 
@@ -78,6 +79,7 @@ struct Connection::Impl {
   std::optional<Handshake> handshake;
   std::optional<Drive> drive;
   std::optional<SipDelay> delay;
+  RoundTrip trip;
   RobotModel model;
   DeadReckoning dead_reckoning;
   types::BaseState state;
@@ -172,6 +174,7 @@ void Connection::Impl::start_running() {
   const std::string fault = watchdog_fault(packet);
   drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty(), now());
   delay.emplace(milliseconds(info->sip_cycle_ms));
+  trip = {};
   // Physical limits instead of the configured ones: a push must not be taken for a reset of the controller.
   constexpr double kPushed = 2.0;
   dead_reckoning.restart(model, kPushed * model.size.v_max_mps, kPushed * model.size.omega_max_radps);
@@ -197,6 +200,7 @@ bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out
   dead_reckoning.update(*status, std::max(arrival - last_status, cycle));
   last_status = arrival;
   state.late = delay->late();
+  state.round_trip = trip.value();
   apply_status(*status, model, arrival, state);
   // Strictly later than the previous stamp: two poses of one instant have no velocity between them.
   state.odometry.stamp = std::max(arrival - age, state.odometry.stamp + std::chrono::microseconds(1));
@@ -214,6 +218,7 @@ bool Connection::Impl::on_packet(const PacketView& packet, types::BaseState& out
     lose(Health::kReset, device() + ": the robot's controller was reset; connecting again");
     return false;
   }
+  if (packet.is(PacketType::kEncoder)) trip.answered(packet.last_byte);
   return packet.is_status() && on_status(packet, out);
 }
 
@@ -228,6 +233,9 @@ bool Connection::Impl::run(types::BaseState& out, Stamp deadline) {
                               " cycles; connecting again");
     return false;
   }
+  trip.expire(link->now());
+  if (!drive->is_silent() && trip.is_due(link->now()) && link->outbox().push(encode(Command::kEncoder, 1)))
+    trip.asked(link->now());
   drive->keep_alive(link->now(), link->last_send());
   exchange(std::min({deadline, silent_at, drive->next_due(link->last_send())}));
   return false;

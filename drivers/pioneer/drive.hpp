@@ -25,6 +25,7 @@ class Drive {
   /// The connection ends: from now on the caller controls the motors' switch.
   void shut_down() { ever_commanded_ = false; }
   [[nodiscard]] bool stands() const { return stands_; }
+  [[nodiscard]] bool is_silent() const { return silent_; }
   /// According to the last status or the last request.
   [[nodiscard]] bool may_be_moving() const { return !stands_ || asked_; }
 

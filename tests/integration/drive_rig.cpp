@@ -154,8 +154,13 @@ void DriveRig::control() {
   in.front = has_scan_ ? scan_.get() : nullptr;
   in.T_base_sonar = T_base_sonar_;
   in.firmware_watchdog = told_watchdog;
+  if (match) matched_ = match();
+  in.matched = match ? &matched_ : nullptr;
   out_ = pipeline::control_step(state_of_control_, setup, in);
-  base_.command(out_.command, simulation_->now());
+  if (carry)
+    carry(out_.command, base_, simulation_->now());
+  else
+    base_.command(out_.command, simulation_->now());
 }
 
 void DriveRig::tick() {

@@ -58,6 +58,10 @@ class DriveRig {
   bool host_dead = false;  ///< the daemon's process is gone: nothing is decided and nothing sent
   std::function<void(types::Scan&)> spoil_scan;
   std::function<void(types::BaseState&)> spoil_state;
+  /// Takes the place of the line to the base: what arrives there of a command, and when.
+  std::function<void(const types::BaseCommand&, bench::VirtualBase&, sim::SimTime)> carry;
+  /// Motion by scan matching, as the mapping thread would report it; empty: none is reported.
+  std::function<plausibility::MatchedMotion()> match;
   bool estop = false, estop_cleared = false;
   std::optional<types::Twist2> by_hand;
   pipeline::ControlSetup setup;
@@ -94,6 +98,7 @@ class DriveRig {
   pipeline::Teleop teleop_;
   pipeline::ControlState state_of_control_;
   pipeline::ControlOutput out_;
+  plausibility::MatchedMotion matched_;
 };
 
 }  // namespace topo::test

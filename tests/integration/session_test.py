@@ -37,6 +37,28 @@ thickness_m = 0.1
 START = (2.0, 2.0)
 
 
+def xxh64(data):
+    """XXH64 with seed 0 of fewer than 32 bytes (the algorithm's specification, doc/xxhash_spec.md, steps 1, 5 to 7)."""
+    mask, p1, p2, p3, p4, p5 = (1 << 64) - 1, 0x9E3779B185EBCA87, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9, \
+        0x85EBCA77C2B2AE63, 0x27D4EB2F165667C5
+
+    def turned(x, n):
+        return ((x << n) | (x >> (64 - n))) & mask
+
+    acc = (p5 + len(data)) & mask
+    while len(data) >= 8:
+        lane = turned(int.from_bytes(data[:8], "little") * p2 & mask, 31) * p1 & mask
+        acc, data = (turned(acc ^ lane, 27) * p1 + p4) & mask, data[8:]
+    if len(data) >= 4:
+        acc = (turned(acc ^ (int.from_bytes(data[:4], "little") * p1 & mask), 23) * p2 + p3) & mask
+        data = data[4:]
+    for byte in data:
+        acc = turned(acc ^ (byte * p5 & mask), 11) * p1 & mask
+    acc = (acc ^ acc >> 33) * p2 & mask
+    acc = (acc ^ acc >> 29) * p3 & mask
+    return acc ^ acc >> 32
+
+
 class Sessions(RobotProcesses):
     def setUp(self):
         super().setUp()
@@ -220,14 +242,15 @@ class Sessions(RobotProcesses):
         (journal,) = self.sessions.glob("journal-*.session")
         newer = bytearray(journal.read_bytes())
         newer[8] = 99
+        newer[20:28] = xxh64(bytes(newer[:20])).to_bytes(8, "little")  # a whole header, of another version
         journal.unlink()
         (self.sessions / "journal-20260102T030405Z.session").write_bytes(newer)
         (self.sessions / "empty.session").touch()
         self.start_daemon()
         wait_for(lambda: "found version 99" in self.ctl("start").stderr, "a refusal")
-        self.assertIn("found version 99, expected 1", self.ctl("doctor").stdout)
+        self.assertIn("found version 99, expected 2", self.ctl("doctor").stdout)
         listed = self.ctl("session", "list").stdout
-        self.assertRegex(listed, "journal-20260102T030405Z .* no session: found version 99, expected 1")
+        self.assertRegex(listed, "journal-20260102T030405Z .* no session: found version 99, expected 2")
         self.assertRegex(listed, "empty .* no session: the file does not begin as a session does")
 
     def test_a_full_disk_is_told_and_mapping_goes_on(self):

@@ -3,6 +3,7 @@
 #include "tests/bench/topobench/explore/virtual_base.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "drivers/pioneer/setpoints.hpp"
 
@@ -32,6 +33,12 @@ VirtualBase::VirtualBase(const types::RobotLimits& limits, types::Duration watch
 }
 
 void VirtualBase::command(const types::BaseCommand& command, sim::SimTime now) {
+  if (command
+          .silence) {  // one E_STOP, as the driver sends a few, and then nothing (drivers/pioneer/drive.cpp)
+    if (!std::exchange(silent_, true)) drive_.emergency_stop();
+    return;
+  }
+  silent_ = false;
   last_command_ = now;
   want_motors_ = command.enable_motors;
   if (command.estop) {

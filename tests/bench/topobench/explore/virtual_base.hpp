@@ -19,6 +19,9 @@ class VirtualBase final : public sim::WheelDrive {
   VirtualBase(const types::RobotLimits& limits, types::Duration watchdog,
               const sim::arcos::Parameters& firmware = sim::arcos::p3dx_parameters());
 
+  /// Bytes that the firmware does not obey feed its watchdog all the same.
+  void feed_watchdog(sim::SimTime now) { last_command_ = now; }
+
   /// What the base thread sends once a period.
   void command(const types::BaseCommand& command, sim::SimTime now);
 
@@ -37,6 +40,7 @@ class VirtualBase final : public sim::WheelDrive {
   double v_max_mps_, omega_max_radps_;
   sim::SimTime watchdog_;
   sim::SimTime last_command_{0};
+  bool silent_ = false;
   bool motors_on_ = false;
   bool want_motors_ = false;
   std::uint64_t sequence_ = 0;

@@ -16,6 +16,15 @@ namespace {
 using motion::GateReason;
 using std::chrono::milliseconds;
 
+/// The same scan again and again, in an empty place, and poses put where a test wants them: what
+/// core/plausibility is for is tested there.
+plausibility::PlausibilityParams trusting() {
+  plausibility::PlausibilityParams params;
+  params.picture.noiseless = params.picture.open_space = true;
+  params.motion.step_m = params.motion.step_rad = 1e6;
+  return params;
+}
+
 class ControlStepTest : public ::testing::Test {
  protected:
   ControlStepTest() {
@@ -50,7 +59,7 @@ class ControlStepTest : public ::testing::Test {
   Teleop drive;
   ControlSetup setup;
   ControlInput input;
-  ControlState memory;
+  ControlState memory{trusting()};
   bool keep_asking = true;
 };
 
@@ -103,7 +112,7 @@ TEST_F(ControlStepTest, EstopLatchesUntilClearedAndThenWantsANewCommand) {
 
 TEST_F(ControlStepTest, WhateverIsStaleOrMissingStops) {
   const auto stops = [this](auto&& spoil) {
-    ControlState fresh;
+    ControlState fresh(trusting());
     ControlInput spoiled = input;
     drive.stamp = spoiled.now;
     spoil(spoiled);
@@ -140,7 +149,7 @@ TEST_F(ControlStepTest, FollowsAFreshPlanAndStandsWhenItGetsOld) {
 
 TEST_F(ControlStepTest, ARestartNeverMovesByItself) {
   EXPECT_TRUE(rc::check("any old plan and any old wish", [this] {
-    ControlState fresh;
+    ControlState fresh(trusting());
     ControlInput after = input;
     Plan plan = plan_ahead(after.now - milliseconds(*rc::gen::inRange(1001, 100000)));
     Teleop old{after.now - milliseconds(*rc::gen::inRange(301, 100000)), {0.5, 0.3}};
@@ -347,7 +356,7 @@ TEST_F(ControlStepTest, ACaughtRobotEasesBackWhereItsScannerLookedButNotIntoAMat
   const double heading_rad = 1.2;
   const types::Vector2 away(-std::cos(heading_rad), -std::sin(heading_rad));
   const auto after_a_minute = [&](bool has_looked, bool mate_behind) {
-    ControlState fresh;
+    ControlState fresh(trusting());
     types::Se2 pose;
     const auto period = [&](const Plan* plan, bool jamb) {
       now += milliseconds(50);

@@ -21,7 +21,7 @@ double measured_after_a_stop(double braking_mps2, double speed_mps, bool at_once
     const types::Twist2 commanded =
         stops && at_once ? types::Twist2{} : ramp.towards({stops ? 0.0 : speed_mps, 0.0});
     const bool heard = base.step(commanded);
-    commands.add(base.now, commanded);
+    commands.add(base.now, commanded, {});
     if (heard) braking.judge(commands, base.state, 0.5);
   }
   return braking.measured_mps2();

@@ -25,7 +25,7 @@ struct Drive {
       if (!ramped) ramp.stop();
       const Twist2 commanded = ramped ? ramp.towards(wanted) : wanted;
       const bool heard = base.step(commanded);
-      commands.add(base.now, base.state.motors_enabled ? commanded : Twist2{});
+      commands.add(base.now, base.state.motors_enabled ? commanded : Twist2{}, {});
       if (!heard) continue;
       opinion = obedience.judge(commands, base.state, {});
       longest = std::max(longest, opinion.lag);

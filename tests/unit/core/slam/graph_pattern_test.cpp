@@ -92,10 +92,10 @@ TEST(GraphPattern, PlacesAreThoseOfTheNormalEquations) {
     for (std::size_t i = 0; i < ties.size(); ++i) {
       const BlockFactor<1>::Block spring(1.0 + static_cast<double>(random() % 9));
       const auto a = static_cast<Eigen::Index>(ties[i].first), b = static_cast<Eigen::Index>(ties[i].second);
-      stiffness(a, a) += spring.value();
-      stiffness(b, b) += spring.value();
-      stiffness(a, b) -= spring.value();
-      stiffness(b, a) -= spring.value();
+      stiffness(a, a) += spring(0, 0);
+      stiffness(b, b) += spring(0, 0);
+      stiffness(a, b) -= spring(0, 0);
+      stiffness(b, a) -= spring(0, 0);
       const GraphPattern::EdgePlaces& places = pattern.links()[i];
       if (places.has_from) factor.add(places.from, spring);
       if (places.has_to) factor.add(places.to, spring);

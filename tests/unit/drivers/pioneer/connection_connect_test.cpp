@@ -19,7 +19,7 @@ using types::Stamp;
 TEST_F(PioneerSession, ConnectsInTheOrderOfTheProtocol) {
   connect();
   EXPECT_THAT(robot.commands(), ElementsAre(kEStop, kVel, kRvel, kClose, kSync0, 1, 2, kOpen, kVel, kRvel,
-                                            kConfig, kVel, kRvel, kSetV, 5, 5, 10, 23, 23, 28));
+                                            kConfig, kVel, kRvel, kSetV, 5, 5, 10, 23, 23, 28, kEncoder));
   EXPECT_TRUE(robot.received[3].has_argument);   // CLOSE, not SYNC2
   EXPECT_FALSE(robot.received[6].has_argument);  // SYNC2
   EXPECT_EQ(robot.received[13].argument, 700);

@@ -15,7 +15,7 @@ namespace topo::pioneer {
 
 // Commands by their numbers in the protocol.
 inline constexpr int kSync0 = 0, kOpen = 1, kClose = 2, kEnable = 4, kSetV = 6, kVel = 11, kConfig = 18,
-                     kRvel = 21, kEStop = 55, kPulse = 0;
+                     kRvel = 21, kEncoder = 19, kEStop = 55, kPulse = 0;
 
 class PioneerSession : public testing::Test {
  protected:
