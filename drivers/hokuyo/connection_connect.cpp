@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "drivers/hokuyo/connection_impl.hpp"
 
@@ -169,8 +170,10 @@ void Connection::Impl::restart_stream() {
   samples = 0;
   pending.tries = 0;
   // The message of the last failure stays until a scan proves it cured.
-  if (!faults.faulty && (retry.failures == 0 || verdict.health == Health::kDisconnected ||
-                         verdict.health == Health::kWrongDevice)) {
+  const bool was_late = std::exchange(faults.clock_in_doubt, false);
+  if (!was_late && !faults.faulty &&
+      (retry.failures == 0 || verdict.health == Health::kDisconnected ||
+       verdict.health == Health::kWrongDevice)) {
     set_health(Health::kStarting,
                place() + ": " + found.product + " " + found.serial_number + " is starting");
   }

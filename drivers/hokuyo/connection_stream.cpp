@@ -21,6 +21,7 @@ constexpr int kMaxBadInARow = 3;
 /// Number of consecutive good scans that proves a measure against silence effective.
 constexpr int kProvenScans = 40;
 constexpr Duration kProbeLimit = 500ms;
+constexpr Duration kLate = 300ms;  ///< of a scan; plausibility::PlausibilityParams::late_max
 
 }  // namespace
 
@@ -48,7 +49,8 @@ bool Connection::Impl::on_scan(types::Scan& out) {
   }
   retry.failures = 0;
   faults.faulty = false;
-  if (verdict.health != Health::kStreaming) set_health(Health::kStreaming, streaming_text());
+  if (verdict.health != Health::kStreaming && time.late <= kLate)
+    set_health(Health::kStreaming, streaming_text());
   count_gap(time);
   fill(out, time);
   return true;
@@ -58,7 +60,7 @@ bool Connection::Impl::on_scan(types::Scan& out) {
 /// clock was set looks the same. Driving has ended by then (types::Scan::late). A new stream begins with an
 /// empty queue and a clock that was read anew; a short hold-up of the line is not worth the pause.
 bool Connection::Impl::is_late(const SensorClock::Result& time) {
-  constexpr Duration kLate = 300ms, kLatestMax = 1s;
+  constexpr Duration kLatestMax = 1s;
   constexpr int kInARow = 20;  // half a second
   faults.late_in_a_row = time.late > kLate ? faults.late_in_a_row + 1 : 0;
   if (time.late <= kLatestMax && faults.late_in_a_row < kInARow) return false;
@@ -162,7 +164,7 @@ void Connection::Impl::on_version_again() {
 void Connection::Impl::after_probe() {
   read_state(line.reply(), found);
   info = found;
-  if (std::exchange(faults.clock_in_doubt, false)) return restart_stream();
+  if (faults.clock_in_doubt) return restart_stream();
   if (!faults.faulty) return enter_laser();
   set_health(Health::kFault, verdict.message + "; its own words: \"" + found.status + "\"");
   reset_sensor();

@@ -15,10 +15,10 @@ constexpr double kRise = 200e-6;
 
 /// Waits of data that come 40 times a second, with a delay as a function of the time since the beginning.
 template <class Delay>
-types::Duration longest_wait(double seconds, double drift, Delay delay) {
+types::Duration longest_wait(double duration_s, double drift, Delay delay) {
   LineAge age(kRise);
   types::Duration longest{};
-  for (double t = 0.0; t < seconds; t += 0.025) {
+  for (double t = 0.0; t < duration_s; t += 0.025) {
     const types::Duration wait = types::from_seconds(delay(t));
     const types::Duration difference = types::from_seconds(drift * t) + wait;
     longest = std::max(longest, age.update(difference, types::stamp_from_seconds(100.0 + t)));
