@@ -9,17 +9,17 @@ const std::array<DoubtText, kDoubts>& doubt_texts() {
       {"disobeys", "the base moves otherwise than commanded",
        "the base gets an emergency stop and then nothing, so that its own watchdog stops it: press its stop "
        "button, look at cable and controller; ends when its motors are off, its controller was reset, or by "
-       "`topoctl clear` while it stands"},
+       "`topoctl clear-estop` while it stands"},
       {"answers_late", "the wheels follow the commands too late",
        "look for a slow or buffering line to the base (a bridge, a hub, a loaded radio); ends by itself, and "
-       "after the third time in a minute by `topoctl clear`"},
+       "after the third time in a minute by `topoctl clear-estop`"},
       {"impossible_motion", "the base reports a motion that its model cannot make",
        "look at encoders, controller and line; ends after a second of possible reports"},
       {"match_disagrees", "odometry and the front scanner measure different motions",
        "are the scanners exchanged, is one of another robot, is a mount (yaw_rad, upside_down) wrong, do the "
        "wheels slip, was the robot carried? It ends when the robot stands, and after the third time in a "
        "minute "
-       "by `topoctl clear`"},
+       "by `topoctl clear-estop`"},
       {"late_scans", "the front scanner's data wait on their line",
        "use a faster line, fewer beams or skip_scans; ends when scans are fresh again"},
       {"late_statuses", "the base's reports wait on their line",

@@ -70,7 +70,7 @@ ObedienceOpinion Obedience::judge(const CommandHistory& commands, const types::B
   const double elapsed_s = last_ == types::Stamp{} ? 0.0 : std::max(types::to_seconds(now - last_), 0.0);
   last_ = now;
   // Any command within the admissible lag may be in force.
-  const types::Duration longest = std::max(params_.lag_max, late_lag_ + params_.lag_max);
+  const types::Duration longest = std::max(late_lag_, state.round_trip) + params_.lag_max;
   for (types::Duration lag{}; lag <= longest; lag += kLagStep) {
     const types::Twist2 commanded = commands.at(now - lag);
     const double step_s = lag == types::Duration{} ? elapsed_s : 0.0;

@@ -36,11 +36,12 @@ void Plausibility::judge_status(const Evidence& evidence) {
   }
   const bool first = anew || last_status_ == types::Stamp{};
   last_status_ = base.arrival;
-  obeys_ = obedience_.judge(commands_, base, evidence.limits);
-  braking_.judge(commands_, base, evidence.limits.deceleration_mps2);
   impossible_ =
       is_impossible(first ? nullptr : &last_odometry_, base.odometry, evidence.model, params_.motion);
   last_odometry_ = base.odometry;
+  if (impossible_) return;  // of what is not measured nothing else is concluded
+  obeys_ = obedience_.judge(commands_, base, evidence.limits);
+  braking_.judge(commands_, base, evidence.limits.deceleration_mps2);
 }
 
 DoubtSet Plausibility::causes(const Evidence& evidence) {
