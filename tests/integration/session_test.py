@@ -251,7 +251,7 @@ class Sessions(RobotProcesses):
         self.assertIn("found version 99, expected 2", self.ctl("doctor").stdout)
         listed = self.ctl("session", "list").stdout
         self.assertRegex(listed, "journal-20260102T030405Z .* no session: found version 99, expected 2")
-        self.assertRegex(listed, "empty .* no session: the file does not begin as a session does")
+        self.assertRegex(listed, "empty .* no session: the file is empty")
 
     def test_a_full_disk_is_told_and_mapping_goes_on(self):
         limit = 12000
