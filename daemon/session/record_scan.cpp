@@ -21,16 +21,6 @@ std::size_t end_of(const FoundRecord& record, std::uint32_t version) {
   return record.offset + SessionRecordHead::size_in(version) + record.head.packed_bytes;
 }
 
-/// Where reading goes on behind a record with a damaged content: at its end, or, when bytes were lost or came
-/// in, at the next "TSRC".
-std::size_t behind(Bytes file, const FoundRecord& record) {
-  const std::size_t end = end_of(record, kSessionVersion);
-  if (end == file.size() ||
-      (end < file.size() && decode_session_record_head(file.subspan(end), kSessionVersion)))
-    return end;
-  return find_record_magic(file, record.offset + 1);
-}
-
 /// Keeps one record of each number, a sealed one before others; further copies become pieces.
 void keep_each_once(RecordScan& scan, std::uint32_t version) {
   std::stable_sort(scan.records.begin(), scan.records.end(), [](const FoundRecord& a, const FoundRecord& b) {
@@ -81,7 +71,9 @@ RecordScan scan_records(Bytes file, std::size_t begin, std::uint32_t version) {
       }
       const FoundRecord record{*head, at, is_sealed(file.subspan(at), *head, version)};
       scan.records.push_back(record);
-      const std::size_t next = record.sealed ? end_of(record, version) : behind(file, record);
+      // The length of a damaged record may reach over whole ones, when bytes were lost or came in.
+      const std::size_t next =
+          record.sealed ? end_of(record, version) : find_record_magic(file, record.offset + 1);
       if (!record.sealed) add_piece(scan.pieces, at, next - at);
       at = next;
     }

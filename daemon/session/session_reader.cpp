@@ -109,7 +109,10 @@ Result<LoadedSession> parse_session(std::span<const std::byte> file) {
   loaded.damaged = file.size() - loaded.bytes;
   loaded.closed = items.closed;
   if (lost_its_tail(loaded, scan, file.size())) ++loaded.records_lost;
-  if (loaded.damaged == 0 && scan.missing == 0) {
+  // A kill between two records of one batch leaves a keyframe whose pose only its edges tell.
+  const bool all_placed = std::all_of(items.keyframes.begin(), items.keyframes.end(),
+                                      [&](const auto& k) { return items.poses.contains(k.first); });
+  if (loaded.damaged == 0 && scan.missing == 0 && all_placed) {
     loaded.session = in_order(items);
   } else {
     const bool unsure = scan.missing > 0 || items.poses_void || number_behind(items.poses) < items.poses_once;

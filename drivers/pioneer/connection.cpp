@@ -200,7 +200,7 @@ bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out
   dead_reckoning.update(*status, std::max(arrival - last_status, cycle));
   last_status = arrival;
   state.late = delay->late();
-  state.round_trip = trip.value();
+  state.round_trip = trip.trip();
   apply_status(*status, model, arrival, state);
   // Strictly later than the previous stamp: two poses of one instant have no velocity between them.
   state.odometry.stamp = std::max(arrival - age, state.odometry.stamp + std::chrono::microseconds(1));

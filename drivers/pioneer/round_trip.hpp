@@ -43,7 +43,7 @@ class RoundTrip {
   }
 
   /// Of the newest answer; kLost when three requests in a row had none; 0 when the base never answered.
-  [[nodiscard]] types::Duration value() const { return trip_; }
+  [[nodiscard]] types::Duration trip() const { return trip_; }
 
  private:
   std::optional<types::Stamp> open_since_;

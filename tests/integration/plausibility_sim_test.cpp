@@ -84,7 +84,7 @@ std::function<void(DriveRig&)> late_commands(sim::SimTime delay) {
         trip->asked(now);
         answers->push_back(now + delay);
       }
-      b.round_trip = trip->value();
+      b.round_trip = trip->trip();
     };
   };
 }

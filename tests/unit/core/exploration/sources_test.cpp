@@ -116,7 +116,10 @@ TEST_F(Sources, ARobotAloneChoosesWhatATeamOfOneWould) {
   const Proposal proposal = propose(situation(), {map_, ways_}, params_, false, deferred_, SweepState{});
   const Choice choice = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
   ASSERT_NE(choice.best, nullptr);
-  EXPECT_TRUE(choice.bids.empty()) << "nothing to bid for";
+  EXPECT_EQ(choice.bids.size(), proposal.candidates.size()) << "its bids are what it would tell a team";
+  std::vector<const Candidate*> all;
+  for (const Candidate& c : proposal.candidates) all.push_back(&c);
+  EXPECT_EQ(choice.best, first_of_tour(std::move(all), nullptr, {map_, ways_}, params_.tour));
 }
 
 TEST_F(Sources, AGoalThatACheaperClaimTakesIsLeft) {

@@ -166,6 +166,15 @@ RC_GTEST_PROP(SessionDamage, WhatIsUndamagedAndConnectedComesBack, (unsigned see
 }
 
 // Every byte of a journal, one after the other: at most the batch around it suffers.
+TEST(SessionDamage, AKillBetweenTheRecordsOfABatchCostsNoKeyframe) {
+  const Journal journal(14, 1, 171540);
+  for (std::size_t r = 0; r < journal.records.size(); ++r) {
+    const FoundRecord& record = journal.records[r];
+    const std::size_t end = record.offset + SessionRecordHead::kSize + record.head.packed_bytes;
+    check(journal, Bytes(journal.file.begin(), journal.file.begin() + static_cast<std::ptrdiff_t>(end)));
+  }
+}
+
 TEST(SessionDamage, AFlippedBitAnywhereCostsAtMostItsRecord) {
   const Journal journal(8, 2, 3);
   const std::size_t all = journal.session.keyframes.size();

@@ -36,7 +36,7 @@ struct Line {
         ++asked;
         if (std::uniform_real_distribution<double>(0.0, 1.0)(random) >= loss) answers.push_back(now + delay);
       }
-      longest = std::max(longest, trip.value());
+      longest = std::max(longest, trip.trip());
     }
   }
 };
@@ -44,7 +44,7 @@ struct Line {
 TEST(RoundTrip, isThatOfAGoodLine) {
   Line line;
   line.run(10.0);
-  EXPECT_NEAR(types::to_seconds(line.trip.value()), 0.06, 0.011);
+  EXPECT_NEAR(types::to_seconds(line.trip.trip()), 0.06, 0.011);
   EXPECT_GE(line.asked, 19);
   EXPECT_LE(line.asked, 21);
 }
@@ -55,15 +55,15 @@ TEST(RoundTrip, aDelayIsKnownByTheNextAnswer) {
     line.run(10.0);
     line.delay = milliseconds(delay_ms);
     const types::Stamp begin = line.now;
-    while (line.trip.value() <= milliseconds(400) && line.now - begin < milliseconds(20000)) line.run(0.01);
+    while (line.trip.trip() <= milliseconds(400) && line.now - begin < milliseconds(20000)) line.run(0.01);
     // Beyond the time after which a request is lost, three of them tell.
     const double known_s = delay_ms < 3000 ? 1e-3 * delay_ms + 1.1 : 11.0;
     EXPECT_LT(types::to_seconds(line.now - begin), known_s) << delay_ms;
     line.run(5.0);
-    EXPECT_GT(line.trip.value(), milliseconds(400)) << "it stays known";
+    EXPECT_GT(line.trip.trip(), milliseconds(400)) << "it stays known";
     line.delay = milliseconds(60);
     line.run(12.0);
-    EXPECT_LT(line.trip.value(), milliseconds(400)) << "and passes";
+    EXPECT_LT(line.trip.trip(), milliseconds(400)) << "and passes";
   }
 }
 
