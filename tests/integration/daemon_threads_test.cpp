@@ -81,8 +81,8 @@ class DaemonThreads : public ::testing::Test {
     return "[robot]\nmodel = \"p3dx\"\n[base]\n" + address(DeviceId::kBase) + "[scanner.front]\n" +
            address(DeviceId::kFront) + "x_m = 0.021\n[scanner.coronal]\n" + address(DeviceId::kCoronal) +
            "[control]\nsocket = \"" + socket + "\"\nstate_folder = \"" + folder.str() +
-           "\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n" + "[session]\nfolder = \"" +
-           folder.str() + "\"\njournal_period_s = 0.2\n";
+           "\"\n[plausibility]\nnoiseless = true\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n" +
+           "[session]\nfolder = \"" + folder.str() + "\"\njournal_period_s = 0.2\n";
   }
 
   Json ask(const char* method, const Json& params = Json::object()) {
@@ -275,12 +275,12 @@ TEST_F(DaemonThreads, AClearedEstopIsNoObstacleAnyMore) {
   EXPECT_NE(ask("status")["mission"]["state"], "paused");
 }
 
-TEST_F(DaemonThreads, AStopGoesBeforeAWayThatIsStillLookedFor) {
+TEST_F(DaemonThreads, AStopEndsAWayThatIsStillLookedFor) {
   ASSERT_TRUE(until([this](const Json&) { return !ask("places")["places"].empty(); }));
   ASSERT_TRUE(until([this](const Json&) { return ask("progress")["ready"] == true; }));
   const auto both = io::connect_unix(socket);
   ASSERT_TRUE(both) << both.error().message;
-  // In one piece: the stop is served before the search, in another thread, can be collected.
+  // In one piece: of one client one request a turn is served, and the search is in another thread.
   const std::string lines =
       request_line("goto", {{"x_m", 0.3}, {"y_m", 0.0}}, 1) + request_line("stop", Json::object(), 2);
   ASSERT_EQ(::send(both->get(), lines.data(), lines.size(), MSG_NOSIGNAL),
@@ -295,9 +295,13 @@ TEST_F(DaemonThreads, AStopGoesBeforeAWayThatIsStillLookedFor) {
     ASSERT_TRUE(answers.append({bytes.data(), static_cast<std::size_t>(n)}));
     while (auto line = answers.take_line()) got.push_back(*line);
   }
-  EXPECT_TRUE(parse_answer(got[0], 2)) << got[0];
-  EXPECT_NE(got[1].find("meanwhile"), std::string::npos) << got[1];
-  EXPECT_EQ(ask("status")["mission"]["state"], "none");
+  // Either the stop came first, and what was found is too late, or it ended what had just begun.
+  const bool first = got[0].find("\"id\":2") != std::string::npos;
+  EXPECT_TRUE(parse_answer(got[first ? 0 : 1], 2)) << got[first ? 0 : 1];
+  if (first) {
+    EXPECT_NE(got[1].find("meanwhile"), std::string::npos) << got[1];
+  }
+  EXPECT_EQ(ask("status")["mission"]["state"], first ? "none" : "stopped");
 }
 
 TEST_F(DaemonThreads, ReadyAndDoneArePushed) {
