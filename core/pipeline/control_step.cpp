@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/pipeline/control_evidence.hpp"
 #include "core/pipeline/control_senses.hpp"
 #include "core/pipeline/plan_following.hpp"
 #include "core/pipeline/wish.hpp"
@@ -61,25 +62,6 @@ bool is_by_hand(const ControlSetup& setup, const ControlInput& in) {
          in.now - in.teleop->stamp <= setup.limits.request_age_max;
 }
 
-/// The robot brakes with what configuration and firmware both allow.
-void bound_braking(const ControlInput& in, types::RobotLimits& limits) {
-  if (in.firmware_deceleration_mps2 > 0.0)
-    limits.deceleration_mps2 = std::min(limits.deceleration_mps2, in.firmware_deceleration_mps2);
-}
-
-plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& in,
-                                const types::RobotLimits& limits, const Twist2& commanded) {
-  return {.now = in.now,
-          .commanded = commanded,
-          .base = in.state != nullptr && motion::is_finite(*in.state) ? in.state : nullptr,
-          .front = in.front,
-          .matched = in.matched,
-          .T_base_laser = setup.T_base_laser,
-          .limits = limits,
-          .model = setup.model,
-          .cleared = in.estop_cleared};
-}
-
 void report_base(const ControlSetup& setup, const ControlInput& in, const motion::GateInput& gate_in,
                  ControlReport& report) {
   if (in.state == nullptr) return;
@@ -114,7 +96,7 @@ ControlState::~ControlState() = default;
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input) {
   ControlState::Impl& memory = *state.impl_;
   motion::GateInput gate_in = memory.senses.perceive(setup, input);
-  bound_braking(input, gate_in.limits);
+  gate_in.limits = limits_now(setup, input);
   const plausibility::Opinion opinion =
       memory.plausibility.judge(evidence(setup, input, gate_in.limits, memory.gate.last));
   gate_in.doubts = opinion.doubts;

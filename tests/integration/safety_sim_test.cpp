@@ -81,7 +81,7 @@ TEST_P(Safety, StopsBeforeBoxesThatAppearAMetreAhead) {
   }
 }
 
-TEST_P(Safety, StandsWithinTheStoppingDistanceWhenTheFrontLaserGoesSilent) {
+TEST_P(Safety, StopsInTimeWhenTheFrontLaserGoesSilent) {
   const auto rig = at_full_speed(GetParam());
   const double v_mps = rig->v_mps(), from_m = rig->body().path_m();
   const double limit_m = v_mps * (0.150 + 0.05 + 0.05) + v_mps * v_mps / (2.0 * 0.5) + 0.05;
@@ -96,7 +96,7 @@ TEST_P(Safety, StandsWithinTheStoppingDistanceWhenTheFrontLaserGoesSilent) {
   EXPECT_TRUE(rig->run(5.0, [&] { return rig->v_mps() > 0.5; })) << "it goes on by itself";
 }
 
-TEST_P(Safety, StandsByTheWatchdogBeforeTheWallWhenTheHostDiesAtTheWorstMoment) {
+TEST_P(Safety, TheWatchdogStopsBeforeTheWallWhenTheHostDies) {
   for (const double wall_m : {1.2, 1.6, 2.0, 2.6}) {
     const auto rig = at_full_speed(GetParam());
     const double from_m = rig->body().path_m();
@@ -152,7 +152,7 @@ std::vector<Fault> faults() {
   };
 }
 
-TEST_P(Safety, EveryFaultStopsWithinTheStoppingDistanceAndHealsByItselfUnlessItLatches) {
+TEST_P(Safety, EveryFaultStopsInTimeAndHealsUnlessItLatches) {
   for (const Fault& fault : faults()) {
     const auto rig = at_full_speed(GetParam());
     const double v_mps = rig->v_mps(), from_m = rig->body().path_m(), from_s = rig->now_s();

@@ -49,7 +49,7 @@ TEST(TableRun, countsTheLimitForAShareThatItDidNotReach) {
   EXPECT_TRUE(run_of(key, report).failed);
 }
 
-TEST(TableRun, countsTheLimitThroughoutForACollisionAndForWhoIsNotHome) {
+TEST(TableRun, countsTheLimitForCollisionsAndMissingRobots) {
   const RunKey key = testing::key_of("office", "topometric", 2, 1);
   const Times limits{1000.0, 1000.0, 1000.0, 1000.0, 1000.0};
   json touched = testing::good_report(2, 10.0);

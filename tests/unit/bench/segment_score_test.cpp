@@ -61,7 +61,7 @@ TEST(SegmentScore, CountsSharesAndCorrelation) {
   EXPECT_NEAR(s->mcc, (first + second) / 2, 1e-12);
 }
 
-TEST(SegmentScore, WhatIsSmallIsNoSegmentAndWhatFindsNoPartnerCountsAsNothing) {
+TEST(SegmentScore, SmallOrUnmatchedSegmentsDoNotCount) {
   const LabelPicture rooms = rooms_of(drawn_rooms());
   LabelPicture segments = rooms;
   fill(segments, 2, 2, 12, 12, 5);  // 100 pixels

@@ -60,7 +60,7 @@ TEST(TableCommand, refusesWhatCannotBeRunAndNamesTheOption) {
   EXPECT_NE(error_after([](auto&) {}).find("nowhere.toml"), std::string::npos);
 }
 
-TEST(TableCommand, wantsToKnowOfWhichProgramTheRunsAreWhenThereAreSeveral) {
+TEST(TableCommand, runsOfSeveralProgramsNeedOneNamed) {
   const TempDir folder;
   (void)folder.write("runs.jsonl",
                      "{\"run\": {\"program\": \"one\"}, \"report\": {}}\n"

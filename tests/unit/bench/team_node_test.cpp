@@ -80,7 +80,7 @@ bool each_once(std::vector<slam::KeyframeId> ids, std::size_t count) {
   return ids.size() == count && std::adjacent_find(ids.begin(), ids.end()) == ids.end();
 }
 
-TEST(TeamNode, everybodyGetsEveryKeyframeAndRelationOnceWhateverIsLostLateOrTwice) {
+TEST(TeamNode, allGetEverythingOnceDespiteLossAndRepetition) {
   EXPECT_TRUE(rc::check("a link that works now and then is enough", [] {
     std::deque<Robot> robots;
     for (std::uint16_t id = 0; id < 3; ++id) robots.emplace_back(id);

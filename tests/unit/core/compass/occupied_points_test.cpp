@@ -35,7 +35,7 @@ grid::DenseMap any_map(int less) {
   return map;
 }
 
-TEST(OccupiedPoints, OfOneMapAfterTheOtherAreThoseOfTheWholeMapAndTellTheDifference) {
+TEST(OccupiedPoints, AreThoseOfTheWholeMapAndTellTheDifference) {
   EXPECT_TRUE(rc::check([] {
     OccupiedPoints occupied;
     grid::DenseMap map;

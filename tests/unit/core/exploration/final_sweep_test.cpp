@@ -105,7 +105,7 @@ TEST_F(TwoGaps, AreNotFoundWhenAMateHasLookedIntoThem) {
   EXPECT_TRUE(looks.empty());
 }
 
-TEST_F(TwoGaps, AreToldToMatesWhenTheRobotWasThereNotWhenItCouldNotGetThere) {
+TEST_F(TwoGaps, OnlyVisitedOpeningsAreToldToMates) {
   find(1);
   const goals::Goal first = looks.goals().front();
   EXPECT_FALSE(looks.arrive(0));
@@ -122,7 +122,7 @@ TEST_F(TwoGaps, AreSettledWhenTheirSightIsKnown) {
   EXPECT_TRUE(looks.empty());
 }
 
-TEST_F(TwoGaps, AreLookedIntoForThreeQuartersOfTheTimeBeforeAndNoLonger) {
+TEST_F(TwoGaps, SweepsEndAfterTheirShareOfTheTime) {
   find(1);
   looks.settle(map, at(174.0));
   EXPECT_EQ(looks.goals().size(), 2U);

@@ -71,7 +71,7 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
 
-TEST(CandidatesOf, anEssentialGoalBehindADoorSeenInPartIsLookedAtFromBeforeIt) {
+TEST(CandidatesOf, aDoorSeenInPartIsLookedThroughFromBeforeIt) {
   grid::DenseMap map = two_rooms();
   for (int y = 6; y < 14; ++y) map.cells[map.index({15, y})] = grid::CellState::kUnknown;
   map.cells[map.index({15, 10})] = grid::CellState::kFree;

@@ -71,7 +71,7 @@ TEST(GoalWays, areThoseOfAFreshSearchWhateverGoalsThereWereBefore) {
   }));
 }
 
-TEST(GoalWays, leadThroughTheDoorAndAfterATurnForEachGoalKnowThatItIsClosed) {
+TEST(GoalWays, leadThroughTheDoorUntilItIsKnownAsClosed) {
   const Rooms open, closed(false);
   const std::vector<CellIndex> cells{{5, 3}, {37, 3}, {37, 18}};
   GoalWays ways;

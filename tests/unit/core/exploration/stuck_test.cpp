@@ -52,6 +52,7 @@ TEST_F(Stuck, APlaceIsAimedAtByTheCellBesideIt) {
 
 TEST_F(Stuck, APlaceOutOfReachIsNotAimedAt) {
   Pursuit pursuit;
+  pursuit.goal.emplace();
   pursuit.target = {3, 4};
   pursuit.has_target = true;
   const Pursuit after = aimed_at({100.0, 100.0}, map_, pursuit);

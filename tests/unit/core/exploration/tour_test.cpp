@@ -85,7 +85,7 @@ TEST(Tour, ofFewGoalsIsHardlyDearerThanTheBestOfAll) {
   }));
 }
 
-TEST(Tour, aGapOnTheWayComesFirstAndOneBehindTheRobotWaitsForWhatIsWorthMore) {
+TEST(Tour, aGapOnTheWayComesFirstOneBehindWaits) {
   // A corridor to the right that leads on, a corner to the left.
   const TourGoals corner_behind = in_the_plane({{-3.0, 0.0}, {8.0, 0.0}}, {0.2, 6.0});
   EXPECT_EQ(cheap_tour(corner_behind, 0.0), (Tour{1, 0})) << "by worth";
@@ -94,7 +94,7 @@ TEST(Tour, aGapOnTheWayComesFirstAndOneBehindTheRobotWaitsForWhatIsWorthMore) {
   for (const double share : {0.4, 1.0}) EXPECT_EQ(cheap_tour(corner_ahead, share), (Tour{0, 1})) << share;
 }
 
-TEST(Tour, costIsTheMeanWayToWhatIsWorthSomethingAndTheLengthInTheirShares) {
+TEST(Tour, costMixesMeanWayAndLengthByTheirShares) {
   const TourGoals goals = in_the_plane({{1.0, 0.0}, {3.0, 0.0}}, {1.0, 3.0});
   EXPECT_DOUBLE_EQ(tour_cost_m(goals, {0, 1}, 1.0), 3.0);
   EXPECT_DOUBLE_EQ(tour_cost_m(goals, {0, 1}, 0.0), (1.0 + 3.0 * 3.0) / 4.0);

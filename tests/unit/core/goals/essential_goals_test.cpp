@@ -206,7 +206,7 @@ TEST(Filters, OneNodeIsOneGoals) {
   EXPECT_NE(first, second);
 }
 
-TEST(Filters, AnOpeningAtTheEndOfANarrowFanIsForWhoStandsWhereTheFanBegins) {
+TEST(Filters, AnOpeningBehindANarrowFanIsSeenFromItsBeginning) {
   // A slot of 0.5 m, 4 m long, that widens to 1 m: nobody stands in it.
   DrawnMap drawn = DrawnMap(320, 300).room(20, 20, 300, 100);
   drawn.free(150, 100, 160, 180).free(145, 180, 165, 182);

@@ -36,7 +36,7 @@ TEST(BucketQueue, GivesAllInTheOrderOfTheirCostToWithinABucket) {
   }));
 }
 
-TEST(BucketQueue, WhatIsPushedWhileItDrainsComesInItsTurnAndABoundOnlyPauses) {
+TEST(BucketQueue, ItemsPushedWhileDrainingKeepTheirOrder) {
   EXPECT_TRUE(rc::check([] {
     // A chain: each entry pushes the next one a step dearer, round the ring several times.
     const int steps = *rc::gen::inRange(1, 200);

@@ -287,7 +287,7 @@ TEST(TravelSearch, OfOneMapLeavesNothingToThatOfTheNext) {
 }
 
 /// A door of 0.5 m, in which a P3-DX cannot turn, to a room that has another of 0.9 m far off.
-TEST(Wavefront, ATightPassageIsGoneThroughWhenThereIsNoOtherWayAndNobodyStaysInIt) {
+TEST(Wavefront, ATightPassageIsUsedWhenThereIsNoOtherWay) {
   const auto rooms = [](bool with_wide_door) {
     DenseMap map = filled_map(200, 80, CellState::kFree);
     for (int x = 0; x < 200; ++x) {

@@ -105,7 +105,7 @@ std::vector<Vector2> wall_with_door(double x, double middle_m, double width_m) {
   return wall;
 }
 
-TEST(PathFollower, GetsThroughADoorOfTwoThirdsOfAMetreThoughThePathPassesItsJamb) {
+TEST(PathFollower, PassesADoorOfTwoThirdsOfAMetreBesideItsJamb) {
   // As a map has it that is a hand's breadth off.
   for (const double off_m : {-0.1, -0.05, 0.0, 0.05, 0.1}) {
     Course course;

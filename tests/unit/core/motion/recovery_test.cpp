@@ -199,7 +199,7 @@ struct CaughtRobot : StuckRobot {
 
 /// One jamb 0.28 m ahead, within the circle that it turns in, and nothing else near it: robots stood there
 /// until the exploration was over.
-TEST(Recovery, WhoCanNeitherBackOffNorTurnNorGoOnEasesBackWhereTheScannerLooked) {
+TEST(Recovery, WithoutOtherMovesItEasesBackOverSeenGround) {
   CaughtRobot s(2.0, 0.05);
   EXPECT_NEAR(s.one_try(), -0.08, 0.005);
   EXPECT_NEAR(s.one_try(), -0.24, 0.005) << "farther at the next try";
@@ -207,13 +207,13 @@ TEST(Recovery, WhoCanNeitherBackOffNorTurnNorGoOnEasesBackWhereTheScannerLooked)
 }
 
 /// Beside an open door, the scanner's room ahead: a robot that only eased back was left there.
-TEST(Recovery, WhereThereIsRoomAheadItTriesThatFirstAndThenTheOtherWay) {
+TEST(Recovery, TriesTheSideWithRoomFirst) {
   CaughtRobot s(2.0, 0.3);
   EXPECT_NEAR(s.one_try(), 0.3, 0.01);
   EXPECT_NEAR(s.one_try(), 0.3 - 0.16, 0.01);
 }
 
-TEST(Recovery, EasesBackNoFartherThanTheScannerLookedAndThenGoesALittleStraightOn) {
+TEST(Recovery, EasesBackOverSeenGroundAndThenGoesOn) {
   CaughtRobot unseen(0.0, 0.1);
   EXPECT_NEAR(unseen.one_try(), 0.1, 0.01);
   EXPECT_EQ(unseen.rolls_to_m, 0.0);
@@ -264,7 +264,7 @@ TEST(Recovery, WhoTouchesSomethingOrHasBackedOffDoesNotGoStraightOn) {
   }
 }
 
-TEST(Recovery, WhateverHappensToABlockedRobotItIsStuckWithinAMinuteAndStaysSo) {
+TEST(Recovery, ABlockedRobotIsStuckWithinAMinute) {
   EXPECT_TRUE(rc::check([] {
     StuckRobot s;
     s.in.blocked = true;

@@ -125,7 +125,7 @@ TEST(VelocityGate, OverSeenGroundItKeepsItsWholeMarginAndLeavesNoTouch) {
   EXPECT_TRUE(backs(Backing::kOverSeenGround, post_behind(margin_m + 0.05)));
 }
 
-TEST(VelocityGate, TurnsOnTheSpotSoSlowlyThatASlippingWheelDoesNotTakeItIntoWhatIsBeside) {
+TEST(VelocityGate, TurnsSlowlyBesideObstaclesDespiteWheelSlip) {
   // Turning at 1.4 rad/s with a post 3 cm behind it, one wheel lost 0.6 of its way: the tail hit the post.
   const auto turns_radps = [](double gap_m) {
     Scene scene;
@@ -320,7 +320,7 @@ TEST(VelocityGate, MoreRoomNeverMeansLessSpeed) {
   }));
 }
 
-TEST(VelocityGate, StandsBeforeTheWallWhateverItIsToldAndWhenTheHostDies) {
+TEST(VelocityGate, StandsBeforeTheWallAlsoWhenTheHostDies) {
   EXPECT_TRUE(rc::check([] {
     Scene scene;
     const double watchdog_s = uniform(0.1, 2.0), wall_m = uniform(0.3, 3.0);

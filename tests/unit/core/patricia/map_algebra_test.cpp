@@ -63,7 +63,7 @@ TEST(Merge, IsCommutativeAndAssociativeAndHasTheOneShape) {
   }));
 }
 
-TEST(Merge, IsIdempotentAndAbsorbsAndGivesTheSideBackThatTheResultEquals) {
+TEST(Merge, IsIdempotentAbsorbsAndKeepsEqualSides) {
   EXPECT_TRUE(rc::check([] {
     BitArena arena;
     const auto [a, b] = related_pair(arena);

@@ -183,7 +183,7 @@ TEST(BlindSpot, ForgetsWhatIsFarOffAndWhatIsOld) {
 }
 
 /// Else a robot would back over ground where it has forgotten what stands there.
-TEST(BlindSpot, KnowsNoGroundFromBeforeItForgotWhatStoodThereOrTheReckoningBeganAnew) {
+TEST(BlindSpot, KnowsNoGroundFromBeforeItForgot) {
   Passage passage;
   passage.drive({0.0, 0.0, 0.0}, {0.9, 0.0, 0.0});
   const auto seen_m = [&](const Se2& pose) {

@@ -47,7 +47,7 @@ TEST(SeenGround, BehindARobotThatHasJustBegunNothingWasSeen) {
   }));
 }
 
-TEST(SeenGround, WhoTurnedRoundOrCameStraightOnKnowsWhatIsBehindWhateverWayItFaces) {
+TEST(SeenGround, KnowsTheGroundBehindAfterTurnsAndStraights) {
   EXPECT_TRUE(rc::check([](bool came) {
     Looker looker;
     const Se2 start = anywhere();

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/pipeline/control_evidence.hpp"
 #include "tests/unit/support/allocation_counter.hpp"
 
 namespace topo::pipeline {
@@ -277,7 +278,7 @@ TEST_F(ControlStepTest, EveryTouchIsCountedOnceWithItsPlace) {
   EXPECT_EQ(run(1).report.touches, 3U);
 }
 
-TEST_F(ControlStepTest, TheHandCreepsOffAPressedRearBumperAndNothingElseMovesIt) {
+TEST_F(ControlStepTest, OnlyManualControlCreepsOffAPressedRearBumper) {
   run(40);  // at 0.3 m/s
   state.bumpers_rear = 2;
   drive.twist = {0.3, 0.5};
@@ -347,7 +348,7 @@ void put_post(types::Scan& scan, const types::Vector2& at, double radius_m) {
 
 /// As robots stood until the exploration was over: it came along x and turned by 1.2 rad, and now there is a
 /// jamb 0.27 m ahead, within the circle that it turns in; the path leads away from it, the trail lies aside.
-TEST_F(ControlStepTest, ACaughtRobotEasesBackWhereItsScannerLookedButNotIntoAMate) {
+TEST_F(ControlStepTest, AStuckRobotEasesBackOverSeenGroundNotIntoAMate) {
   struct End {
     double fastest_back_mps = 0.0;
     double way_m = 0.0;
@@ -407,7 +408,7 @@ void put_walker(types::Scan& scan, double t_s) {
   put_post(scan, at, 0.2);
 }
 
-TEST_F(ControlStepTest, WhoWalksAcrossIsWaitedForAndNoReasonToBackOffUntilPatienceEnds) {
+TEST_F(ControlStepTest, WaitsForAWalkerUntilPatienceEnds) {
   input.teleop = nullptr;
   Plan plan = plan_ahead(now);
   input.plan = &plan;
@@ -454,6 +455,27 @@ TEST_F(ControlStepTest, NeverFasterThanTheLimitsWhateverIsAsked) {
     RC_ASSERT(std::abs(decision.command.twist.v_mps) <= setup.limits.v_max_mps + 1e-9);
     RC_ASSERT(std::abs(decision.command.twist.omega_radps) <= setup.limits.omega_max_radps + 1e-9);
   }));
+}
+
+TEST_F(ControlStepTest, BrakesWithTheLeastOfConfigurationAndFirmware) {
+  setup.limits.deceleration_mps2 = 0.5;
+  input.firmware_deceleration_mps2 = 0.0;
+  EXPECT_EQ(limits_now(setup, input).deceleration_mps2, 0.5) << "the firmware told none";
+  input.firmware_deceleration_mps2 = 0.3;
+  EXPECT_EQ(limits_now(setup, input).deceleration_mps2, 0.3);
+  input.firmware_deceleration_mps2 = 2.0;
+  EXPECT_EQ(limits_now(setup, input).deceleration_mps2, 0.5);
+}
+
+TEST_F(ControlStepTest, ADoubtStopsAndIsReported) {
+  run(40);
+  ASSERT_EQ(run(1).report.reason, GateReason::kFree);
+  state.late = milliseconds(400);
+  const ControlOutput out = run(1);
+  EXPECT_EQ(out.report.reason, GateReason::kImplausible);
+  EXPECT_EQ(out.command.twist, types::Twist2{});
+  EXPECT_TRUE(plausibility::has(out.report.plausibility.doubts, plausibility::Doubt::kLateStatuses));
+  EXPECT_FALSE(out.command.silence) << "only a base that does not obey is left alone";
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ double known_in_the_end(ToyBuilding& building, double overlooked_m2) {
   return building.coverage();
 }
 
-TEST_F(Door, whatNoEssentialGoalStandsForIsLookedAtBeforeGoingHome) {
+TEST_F(Door, overlookedGapsAreInspectedBeforeGoingHome) {
   EXPECT_GT(known_in_the_end(building, 10.0), 0.9);
   ToyBuilding other{floor(), 4.0};
   EXPECT_LT(known_in_the_end(other, 1e6), 0.4);

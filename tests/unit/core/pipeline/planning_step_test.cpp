@@ -154,7 +154,7 @@ Outcome run_with_low_battery(const Mission& mission) {
   return run;
 }
 
-TEST(PlanningStep, withoutProgressTheGoalIsGivenUpAndThePlaceAheadGoneRound) {
+TEST(PlanningStep, withoutProgressTheGoalIsDeferred) {
   ToyBuilding building(kFloor);
   PlanningState state({});
   const Mission mission{1, Order::kExplore, false, kNowhere};
@@ -328,7 +328,7 @@ TEST(PlanningStep, aDecisionHoldsWhileTheOdometryDriftsAndNotOnABentMap) {
   }
 }
 
-TEST(PlanningStep, aQuietDecisionHoldsUntilEnoughChangedOrTheGoalWasLookedAt) {
+TEST(PlanningStep, aQuietDecisionHoldsUntilEnoughChanged) {
   using std::chrono::seconds;
   ToyBuilding building(kFloor);
   PlannerParams params;

@@ -110,7 +110,7 @@ TEST_F(WithAMate, claimsOneOfItsBids) {
   EXPECT_FALSE(out_.message.way_map.empty());
 }
 
-TEST_F(WithAMate, leavesAGoalToWhoIsNearerTakesTheOtherThenWaitsUntilTheMateIsSilent) {
+TEST_F(WithAMate, leavesAGoalToTheNearerRobotAndTakesTheOther) {
   for (int i = 0; i < 2; ++i) (void)period();
   const Vector2 first = out_.message.claim->p_map;
   mate_.claim = team::Bid{first, 0.5};
@@ -198,7 +198,7 @@ TEST_F(WithAMate, comesHomeOnALowBatteryToOnePlace) {
   EXPECT_LT((building_.robot() - mate_.start).norm(), 0.5) << "the nearer of the two";
 }
 
-TEST_F(WithAMate, comesHomeOnlyWhenNobodyHasAGoalLeftAndEndsWhenAllAreHome) {
+TEST_F(WithAMate, comesHomeWhenNoRobotHasAGoalLeft) {
   mate_.bids = {{{200.0, 1.0}, 3.0}};  // in a part of the building that this robot cannot see
   mate_.claim = mate_.bids.front();
   const Vector2 start = building_.robot();
@@ -360,7 +360,7 @@ std::vector<std::string> side_way(std::size_t start_column) {
   return rows;
 }
 
-TEST(TwoRobots, thatHearOfEachOtherAPeriodLateDoNotBothKeepTheOnlyGoal) {
+TEST(TwoRobots, aPeriodLateNotBothKeepTheOnlyGoal) {
   std::array<ToyBuilding, 2> building{ToyBuilding(side_way(3)), ToyBuilding(side_way(32))};
   std::array<PlanningState, 2> state{PlanningState(PlannerParams{}), PlanningState(PlannerParams{})};
   std::array<std::vector<team::StatusMessage>, 2> said;

@@ -110,7 +110,7 @@ TEST(GapChance, isByTheWidthAndTheDistanceFromWhereRobotsWere) {
   }
 }
 
-TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
+TEST(VisitedGoals, visitedGoalsAreNotTakenForWantOfOthers) {
   PlannerParams params;
   params.explore.pursuit.goal_reached_m =
       20.0;  // the passage and the end of the hall from where the robot stands
@@ -129,7 +129,7 @@ TEST(VisitedGoals, whereTheRobotWasItDoesNotComeAgainForWantOfAnythingElse) {
   }
 }
 
-TEST(VisitedGoals, withoutLastLooksWhereTheRobotWasIsAGoalAgainWhenThatTimeIsOver) {
+TEST(VisitedGoals, withoutFinalSweepVisitedGoalsComeBackInTime) {
   using std::chrono::seconds;
   PlannerParams params;
   params.explore.strategy = exploration::Strategy::kNearestFrontier;

@@ -62,7 +62,7 @@ TEST(FindClosures, TakesAPartOfTheScanWhereNothingSpeaksAgainstThePlace) {
   EXPECT_NEAR(candidate.edge.T_from_to.theta_rad, 0.0, 0.01);
 }
 
-TEST(FindClosures, RefusesAPartOfTheScanWhereTheRestStandsOnGroundThatWasLookedThrough) {
+TEST(FindClosures, RefusesAMatchThatContradictsSeenGround) {
   EXPECT_EQ(closure(0.8, true).rejection, LoopRejection::kLowResponse);
 }
 

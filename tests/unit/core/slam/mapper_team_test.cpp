@@ -76,7 +76,7 @@ TEST(MapperTeam, startsThatWereSaidWronglyAreRefinedByMatching) {
   EXPECT_LT(robots.worst_of_second(robots.first), 0.06);
 }
 
-TEST(MapperTeam, takesKeyframesAndRelationsInAnyOrderAndAnyOfThemTwice) {
+TEST(MapperTeam, takesKeyframesAndRelationsInAnyOrder) {
   TwoMappers robots;
   const auto known = robots.known();
   robots.second.relate(known.first, known.second);

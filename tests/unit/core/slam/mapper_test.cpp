@@ -162,7 +162,7 @@ TEST(Mapper, WhoStoodBehindAMateLooksOnceAgainWhenThatOneIsGone) {
   EXPECT_EQ(keyframes_beside_a_mate(0.02), 1U) << "beams fail now and then";
 }
 
-TEST(Mapper, TurningOnTheSpotMakesNoMoreKeyframesThanThePlaceNeeds) {
+TEST(Mapper, TurningOnTheSpotMakesFewKeyframes) {
   const auto keyframes_after = [](int turns) {
     std::mt19937 random(1);
     const MapperParams params;
@@ -282,7 +282,7 @@ TEST(Mapper, FindsItsHeadingAfterATurnThatOdometryDidNotHear) {
   EXPECT_NEAR(report.T_map_base.x_m, 3.0, 0.03);
 }
 
-TEST(Mapper, FindsItselfAfterALongWayBackThatOdometryHeardAsOneAhead) {
+TEST(Mapper, FindsItselfWhenOdometryHasTheWrongSense) {
   const MatchReport report =
       moved_as_heard(mocks::two_rooms(), {3.0, 3.0, 0.0}, {-0.8, 0.0, 0.1}, {0.8, 0.0, 0.1});
   EXPECT_TRUE(report.matched);

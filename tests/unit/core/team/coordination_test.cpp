@@ -186,7 +186,7 @@ TEST(Coordinate, aClaimCountsAsItWasMadeWhateverTheWayIsByNow) {
   EXPECT_FALSE(coordinate(Rule::kClusters, second, to_second, kAllInSight).has_value());
 }
 
-TEST(Coordinate, whoChoosesIsOfferedItsClusterAndWhatItIsBoundForButNothingThatAMateHas) {
+TEST(Coordinate, theChooserSeesItsClusterAndItsPresentGoal) {
   // Two clusters; robot 0 is nearer to the first one, and bound for a goal of the second.
   const std::vector<Bid> bids{{{0.0, 0.0}, 2.0}, {{0.0, 3.0}, 4.0}, {{30.0, 0.0}, 30.0}, {{30.0, 3.0}, 33.0}};
   const StatusMessage mate = message(1, {{{30.0, 0.0}, 1.0}, {{30.0, 3.0}, 3.0}}, Bid{{30.0, 0.0}, 1.5});
@@ -207,7 +207,7 @@ TEST(Coordinate, whoChoosesIsOfferedItsClusterAndWhatItIsBoundForButNothingThatA
       << "the mate's claim is better";
 }
 
-TEST(Coordinate, whoHasClaimedAGoalHasItsClusterThoughTheWayHasBecomeLonger) {
+TEST(Coordinate, aClaimKeepsItsClusterThoughTheWayGrows) {
   const Bid goal{{0.0, 0.0}, 5.0}, beside{{2.0, 0.0}, 4.0}, far{{40.0, 0.0}, 40.0};
   const std::vector<StatusMessage> team{message(0, {goal, beside, far}),
                                         message(1, {{goal.p_map, 8.0}}, Bid{goal.p_map, 3.0})};

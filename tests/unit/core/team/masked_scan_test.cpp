@@ -44,7 +44,7 @@ TEST(MaskMates, withoutMatesNothingChanges) {
   EXPECT_EQ(mask_mates(*scan, {}, std::vector{Vector2(2.0, 0.0)}, 0.6), 0U) << "they see past it";
 }
 
-TEST(MaskMates, theCoronalScannerSeesAMateBesideItAndTheCeilingAboveIt) {
+TEST(MaskMates, theCoronalScannerSeesMateAndCeiling) {
   const auto scan = round_room();
   scan->range_m[135 + 90] = 1.0F;  // level, to the left
   scan->range_m[135 - 90] = 1.0F;  // and to the right, where there is no mate

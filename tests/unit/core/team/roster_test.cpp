@@ -80,7 +80,7 @@ TEST(Roster, onlyWhoCanGoAndWasJustHeardIsGoing) {
   EXPECT_TRUE(roster.going_at(at(2.1)).empty());
 }
 
-TEST(Roster, aRobotThatIsLostFreesItsGoalAfterAWhileAndIsStillSeen) {
+TEST(Roster, aLostRobotFreesItsGoalAndIsStillSeen) {
   Roster roster;
   (void)roster.take(told(1, 1), at(0.0));
   (void)roster.take(told(1, 2, 0.0, Duty::kUnable), at(2.0));
@@ -116,7 +116,7 @@ TEST(Roster, allAreHomeWhenNobodyThatIsHeardIsOut) {
   EXPECT_TRUE(roster.all_home(at(241.0))) << "the other is missing";
 }
 
-TEST(Roster, whoWaitsAtHomeCanGoOutOfTheWayAndWhoStandsElsewhereForGoodCannot) {
+TEST(Roster, onlyARobotWaitingAtHomeCanMakeWay) {
   Roster roster;
   StatusMessage message;
   message.robot = 3;

@@ -106,7 +106,7 @@ TEST(OccupyFaint, aTenthAndTwiceAtLeast) {
 }
 
 /// A wall to the left of the robot, and nothing in range to its right.
-TEST(PrepareMap, theDiscOfARobotAtTheEdgeOfTheMapIsFreeAndTheBorderIsNot) {
+TEST(PrepareMap, theDiscAtTheMapsEdgeIsFreeTheBorderIsNot) {
   CountedCells counted;
   for (int x = 0; x < 32; ++x) counted.put({x, 31}, 5, 0);
   for (int x = 0; x < 32; ++x) counted.put({x, 0}, 0, 5);

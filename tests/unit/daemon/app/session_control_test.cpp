@@ -92,7 +92,7 @@ TEST_F(SessionControlTest, ASessionIsHandedToTheMappingThread) {
   EXPECT_EQ(control.obstacle(), "");
 }
 
-TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByASessionThatIsStillLookedAt) {
+TEST_F(SessionControlTest, ANewMapIsNotReplacedByASessionStillSearched) {
   SessionControl control(configuration, *hand_overs, files);
   load(control, "room");
   ASSERT_TRUE(control.begin_anew());

@@ -20,7 +20,7 @@ TEST(Configuration, RoutesHaveRoomToTurnOnTheSpot) {
   EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3at, 0.05), 0.340 + 0.03);
 }
 
-TEST(Configuration, StraightThroughADoorLessIsEnoughUnlessTheRadiusIsTold) {
+TEST(Configuration, StraightThroughADoorLessClearanceIsEnough) {
   Configuration configuration;
   configuration.robot.model = RobotModel::kP3dx;
   configuration.motion.margin_m = 0.05;

@@ -100,7 +100,7 @@ TEST(StopRobot, TriesFirstTheSpeedThatTheDaemonLeftTheLineWith) {
   EXPECT_EQ(robot.baud_of_host, 57600);
 }
 
-TEST(StopRobot, ARobotThatIsSwitchedOffIsNoFailureAndTakesLessThanASecond) {
+TEST(StopRobot, ARobotThatIsOffIsNoFailureWithinASecond) {
   ScriptedRobot robot;
   robot.powered = false;
   robot.has_baud = true;

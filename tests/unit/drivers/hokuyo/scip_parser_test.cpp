@@ -100,7 +100,7 @@ TEST(ScipParser, ReadsPublishedReplies) {
               ElementsAre("PP|00|DMIN:23;7|DMAX:60000;J"));
 }
 
-TEST(ScipParser, ValuesStraddleLinesAndAFullLastLineHasNoEmptyOneBehind) {
+TEST(ScipParser, ValuesStraddleLinesAndTheLastLineMayBeFull) {
   for (const std::size_t points : {21U, 22U, 64U, 682U, 1081U, 1440U}) {
     std::vector<std::uint32_t> values(points);
     for (std::size_t i = 0; i < points; ++i) values[i] = static_cast<std::uint32_t>(i * 181 % 262144);

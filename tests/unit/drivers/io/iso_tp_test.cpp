@@ -103,7 +103,7 @@ TEST(IsoTp, ReceivesTheVectorPaddedOrNot) {
   }
 }
 
-TEST(IsoTp, EveryPduArrivesAtThePaceAndInTheBlocksThatWereAskedFor) {
+TEST(IsoTp, EveryPduKeepsThePaceAndBlocksOfFlowControl) {
   EXPECT_TRUE(rc::check([] {
     const Bytes pdu = any_pdu(*rc::gen::inRange<std::size_t>(1, kIsoTpPduMax + 1));
     const int block_size = *rc::gen::inRange(0, 20);
@@ -127,7 +127,7 @@ TEST(IsoTp, EveryPduArrivesAtThePaceAndInTheBlocksThatWereAskedFor) {
   }));
 }
 
-TEST(IsoTp, WhateverIsLostNothingWrongArrivesAndTheNextPduGoesThrough) {
+TEST(IsoTp, AfterLossesNothingWrongArrivesAndTheNextPasses) {
   EXPECT_TRUE(rc::check([] {
     const Bytes pdu = any_pdu(*rc::gen::inRange<std::size_t>(8, kIsoTpPduMax + 1));
     const int one_in = *rc::gen::inRange(1, 20);

@@ -91,7 +91,7 @@ TEST_F(ArcosOnCan, AStopThatFindsNoRoomGoesBeforeAllElseWhenThereIs) {
   EXPECT_EQ(bus.sent[1].id, kStopId);
 }
 
-TEST_F(ArcosOnCan, AStopThatCannotGetOutIsAnErrorHoweverOftenItIsRepeated) {
+TEST_F(ArcosOnCan, AStopThatCannotBeSentIsAnErrorEveryTime) {
   bus.full = true;
   const Stamp order = bus.now;
   std::string fault;

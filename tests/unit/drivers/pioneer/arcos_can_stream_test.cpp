@@ -29,7 +29,7 @@ TEST_F(ArcosOnCan, AShortPacketIsOneFrame) {
   EXPECT_TRUE(stream->ready());
 }
 
-TEST_F(ArcosOnCan, ALongPacketGoesOutWithFlowControlAndReadWakesAtItsEnd) {
+TEST_F(ArcosOnCan, ALongPacketGoesOutWithFlowControl) {
   robot_answers(milliseconds(2));
   ASSERT_TRUE(write(kVelPacket));
   EXPECT_FALSE(stream->ready());
@@ -68,7 +68,7 @@ TEST_F(ArcosOnCan, AFullQueueDelaysATransferAndEndsItAfterAWhile) {
   EXPECT_EQ(stream->faults()[BusFault::kUnanswered], 1U);
 }
 
-TEST_F(ArcosOnCan, APacketOfTheRobotComesWholeWithTheStampOfItsLastFrame) {
+TEST_F(ArcosOnCan, AReceivedPacketHasTheStampOfItsLastFrame) {
   bus.arrive(kBeatId, frame_bytes("02 05 00 00 10 00 00 00"));
   robot_sends(kStatusPacket);
   const auto got = read();
@@ -128,7 +128,7 @@ TEST(ArcosOnAFloodedBus, ReadReturnsAtItsDeadline) {
 }
 
 // A connection that slept judges the robot's silence after a read, however short.
-TEST_F(ArcosOnCan, WhatCameBeforeTheDeadlineIsReadEvenWhenThereIsNoTimeLeft) {
+TEST_F(ArcosOnCan, BytesBeforeTheDeadlineAreReadAfterIt) {
   robot_sends(kStatusPacket);
   bus.now += std::chrono::seconds(1);
   ASSERT_TRUE(read(milliseconds(0)));
@@ -176,7 +176,7 @@ TEST_F(ArcosOnCan, BusOffEndsTheConnectionInPlainWords) {
   EXPECT_THAT(got.error().message, HasSubstr("bus-off"));
 }
 
-TEST_F(ArcosOnCan, NobodyWhoAcknowledgesEndsItAfterHalfASecondUnlessSomebodyIsHeard) {
+TEST_F(ArcosOnCan, WithoutAcknowledgementItEndsAfterHalfASecond) {
   io::CanError error;
   error.no_acknowledge = true;
   for (int i = 0; i < 9; ++i) bus.report(error, milliseconds(50 * i));

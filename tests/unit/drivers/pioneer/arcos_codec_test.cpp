@@ -167,7 +167,7 @@ TEST(ArcosParser, RejectsCountsOutOfRange) {
   EXPECT_EQ(parse_once(longest), payloads_of({longest}));
 }
 
-TEST(ArcosParser, AResetInTheMiddleOfAPacketIsFoundWhenNothingMoreComes) {
+TEST(ArcosParser, AResetWithinAPacketIsFoundWithoutMoreBytes) {
   // The beginning of a SIP, then the controller's 0xFF.
   const Bytes bytes = from_hex("fa fb 28 33 fe 7f 05 00 fa fb 03 ff 00 ff");
   PacketParser parser;

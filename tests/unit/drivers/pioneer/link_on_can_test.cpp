@@ -37,7 +37,7 @@ class LinkOnCan : public ArcosOnCan {
   }
 };
 
-TEST_F(LinkOnCan, TheNextPacketWaitsForTheEndOfTheOneBeforeAndTheSpacing) {
+TEST_F(LinkOnCan, TheNextPacketWaitsForTheOneBeforeAndTheSpacing) {
   robot_answers(milliseconds(10));
   link.outbox().push(encode(Command::kEnable, 1));
   link.outbox().push(encode(Command::kSetV, 500));
@@ -49,7 +49,7 @@ TEST_F(LinkOnCan, TheNextPacketWaitsForTheEndOfTheOneBeforeAndTheSpacing) {
   EXPECT_TRUE(link.all_sent());
 }
 
-TEST_F(LinkOnCan, AStopOvertakesAndWhatItInterruptedComesAfterwardsUnlessItIsASetpoint) {
+TEST_F(LinkOnCan, AStopOvertakesAndDropsInterruptedSetpoints) {
   robot_answers(milliseconds(30));
   link.outbox().push(encode(Command::kSetV, 500));
   run(milliseconds(10));
@@ -106,7 +106,7 @@ TEST_F(LinkOnCan, AStopThatWaitsForRoomIsNotDoneAndNotQueuedTwice) {
   EXPECT_EQ(bus.sent_on(kStopId).size(), 2U);
 }
 
-TEST_F(LinkOnCan, TheSessionCountsWhatGoesWrongOnTheBusOverAllConnections) {
+TEST_F(LinkOnCan, BusFaultsAreCountedOverAllConnections) {
   counters.bus[io::BusFault::kPassive] = 2;  // of a connection before
   io::CanError error;
   error.passive = true;

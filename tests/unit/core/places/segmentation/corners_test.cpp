@@ -56,7 +56,7 @@ TEST(Corners, AWallBetweenKeepsThemApart) {
   EXPECT_FALSE(settle_corners(pieces, places, kCell_m, {}));
 }
 
-TEST(Joined, PlacesHaveTheSumOfTheirPiecesAndTheBordersBetweenThem) {
+TEST(Joined, PlacesSumTheirPiecesAndKeepTheBorders) {
   const std::vector<Region> pieces = around_a_corner(12.0);
   const std::vector<Region> places = joined(pieces, {0, 0, 2, 0});
   EXPECT_EQ(places[0].cells, pieces[0].cells + pieces[1].cells + pieces[3].cells);
