@@ -67,7 +67,8 @@ inline Edge measured(std::span<const types::Se2> poses, std::size_t from, std::s
 /// Edges between these pairs of nodes with random errors and information.
 inline std::vector<Edge> measured_ties(std::span<const types::Se2> poses, const NodePairs& ties, double error,
                                        std::mt19937& random) {
-  std::normal_distribution<double> normal(0.0, error);
+  std::normal_distribution<double> unit;
+  const auto normal = [&](std::mt19937& from) { return error * unit(from); };  // error may be 0
   std::vector<Edge> edges;
   for (const auto& [from, to] : ties) {
     const double x_m = normal(random), y_m = normal(random), theta_rad = normal(random);
