@@ -15,15 +15,18 @@ types::RobotLimits limits_now(const ControlSetup& setup, const ControlInput& in)
 
 plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& in,
                                 const types::RobotLimits& limits, const types::Twist2& commanded) {
-  return {.now = in.now,
-          .commanded = commanded,
-          .base = in.state != nullptr && motion::is_finite(*in.state) ? in.state : nullptr,
-          .front = in.front,
-          .matched = in.matched,
-          .T_base_laser = setup.T_base_laser,
-          .limits = limits,
-          .model = setup.model,
-          .cleared = in.estop_cleared};
+  plausibility::Evidence evidence{
+      .now = in.now,
+      .commanded = commanded,
+      .base = in.state != nullptr && motion::is_finite(*in.state) ? in.state : nullptr,
+      .front = in.front,
+      .matched = in.matched,
+      .T_base_laser = setup.T_base_laser,
+      .limits = {},
+      .model = setup.model,
+      .cleared = in.estop_cleared};
+  evidence.limits.take_limits(limits);
+  return evidence;
 }
 
 }  // namespace topo::pipeline
