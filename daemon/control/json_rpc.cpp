@@ -101,7 +101,7 @@ tl::expected<RpcRequest, RpcError> parse_request(std::string_view line) {
 
 bool may_hold_estop(std::string_view text) {
   // JSON may spell any letter as \u and its number.
-  return text.find(kEstopMethod) != text.npos || text.find("\\u") != text.npos;
+  return text.find(kEstopMethod) != std::string_view::npos || text.find("\\u") != std::string_view::npos;
 }
 
 bool is_estop(std::string_view line) {

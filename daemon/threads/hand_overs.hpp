@@ -113,6 +113,8 @@ struct BaseHandOver {
 struct MappingHandOver {
   MappingHandOver();
   ~MappingHandOver();
+  MappingHandOver(const MappingHandOver&) = delete;
+  MappingHandOver& operator=(const MappingHandOver&) = delete;
   Wakeup wakeup;
   sync::Latest<MappingReport> report;
   sync::Latest<plausibility::MatchedMotion> to_base;
