@@ -8,6 +8,9 @@
 #include <functional>
 #include <numbers>
 
+#include "core/compass/extent.hpp"
+#include "core/compass/projection.hpp"
+#include "core/compass/sampling.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::compass {
@@ -156,97 +159,25 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
   return compass;
 }
 
-/// Points that are added to a curve and points that are removed from it.
-struct Change {
-  Cloud come, gone;
-
-  /// The points between two limits of their hashes.
-  Change(const Samples& samples, std::uint64_t was, std::uint64_t is, const Placing& placing) {
-    if (was == is) return;
-    Cloud& cloud = was < is ? come : gone;
-    samples.for_each_within(std::min(was, is) + 1, std::max(was, is),
-                            [&](const Sample& sample) { sample.append_to(cloud, placing); });
-  }
-  void apply_to(KeptCurve& curve) const {
-    for (auto& [angle_rad, kept] : curve.at) {
-      kept.projection.add(come);
-      kept.projection.remove(gone);
-    }
-  }
-};
-
-/// Updates the curves to these points.
-void renew(CompassMemory& memory, const PointsChange& points, std::uint64_t few_limit,
-           std::uint64_t all_limit) {
-  const Placing& placing = memory.placing;
-  Change few(memory.samples, memory.few.limit, few_limit, placing),
-      all(memory.samples, memory.all.limit, all_limit, placing);
-  const auto note = [&](const types::Vector2& p, Cloud Change::*where) {
-    const Sample sample(p);
-    if (sample.hash <= few_limit) sample.append_to(few.*where, placing);
-    if (sample.hash <= all_limit) sample.append_to(all.*where, placing);
-  };
-  for (const types::Vector2& p : points.gone) {
-    memory.samples.remove(p);
-    note(p, &Change::gone);
-  }
-  for (const types::Vector2& p : points.come) {
-    memory.samples.add(p);
-    note(p, &Change::come);
-  }
-  few.apply_to(memory.few);
-  all.apply_to(memory.all);
-}
-
 }  // namespace
 
-Compass entropy_compass(const PointsChange& change, const CompassParams& params, CompassMemory& memory) {
-  const std::span<const types::Vector2> points = change.now;
-  if (points.size() < kPointsMin) {
-    memory = {};
-    return {};
-  }
-  const Extent x_m = renewed(memory.x_m, change, [](const types::Vector2&p) { return p.x(); }),
-               y_m = renewed(memory.y_m, change, [](const types::Vector2&p) { return p.y(); });
+Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
+  if (points.size() < kPointsMin) return {};
+  const Extent x_m = extent_of(points, [](const types::Vector2&p) { return p.x(); }),
+               y_m = extent_of(points, [](const types::Vector2&p) { return p.y(); });
   const types::Rectangle box{{x_m.low, y_m.low}, {x_m.high, y_m.high}};
   const double radius_m = (box.max - box.min).norm() / 2.0 + params.cell_m;
   const double half_bin_m = std::max(params.bin_m / 2.0, radius_m / kHalfBinsMax);
   const Placing placing{(box.min + box.max) / 2.0, half_bin_m, params.cell_m};
   const auto radius = static_cast<float>(radius_m / half_bin_m);
   const std::size_t most = std::min<std::size_t>(params.points_max, UINT16_MAX);
-  const std::uint64_t few_limit = hash_limit(points.size(), std::min(most, kCoarsePoints));
-  const std::uint64_t all_limit = hash_limit(points.size(), most);
-  if (memory.placing != placing || memory.radius != radius)
-    memory = {{}, {}, placing, radius, Samples(points), {}, {}};
-  else
-    renew(memory, change, few_limit, all_limit);
-  memory.x_m = x_m;
-  memory.y_m = y_m;
-  memory.few.limit = few_limit;
-  memory.all.limit = all_limit;
-  const auto curve = [&](KeptCurve& kept) {
-    return [&, cloud = Cloud{}](double angle_rad) mutable {
-      const auto [at, is_new] = kept.at.try_emplace(angle_rad, radius, angle_rad);
-      if (is_new) {
-        if (cloud.x.empty()) cloud = memory.samples.up_to(kept.limit, placing);
-        at->second.projection.add(cloud);
-      }
-      at->second.unused = 0;
-      return at->second.projection.entropy();
+  const Samples samples(points);
+  const auto curve_of = [&](std::size_t size) {
+    return [radius, cloud = samples.up_to(hash_limit(points.size(), size), placing)](double angle_rad) {
+      return Projection(radius, angle_rad, cloud).entropy();
     };
   };
-  for (KeptCurve* const kept : {&memory.few, &memory.all})
-    for (auto& [angle_rad, at] : kept->at) ++at.unused;
-  Compass compass = compass_of(curve(memory.few), curve(memory.all), params);
-  // Angles are kept for a while, because the best minimum may alternate between runs.
-  for (KeptCurve* const kept : {&memory.few, &memory.all})
-    std::erase_if(kept->at, [](const auto& entry) { return entry.second.unused > 2; });
-  return compass;
-}
-
-Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
-  CompassMemory memory;
-  return entropy_compass({points, {}, {}}, params, memory);
+  return compass_of(curve_of(std::min(most, kCoarsePoints)), curve_of(most), params);
 }
 
 }  // namespace topo::compass

@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <map>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/compass/extent.hpp"
-#include "core/compass/points_change.hpp"
-#include "core/compass/projection.hpp"
-#include "core/compass/sampling.hpp"
 #include "core/types/se2.hpp"
 
 namespace topo::compass {
@@ -37,30 +32,5 @@ struct Compass {
 /// fewer than 30 points, or for a curve whose minimum is no deeper than its jitter explains. Coordinates must
 /// be finite.
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params = {});
-
-/// Entropy curve at the angles evaluated last, with the underlying histograms.
-struct KeptCurve {
-  struct Kept {
-    Kept(float radius, double angle_rad) : projection(radius, angle_rad) {}
-    Projection projection;
-    int unused = 0;  ///< number of compass updates since the last use
-  };
-  std::uint64_t limit = 0;    ///< greatest hash of its points
-  std::map<double, Kept> at;  ///< by angle
-};
-
-/// State that one compass update passes to the next.
-struct CompassMemory {
-  Extent x_m, y_m;  ///< of the points
-  Placing placing;
-  float radius = 0.0F;
-  Samples samples;  ///< the points
-  KeptCurve few, all;
-};
-
-/// Incremental version with a bit-identical result: updates `memory` from the previous points to these by
-/// adding and removing points in the histograms. `points`: the difference from the previous points; ignored
-/// when there were none. The cost is that of the difference while both are within the same box.
-Compass entropy_compass(const PointsChange& points, const CompassParams& params, CompassMemory& memory);
 
 }  // namespace topo::compass

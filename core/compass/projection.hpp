@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,35 +21,24 @@ class Histogram {
  public:
   explicit Histogram(std::size_t half_bins);
 
-  /// `by`: 1 to add points, -1 to remove points that are present; one point for each of the half bins.
-  void add(std::span<const std::int32_t> half_bins, int by);
-  /// The same, with an incremental sum: for fewer than few() points it costs less than a new sum.
-  void add_few(std::span<const std::int32_t> half_bins, int by);
-  [[nodiscard]] std::size_t few() const { return points_.size() / 8; }
-
-  double sum();
+  /// One point for each of the half bins.
+  void add(std::span<const std::int32_t> half_bins);
+  [[nodiscard]] double sum() const;
 
  private:
   std::vector<std::uint16_t> points_;  ///< of the half bins, between an empty one and another
-  std::optional<double> sum_;          ///< nullopt: the points have changed since it was computed
 };
 
 /// Histograms of the points' two projections at an angle, and their entropy.
 class Projection {
  public:
   /// `radius`: the greatest distance of a point from the centre, in half bins. At most UINT16_MAX points.
-  Projection(float radius, double angle_rad);
+  Projection(float radius, double angle_rad, const Cloud& cloud);
 
-  void add(const Cloud& cloud) { change(cloud, 1); }
-  void remove(const Cloud& cloud) { change(cloud, -1); }
-
-  [[nodiscard]] double entropy();
+  [[nodiscard]] double entropy() const;
 
  private:
-  void change(const Cloud& cloud, int by);
-
-  float cos_, sin_, middle_;
-  std::int64_t points_ = 0;
+  std::size_t points_;
   Histogram along_, across_;
 };
 

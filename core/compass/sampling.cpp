@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/compass/sampling.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cassert>
 
 namespace topo::compass {
 namespace {
@@ -46,26 +44,17 @@ Samples::Samples(std::span<const types::Vector2> points)
       buckets_(std::size_t{1} << (32U - shift_)) {
   const std::size_t even = points.size() / buckets_.size();
   for (auto& bucket : buckets_) bucket.reserve(even + even / 4);  // mostly sufficient
-  for (const types::Vector2& p : points) add(p);
-}
-
-void Samples::add(const types::Vector2& p) {
-  const Sample sample(p);
-  buckets_[bucket_of(sample.hash)].push_back(sample);
-}
-
-void Samples::remove(const types::Vector2& p) {
-  auto& bucket = buckets_[bucket_of(Sample(p).hash)];
-  const auto at =
-      std::find_if(bucket.begin(), bucket.end(), [&](const Sample& sample) { return sample.p == p; });
-  assert(at != bucket.end());
-  *at = bucket.back();
-  bucket.pop_back();
+  for (const types::Vector2& p : points) {
+    const Sample sample(p);
+    buckets_[bucket_of(sample.hash)].push_back(sample);
+  }
 }
 
 Cloud Samples::up_to(std::uint64_t limit, const Placing& placing) const {
   Cloud cloud;
-  for_each_within(0, limit, [&](const Sample& sample) { sample.append_to(cloud, placing); });
+  for (std::size_t b = 0; b <= bucket_of(limit); ++b)
+    for (const Sample& sample : buckets_[b])
+      if (sample.hash <= limit) sample.append_to(cloud, placing);
   return cloud;
 }
 

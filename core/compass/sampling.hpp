@@ -17,7 +17,6 @@ struct Placing {
   types::Vector2 middle{0.0, 0.0};  ///< centre of the points
   double half_bin_m = 0.0;
   double cell_m = 0.0;
-  friend bool operator==(const Placing&, const Placing&) = default;
 };
 
 /// A point with its hash, which decides whether the point is left out and where in its cell it is placed:
@@ -34,24 +33,12 @@ struct Sample {
 /// About `size` of `points` points have a hash of no more than this.
 std::uint64_t hash_limit(std::size_t points, std::size_t size);
 
-/// Points by hash: the points up to a limit, or between two limits, are found without a search of the others.
-/// Value type.
+/// Points in the order of their hashes, roughly: the points up to a limit are found without a search of the
+/// others. Value type.
 class Samples {
  public:
-  Samples() = default;
   explicit Samples(std::span<const types::Vector2> points);
 
-  void add(const types::Vector2& p);
-  /// Precondition: the point is present.
-  void remove(const types::Vector2& p);
-
-  /// Calls f(sample) for the samples with a hash in [least, most].
-  template <class F>
-  void for_each_within(std::uint64_t least, std::uint64_t most, F&& f) const {
-    for (std::size_t b = bucket_of(least); b <= bucket_of(most); ++b)
-      for (const Sample& sample : buckets_[b])
-        if (sample.hash >= least && sample.hash <= most) f(sample);
-  }
   /// Points with a hash up to a limit. The order of hashes separates neighbours: consecutive points rarely
   /// fall into one bin, and no count waits for the one before it.
   [[nodiscard]] Cloud up_to(std::uint64_t limit, const Placing& placing) const;
@@ -61,9 +48,8 @@ class Samples {
     return static_cast<std::size_t>(hash >> 32U) >> shift_;
   }
 
-  unsigned shift_ = 32;
-  std::vector<std::vector<Sample>> buckets_ =
-      std::vector<std::vector<Sample>>(1);  ///< in the order of hashes
+  unsigned shift_;
+  std::vector<std::vector<Sample>> buckets_;  ///< in the order of hashes
 };
 
 }  // namespace topo::compass

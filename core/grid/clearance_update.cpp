@@ -40,19 +40,6 @@ void unite(Cells more, std::vector<Cells>& cells) {
   cells.push_back(more);
 }
 
-/// Appends `first` + x for those of a row's cells whose value changed. Branch-free, because changed and
-/// unchanged cells alternate irregularly.
-void append_others(const float* was, const float* is, Cells cells, std::uint32_t first,
-                   std::vector<std::uint32_t>& others) {
-  std::size_t size = others.size();
-  others.resize(size + static_cast<std::size_t>(cells.end - cells.from));
-  for (int x = cells.from; x < cells.end; ++x) {
-    others[size] = first + static_cast<std::uint32_t>(x);
-    size += was[x] != is[x] ? 1 : 0;
-  }
-  others.resize(size);
-}
-
 /// Buffers for the renewal of rows, one after the other.
 struct RowRenewal {
   RowRenewal(std::size_t width, double resolution_m) : pass(width, resolution_m, false), now_m(width) {}
@@ -96,59 +83,41 @@ struct ClearanceUpdate::Impl {
   std::vector<CellState> cells;
   std::vector<Steps> steps;  ///< distance along the column to the nearest boundary
   std::vector<float> clearance_m;
-  std::optional<std::vector<std::uint32_t>> changed;
-  OccupiedChange occupied;
 
-  [[nodiscard]] bool lay_out(const DenseMap& map);
-  [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map, const CellBlocks* others);
-  void take_cells(const DenseMap& map, std::size_t first, std::size_t count);
+  void lay_out(const DenseMap& map);
+  [[nodiscard]] std::vector<Strip> renew_cells(const DenseMap& map);
   void widen(Strip& strip) const;
   void measure(Strip& strip) const;
   void renew_row(std::size_t y, std::span<const Strip> strips, RowRenewal& renewal);
   [[nodiscard]] Cells reached_from(Cells there, const float* row_m) const;
 };
 
-/// Resizes the arrays to the map. True when its box is that of the previous map.
-bool ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
-  const bool is_same =
+/// Resizes the arrays to the map.
+void ClearanceUpdate::Impl::lay_out(const DenseMap& map) {
+  const bool goes_on =
       resolution_m == map.resolution_m && !box.empty() && map.contains(box.min) && map.contains(box.max);
-  occupied = {};
-  changed = is_same ? std::optional(std::vector<std::uint32_t>()) : std::nullopt;
-  if (is_same && box == map.box) return true;
-  const CellBox before = is_same ? box : CellBox{};
+  if (goes_on && box == map.box) return;
+  const CellBox before = goes_on ? box : CellBox{};
   cells = over_box(cells, before, map.box);
   steps = over_box(steps, before, map.box);
   clearance_m = over_box(clearance_m, before, map.box);
   box = map.box;
   resolution_m = map.resolution_m;
-  return false;
 }
 
 /// Takes the map's cells. Returns the strips that contain changed cells, from the first changed row to the
-/// last, not measured yet. `others`: the cells that may have changed; null: any cell.
-std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map, const CellBlocks* others) {
+/// last, not measured yet.
+std::vector<Strip> ClearanceUpdate::Impl::renew_cells(const DenseMap& map) {
   const auto width = static_cast<std::size_t>(map.width());
   std::vector<Strip> strips((width - 1) / kStripWidth + 1);
-  const auto take = [&](std::size_t y, std::size_t x, std::size_t count) {
-    Strip& strip = strips[x / kStripWidth];
-    strip = {x, count, std::min(strip.low, y), y + 1, {}};
-    take_cells(map, y * width + x, count);
-  };
-  if (others != nullptr)
-    for_each_other_block(map.cells, cells, width, kStripWidth, *others, take);
-  else
-    for_each_other_block(map.cells, cells, width, kStripWidth, take);
-  assert(cells == map.cells);
+  for_each_other_block(map.cells, cells, width, kStripWidth,
+                       [&](std::size_t y, std::size_t x, std::size_t count) {
+                         Strip& strip = strips[x / kStripWidth];
+                         strip = {x, count, std::min(strip.low, y), y + 1, {}};
+                         std::copy_n(&map.cells[y * width + x], count, &cells[y * width + x]);
+                       });
   std::erase_if(strips, [](const Strip& strip) { return strip.width == 0; });
   return strips;
-}
-
-void ClearanceUpdate::Impl::take_cells(const DenseMap& map, std::size_t first, std::size_t count) {
-  for (std::size_t i = first; i < first + count; ++i) {
-    const CellState is = map.cells[i], was = std::exchange(cells[i], is);
-    if (is == was || (is != CellState::kOccupied && was != CellState::kOccupied)) continue;
-    (is == CellState::kOccupied ? occupied.come : occupied.gone).push_back(static_cast<std::uint32_t>(i));
-  }
 }
 
 /// Extends the strip by the rows on both sides in which distances may have changed: until a boundary cell was
@@ -204,7 +173,6 @@ void ClearanceUpdate::Impl::renew_row(std::size_t y, std::span<const Strip> stri
   for (const Cells& those : renewal.reached) {
     std::fill(now_m + those.from, now_m + those.end, 0.0F);
     renewal.pass.cells(&steps[at], those.from, those.end, now_m);
-    if (changed) append_others(row_m, now_m, those, static_cast<std::uint32_t>(at), *changed);
     std::copy(now_m + those.from, now_m + those.end, row_m + those.from);
   }
 }
@@ -228,19 +196,11 @@ ClearanceUpdate::~ClearanceUpdate() = default;
 
 const std::vector<float>& ClearanceUpdate::clearance_m() const { return impl_->clearance_m; }
 
-const std::optional<std::vector<std::uint32_t>>& ClearanceUpdate::changed() const { return impl_->changed; }
-
-const OccupiedChange& ClearanceUpdate::occupied() const { return impl_->occupied; }
-
-void ClearanceUpdate::take(const DenseMap& map) { take(map, nullptr); }
-
-void ClearanceUpdate::take(const DenseMap& map, const CellBlocks& others) { take(map, &others); }
-
-void ClearanceUpdate::take(const DenseMap& map, const CellBlocks* others) {
+void ClearanceUpdate::take(const DenseMap& map) {
   Impl& impl = *impl_;
-  const bool has_same_box = impl.lay_out(map);
+  impl.lay_out(map);
   if (map.cells.empty()) return;
-  std::vector<Strip> strips = impl.renew_cells(map, has_same_box ? others : nullptr);
+  std::vector<Strip> strips = impl.renew_cells(map);
   std::size_t low = SIZE_MAX, high = 0;
   for (Strip& strip : strips) {
     impl.widen(strip);

@@ -7,7 +7,6 @@
 #include <cstring>
 #include <span>
 
-#include "core/grid/cell_blocks.hpp"
 #include "core/grid/occupancy_grid.hpp"
 
 namespace topo::grid {
@@ -26,21 +25,6 @@ void for_each_other_block(std::span<const CellState> a, std::span<const CellStat
       if (std::memcmp(&a[row + x], &b[row + x], count) != 0) f(y, x, count);
     }
   }
-}
-
-/// The same when only cells of the blocks `within` can differ; reads few other cells.
-template <class F>
-void for_each_other_block(std::span<const CellState> a, std::span<const CellState> b, std::size_t width,
-                          std::size_t block, const CellBlocks& within, F&& f) {
-  std::size_t done = 0;
-  within.for_each([&](std::size_t first, std::size_t end) {
-    for (done = std::max(done, first); done < end;) {
-      const std::size_t y = done / width, x = (done - y * width) / block * block;
-      const std::size_t at = y * width + x, count = std::min(block, width - x);
-      if (std::memcmp(&a[at], &b[at], count) != 0) f(y, x, count);
-      done = at + count;
-    }
-  });
 }
 
 }  // namespace topo::grid

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/analysis/incremental_analysis.hpp"
+#include "core/analysis/analysis.hpp"
 #include "core/exploration/goal_ways.hpp"
 #include "core/exploration/intent.hpp"
 #include "core/pipeline/held_route.hpp"
@@ -56,7 +56,6 @@ struct Caches {
 
   travel::RouteMap map;
   exploration::GoalWays ways;
-  analysis::IncrementalAnalysis analysis;
 };
 
 }  // namespace topo::pipeline

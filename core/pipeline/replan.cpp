@@ -43,7 +43,7 @@ Analysed analysed(Analysed before, const Intent& intent, bool has_mates, const P
   analysis::AnalysisInput input{map.revision(), std::move(wide.map),
                                 coarse ? wide.clearance_m : map.clearance_m(),
                                 walls::wall_points(in.map->walls), driven_paths(*in.map)};
-  analysis::Analysis made = caches.analysis.take(std::move(input), params.analysis);
+  analysis::Analysis made = analysis::analyse(std::move(input), params.analysis);
   made.coarse_m = std::move(wide.clearance_m);
   now.analysis = std::make_shared<const analysis::Analysis>(std::move(made));
   return now;

@@ -4,9 +4,10 @@
 #include "core/walls/wall_extraction.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
+
+#include "core/walls/wall_lines.hpp"
 
 namespace topo::walls {
 namespace {
@@ -126,23 +127,15 @@ std::vector<types::Vector2> wall_points(const WallStore& store) {
   return points;
 }
 
-std::vector<types::Segment> extract_walls(const compass::PointsChange& points, double compass_rad,
-                                          const WallParams& params, WallMemory& memory) {
+std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params) {
   std::vector<types::Segment> walls;
-  if (memory.params != params || points.now.empty()) memory = {params, {}};
-  if (points.now.empty()) return walls;
+  if (points.empty()) return walls;
   const double c = std::cos(compass_rad), s = std::sin(compass_rad);
-  const std::array<Direction, 2> directions{{{c, s}, {-s, c}}};
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    memory.lines[i].take(points, directions[i], params);
-    WallFinder(memory.lines[i], directions[i], params).append_to(walls);
+  for (const Direction& direction : {Direction{c, s}, Direction{-s, c}}) {
+    const WallLines lines(points, direction, params);
+    WallFinder(lines, direction, params).append_to(walls);
   }
   return walls;
-}
-
-std::vector<types::Segment> extract_walls(Points points, double compass_rad, const WallParams& params) {
-  WallMemory none;
-  return extract_walls({points, {}, {}}, compass_rad, params, none);
 }
 
 }  // namespace topo::walls

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "core/types/geometry.hpp"
-#include "core/walls/wall_lines.hpp"
 #include "core/walls/wall_params.hpp"
 #include "core/walls/wall_store.hpp"
 
@@ -23,18 +21,5 @@ std::vector<types::Vector2> wall_points(const WallStore& store);
 /// sort of the points within each bin.
 std::vector<types::Segment> extract_walls(std::span<const types::Vector2> points, double compass_rad,
                                           const WallParams& params = {});
-
-/// State that one extraction passes to the next.
-struct WallMemory {
-  WallParams params;
-  std::array<WallLines, 2> lines;  ///< of the walls along the compass direction, and across it
-};
-
-/// Incremental version with a bit-identical result: updates `memory` from the previous points to these.
-/// `points`: the difference from the previous points; ignored when there were none. The cost is that of the
-/// difference and of a copy of the rest, while the compass direction and the box of the points in its frame
-/// stay the same.
-std::vector<types::Segment> extract_walls(const compass::PointsChange& points, double compass_rad,
-                                          const WallParams& params, WallMemory& memory);
 
 }  // namespace topo::walls

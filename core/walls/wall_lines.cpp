@@ -3,8 +3,6 @@
 #include "core/walls/wall_lines.hpp"
 
 #include <algorithm>
-#include <tuple>
-#include <utility>
 
 namespace topo::walls {
 namespace {
@@ -65,20 +63,12 @@ bool is_wall_run(std::span<const Place> places, const WallParams& params) {
   return length_m >= params.length_min_m && filled_share(places, params.bin_m) >= params.filled_min;
 }
 
-void WallLines::take(const compass::PointsChange& points, const Direction& direction,
-                     const WallParams& params) {
-  const auto across_m = [&](const types::Vector2& p) { return direction.across_m(p); };
-  const bool is_along = direction == layout_.along;
-  const compass::Extent across =
-      is_along ? compass::renewed(across_, points, across_m) : compass::extent_of(points.now, across_m);
-  across_ = across;
-  const Layout layout = layout_of(across, points.now.size(), direction, params.bin_m / 2.0);
-  const std::vector<std::size_t> first_before = std::exchange(first_, {});
-  if (std::exchange(layout_, layout) == layout)
-    change_bins(points, first_before);
-  else
-    fill_bins(points.now);
-  renew_lines(first_before, params);
+WallLines::WallLines(Points points, const Direction& direction, const WallParams& params)
+    : layout_(layout_of(
+          compass::extent_of(points, [&](const types::Vector2& p) { return direction.across_m(p); }),
+          points.size(), direction, params.bin_m / 2.0)) {
+  fill_bins(points);
+  fill_lines(params);
 }
 
 WallLines::Layout WallLines::layout_of(const compass::Extent& across, std::size_t points,
@@ -101,7 +91,6 @@ void WallLines::fill_bins(Points points) {
   for (std::size_t k = 0; k < points.size(); ++k)
     places_[next[static_cast<std::size_t>(bins[k])]++] = layout.place(points[k]);
   sort_bins();
-  is_new_.assign(layout.bins + 1, 1);
 }
 
 void WallLines::sort_bins() {
@@ -113,68 +102,13 @@ void WallLines::sort_bins() {
   }
 }
 
-WallLines::BinnedPlaces WallLines::binned(Points points) const {
-  BinnedPlaces binned;
-  for (const types::Vector2& p : points)
-    binned.emplace_back(layout_.bin(layout_.along.across_m(p)), layout_.place(p));
-  std::sort(binned.begin(), binned.end(), [](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : is_before(a.second, b.second);
-  });
-  return binned;
-}
-
-void WallLines::change_bins(const compass::PointsChange& points, std::span<const std::size_t> first_before) {
-  const BinnedPlaces come = binned(points.come), gone = binned(points.gone);
-  const std::vector<Place> before = std::exchange(places_, {});
-  places_.reserve(points.now.size());
-  first_.reserve(first_before.size());
-  is_new_.assign(layout_.bins + 1, 0);
-  auto next_come = come.begin(), next_gone = gone.begin();
-  std::vector<Place> here_come, here_gone, stay;
-  const auto take_of = [](std::size_t bin, auto& next, auto end, std::vector<Place>& places) {
-    places.clear();
-    for (; next != end && static_cast<std::size_t>(next->first) == bin; ++next)
-      places.push_back(next->second);
-  };
-  for (std::size_t bin = 0; bin < layout_.bins; ++bin) {
-    first_.push_back(places_.size());
-    const auto old = std::span(before).subspan(first_before[bin], first_before[bin + 1] - first_before[bin]);
-    take_of(bin, next_come, come.end(), here_come);
-    take_of(bin, next_gone, gone.end(), here_gone);
-    is_new_[bin] = here_come.empty() && here_gone.empty() ? 0 : 1;
-    if (is_new_[bin] == 0) {
-      places_.insert(places_.end(), old.begin(), old.end());
-      continue;
-    }
-    stay.clear();
-    std::set_difference(old.begin(), old.end(), here_gone.begin(), here_gone.end(), std::back_inserter(stay),
-                        is_before);
-    std::merge(stay.begin(), stay.end(), here_come.begin(), here_come.end(), std::back_inserter(places_),
-               is_before);
-  }
-  first_.insert(first_.end(), 2, places_.size());
-}
-
-void WallLines::renew_lines(std::span<const std::size_t> first_before, const WallParams& params) {
-  const std::vector<Place> before = std::exchange(merged_, {});
-  merged_.reserve(start_of(layout_.bins));
-  const std::vector<Stretch> stretches_before = std::exchange(stretches_, {});
-  auto old = stretches_before.begin();
+void WallLines::fill_lines(const WallParams& params) {
+  merged_.resize(start_of(layout_.bins));
   for (std::size_t line = 0; line < layout_.bins; ++line) {
     const auto low = bin(line), high = bin(line + 1);
     const std::size_t size = low.size() + high.size();
-    const auto old_end = std::find_if(old, stretches_before.end(),
-                                      [line](const Stretch& stretch) { return stretch.line > line; });
-    if (is_new_[line] == 0 && is_new_[line + 1] == 0) {
-      const Place* const same = before.data() + start_of(line, first_before);
-      merged_.insert(merged_.end(), same, same + size);
-      stretches_.insert(stretches_.end(), old, old_end);
-    } else {
-      merged_.resize(merged_.size() + size);
-      if (size >= points_min(params))
-        find_stretches(line, merge(low, high, std::span(merged_).last(size)), params);
-    }
-    old = old_end;
+    if (size < points_min(params)) continue;
+    find_stretches(line, merge(low, high, std::span(merged_).subspan(start_of(line), size)), params);
   }
 }
 

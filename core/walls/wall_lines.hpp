@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/compass/extent.hpp"
-#include "core/compass/points_change.hpp"
+#include "core/types/geometry.hpp"
 #include "core/walls/wall_params.hpp"
 
 namespace topo::walls {
@@ -25,7 +24,6 @@ struct Direction {
   double cos, sin;
   [[nodiscard]] double across_m(const types::Vector2& p) const { return cos * p.y() - sin * p.x(); }
   [[nodiscard]] double along_m(const types::Vector2& p) const { return cos * p.x() + sin * p.y(); }
-  friend bool operator==(const Direction&, const Direction&) = default;
 };
 
 /// True when the run is long, full and dense enough to be a wall.
@@ -41,10 +39,8 @@ class WallLines {
     std::size_t first, count;  ///< among the line's points
   };
 
-  /// Updates the lines from the previous points to these; `points` has the difference. The cost is that of
-  /// the difference and of a copy of the rest, while the direction and the extent across it stay the same.
-  /// The parameters must stay the same. At least one point.
-  void take(const compass::PointsChange& points, const Direction& direction, const WallParams& params);
+  /// At least one point. Costs a sort of the points within each half bin.
+  WallLines(std::span<const types::Vector2> points, const Direction& direction, const WallParams& params);
 
   [[nodiscard]] std::size_t size() const { return layout_.bins; }
   /// Points of a half bin, sorted by u.
@@ -63,7 +59,6 @@ class WallLines {
     Direction along{1.0, 0.0};
     double low_m = 0.0, width_m = 1.0;
     std::size_t bins = 0;
-    friend bool operator==(const Layout&, const Layout&) = default;
 
     /// Signed, so that it can be vectorised.
     [[nodiscard]] std::int32_t bin(double across_m) const {
@@ -73,31 +68,23 @@ class WallLines {
       return {static_cast<float>(along.along_m(p)), static_cast<float>(along.across_m(p))};
     }
   };
-  /// Sorted by half bin, then by place.
-  using BinnedPlaces = std::vector<std::pair<std::int32_t, Place>>;
-
   static Layout layout_of(const compass::Extent& across, std::size_t points, const Direction& direction,
                           double half_bin_m);
   void fill_bins(std::span<const types::Vector2> points);
   void sort_bins();
-  void change_bins(const compass::PointsChange& points, std::span<const std::size_t> first_before);
-  [[nodiscard]] BinnedPlaces binned(std::span<const types::Vector2> points) const;
-  void renew_lines(std::span<const std::size_t> first_before, const WallParams& params);
+  void fill_lines(const WallParams& params);
   void find_stretches(std::size_t line, std::span<const Place> places, const WallParams& params);
 
   /// Index in `merged_` at which a line begins: the lines before it hold bin 0 and bin `line` once, and the
   /// bins between twice.
-  [[nodiscard]] static std::size_t start_of(std::size_t line, std::span<const std::size_t> first) {
-    return first[line] + first[line + 1] - first[1];
+  [[nodiscard]] std::size_t start_of(std::size_t line) const {
+    return first_[line] + first_[line + 1] - first_[1];
   }
-  [[nodiscard]] std::size_t start_of(std::size_t line) const { return start_of(line, first_); }
 
   Layout layout_;
-  compass::Extent across_;            ///< of the points, across the direction
-  std::vector<std::size_t> first_;    ///< index of every half bin's first place, then the end twice
-  std::vector<Place> places_;         ///< bin by bin
-  std::vector<std::uint8_t> is_new_;  ///< of every half bin and one more: changed since the previous points
-  std::vector<Place> merged_;         ///< line by line; meaningless for lines with too few points
+  std::vector<std::size_t> first_;  ///< index of every half bin's first place, then the end twice
+  std::vector<Place> places_;       ///< bin by bin
+  std::vector<Place> merged_;       ///< line by line; meaningless for lines with too few points
   std::vector<Stretch> stretches_;
 };
 

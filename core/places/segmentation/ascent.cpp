@@ -17,7 +17,7 @@ void Ascent::climb_up(std::uint32_t start) {
   while ((label = labels_[i]) == 0) {
     if (steps == way_.size()) way_.resize(2 * way_.size());
     way_[steps++] = i;
-    const Slope up = slopes_[i] & kNumber;
+    const Slope up = slopes_[i];
     const std::uint32_t next = up == kFlat ? labelled_beside(i) : beside(i, up);
     if (next == i) {
       label = kLost;

@@ -58,48 +58,6 @@ BoxCounts::Bin BoxCounts::bin_of(const types::Vector2& row_start, double x) cons
           static_cast<std::size_t>(row_start.y() - x * step * frame_.sin) + 1};
 }
 
-/// Sorted by row, the lowest first.
-std::vector<BoxCounts::Step> BoxCounts::steps_of(const grid::OccupiedChange& cells) const {
-  std::vector<Step> steps;
-  const auto width = static_cast<std::uint32_t>(box_.width());
-  const auto add = [&](const std::vector<std::uint32_t>& those, std::uint32_t by) {
-    for (const std::uint32_t i : those)
-      steps.push_back({bin_of(row_start(static_cast<int>(i / width)), i % width), by});
-  };
-  add(cells.come, 1);
-  add(cells.gone, UINT32_MAX);
-  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.bin.row < b.bin.row; });
-  return steps;
-}
-
-void BoxCounts::change(const grid::OccupiedChange& cells) {
-  const std::vector<Step> steps = steps_of(cells);
-  if (steps.empty()) return;
-  std::size_t left = columns_, right = 0;
-  for (const Step& step : steps) {
-    left = std::min(left, step.bin.column);
-    right = std::max(right, step.bin.column + 1);
-  }
-  // Change of the bins up to a row, by column and by block.
-  const std::size_t blocks = columns_ / kBlock, first_block = left / kBlock;
-  std::vector<std::uint32_t> more(right - left, 0), more_in(blocks, 0);
-  auto step = steps.begin();
-  for (std::size_t row = steps.front().bin.row; row < rows_; ++row) {
-    for (; step != steps.end() && step->bin.row == row; ++step) {
-      more[step->bin.column - left] += step->by;
-      more_in[step->bin.column / kBlock] += step->by;
-    }
-    std::uint32_t* const bins = &along_columns_[row * columns_ + left];
-    for (std::size_t k = 0; k < more.size(); ++k) bins[k] += more[k];
-    std::uint32_t* const before = &before_blocks_[row * blocks];
-    std::uint32_t more_before = 0;
-    for (std::size_t b = first_block + 1; b < blocks; ++b) {
-      more_before += more_in[b - 1];
-      before[b] += more_before;
-    }
-  }
-}
-
 void BoxCounts::sum_up() {
   std::uint32_t* before = before_blocks_.data() + columns_ / kBlock;
   for (std::size_t v = 1; v < rows_; ++v) {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/grid/clearance_update.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/types/geometry.hpp"
 
@@ -21,7 +20,6 @@ struct CompassFrame {
   [[nodiscard]] types::Vector2 to_map(const types::Vector2& p) const {
     return {cos * p.x() - sin * p.y(), cos * p.y() + sin * p.x()};
   }
-  friend bool operator==(const CompassFrame&, const CompassFrame&) = default;
   double cos;
   double sin;
 };
@@ -34,30 +32,15 @@ class BoxCounts {
  public:
   BoxCounts(const grid::DenseMap& map, const CompassFrame& frame);
 
-  /// True when the bins of this map and frame are in the same positions.
-  [[nodiscard]] bool fits(const grid::DenseMap& map, const CompassFrame& frame) const {
-    return box_ == map.box && resolution_m_ == map.resolution_m && frame_ == frame;
-  }
-  /// Updates the counts to a map that fits and differs in these cells. The cost is that of the rows from the
-  /// lowest changed one upwards: their changed columns, and their blocks up to the right end.
-  void change(const grid::OccupiedChange& cells);
-
   [[nodiscard]] std::uint32_t occupied_in(const types::Rectangle& box) const;
 
  private:
   struct Bin {
     std::size_t column, row;
   };
-  /// One cell added or removed.
-  struct Step {
-    Bin bin;
-    std::uint32_t by;  ///< modulo 2^32
-  };
-
   [[nodiscard]] types::Vector2 row_start(int y) const;
   /// The bin of a cell with this offset from its row's first cell.
   [[nodiscard]] Bin bin_of(const types::Vector2& row_start, double x) const;
-  [[nodiscard]] std::vector<Step> steps_of(const grid::OccupiedChange& cells) const;
   void sum_up();
   [[nodiscard]] std::uint32_t occupied_up_to(std::size_t column, std::size_t row) const;
 

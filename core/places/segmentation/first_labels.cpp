@@ -3,20 +3,17 @@
 #include "core/places/segmentation/first_labels.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <optional>
 
 #include "core/grid/free_runs.hpp"
 #include "core/places/segmentation/ascent.hpp"
-#include "core/places/segmentation/watershed.hpp"
+#include "core/places/segmentation/slopes.hpp"
 #include "core/places/skeleton/fetch_ahead.hpp"
-#include "core/places/skeleton/sparse_scan.hpp"
 
 namespace topo::places {
 namespace {
 
-using grid::CellState;
 using grid::DenseMap;
 
 /// At a passage, clearance falls and rises again by this factor.
@@ -108,14 +105,15 @@ class AxisPieces {
 };
 
 /// Spreads labels from the cells in `queue` over all connected open cells (eight neighbours), breadth first.
-void spread(std::span<const std::ptrdiff_t> offsets, FirstLabels& first, std::vector<std::uint32_t>& queue) {
+void spread(std::span<const std::ptrdiff_t> offsets, std::span<const Slope> slopes,
+            std::vector<std::uint32_t>& labels, std::vector<std::uint32_t>& queue) {
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const auto i = static_cast<std::ptrdiff_t>(queue[next]);
-    const std::uint32_t label = first.labels[queue[next]];
+    const std::uint32_t label = labels[queue[next]];
     for (const std::ptrdiff_t offset : offsets) {
       const auto j = static_cast<std::size_t>(i + offset);
-      if ((first.slopes[j] & kClosed) != 0 || first.labels[j] != 0) continue;
-      first.labels[j] = label;
+      if (slopes[j] == kClosed || labels[j] != 0) continue;
+      labels[j] = label;
       queue.push_back(static_cast<std::uint32_t>(j));
     }
   }
@@ -137,35 +135,23 @@ std::vector<std::uint32_t> labelled_beside(std::span<const std::ptrdiff_t> offse
   return beside;
 }
 
-/// Gives lost cells the label of the nearest labelled cell.
-void label_lost(const DenseMap& map, FirstLabels& first) {
-  for (const std::uint32_t i : first.lost) first.labels[i] = 0;
+/// Gives cells whose ascent does not lead to the axis the label of the nearest labelled cell.
+void label_lost(const DenseMap& map, std::span<const Slope> slopes, std::span<const std::uint32_t> lost,
+                std::vector<std::uint32_t>& labels) {
+  for (const std::uint32_t i : lost) labels[i] = 0;
   const auto offsets = neighbour_offsets(map);
-  std::vector<std::uint32_t> queue = labelled_beside(offsets, first.lost, first.labels);
-  spread(offsets, first, queue);
+  std::vector<std::uint32_t> queue = labelled_beside(offsets, lost, labels);
+  spread(offsets, slopes, labels, queue);
 }
 
-/// Labels the axis. Calls changed(cell) for cells that left or joined it, or whose label changes.
-template <class F>
-void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first, F&& changed) {
-  for (std::size_t k = 0; k < first.axis.size(); ++k) {
-    const std::uint32_t i = first.axis[k];
-    fetch_ahead(first.slopes.data(), first.axis, k);
-    if (skeleton.on[i]) continue;
-    first.slopes[i] &= static_cast<Slope>(~kOnAxis);
-    changed(i);
-  }
+/// Labels the axis.
+void label_axis(const Skeleton& skeleton, const AxisPieces& pieces, FirstLabels& first) {
   first.axis = skeleton.axis;
   first.pieces = pieces.labels();
   first.axis_pieces = pieces.numbers();
   for (std::size_t k = 0; k < first.axis.size(); ++k) {
-    const std::uint32_t i = first.axis[k], label = first.pieces[first.axis_pieces[k]];
-    fetch_ahead(first.slopes.data(), first.axis, k);
     fetch_ahead(first.labels.data(), first.axis, k);
-    if ((first.slopes[i] & kOnAxis) != 0 && first.labels[i] == label) continue;
-    first.slopes[i] |= kOnAxis;
-    first.labels[i] = label;
-    changed(i);
+    first.labels[first.axis[k]] = first.pieces[first.axis_pieces[k]];
   }
 }
 
@@ -173,34 +159,6 @@ void number_runs(FirstLabels& first, std::size_t cells) {
   const PieceNumbers numbers(first, cells);
   first.run_pieces.resize(first.runs.size());
   for (std::size_t k = 0; k < first.runs.size(); ++k) first.run_pieces[k] = numbers.of(first.runs[k].label);
-}
-
-/// Adds the labels of the runs that overlap blocks of cells.
-void add_labels_in(const grid::CellBlocks& blocks, std::span<const PieceRun> runs,
-                   std::vector<std::uint32_t>& labels) {
-  auto run = runs.begin();
-  blocks.for_each([&](std::size_t from, std::size_t end) {
-    while (run != runs.end() && run->end <= from) ++run;
-    for (; run != runs.end() && run->first < end; ++run) {
-      labels.push_back(run->label);
-      if (run->end > end) break;  // it overlaps the next block as well
-    }
-  });
-}
-
-/// Renews the runs in changed blocks, and returns the change.
-LabelChange renew_runs(const grid::CellBlocks& changed, std::span<const float> clearance_m,
-                       FirstLabels& first) {
-  LabelChange change;
-  changed.for_each([&](std::size_t from, std::size_t end) {
-    change.cells.push_back({static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(end)});
-  });
-  add_labels_in(changed, first.runs, change.pieces);
-  first.runs = renewed_runs(first.runs, changed, clearance_m, first.labels);
-  add_labels_in(changed, first.runs, change.pieces);
-  std::sort(change.pieces.begin(), change.pieces.end());
-  change.pieces.erase(std::unique(change.pieces.begin(), change.pieces.end()), change.pieces.end());
-  return change;
 }
 
 }  // namespace
@@ -211,53 +169,17 @@ FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m
   first.box = map.box;
   first.labels.resize(map.cells.size(), 0);
   if (map.cells.empty()) return first;
-  first.slopes = slopes_of(map, clearance_m);
-  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first, [](std::uint32_t) {});
-  Ascent ascent(map, first.slopes, first.labels);
+  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first);
+  const std::vector<Slope> slopes = slopes_of(map, clearance_m);
+  Ascent ascent(map, slopes, first.labels);
   grid::for_each_free_run(map, [&](const grid::FreeRun& run) {
     for (std::size_t i = run.first; i < run.end; ++i)
-      if (first.slopes[i] != kClosed) ascent.climb(static_cast<std::uint32_t>(i));
+      if (slopes[i] != kClosed) ascent.climb(static_cast<std::uint32_t>(i));
   });
-  first.lost = ascent.lost();
-  label_lost(map, first);
+  label_lost(map, slopes, ascent.lost(), first.labels);
   first.runs = piece_runs(map, clearance_m, first.labels);
   number_runs(first, map.cells.size());
   return first;
-}
-
-void relabel(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
-             double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first) {
-  assert(first.box == map.box);
-  first.change = LabelChange{};
-  if (map.cells.empty()) return;
-  std::vector<std::uint32_t> others = renew_slopes(map, clearance_m, changed, first.slopes);
-  for (const std::uint32_t i : others)
-    if (map.cells[i] != CellState::kFree) first.labels[i] = 0;
-  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first,
-             [&](std::uint32_t i) { others.push_back(i); });
-  grid::CellBlocks again = find_basins(map, others, first.slopes);
-  std::erase_if(first.lost,
-                [&](std::uint32_t i) { return (first.slopes[i] & (kVisited | kOnAxis | kClosed)) != 0; });
-  for (const std::uint32_t i : first.lost) first.labels[i] = kLost;
-  const auto for_each_again = [&](auto&& f) {
-    again.for_each([&](std::size_t from, std::size_t end) {
-      for_each_with<Slope>(kVisited, std::span(first.slopes).subspan(from, end - from),
-                           [&](std::size_t i) { f(from + i); });
-    });
-  };
-  for_each_again([&](std::size_t i) { first.labels[i] = 0; });
-  Ascent ascent(map, first.slopes, first.labels);
-  for_each_again([&](std::size_t i) {
-    first.slopes[i] &= static_cast<Slope>(~kVisited);
-    ascent.climb(static_cast<std::uint32_t>(i));
-  });
-  first.lost.insert(first.lost.end(), ascent.lost().begin(), ascent.lost().end());
-  label_lost(map, first);
-  for (const auto& cells :
-       {changed, std::span<const std::uint32_t>(others), std::span<const std::uint32_t>(first.lost)})
-    for (const std::uint32_t i : cells) again.add(i);
-  first.change = renew_runs(again, clearance_m, first);
-  number_runs(first, map.cells.size());
 }
 
 }  // namespace topo::places

@@ -3,41 +3,27 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/grid/cell_run.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/places/segmentation/piece_runs.hpp"
-#include "core/places/segmentation/slopes.hpp"
 #include "core/places/skeleton/cell_numbers.hpp"
 #include "core/places/skeleton/skeleton.hpp"
 
 namespace topo::places {
-
-/// Difference of first labels from the previous ones.
-struct LabelChange {
-  /// May contain cells with another label, another clearance, or another relation to the axis.
-  std::vector<grid::CellRun> cells;
-  std::vector<std::uint32_t> pieces;  ///< labels of all pieces that had or have such a cell, ascending
-};
 
 /// The over-segmentation with which the reduction begins (paper section II-C), and the data from which it was
 /// made.
 struct FirstLabels {
   grid::CellBox box;                  ///< of the map
   std::vector<std::uint32_t> labels;  ///< label of the cell's piece, 0 outside free space; as map.cells
-  /// The pieces' labels: 1 + the lowest axis cell of a piece, so that the cells of an unchanged piece keep
-  /// their label on the next map.
+  /// The pieces' labels: 1 + the lowest axis cell of a piece.
   std::vector<std::uint32_t> pieces;
-  std::vector<Slope> slopes;
   std::vector<std::uint32_t> axis;
   std::vector<std::uint32_t> axis_pieces;  ///< of each axis cell, its index in `pieces`
-  std::vector<std::uint32_t> lost;         ///< cells whose ascent does not lead to the axis
   std::vector<PieceRun> runs;
   std::vector<std::uint32_t> run_pieces;  ///< of each run, its index in `pieces`
-  std::optional<LabelChange> change;      ///< nothing: the labels were made without previous ones
 };
 
 /// The number of a piece, from its label.
@@ -60,11 +46,5 @@ class PieceNumbers {
 /// `piece_m`, as if it had nodes there.
 FirstLabels first_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                          const Skeleton& skeleton, double piece_m);
-
-/// Updates the labels from another map with the same box to this one. `changed`: the cells whose clearance
-/// has changed, ascending. The cost is that of the cells whose ascent leads through a change, to another axis
-/// cell, or to another piece.
-void relabel(const grid::DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
-             double piece_m, std::span<const std::uint32_t> changed, FirstLabels& first);
 
 }  // namespace topo::places

@@ -40,33 +40,4 @@ std::vector<PieceRun> piece_runs(const grid::DenseMap& map, std::span<const floa
   return runs;
 }
 
-std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid::CellBlocks& changed,
-                                   std::span<const float> clearance_m,
-                                   std::span<const std::uint32_t> labels) {
-  std::vector<PieceRun> runs;
-  runs.reserve(before.size() + before.size() / 8);
-  auto old = before.begin();
-  std::size_t done = 0;
-  const auto goes_on = [&](std::size_t cell) { return labels[cell - 1] == labels[cell]; };
-  changed.for_each([&](std::size_t from, std::size_t end) {
-    from = std::max(from, done);
-    if (from >= end) return;
-    // Runs that reach into the block, or now continue in it, are scanned from their beginning to their end.
-    while (old != before.end() && (old->end < from || (old->end == from && !goes_on(from))))
-      runs.push_back(*old++);
-    if (old != before.end()) from = std::min<std::size_t>(from, old->first);
-    // The same holds for a run scanned with the previous block that now continues in this one.
-    if (from == done && !runs.empty() && runs.back().end == from && runs.back().label == labels[from]) {
-      from = runs.back().first;
-      runs.pop_back();
-    }
-    for (; old != before.end() && (old->first < end || (old->first == end && goes_on(end))); ++old)
-      end = std::max<std::size_t>(end, old->end);
-    scan(from, end, clearance_m, labels, runs);
-    done = end;
-  });
-  runs.insert(runs.end(), old, before.end());
-  return runs;
-}
-
 }  // namespace topo::places

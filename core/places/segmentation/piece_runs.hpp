@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "core/grid/cell_blocks.hpp"
 #include "core/grid/dense_map.hpp"
 
 namespace topo::places {
@@ -23,9 +22,5 @@ struct PieceRun {
 /// All runs with a label, in ascending order. Only free cells have labels.
 std::vector<PieceRun> piece_runs(const grid::DenseMap& map, std::span<const float> clearance_m,
                                  std::span<const std::uint32_t> labels);
-
-/// Updates the runs after changes of labels or clearances in some blocks of cells.
-std::vector<PieceRun> renewed_runs(std::span<const PieceRun> before, const grid::CellBlocks& changed,
-                                   std::span<const float> clearance_m, std::span<const std::uint32_t> labels);
 
 }  // namespace topo::places

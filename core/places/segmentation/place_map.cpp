@@ -55,21 +55,15 @@ void add_borders(const std::vector<Region>& regions, std::span<const std::uint16
 
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                        const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
-                       const PlaceParams& params, const grid::OccupiedChange& occupied,
-                       ReductionMemory& memory) {
+                       const PlaceParams& params) {
   assert(clearance_m.size() == map.cells.size());
   PlaceMap out;
   // A quarter turn does not change the compass; the angle nearest to the map's axes keeps north up.
   out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
   const CompassFrame frame(out.compass_rad);
-  renew_regions(map, clearance_m, first, walls, frame, memory.regions);
-  if (memory.counts && memory.counts->fits(map, frame))
-    memory.counts->change(occupied);
-  else
-    memory.counts.emplace(map, frame);
-  const std::vector<Region>& pieces = memory.regions.regions;
+  const std::vector<Region> pieces = regions_of(map, clearance_m, first, walls, frame);
   std::vector<Region> regions = pieces;
-  std::vector<std::uint32_t> roots = reduce(regions, *memory.counts, map.resolution_m, params);
+  std::vector<std::uint32_t> roots = reduce(regions, BoxCounts(map, frame), map.resolution_m, params);
   if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
   const auto numbers = number_places(regions, map.resolution_m, params, out);
   add_borders(regions, numbers, map.resolution_m, out);
@@ -78,13 +72,6 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
     if (number != 0) out.labels.append(first.runs[k].first, first.runs[k].end, number);
   }
   return out;
-}
-
-PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
-                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
-                       const PlaceParams& params) {
-  ReductionMemory memory;
-  return reduce_labels(map, clearance_m, first, walls, compass_rad, params, {}, memory);
 }
 
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,

@@ -1,21 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cassert>
 #include <numbers>
-#include <utility>
 
 #include "core/places/segmentation/borders.hpp"
 #include "core/places/segmentation/regions.hpp"
+#include "core/places/segmentation/wall_sides.hpp"
 #include "core/places/skeleton/fetch_ahead.hpp"
 
 namespace topo::places {
 namespace {
 
 using grid::DenseMap;
-
-/// Which regions are computed anew, by number.
-using IsNew = std::vector<std::uint8_t>;
 
 /// Input of all sums.
 struct Source {
@@ -25,38 +21,29 @@ struct Source {
   const CompassFrame& frame;
 };
 
-/// Sums over the cells of new regions, and over all borders of these.
+/// Sums over the cells of regions, and over their borders.
 class CellSums {
  public:
-  CellSums(const Source& source, const IsNew& is_new, std::vector<Region>& regions, Borders& borders)
+  CellSums(const Source& source, std::vector<Region>& regions, Borders& borders)
       : map_(source.map),
         clearance_m_(source.clearance_m),
         frame_(source.frame),
         runs_(source.first.runs),
         pieces_(source.first.run_pieces),
-        is_new_(is_new),
         regions_(regions),
         borders_(borders) {}
 
   void add() {
-    const bool all = std::find(is_new_.begin(), is_new_.end(), 0) == is_new_.end();
-    std::size_t above = 0, below = 0;
+    std::size_t above = 0;
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-      if (!is_new(k)) continue;
       add_run(k);
       if (k + 1 < runs_.size() && runs_[k + 1].first == runs_[k].end) note_upright(k, k + 1);
       note_above(k, above);
-      if (all) continue;
-      // A border with another new run is noted from that run.
-      if (k > 0 && !is_new(k - 1) && runs_[k - 1].end == runs_[k].first) note_upright(k - 1, k);
-      note_below(k, below);
     }
     pad_boxes();
   }
 
  private:
-  [[nodiscard]] bool is_new(std::size_t k) const { return is_new_[pieces_[k]] != 0; }
-
   void add_run(std::size_t k) {
     const PieceRun& run = runs_[k];
     Region& region = regions_[pieces_[k]];
@@ -83,13 +70,6 @@ class CellSums {
     for (std::size_t a = above; a < runs_.size() && runs_[a].first < end; ++a)
       if (pieces_[a] != pieces_[k]) note_level(k, a);
   }
-  /// The same for the runs below that are not new.
-  void note_below(std::size_t k, std::size_t& below) {
-    const std::uint32_t first = runs_[k].first - width_, end = runs_[k].end - width_;
-    while (runs_[below].end <= first) ++below;
-    for (std::size_t b = below; runs_[b].first < end; ++b)
-      if (!is_new(b)) note_level(b, k);
-  }
   void note_level(std::size_t low, std::size_t high) {
     auto& between = borders_.between(pieces_[low], pieces_[high]);
     const std::uint32_t first = std::max(runs_[low].first, runs_[high].first - width_),
@@ -102,10 +82,9 @@ class CellSums {
   /// Extends boxes from the centres of cells to their sides.
   void pad_boxes() {
     const double half = 0.5 * map_.resolution_m * (std::abs(frame_.cos) + std::abs(frame_.sin));
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      if (is_new_[r] == 0) continue;
-      regions_[r].box.min -= types::Vector2(half, half);
-      regions_[r].box.max += types::Vector2(half, half);
+    for (Region& region : regions_) {
+      region.box.min -= types::Vector2(half, half);
+      region.box.max += types::Vector2(half, half);
     }
   }
 
@@ -115,7 +94,6 @@ class CellSums {
   const CompassFrame& frame_;
   std::span<const PieceRun> runs_;
   std::span<const std::uint32_t> pieces_;  ///< of the runs
-  const IsNew& is_new_;
   std::vector<Region>& regions_;
   Borders& borders_;
 };
@@ -125,7 +103,7 @@ inline void extend_by_disc(types::Rectangle& box, const types::Vector2& centre, 
   box.max = box.max.cwiseMax(centre + types::Vector2(radius_m, radius_m));
 }
 
-void add_cores(const Source& source, const IsNew& is_new, std::vector<Region>& regions) {
+void add_cores(const Source& source, std::vector<Region>& regions) {
   const CompassFrame& frame = source.frame;
   const double compass_rad = std::atan2(frame.sin, frame.cos),
                step_rad = std::numbers::pi / 2.0 / (kTurns + 1);
@@ -135,7 +113,6 @@ void add_cores(const Source& source, const IsNew& is_new, std::vector<Region>& r
   const FirstLabels& first = source.first;
   for (std::size_t n = 0; n < first.axis.size(); ++n) {
     const std::uint32_t i = first.axis[n], r = first.axis_pieces[n];
-    if (is_new[r] == 0) continue;
     fetch_ahead(source.clearance_m.data(), first.axis, n);
     Region& region = regions[r];
     const types::Vector2 centre = source.map.centre_of(source.map.cell(i));
@@ -145,53 +122,16 @@ void add_cores(const Source& source, const IsNew& is_new, std::vector<Region>& r
     for (std::size_t k = 0; k < kTurns; ++k)
       extend_by_disc(region.turned[k], turns[k].from_map(centre), reach_m);
   }
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (is_new[r] == 0) continue;
-    regions[r].core.min = regions[r].core.min.cwiseMax(regions[r].box.min);
-    regions[r].core.max = regions[r].core.max.cwiseMin(regions[r].box.max);
+  for (Region& region : regions) {
+    region.core.min = region.core.min.cwiseMax(region.box.min);
+    region.core.max = region.core.max.cwiseMin(region.box.max);
   }
 }
 
-/// The present number of each earlier piece; UINT32_MAX: the piece has changed or is gone.
-std::vector<std::uint32_t> numbers_now(const std::vector<std::uint32_t>& before, const PieceNumbers& numbers,
-                                       const FirstLabels& first) {
-  std::vector<std::uint32_t> now(before.size(), UINT32_MAX);
-  for (std::size_t p = 0; p < before.size(); ++p) {
-    const auto& changed = first.change->pieces;
-    if (std::binary_search(changed.begin(), changed.end(), before[p])) continue;
-    now[p] = numbers.of(before[p]);
-    assert(first.pieces[now[p]] == before[p]);
-  }
-  return now;
-}
-
-/// Moves unchanged regions, and the borders between two of them, to their present numbers. Returns which of
-/// the regions are new.
-IsNew carry_over(const std::vector<std::uint32_t>& now, std::vector<Region>& before,
-                 std::vector<Region>& regions, Borders& borders) {
-  IsNew is_new(regions.size(), 1);
-  for (std::size_t p = 0; p < now.size(); ++p) {
-    if (now[p] == UINT32_MAX) continue;
-    for (const Contact& c : before[p].contacts) {
-      if (c.other < p || now[c.other] == UINT32_MAX || c.upright + c.level == 0) continue;
-      auto& between = borders.between(now[p], now[c.other]);
-      between.upright = c.upright;
-      between.level = c.level;
-      between.clearance_m = c.clearance_m;
-    }
-  }
-  for (std::size_t p = 0; p < now.size(); ++p) {
-    if (now[p] == UINT32_MAX) continue;
-    is_new[now[p]] = 0;
-    regions[now[p]] = std::move(before[p]);
-  }
-  return is_new;
-}
-
-void note_walls(const WallSides& walls, const PieceNumbers& numbers, std::vector<Region>& regions,
+void note_walls(std::span<const WallBetween> walls, const PieceNumbers& numbers, std::vector<Region>& regions,
                 Borders& borders) {
   std::vector<std::uint32_t> straddled(regions.size(), 0);
-  for (const WallBetween& wall : walls.all()) {
+  for (const WallBetween& wall : walls) {
     const std::uint32_t a = numbers.of(wall.a), b = numbers.of(wall.b);
     (a == b ? straddled[a] : borders.between(a, b).wall_steps) += wall.steps;
   }
@@ -200,24 +140,17 @@ void note_walls(const WallSides& walls, const PieceNumbers& numbers, std::vector
 
 }  // namespace
 
-void renew_regions(const DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
-                   std::span<const types::Segment> walls, const CompassFrame& frame, RegionMemory& memory) {
-  const bool again = first.change && memory.frame == frame;
-  const PieceNumbers numbers(first, map.cells.size());
+std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clearance_m,
+                               const FirstLabels& first, std::span<const types::Segment> walls,
+                               const CompassFrame& frame) {
   std::vector<Region> regions(first.pieces.size());
   Borders borders(regions.size());
-  const IsNew is_new =
-      again ? carry_over(numbers_now(memory.pieces, numbers, first), memory.regions, regions, borders)
-            : IsNew(regions.size(), 1);
   const Source source{map, clearance_m, first, frame};
-  CellSums(source, is_new, regions, borders).add();
-  add_cores(source, is_new, regions);
-  memory.walls.take(map, first.labels, walls, first.change);
-  note_walls(memory.walls, numbers, regions, borders);
+  CellSums(source, regions, borders).add();
+  add_cores(source, regions);
+  note_walls(wall_sides(map, first.labels, walls), PieceNumbers(first, map.cells.size()), regions, borders);
   borders.hand_out(regions);
-  memory.frame = frame;
-  memory.pieces = first.pieces;
-  memory.regions = std::move(regions);
+  return regions;
 }
 
 }  // namespace topo::places

@@ -5,14 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
 #include "core/places/segmentation/box_counts.hpp"
 #include "core/places/segmentation/first_labels.hpp"
-#include "core/places/segmentation/wall_sides.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -49,19 +47,10 @@ struct Region {
   std::vector<Contact> contacts;
 };
 
-/// The regions of first labels, as input to the next update. A value; empty: of no map.
-struct RegionMemory {
-  std::optional<CompassFrame> frame;
-  std::vector<std::uint32_t> pieces;  ///< as in FirstLabels
-  std::vector<Region> regions;
-  WallSides walls;
-};
-
-/// Updates the regions to these first labels, in the order of the pieces, with their contacts; walls as in
-/// segment_places. `memory`: belongs to the labels from which these were made, if `first` has a change. The
-/// cost then is that of the changed pieces, and a pass over all.
-void renew_regions(const grid::DenseMap& map, std::span<const float> clearance_m, const FirstLabels& first,
-                   std::span<const types::Segment> walls, const CompassFrame& frame, RegionMemory& memory);
+/// The regions of first labels, in the order of the pieces, with their contacts; walls as in segment_places.
+std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
+                               const FirstLabels& first, std::span<const types::Segment> walls,
+                               const CompassFrame& frame);
 
 /// Merges region `from` into region `into`, whose core grows only when `grows_core`: by a region of equal
 /// rank.

@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "core/grid/dense_map.hpp"
-#include "core/places/segmentation/box_counts.hpp"
 #include "core/places/segmentation/first_labels.hpp"
 #include "core/places/segmentation/place_map.hpp"
-#include "core/places/segmentation/regions.hpp"
 #include "core/places/skeleton/skeleton.hpp"
 
 namespace topo::places {
@@ -20,20 +17,6 @@ namespace topo::places {
 PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
                        const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
                        const PlaceParams& params = {});
-
-/// State that one reduction leaves to the next. Empty: of no map.
-struct ReductionMemory {
-  RegionMemory regions;
-  std::optional<BoxCounts> counts;
-};
-
-/// The same, bit-identical, reusing and updating the memory of the previous reduction. If the first labels
-/// have a change, it must start from the labels of the memory. `occupied`: the difference of this map from
-/// the previous one, if the box is the same.
-PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
-                       const FirstLabels& first, std::span<const types::Segment> walls, double compass_rad,
-                       const PlaceParams& params, const grid::OccupiedChange& occupied,
-                       ReductionMemory& memory);
 
 /// First labels and reduction together.
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,

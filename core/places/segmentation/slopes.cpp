@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "core/grid/cell_block.hpp"
-#include "core/places/skeleton/cells_beside.hpp"
 
 namespace topo::places {
 namespace {
@@ -61,27 +60,6 @@ std::vector<Slope> slopes_of(const DenseMap& map, std::span<const float> clearan
     }
   }
   return slopes;
-}
-
-std::vector<std::uint32_t> renew_slopes(const DenseMap& map, std::span<const float> clearance_m,
-                                        std::span<const std::uint32_t> cells, std::vector<Slope>& slopes) {
-  const auto width = static_cast<std::size_t>(map.width());
-  std::array<Slope, kCellBlock> now{};
-  std::vector<std::uint32_t> others;
-  const auto renew = [&](std::size_t first, std::size_t count) {
-    point_up(&clearance_m[first], width, count, now.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      Slope& slope = slopes[first + i];
-      const Slope number = map.cells[first + i] == CellState::kFree ? now[i] : kClosed;
-      if ((slope & kNumber) == number) continue;
-      slope = static_cast<Slope>((slope & ~kNumber) | number);
-      others.push_back(static_cast<std::uint32_t>(first + i));
-    }
-  };
-  for (const grid::CellRun& run : cells_and_beside(map, cells))
-    for (std::size_t first = run.first; first < run.end; first += kCellBlock)
-      renew(first, std::min<std::size_t>(kCellBlock, run.end - first));
-  return others;
 }
 
 }  // namespace topo::places

@@ -2,13 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/places/segmentation/wall_sides.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
-#include <tuple>
-#include <utility>
-
-#include "core/places/segmentation/cell_tiles.hpp"
 
 namespace topo::places {
 namespace {
@@ -53,25 +47,6 @@ bool has_length(const Segment& wall) {
   return length_m > 0.0 && std::isfinite(length_m);
 }
 
-bool comes_before(const Segment& l, const Segment& r) {
-  return std::tuple(l.a.y(), l.a.x(), l.b.y(), l.b.x()) < std::tuple(r.a.y(), r.a.x(), r.b.y(), r.b.x());
-}
-
-/// Tiles that contain all changed cells.
-std::optional<CellTiles> changed_tiles(const DenseMap& map, const std::optional<LabelChange>& change) {
-  if (!change) return std::nullopt;
-  CellTiles tiles(map);
-  for (const grid::CellRun& run : change->cells) tiles.add(run);
-  return tiles;
-}
-
-/// The box of the cells tested for a wall, with a margin of one cell for rounding.
-grid::CellBox reach_of(const DenseMap& map, const Segment& wall) {
-  const double margin_m = kReachM + map.resolution_m;
-  const types::Vector2 margin(margin_m, margin_m);
-  return {map.cell_at(wall.a.cwiseMin(wall.b) - margin), map.cell_at(wall.a.cwiseMax(wall.b) + margin)};
-}
-
 }  // namespace
 
 float wall_length_m(std::uint32_t steps) {
@@ -80,34 +55,17 @@ float wall_length_m(std::uint32_t steps) {
   return length_m;
 }
 
-void WallSides::take(const DenseMap& map, Labels labels, std::span<const Segment> walls,
-                     const std::optional<LabelChange>& change) {
-  const std::vector<Wall> walls_before = std::exchange(walls_, {});
-  const std::vector<WallBetween> all_before = std::exchange(all_, {});
-  const std::optional<CellTiles> changed = changed_tiles(map, change);
-  const auto kept = [&](const Segment& wall) -> const Wall* {
-    if (!changed || changed->may_have(reach_of(map, wall))) return nullptr;
-    const auto known =
-        std::lower_bound(walls_before.begin(), walls_before.end(), wall,
-                         [](const Wall& w, const Segment& s) { return comes_before(w.segment, s); });
-    return known == walls_before.end() || comes_before(wall, known->segment) ? nullptr : &*known;
-  };
+std::vector<WallBetween> wall_sides(const DenseMap& map, Labels labels, std::span<const Segment> walls) {
+  std::vector<WallBetween> all;
   for (const Segment& wall : walls) {
     if (!has_length(wall)) continue;
-    const std::size_t first = all_.size();
-    if (const Wall* const known = kept(wall)) {
-      const auto from = all_before.begin() + static_cast<std::ptrdiff_t>(known->first);
-      all_.insert(all_.end(), from, from + static_cast<std::ptrdiff_t>(known->count));
-    } else {
-      for_each_step(map, labels, wall, [&](std::uint32_t a, std::uint32_t b) {
-        if (all_.size() == first || all_.back().a != a || all_.back().b != b) all_.push_back({a, b, 0});
-        ++all_.back().steps;
-      });
-    }
-    walls_.push_back({wall, first, all_.size() - first});
+    const std::size_t first = all.size();
+    for_each_step(map, labels, wall, [&](std::uint32_t a, std::uint32_t b) {
+      if (all.size() == first || all.back().a != a || all.back().b != b) all.push_back({a, b, 0});
+      ++all.back().steps;
+    });
   }
-  std::sort(walls_.begin(), walls_.end(),
-            [](const Wall& l, const Wall& r) { return comes_before(l.segment, r.segment); });
+  return all;
 }
 
 }  // namespace topo::places

@@ -33,10 +33,4 @@ struct Erosion {
 /// free. Costs a pass over the cells, and more for those on the ridge and beside kept ones.
 Erosion erode(const grid::DenseMap& map, std::span<const float> clearance_m);
 
-/// Updates the erosion of another map with the same resolution and a box inside this one's. The result equals
-/// that of erode() when `changed` contains all cells, ascending, whose clearance has changed; cells outside
-/// the earlier box had no clearance. Costs the changes, and a pass over the cells for the kept ones.
-Erosion erode_again(const grid::DenseMap& map, std::span<const float> clearance_m, Erosion before,
-                    std::span<const std::uint32_t> changed);
-
 }  // namespace topo::places

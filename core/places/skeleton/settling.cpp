@@ -88,7 +88,6 @@ void Settling::queue(std::uint32_t i, Rising& cells) {
 void Settling::settle(std::uint32_t i, const Around& around, ThinningState outcome, bool last) {
   if ((fates_[i] & kOutcome) == outcome) return;
   fates_[i] = static_cast<ThinningState>((fates_[i] & ~kOutcome) | outcome);
-  others_.push_back(i);
   for (unsigned doubted = around.later & ~around.queued; doubted != 0; doubted &= doubted - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(doubted));
     const std::uint32_t j = neighbour(i, k);

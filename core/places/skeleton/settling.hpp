@@ -20,10 +20,10 @@ namespace topo::places {
 /// connection runs straight up the slope, and not askew in the order of the cells' numbers), the others by
 /// number. Most states are therefore known in advance: a cell on a slope whose earlier neighbours are all
 /// removed is simple, and is removed. Only the other cells are examined one by one. When the outcome of a
-/// cell differs from the assumed one, its later neighbours are examined again. The assumed states may also be
-/// those of an earlier map. Because a state depends on earlier turns only, exactly one set of states is
-/// consistent, whatever the order of the search. Strips of rows, each small enough for the cache, are
-/// therefore settled one after the other until no cell is in doubt.
+/// cell differs from the assumed one, its later neighbours are examined again. Because a state depends on
+/// earlier turns only, exactly one set of states is consistent, whatever the order of the search. Strips of
+/// rows, each small enough for the cache, are therefore settled one after the other until no cell is in
+/// doubt.
 class Settling {
  public:
   /// `states` of the map's cells, settled except for the cells passed to doubt().
@@ -36,18 +36,7 @@ class Settling {
     doubtful_[i / strip_cells_].push_back(i);
   }
   [[nodiscard]] bool is_in_doubt(std::uint32_t i) const { return (fates_[i] & kQueued) != 0; }
-  /// Sets the state of a free cell whose bucket or ridge membership may have changed; the cell is then in
-  /// doubt.
-  void renew(std::uint32_t i, ThinningState state) {
-    if (fates_[i] >> kTurnShift != state >> kTurnShift) others_.push_back(i);
-    fates_[i] = state;
-    doubt(i);
-  }
-
   void settle_all();
-
-  /// Cells renewed or settled with another turn or outcome; a cell may occur repeatedly.
-  [[nodiscard]] const std::vector<std::uint32_t>& others() const { return others_; }
 
  private:
   /// The neighbours of a cell at a turn: bit k of each for neighbour k.
@@ -75,7 +64,6 @@ class Settling {
   std::array<std::ptrdiff_t, 8> offsets_;
   std::size_t strip_cells_;
   std::vector<std::vector<std::uint32_t>> doubtful_;  ///< of each strip
-  std::vector<std::uint32_t> others_;
   // Of the current strip.
   std::uint32_t first_cell_ = 0;
   std::size_t bucket_ = 0;

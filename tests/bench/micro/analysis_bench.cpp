@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "core/analysis/analysis.hpp"
-#include "core/analysis/incremental_analysis.hpp"
 #include "core/compass/compass.hpp"
 #include "core/compass/occupied_points.hpp"
 #include "core/goals/essential_goals.hpp"
@@ -176,61 +175,16 @@ void BM_Whole(benchmark::State& state) {
   });
 }
 
-/// Of BM_Again: milliseconds of distances and input, then of each analysis::Stage.
-constexpr std::array kStageNames = {"a_input_ms",    "b_compass_ms", "c_walls_ms",     "d_furniture_ms",
-                                    "e_skeleton_ms", "f_labels_ms",  "g_reduction_ms", "h_goals_ms"};
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// The same from snapshot to snapshot: what one keyframe sees in the corridor comes, and goes again.
-void BM_Again(benchmark::State& state) {
-  constexpr int kReach = 60;  // 3 m
-  const Stages& on = stages(state.range(0));
-  DenseMap before = on.map;
-  for (int dy = -kReach; dy <= kReach; ++dy) {
-    for (int dx = -kReach; dx <= kReach; ++dx) {
-      const CellIndex c{Building::kInCorridor.x + dx, Building::kInCorridor.y + dy};
-      if (dx * dx + dy * dy <= kReach * kReach) before.cells[before.index(c)] = CellState::kUnknown;
-    }
-  }
-  grid::ClearanceUpdate clearance;
-  analysis::IncrementalAnalysis incremental;
-  bool is_before = false;
-  std::array<double, kStageNames.size()> stage_s{};
-  measure(state, [&](const Stages&) {
-    is_before = !is_before;
-    const DenseMap& map = is_before ? before : on.map;
-    double last_s = cpu_seconds();
-    const auto note = [&](std::size_t stage) {
-      const double now_s = cpu_seconds();
-      stage_s[stage] += now_s - std::exchange(last_s, now_s);
-    };
-    clearance.take(map);
-    analysis::AnalysisInput input{1, map, clearance.clearance_m(), {}, {}};
-    note(0);
-    return incremental.take(std::move(input), {},
-                            [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
-  });
-  for (std::size_t i = 0; i < stage_s.size(); ++i)
-    state.counters[kStageNames[i]] = benchmark::Counter(1e3 * stage_s[i], benchmark::Counter::kAvgIterations);
-}
-
 constexpr std::array kStages = {BM_DenseMap,  BM_Clearance, BM_ClearanceUnknownOpen,
                                 BM_Wavefront, BM_Frontiers, BM_OccupiedPoints,
                                 BM_Compass,   BM_Walls,     BM_Furniture,
                                 BM_Erosion,   BM_Skeleton,  BM_Labels,
-                                BM_Reduction, BM_Goals,     BM_Whole,
-                                BM_Again};
+                                BM_Reduction, BM_Goals,     BM_Whole};
 constexpr std::array kNames = {"DenseMap",  "Clearance", "ClearanceUnknownOpen",
                                "Wavefront", "Frontiers", "OccupiedPoints",
                                "Compass",   "Walls",     "Furniture",
                                "Erosion",   "Skeleton",  "Labels",
-                               "Reduction", "Goals",     "Whole",
-                               "Again"};
+                               "Reduction", "Goals",     "Whole"};
 static_assert(kStages.size() == kNames.size());
 
 }  // namespace

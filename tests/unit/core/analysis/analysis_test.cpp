@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/analysis/analysis.hpp"
-#include "core/analysis/incremental_analysis.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -15,6 +14,8 @@
 #include <vector>
 
 #include "core/grid/distance.hpp"
+#include "core/places/segmentation/furniture.hpp"
+#include "core/places/skeleton/erosion.hpp"
 #include "core/travel/coarse_map.hpp"
 
 namespace topo::analysis {
@@ -60,9 +61,6 @@ class Exploration {
       if ((c.x - x) * (c.x - x) + (c.y - y) * (c.y - y) <= reach * reach) seen_.cells[i] = building_.cells[i];
     }
   }
-  /// Somebody moved a thing, or the map was corrected: a patch becomes what it was not.
-  void change(int x, int y, int side, CellState state) { fill(seen_, x, y, x + side, y + side, state); }
-
   /// As a snapshot has it: no greater than what is known.
   [[nodiscard]] AnalysisInput input(std::uint64_t revision) {
     grid::CellBox known;
@@ -93,17 +91,41 @@ std::vector<types::Vector2> some_occupied(const DenseMap& map) {
   return points;
 }
 
-void check_skeleton(const places::Skeleton& a, const places::Skeleton& b) {
-  RC_ASSERT(a.on == b.on);
-  RC_ASSERT(a.axis == b.axis);
-  RC_ASSERT(a.nodes.size() == b.nodes.size());
-  for (std::size_t n = 0; n < a.nodes.size(); ++n) RC_ASSERT(a.nodes[n].cell == b.nodes[n].cell);
-  RC_ASSERT(a.edges.size() == b.edges.size());
-  for (std::size_t e = 0; e < a.edges.size(); ++e) {
-    RC_ASSERT(a.edges[e].a == b.edges[e].a && a.edges[e].b == b.edges[e].b);
-    RC_ASSERT(a.edges[e].length_m == b.edges[e].length_m);
-    RC_ASSERT(a.edges[e].clearance_min_m == b.edges[e].clearance_min_m);
-  }
+/// A coarse map comes with distances that are not those between its own cells: skeleton and places follow
+/// the ones given.
+TEST(Analysis, OfACoarseMapIsByTheDistancesGiven) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
+                            *rc::gen::inRange(20, 60));
+    AnalysisInput input = exploration.input(1);
+    const travel::CoarseMap wide = travel::coarser(input.map, input.clearance_m);
+    input.map = wide.map;
+    input.clearance_m = wide.clearance_m;
+    const Analysis a = analyse(input, {});
+    if (places::without_furniture(wide.map, a.walls, places::PlaceParams{}.furniture_m).cells !=
+        wide.map.cells)
+      return;
+    const places::Skeleton expected =
+        places::skeletonise(wide.map, wide.clearance_m, places::erode(wide.map, wide.clearance_m));
+    RC_ASSERT(a.skeleton.on == expected.on);
+    RC_ASSERT(a.skeleton.axis == expected.axis);
+  }));
+}
+
+TEST(Analysis, OfTheSameMapIsTheSame) {
+  EXPECT_TRUE(rc::check([] {
+    Exploration exploration(building());
+    exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
+                            *rc::gen::inRange(10, 60));
+    AnalysisInput input = exploration.input(1);
+    if (*rc::gen::inRange(0, 3) == 0) input.wall_points = some_occupied(input.map);
+    const Analysis one = analyse(input, {}), other = analyse(input, {});
+    RC_ASSERT(one.compass.angle_rad == other.compass.angle_rad);
+    RC_ASSERT(one.skeleton.axis == other.skeleton.axis);
+    RC_ASSERT(one.places.labels == other.places.labels);
+    RC_ASSERT(one.goals.goals.size() == other.goals.goals.size());
+  }));
 }
 
 void check_places(const places::PlaceMap& a, const places::PlaceMap& b) {
@@ -126,84 +148,6 @@ void check_goals(const std::vector<goals::Goal>& a, const std::vector<goals::Goa
     RC_ASSERT(a[g].p_map == b[g].p_map && a[g].place == b[g].place && a[g].verdict == b[g].verdict);
 }
 
-TEST(Analysis, OfAMapThatGrowsAndIsCorrectedIsThatOfTheWholeMap) {
-  int angles_kept = 0, angles_changed = 0;
-  EXPECT_TRUE(rc::check([&] {
-    std::optional<double> last_rad;
-    Exploration exploration(building());
-    IncrementalAnalysis incremental;
-    // Of a map that does not get larger more is kept.
-    if (*rc::gen::inRange(0, 2) == 0)
-      for (const auto& [x, y] : {std::pair(1, 1), {198, 118}})
-        exploration.change(x, y, 1, CellState::kOccupied);
-    const int steps = *rc::gen::inRange(2, 10);
-    for (int step = 0; step < steps; ++step) {
-      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
-                              *rc::gen::inRange(10, 60));
-      for (int k = *rc::gen::inRange(0, 4); k > 0; --k) {
-        const auto state = *rc::gen::element(CellState::kUnknown, CellState::kFree, CellState::kOccupied);
-        exploration.change(*rc::gen::inRange(1, 170), *rc::gen::inRange(1, 90), *rc::gen::inRange(1, 28),
-                           state);
-      }
-      AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
-      if (*rc::gen::inRange(0, 8) == 0) (void)incremental.take(AnalysisInput{}, {});  // of no map
-      if (*rc::gen::inRange(0, 3) == 0) input.wall_points = some_occupied(input.map);
-      if (*rc::gen::inRange(0, 4) == 0) (void)incremental.take(input, {});  // the same twice
-      const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
-      RC_ASSERT(again.revision == whole.revision);
-      RC_ASSERT(again.map.cells == whole.map.cells);
-      RC_ASSERT(again.compass.angle_rad == whole.compass.angle_rad);
-      ++(again.compass.angle_rad == std::exchange(last_rad, whole.compass.angle_rad) ? angles_kept
-                                                                                     : angles_changed);
-      RC_ASSERT(again.walls.size() == whole.walls.size());
-      for (std::size_t w = 0; w < again.walls.size(); ++w)
-        RC_ASSERT(again.walls[w].a == whole.walls[w].a && again.walls[w].b == whole.walls[w].b);
-      check_skeleton(again.skeleton, whole.skeleton);
-      check_places(again.places, whole.places);
-      check_goals(again.goals.goals, whole.goals.goals);
-      check_goals(again.goals.rejected, whole.goals.rejected);
-    }
-  }));
-  EXPECT_GT(angles_kept, 50);
-  EXPECT_GT(angles_changed, 50);
-}
-
-/// Of a coarse map the distances given are not those between its own cells.
-TEST(Analysis, OfCoarseMapsIsByTheDistancesGiven) {
-  EXPECT_TRUE(rc::check([] {
-    Exploration exploration(building());
-    IncrementalAnalysis incremental;
-    for (int step = 0; step < 4; ++step) {
-      exploration.look_around(*rc::gen::inRange(10, 190), *rc::gen::inRange(10, 110),
-                              *rc::gen::inRange(10, 60));
-      AnalysisInput input = exploration.input(static_cast<std::uint64_t>(step));
-      travel::CoarseMap wide = travel::coarser(input.map, input.clearance_m);
-      if (*rc::gen::inRange(0, 3) != 0) {
-        input.map = std::move(wide.map);
-        input.clearance_m = wide.clearance_m;
-      }
-      const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
-      check_skeleton(again.skeleton, whole.skeleton);
-      check_places(again.places, whole.places);
-      check_goals(again.goals.goals, whole.goals.goals);
-    }
-  }));
-}
-
-TEST(Analysis, AnotherMapIsAnotherMap) {
-  EXPECT_TRUE(rc::check([] {
-    IncrementalAnalysis incremental;
-    Exploration one(building()), other(building());
-    one.look_around(100, 60, 90);
-    other.look_around(40, 30, 30);
-    (void)incremental.take(one.input(1), {});
-    const AnalysisInput input = other.input(2);
-    const Analysis again = incremental.take(input, {}), whole = analyse(input, {});
-    check_skeleton(again.skeleton, whole.skeleton);
-    check_places(again.places, whole.places);
-  }));
-}
-
 /// A building of which much was seen.
 AnalysisInput explored(Exploration& exploration) {
   for (const auto& [x, y] : {std::pair(30, 60), std::pair(90, 60), std::pair(60, 40), std::pair(150, 60)})
@@ -223,25 +167,20 @@ TEST(Analysis, TellsEachStageOnceInItsOrder) {
                                  Stage::kLabels,  Stage::kReduction, Stage::kGoals};
     Exploration exploration(building());
     const AnalysisInput input = explored(exploration);
-    IncrementalAnalysis incremental;
     RC_ASSERT(stages_of([&](const StageWatch& done) { (void)analyse(input, {}, done); }) == all);
-    for (int round = 0; round < 2; ++round)
-      RC_ASSERT(stages_of([&](const StageWatch& done) { (void)incremental.take(input, {}, done); }) == all);
     RC_ASSERT(stages_of([&](const StageWatch& done) { (void)analyse({}, {}, done); }) == all);
   }));
 }
 
 TEST(Analysis, OfNoMapIsEmpty) {
-  IncrementalAnalysis incremental;
   AnalysisInput input;
   input.revision = 11;
-  for (const Analysis& none : {analyse(input, {}), incremental.take(input, {})}) {
-    EXPECT_EQ(none.revision, 11U);
-    EXPECT_FALSE(none.compass.angle_rad);
-    EXPECT_TRUE(none.walls.empty() && none.skeleton.axis.empty() && none.places.places.empty());
-    EXPECT_TRUE(none.goals.goals.empty() && none.goals.rejected.empty());
-    EXPECT_TRUE(clearance_of(none).empty());
-  }
+  const Analysis none = analyse(input, {});
+  EXPECT_EQ(none.revision, 11U);
+  EXPECT_FALSE(none.compass.angle_rad);
+  EXPECT_TRUE(none.walls.empty() && none.skeleton.axis.empty() && none.places.places.empty());
+  EXPECT_TRUE(none.goals.goals.empty() && none.goals.rejected.empty());
+  EXPECT_TRUE(clearance_of(none).empty());
 }
 
 TEST(Analysis, IsOfTheMapThatWasGiven) {

@@ -86,30 +86,6 @@ TEST(Compass, IsTheSameInAnyOrderOfThePoints) {
   }));
 }
 
-TEST(Compass, OfPointsThatCameAndWentIsThatOfThosePresent) {
-  EXPECT_TRUE(rc::check("points that come and go", [] {
-    const Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * types::kDegree_rad));
-    CompassParams params;
-    params.points_max = static_cast<std::size_t>(*rc::gen::element(300, 3000, 20000));
-    CompassMemory memory;
-    Points before;
-    for (int step = 0; step < 6; ++step) {
-      Points points = plan;
-      if (*rc::gen::inRange(0, 2) == 0) furnish(points, static_cast<unsigned>(*rc::gen::inRange(0, 4)));
-      const double x_m = *rc::gen::inRange(0, 28), wide_m = *rc::gen::inRange(0, 8);
-      std::erase_if(points, [&](const auto& p) { return p.x() > x_m && p.x() < x_m + wide_m; });
-      if (*rc::gen::inRange(0, 9) == 0) points.clear();
-      std::sort(points.begin(), points.end(), comes_before);
-      const Compass again = entropy_compass(points_change(before, points), params, memory),
-                    fresh = entropy_compass(points, params);
-      before = points;
-      RC_ASSERT(again.angle_rad == fresh.angle_rad);
-      RC_ASSERT(again.entropy == fresh.entropy);
-      RC_ASSERT(again.confidence == fresh.confidence);
-    }
-  }));
-}
-
 TEST(Compass, SaysSoWhereThereIsNoDirection) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal(0.0, 5.0);
@@ -220,9 +196,7 @@ TEST(Compass, WantsThirtyPoints) {
   for (int i = 0; i < 30; ++i) wall.emplace_back(0.05 * i, 1.0);
   EXPECT_FALSE(entropy_compass(wall).entropy.empty());
   wall.pop_back();
-  CompassMemory memory;
-  EXPECT_TRUE(entropy_compass({wall, wall, {}}, {}, memory).entropy.empty());
-  EXPECT_TRUE(memory.few.at.empty() && memory.all.at.empty()) << "and keeps nothing";
+  EXPECT_TRUE(entropy_compass(wall).entropy.empty());
 }
 
 }  // namespace

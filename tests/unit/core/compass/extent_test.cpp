@@ -3,7 +3,6 @@
 #include "core/compass/extent.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <random>
 #include <vector>
@@ -17,45 +16,14 @@ using walls::Points;
 
 double sum_of(const types::Vector2& p) { return p.x() + p.y(); }
 
-TEST(Extent, OfPointsThatCameAndWentIsThatOfThosePresent) {
-  EXPECT_TRUE(rc::check([] {
-    Points before;
-    Extent extent;
-    for (int step = 0; step < 8; ++step) {
-      Points points = before;
-      const double gone = *rc::gen::inRange(0, 12);
-      std::erase_if(points, [&](const types::Vector2& p) { return sum_of(p) == gone; });
-      for (int k = *rc::gen::inRange(0, 4); k > 0; --k)
-        points.emplace_back(*rc::gen::inRange(0, 6), *rc::gen::inRange(0, 6));
-      extent = renewed(extent, points_change(before, points), sum_of);
-      RC_ASSERT(extent == extent_of(points, sum_of));
-      before = points;
-    }
-  }));
-}
-
-TEST(Extent, LooksAtAllPointsOnlyWhenOneAtAnEndGoes) {
-  const Points all{{0, 0}, {1, 0}, {2, 0}, {5, 0}};
-  int looks = 0;
-  const auto counted = [&](const types::Vector2& p) {
-    ++looks;
-    return p.x();
-  };
-  const Extent inner = renewed({0.0, 5.0}, {all, {{2, 0}}, {{3, 0}}}, counted);
-  EXPECT_EQ(inner, (Extent{0.0, 5.0}));
-  EXPECT_EQ(looks, 2);
-  const Extent end = renewed({0.0, 7.0}, {all, {}, {{7, 0}}}, counted);
-  EXPECT_EQ(end, (Extent{0.0, 5.0}));
-}
-
 TEST(Extent, OfNoPointsIsEmptyAndOfOneIsItsValue) {
   const Extent none = extent_of({}, sum_of);
   EXPECT_GT(none.low, none.high);
-  EXPECT_EQ(extent_of(Points{{2.0, -5.0}}, sum_of), (Extent{-3.0, -3.0}));
-  const Points points{{1.0, 1.0}, {4.0, 0.0}, {-2.0, 0.5}};
-  EXPECT_EQ(extent_of(points, sum_of), (Extent{-1.5, 4.0}));
-  EXPECT_EQ(renewed(none, {points, points, {}}, sum_of), (Extent{-1.5, 4.0}));
-  EXPECT_EQ(renewed({-1.5, 4.0}, {{}, {}, points}, sum_of), none) << "all are gone";
+  const auto is = [](const Extent& extent, double low, double high) {
+    return extent.low == low && extent.high == high;
+  };
+  EXPECT_TRUE(is(extent_of(Points{{2.0, -5.0}}, sum_of), -3.0, -3.0));
+  EXPECT_TRUE(is(extent_of(Points{{1.0, 1.0}, {4.0, 0.0}, {-2.0, 0.5}}, sum_of), -1.5, 4.0));
 }
 
 TEST(Extent, DoesNotDependOnTheOrderAndHoldsAllValues) {
@@ -68,7 +36,8 @@ TEST(Extent, DoesNotDependOnTheOrderAndHoldsAllValues) {
     ahead.add(values[i]);
     back.add(values[values.size() - 1 - i]);
   }
-  EXPECT_EQ(ahead, back);
+  EXPECT_EQ(ahead.low, back.low);
+  EXPECT_EQ(ahead.high, back.high);
   for (const double value : values) EXPECT_TRUE(ahead.low <= value && value <= ahead.high);
 }
 

@@ -3,9 +3,7 @@
 #include "core/compass/occupied_points.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
-#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -23,45 +21,6 @@ TEST(OccupiedPoints, AreTheSurfaceOfWhatIsOccupied) {
   const auto points = occupied_points(map);
   EXPECT_EQ(points.size(), 16U);
   EXPECT_NEAR((points[0] - types::Vector2(-0.075, -0.075)).norm(), 0.0, 1e-9);
-}
-
-/// Any, of six rows and columns, or as many less.
-grid::DenseMap any_map(int less) {
-  grid::DenseMap map;
-  map.box = {{-3, -3}, {2 - less, 2 - less}};
-  for (int k = 0; k < map.width() * map.height(); ++k)
-    map.cells.push_back(*rc::gen::element(grid::CellState::kOccupied, grid::CellState::kOccupied,
-                                          grid::CellState::kFree, grid::CellState::kUnknown));
-  return map;
-}
-
-TEST(OccupiedPoints, AreThoseOfTheWholeMapAndTellTheDifference) {
-  EXPECT_TRUE(rc::check([] {
-    OccupiedPoints occupied;
-    grid::DenseMap map;
-    std::vector<types::Vector2> before;
-    for (int step = 0; step < 8; ++step) {
-      grid::Rows others{0, 0};
-      if (step == 0 || *rc::gen::inRange(0, 5) == 0) {
-        map = *rc::gen::inRange(0, 5) == 0 ? grid::DenseMap{} : any_map(*rc::gen::inRange(0, 2));
-        others.end = static_cast<std::size_t>(map.height());
-      } else if (map.height() > 0) {
-        const int first = *rc::gen::inRange(0, map.height()),
-                  end = *rc::gen::inRange(first, map.height() + 1);
-        others = {static_cast<std::size_t>(first), static_cast<std::size_t>(end)};
-        for (int i = first * map.width(); i < end * map.width(); ++i)
-          map.cells[static_cast<std::size_t>(i)] =
-              *rc::gen::element(grid::CellState::kOccupied, grid::CellState::kFree);
-      }
-      const PointsChange now = occupied.take(map, others);
-      const std::vector<types::Vector2> expected = occupied_points(map);
-      RC_ASSERT(std::ranges::equal(now.now, expected));
-      const PointsChange change = points_change(before, expected);
-      RC_ASSERT(now.come == change.come);
-      RC_ASSERT(now.gone == change.gone);
-      before = expected;
-    }
-  }));
 }
 
 TEST(OccupiedPoints, AreTheCellsWithANeighbourThatIsNotOccupied) {
@@ -90,7 +49,6 @@ TEST(OccupiedPoints, AreTheCellsWithANeighbourThatIsNotOccupied) {
       if (is_occupied(0, 0) && !is_inside) expected.push_back(map.centre_of(c));
     }
     EXPECT_EQ(occupied_points(map), expected) << seed;
-    EXPECT_TRUE(std::ranges::is_sorted(expected, comes_before)) << "row by row";
   }
 }
 

@@ -8,20 +8,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/compass/points_change.hpp"
 #include "tests/unit/core/walls/points.hpp"
 
 namespace topo::compass {
 namespace {
 
 using walls::Points;
-
-Points within(const Samples& samples, std::uint64_t least, std::uint64_t most) {
-  Points points;
-  samples.for_each_within(least, most, [&](const Sample& sample) { points.push_back(sample.p); });
-  std::sort(points.begin(), points.end(), comes_before);
-  return points;
-}
 
 Points grid(int width, int height) {
   Points points;
@@ -30,27 +22,16 @@ Points grid(int width, int height) {
   return points;
 }
 
-TEST(Samples, BetweenTwoLimitsAreThoseOfThePointsPresent) {
+TEST(Samples, UpToALimitAreThoseWithNoGreaterHash) {
   EXPECT_TRUE(rc::check([] {
-    Points points = grid(*rc::gen::inRange(1, 60), *rc::gen::inRange(1, 60));
-    Samples samples(points);
-    for (int k = *rc::gen::inRange(0, 50); k > 0; --k) {
-      if (points.size() > 1 && *rc::gen::inRange(0, 2) == 0) {
-        const auto gone = points.begin() + *rc::gen::inRange<std::ptrdiff_t>(0, std::ssize(points));
-        samples.remove(*gone);
-        points.erase(gone);
-      } else {
-        points.emplace_back(0.05 * *rc::gen::inRange(-20, 20), 0.05 * *rc::gen::inRange(-20, 20));
-        samples.add(points.back());
-      }
-    }
-    const auto [least, most] = std::minmax(
-        {*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>(), hash_limit(2, 1)});
-    std::sort(points.begin(), points.end(), comes_before);
-    RC_ASSERT(within(samples, 0, UINT64_MAX) == points);
-    std::erase_if(points, [&](const auto& p) { return Sample(p).hash < least || Sample(p).hash > most; });
-    RC_ASSERT(within(samples, least, most) == points);
-    RC_ASSERT(samples.up_to(most, {}).x.size() == within(samples, 0, most).size());
+    const Points points = grid(*rc::gen::inRange(1, 60), *rc::gen::inRange(1, 60));
+    const std::uint64_t limit = *rc::gen::arbitrary<std::uint64_t>();
+    const Placing placing{{0.0, 0.0}, 0.05, 0.0};
+    const Samples samples(points);
+    const auto expected =
+        std::ranges::count_if(points, [&](const auto& p) { return Sample(p).hash <= limit; });
+    RC_ASSERT(samples.up_to(limit, placing).x.size() == static_cast<std::size_t>(expected));
+    RC_ASSERT(samples.up_to(UINT64_MAX, placing).x.size() == points.size());
   }));
 }
 
@@ -81,7 +62,8 @@ TEST(HashLimit, IsTheShareOfAllHashes) {
 TEST(HashLimit, LetsAboutAsManyPointsThrough) {
   const Points points = grid(200, 150);
   for (const std::size_t size : {300U, 3000U, 15000U, 29000U}) {
-    const auto count = within(Samples(points), 0, hash_limit(points.size(), size)).size();
+    const auto count =
+        Samples(points).up_to(hash_limit(points.size(), size), {{0.0, 0.0}, 0.05, 0.0}).x.size();
     // Five standard deviations of as many independent draws.
     const double share = static_cast<double>(size) / static_cast<double>(points.size());
     EXPECT_NEAR(static_cast<double>(count), static_cast<double>(size),

@@ -55,81 +55,6 @@ TEST(ClearanceUpdate, OfPatchesHereAndThereIsThatOfTheWholeMap) {
   }));
 }
 
-TEST(ClearanceUpdate, SaysWhatHasChanged) {
-  EXPECT_TRUE(rc::check("growing and changing maps", [] {
-    DenseMap map = random_map(48);
-    ClearanceUpdate update;
-    update.take(map);
-    RC_ASSERT(!update.changed());
-    for (int step = 0; step < 8; ++step) {
-      const DenseMap before = map;
-      const std::vector<float> before_m = update.clearance_m();
-      CellBox box = map.box;
-      box.min = {box.min.x - *rc::gen::inRange(0, 4), box.min.y - *rc::gen::inRange(0, 4)};
-      box.max = {box.max.x + *rc::gen::inRange(0, 4), box.max.y + *rc::gen::inRange(0, 4)};
-      map = moved_to(map, box);
-      for (int change = *rc::gen::inRange(0, 6); change > 0; --change) {
-        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
-        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
-      }
-      update.take(map);
-      std::vector<std::uint32_t> expected;
-      for (std::size_t i = 0; i < map.cells.size(); ++i) {
-        const CellIndex c = map.cell(i);
-        const float was_m = before.contains(c) ? before_m[before.index(c)] : 0.0F;
-        if (update.clearance_m()[i] != was_m) expected.push_back(static_cast<std::uint32_t>(i));
-      }
-      RC_ASSERT(update.changed() == std::optional(expected));
-    }
-  }));
-}
-
-TEST(ClearanceUpdate, SaysWhatIsOccupiedNowAndWasNot) {
-  EXPECT_TRUE(rc::check([] {
-    DenseMap map = random_map(80);
-    ClearanceUpdate update;
-    update.take(map);
-    for (int step = 0; step < 6; ++step) {
-      const DenseMap before = map;
-      for (int change = *rc::gen::inRange(0, 20); change > 0; --change) {
-        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
-        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
-      }
-      update.take(map);
-      std::vector<std::uint32_t> come, gone;
-      for (std::uint32_t i = 0; i < map.cells.size(); ++i) {
-        const bool was = before.cells[i] == CellState::kOccupied, is = map.cells[i] == CellState::kOccupied;
-        if (is && !was) come.push_back(i);
-        if (was && !is) gone.push_back(i);
-      }
-      RC_ASSERT(update.occupied().come == come && update.occupied().gone == gone);
-    }
-  }));
-}
-
-TEST(ClearanceUpdate, ToldWhereOthersMayBeIsThatOfTheWholeMap) {
-  EXPECT_TRUE(rc::check([] {
-    DenseMap map = random_map(80);
-    ClearanceUpdate told, untold;
-    told.take(map, CellBlocks(0));  // of the first map that says nothing
-    untold.take(map);
-    for (int step = 0; step < 6; ++step) {
-      CellBlocks others(map.cells.size());
-      for (int change = *rc::gen::inRange(0, 20); change > 0; --change) {
-        const auto i = *rc::gen::inRange<std::size_t>(0, map.cells.size());
-        map.cells[i] = *rc::gen::element(CellState::kFree, CellState::kOccupied, CellState::kUnknown);
-        others.add(static_cast<std::uint32_t>(i));
-      }
-      told.take(map, others);
-      untold.take(map);
-      RC_ASSERT(told.clearance_m() == clearance_m(map, Boundary::kOccupiedOrUnknown));
-      RC_ASSERT(told.changed() == untold.changed());
-      RC_ASSERT(told.occupied().come == untold.occupied().come);
-      RC_ASSERT(told.occupied().gone == untold.occupied().gone);
-    }
-  }));
-}
-
 TEST(ClearanceUpdate, OfAHallIsThatOfTheWholeMap) {
   ClearanceUpdate update;
   DenseMap map = filled_map(400, 330, CellState::kFree);
@@ -139,13 +64,6 @@ TEST(ClearanceUpdate, OfAHallIsThatOfTheWholeMap) {
     CellState& state = map.cells[map.index(cell)];
     state = state == CellState::kFree ? CellState::kOccupied : CellState::kFree;
   }
-}
-
-TEST(ClearanceUpdate, OfAMapThatShrankSaysNothing) {
-  ClearanceUpdate update;
-  update.take(filled_map(20, 10, CellState::kFree));
-  update.take(filled_map(19, 12, CellState::kFree));
-  EXPECT_FALSE(update.changed());
 }
 
 TEST(ClearanceUpdate, AnotherMapIsAnotherMap) {

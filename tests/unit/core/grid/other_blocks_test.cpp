@@ -45,35 +45,5 @@ TEST(OtherBlocks, AreThoseWithAnotherCell) {
   }));
 }
 
-TEST(OtherBlocks, WithinSomeBlocksAreThoseOfAllWhenNoOthersAre) {
-  EXPECT_TRUE(rc::check([] {
-    const Layout layout;
-    const std::vector<CellState> a = layout.free_cells();
-    std::vector<CellState> b = a;
-    CellBlocks within(a.size());
-    for (int k = *rc::gen::inRange(0, 5); k > 0; --k) {
-      const auto cell = *rc::gen::inRange<std::size_t>(0, b.size());
-      if (*rc::gen::inRange(0, 3) != 0) b[cell] = CellState::kOccupied;
-      within.add(static_cast<std::uint32_t>(cell));
-    }
-    using Block = std::array<std::size_t, 3>;
-    std::vector<Block> all, those;
-    for_each_other_block(a, b, layout.width, layout.block, [&](auto... is) { all.push_back(Block{is...}); });
-    for_each_other_block(a, b, layout.width, layout.block, within,
-                         [&](auto... is) { those.push_back(Block{is...}); });
-    RC_ASSERT(those == all);
-  }));
-}
-
-TEST(OtherBlocks, AreNotLookedForOutsideOfTheBlocksGiven) {
-  std::vector<CellState> a(640, CellState::kFree), b(640, CellState::kOccupied);
-  CellBlocks within(a.size());
-  within.add(100);
-  std::size_t cells = 0;
-  for_each_other_block(a, b, 640, 32, within,
-                       [&](std::size_t, std::size_t, std::size_t count) { cells += count; });
-  EXPECT_EQ(cells, 32U);
-}
-
 }  // namespace
 }  // namespace topo::grid

@@ -45,33 +45,6 @@ TEST(WallExtraction, FindsTheWallsOfAFurnishedBuilding) {
     EXPECT_TRUE(has_wall(walls, {x, 0.0}, {x, 5.0}, 0.5)) << x;
 }
 
-TEST(WallExtraction, OfPointsThatCameAndWentAreThoseOfTheOnesPresent) {
-  EXPECT_TRUE(rc::check("points that come and go", [] {
-    const double turn_rad = *rc::gen::inRange(0, 90) * types::kDegree_rad;
-    const Points plan = cell_centres(turned(building(), turn_rad));
-    WallMemory memory;
-    Points before;
-    for (int step = 0; step < 8; ++step) {
-      Points points = plan;
-      if (*rc::gen::inRange(0, 2) == 0) furnish(points, static_cast<unsigned>(*rc::gen::inRange(0, 4)));
-      // What lies farthest out stays, mostly, and with it the bins.
-      const double x_m = *rc::gen::inRange(0, 28), wide_m = *rc::gen::inRange(0, 8);
-      std::erase_if(points, [&](const auto& p) { return p.x() > x_m && p.x() < x_m + wide_m; });
-      if (*rc::gen::inRange(0, 9) == 0) points.clear();
-      if (*rc::gen::inRange(0, 4) == 0) std::reverse(points.begin(), points.end());
-      const double compass_rad = turn_rad + (*rc::gen::inRange(0, 4) == 0 ? 0.01 : 0.0);
-      WallParams params;
-      if (*rc::gen::inRange(0, 9) == 0) params.gap_max_m = 0.2;
-      const auto again = extract_walls(compass::points_change(before, points), compass_rad, params, memory),
-                 fresh = extract_walls(points, compass_rad, params);
-      before = points;
-      RC_ASSERT(again.size() == fresh.size());
-      for (std::size_t w = 0; w < again.size(); ++w)
-        RC_ASSERT(again[w].a == fresh[w].a && again[w].b == fresh[w].b);
-    }
-  }));
-}
-
 TEST(WallExtraction, ADoorPartsAWallAndACrackDoesNot) {
   Points points;
   draw_line(points, {0.0, 0.0}, {3.0, 0.0});

@@ -76,8 +76,7 @@ TEST(WallLines, BinsHoldEachPointOnceInTheirOrder) {
   EXPECT_TRUE(rc::check([] {
     Points points = any_part(cell_centres(building()));
     const Direction direction = any_direction();
-    WallLines lines;
-    lines.take({points, {}, {}}, direction, {});
+    const WallLines lines(points, direction, {});
     std::vector<Place> places;
     float below = -HUGE_VALF;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -127,8 +126,7 @@ TEST(WallLines, StretchesAreTheRunsOfTwoBinsThatMayBeWalls) {
     WallParams params;
     params.gap_max_m = *rc::gen::element(0.06, 0.2, 0.45);
     params.points_min = *rc::gen::element(0, 8, 20);
-    WallLines lines;
-    lines.take({points, {}, {}}, any_direction(), params);
+    const WallLines lines(points, any_direction(), params);
     auto next = lines.stretches().begin();
     for (std::size_t line = 0; line < lines.size(); ++line) {
       for (const auto& expected : stretches_of_line(lines, line, params)) {
@@ -142,36 +140,9 @@ TEST(WallLines, StretchesAreTheRunsOfTwoBinsThatMayBeWalls) {
   }));
 }
 
-TEST(WallLines, TakenFromTheOnesBeforeAreThoseTakenAnew) {
-  EXPECT_TRUE(rc::check([] {
-    const Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * types::kDegree_rad));
-    Direction direction = any_direction();
-    WallLines lines;
-    Points before;
-    for (int step = 0; step < 5; ++step) {
-      const Points points = any_part(plan);
-      if (*rc::gen::inRange(0, 4) == 0) direction = any_direction();
-      lines.take(compass::points_change(before, points), direction, {});
-      before = points;
-      WallLines fresh;
-      fresh.take({points, {}, {}}, direction, {});
-      RC_ASSERT(lines.size() == fresh.size());
-      for (std::size_t i = 0; i < fresh.size(); ++i)
-        RC_ASSERT(sorted_places(lines.bin(i)) == sorted_places(fresh.bin(i)));
-      RC_ASSERT(lines.stretches().size() == fresh.stretches().size());
-      for (std::size_t i = 0; i < fresh.stretches().size(); ++i) {
-        RC_ASSERT(lines.stretches()[i].line == fresh.stretches()[i].line);
-        RC_ASSERT(sorted_places(lines.places_of(lines.stretches()[i])) ==
-                  sorted_places(fresh.places_of(fresh.stretches()[i])));
-      }
-    }
-  }));
-}
-
 TEST(WallLines, AFewFarPointsNeedNoMoreBinsThanThereMayBe) {
   const Points points{{0.0, 0.0}, {0.0, 1e7}, {0.0, -1e7}};
-  WallLines lines;
-  lines.take({points, {}, {}}, {1.0, 0.0}, {});
+  const WallLines lines(points, {1.0, 0.0}, {});
   EXPECT_LE(lines.size(), 1000U + 8U * points.size() + 1U);
   EXPECT_EQ(lines.bin(0).size(), 1U);
   EXPECT_EQ(lines.bin(lines.size() - 1).size(), 1U);

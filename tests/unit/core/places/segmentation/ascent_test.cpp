@@ -48,7 +48,7 @@ TEST(Ascent, ACellHasTheLabelOfTheOneItLeadsUpTo) {
       if (labels[i] == 0) continue;
       const bool had_one = before.labels[i] != 0;
       if (had_one) RC_ASSERT(labels[i] == before.labels[i]);
-      const Slope up = before.slopes[i] & kNumber;
+      const Slope up = before.slopes[i];
       if (!had_one && up != kFlat) RC_ASSERT(labels[i] == labels[before.beside(i, up)]);
       if (had_one || up != kFlat || labels[i] == kLost) continue;
       bool is_beside = false;

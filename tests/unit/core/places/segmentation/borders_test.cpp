@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/places/segmentation/wall_sides.hpp"
+
 namespace topo::places {
 namespace {
 

@@ -92,15 +92,6 @@ TEST(BoxCounts, OfTwoHalvesAreThatOfTheWhole) {
   }));
 }
 
-TEST(BoxCounts, FitTheirMapAndFrameAlone) {
-  const grid::DenseMap map = DrawnMap(20, 10).map();
-  const BoxCounts counts(map, CompassFrame(0.3));
-  EXPECT_TRUE(counts.fits(map, CompassFrame(0.3)));
-  EXPECT_FALSE(counts.fits(map, CompassFrame(0.31)));
-  EXPECT_FALSE(counts.fits(DrawnMap(20, 11).map(), CompassFrame(0.3)));
-  EXPECT_FALSE(counts.fits(DrawnMap(20, 10, 0.1).map(), CompassFrame(0.3)));
-}
-
 TEST(BoxCounts, OfNoMapAreNone) {
   EXPECT_EQ(BoxCounts(grid::DenseMap{}, CompassFrame(0.3)).occupied_in({{-9.0, -9.0}, {9.0, 9.0}}), 0U);
 }

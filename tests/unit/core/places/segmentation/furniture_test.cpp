@@ -46,74 +46,62 @@ std::vector<types::Segment> some_walls() {
   return walls;
 }
 
-/// From the first to the last row that is another one.
-grid::Rows other_rows(const DenseMap& a, const DenseMap& b) {
-  grid::Rows rows;
-  const auto width = static_cast<std::size_t>(a.width());
-  for (std::size_t i = 0; i < a.cells.size(); ++i) {
-    if (a.cells[i] == b.cells[i]) continue;
-    if (rows.empty()) rows.first = i / width;
-    rows.end = i / width + 1;
-  }
-  return rows;
-}
-
-/// A map with some blocks of cells of another one.
-DenseMap with_blocks_of(const DenseMap& other, const grid::CellBlocks& blocks, DenseMap map) {
-  blocks.for_each([&](std::size_t first, std::size_t end) {
-    std::copy(&other.cells[first], other.cells.data() + end, &map.cells[first]);
-  });
-  return map;
-}
-
-TEST(Furniture, OfOneMapAfterTheOtherIsThatOfTheWholeMap) {
-  EXPECT_TRUE(rc::check([] {
-    DenseMap map = DrawnMap(170, 90).room(4, 4, 166, 86).map();
-    draw_patches(map, 30, 12);
-    FurnitureUpdate update;
-    DenseMap before, open_before;
-    double furniture_before_m = 0.0;
-    for (int step = 0; step < 6; ++step) {
-      const std::vector<types::Segment> walls = some_walls();
-      const double furniture_m = *rc::gen::inRange(0, 8) == 0 ? 0.4 : 0.6;
-      const grid::Rows others = update.take(map, furniture_m);
-      if (step > 0 && furniture_m == furniture_before_m) RC_ASSERT(others == other_rows(before, map));
-      const DenseMap& open = update.clear(map, walls);
-      RC_ASSERT(open.cells == without_furniture(map, walls, furniture_m).cells);
-      if (step > 0) RC_ASSERT(with_blocks_of(open, update.others(), open_before).cells == open.cells);
-      open_before = open;
-      before = map;
-      furniture_before_m = furniture_m;
-      draw_patches(map, *rc::gen::inRange(0, 3), *rc::gen::inRange(2, 20));
+/// The same, cell by cell: islands are flooded from each of their cells.
+DenseMap without_islands(const DenseMap& map, int side) {
+  DenseMap open = map;
+  std::vector<std::uint8_t> seen(map.cells.size(), 0);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (map.cells[i] == CellState::kFree || seen[i] != 0) continue;
+    std::vector<std::size_t> island{i};
+    seen[i] = 1;
+    grid::CellBox box{map.cell(i), map.cell(i)};
+    for (std::size_t k = 0; k < island.size(); ++k) {
+      const grid::CellIndex c = map.cell(island[k]);
+      box = {{std::min(box.min.x, c.x), std::min(box.min.y, c.y)},
+             {std::max(box.max.x, c.x), std::max(box.max.y, c.y)}};
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const grid::CellIndex n{c.x + dx, c.y + dy};
+          if (!map.contains(n) || map.state(n) == CellState::kFree || seen[map.index(n)] != 0) continue;
+          seen[map.index(n)] = 1;
+          island.push_back(map.index(n));
+        }
+      }
     }
+    const bool inside = !map.is_on_border(box.min) && !map.is_on_border(box.max);
+    if (!inside || box.width() > side || box.height() > side) continue;
+    for (const std::size_t k : island) open.cells[k] = CellState::kFree;
+  }
+  return open;
+}
+
+TEST(Furniture, AreTheSmallIslandsOfCellsThatAreNotFree) {
+  EXPECT_TRUE(rc::check([] {
+    DenseMap map = DrawnMap(*rc::gen::inRange(3, 90), *rc::gen::inRange(3, 60)).map();
+    draw_patches(map, *rc::gen::inRange(0, 40), *rc::gen::element(3, 12, 30));
+    const int side = *rc::gen::inRange(1, 20);
+    RC_ASSERT(without_furniture(map, {}, side * map.resolution_m).cells == without_islands(map, side).cells);
   }));
 }
 
-TEST(Furniture, SaysThatLittleIsAnotherCellWhereLittleHasChanged) {
-  DenseMap map = DrawnMap(170, 90).room(4, 4, 166, 86).occupied(40, 40, 48, 44).map();
-  FurnitureUpdate update;
-  update.take(map, 1.0);
-  update.clear(map, {});
-  map.cells[map.index({100, 60})] = CellState::kOccupied;
-  update.take(map, 1.0);
-  std::size_t cells = 0;
-  update.others().for_each([&](std::size_t first, std::size_t end) { cells += end - first; });
-  EXPECT_GT(cells, 0U);
-  EXPECT_LT(cells, map.cells.size() / 20);
-}
-
-TEST(Furniture, OfAnotherMapIsThatOfTheOtherMap) {
-  const DenseMap one = DrawnMap(80, 60).room(4, 4, 76, 56).occupied(20, 20, 28, 28).map(),
-                 other = DrawnMap(90, 60).room(4, 4, 86, 56).occupied(40, 20, 48, 28).map();
-  FurnitureUpdate update;
-  for (const DenseMap& map : {one, other, DenseMap{}, one}) {
-    EXPECT_EQ(update.take(map, 1.0), (grid::Rows{0, static_cast<std::size_t>(map.height())}));
-    EXPECT_EQ(update.clear(map, {}).cells, without_furniture(map, {}, 1.0).cells);
-  }
-  DenseMap coarse = one;
-  coarse.resolution_m = 0.1;
-  EXPECT_EQ(update.take(coarse, 0.7), (grid::Rows{0, static_cast<std::size_t>(coarse.height())}));
-  EXPECT_EQ(update.clear(coarse, {}).cells, without_furniture(coarse, {}, 0.7).cells);
+TEST(Furniture, OnlyAlongWallsStaysAsItWas) {
+  EXPECT_TRUE(rc::check([] {
+    DenseMap map = DrawnMap(120, 80).room(4, 4, 116, 76).map();
+    draw_patches(map, *rc::gen::inRange(0, 40), 12);
+    const std::vector<types::Segment> walls = some_walls();
+    const DenseMap bare = without_furniture(map, {}, 1.0), open = without_furniture(map, walls, 1.0);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      if (open.cells[i] == bare.cells[i]) continue;
+      RC_ASSERT(open.cells[i] == map.cells[i]);
+      const types::Vector2 p = map.centre_of(map.cell(i));
+      const bool is_near = std::ranges::any_of(walls, [&](const types::Segment& wall) {
+        const types::Vector2 along = wall.b - wall.a;
+        const double at = std::clamp((p - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        return (p - wall.a - at * along).norm() <= 2.2 * map.resolution_m;
+      });
+      RC_ASSERT(is_near);
+    }
+  }));
 }
 
 }  // namespace

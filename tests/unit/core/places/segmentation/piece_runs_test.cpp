@@ -25,53 +25,30 @@ TEST(PieceRuns, AreOfOneLabelEachAndKnowTheirClearest) {
   const std::vector<PieceRun> expected = {{row + 1, row + 4, 7, 0.1F * 3.0F},
                                           {row + 4, row + 8, 9, 0.1F * 7.0F}};
   EXPECT_EQ(piece_runs(drawn.map(), clearance_m, labels), expected);
-
-  // The first piece takes over from the second: one run grows, the other gives way.
-  labels[row + 4] = 7;
-  grid::CellBlocks changed(labels.size());
-  changed.add(row + 4);
-  const std::vector<PieceRun> then = {{row + 1, row + 5, 7, 0.1F * 4.0F}, {row + 5, row + 8, 9, 0.1F * 7.0F}};
-  EXPECT_EQ(renewed_runs(expected, changed, clearance_m, labels), then);
-  EXPECT_EQ(renewed_runs(then, grid::CellBlocks(labels.size()), clearance_m, labels), then);
 }
 
-/// A row of pieces, each some cells long, with walls between some.
-std::vector<std::uint32_t> row_of_pieces(std::size_t width) {
-  std::vector<std::uint32_t> labels(width, 0);
-  for (std::size_t x = 1; x + 1 < width;) {
-    const std::size_t end = std::min(x + static_cast<std::size_t>(*rc::gen::inRange(1, 90)), width - 1);
-    const auto label = static_cast<std::uint32_t>(*rc::gen::inRange(0, 3));
-    while (x < end) labels[x++] = label;
-  }
-  return labels;
-}
-
-TEST(PieceRuns, RenewedAreThoseOfTheWholeMap) {
-  EXPECT_TRUE(rc::check("wherever labels have changed", [] {
-    constexpr int kWidth = 400;
-    DrawnMap drawn(kWidth, 3);
-    drawn.free(1, 1, kWidth - 1, 2);
-    const std::size_t row = drawn.map().index({0, 1});
-    const auto at = [&](const std::vector<std::uint32_t>& pieces) {
-      std::vector<std::uint32_t> labels(drawn.map().cells.size(), 0);
-      std::copy(pieces.begin(), pieces.end(), labels.begin() + static_cast<std::ptrdiff_t>(row));
-      return labels;
-    };
-    const std::vector<float> clearance_m(drawn.map().cells.size(), 0.5F);
-    const auto before = at(row_of_pieces(kWidth)), other = at(row_of_pieces(kWidth));
-    auto labels = before;
-    grid::CellBlocks changed(labels.size());
-    for (int n = *rc::gen::inRange(1, 5); n > 0; --n) {
-      const auto first = static_cast<std::size_t>(*rc::gen::inRange(0, kWidth - 1));
-      const std::size_t end =
-          std::min<std::size_t>(first + static_cast<std::size_t>(*rc::gen::inRange(1, 60)), kWidth - 1);
-      for (std::size_t i = row + first; i < row + end; ++i) {
-        labels[i] = other[i];
-        changed.add(static_cast<std::uint32_t>(i));
-      }
+TEST(PieceRuns, TogetherAreTheLabelsAndNoneGoesOn) {
+  EXPECT_TRUE(rc::check([] {
+    const int width = *rc::gen::inRange(3, 40), height = *rc::gen::inRange(3, 12);
+    const DrawnMap drawn = DrawnMap(width, height).free(1, 1, width - 1, height - 1);
+    std::vector<std::uint32_t> labels(drawn.map().cells.size(), 0);
+    std::vector<float> clearance_m(labels.size(), 0.0F);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (drawn.map().cells[i] != grid::CellState::kFree) continue;
+      labels[i] = *rc::gen::inRange<std::uint32_t>(0, 3);
+      clearance_m[i] = 0.05F * static_cast<float>(*rc::gen::inRange(1, 20));
     }
-    RC_ASSERT(renewed_runs(piece_runs(drawn.map(), clearance_m, before), changed, clearance_m, labels) ==
-              piece_runs(drawn.map(), clearance_m, labels));
+    std::vector<std::uint32_t> from_runs(labels.size(), 0);
+    std::uint32_t end_before = 0, label_before = 0;
+    for (const PieceRun& run : piece_runs(drawn.map(), clearance_m, labels)) {
+      RC_ASSERT(run.first >= end_before);
+      RC_ASSERT(run.first > end_before || run.label != label_before);
+      RC_ASSERT(run.clearance_m == *std::max_element(&clearance_m[run.first], clearance_m.data() + run.end));
+      std::fill(from_runs.begin() + run.first, from_runs.begin() + run.end, run.label);
+      end_before = run.end;
+      label_before = run.label;
+    }
+    RC_ASSERT(from_runs == labels);
   }));
 }
 

@@ -41,29 +41,6 @@ TEST(BoxCounts, OfATurnedFrameCountEveryCellOnce) {
   }
 }
 
-TEST(BoxCounts, OfAMapThatChangedAreThoseOfTheWholeMap) {
-  EXPECT_TRUE(rc::check([] {
-    grid::DenseMap map = DrawnMap(90, 60).occupied(10, 10, 30, 20).map();
-    const CompassFrame frame(0.1 * *rc::gen::inRange(0, 8));
-    BoxCounts counts(map, frame);
-    RC_ASSERT(counts.fits(map, frame) && !counts.fits(map, CompassFrame(1.3)));
-    grid::ClearanceUpdate update;
-    update.take(map);
-    for (int step = 0; step < 4; ++step) {
-      draw_patches(map, *rc::gen::inRange(0, 3), 30);
-      update.take(map);
-      counts.change(update.occupied());
-      const BoxCounts whole(map, frame);
-      for (int k = 0; k < 20; ++k) {
-        types::Rectangle box;
-        for (int corner = 0; corner < 2; ++corner)
-          box.extend({0.1 * *rc::gen::inRange(-20, 60), 0.1 * *rc::gen::inRange(-30, 50)});
-        RC_ASSERT(counts.occupied_in(box) == whole.occupied_in(box));
-      }
-    }
-  }));
-}
-
 TEST(Density, WeighsWhatLiesInTheBox) {
   // 40 x 20 cells: half free and the region's own, a quarter occupied, a quarter unknown.
   const DrawnMap drawn = DrawnMap(41, 21).free(1, 1, 21, 21).occupied(21, 1, 31, 21);

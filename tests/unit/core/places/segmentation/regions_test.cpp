@@ -20,31 +20,8 @@ using grid::DenseMap;
 
 constexpr double kPiece_m = 0.4;
 
-void check_contacts(const std::vector<Contact>& a, const std::vector<Contact>& b) {
-  RC_ASSERT(a.size() == b.size());
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    RC_ASSERT(a[k].other == b[k].other);
-    RC_ASSERT(a[k].upright == b[k].upright && a[k].level == b[k].level);
-    RC_ASSERT(a[k].wall_m == b[k].wall_m && a[k].open == b[k].open);
-    RC_ASSERT(a[k].clearance_m == b[k].clearance_m);
-  }
-}
-
 void check_box(const types::Rectangle& a, const types::Rectangle& b) {
   RC_ASSERT(a.min == b.min && a.max == b.max);
-}
-
-void check_regions(const std::vector<Region>& a, const std::vector<Region>& b) {
-  RC_ASSERT(a.size() == b.size());
-  for (std::size_t r = 0; r < a.size(); ++r) {
-    check_box(a[r].box, b[r].box);
-    check_box(a[r].core, b[r].core);
-    for (std::size_t k = 0; k < kTurns; ++k) check_box(a[r].turned[k], b[r].turned[k]);
-    RC_ASSERT(a[r].sum == b[r].sum && a[r].cells == b[r].cells && a[r].first == b[r].first);
-    RC_ASSERT(a[r].clearance_m == b[r].clearance_m && a[r].straddled_m == b[r].straddled_m);
-    RC_ASSERT(a[r].version == b[r].version);
-    check_contacts(a[r].contacts, b[r].contacts);
-  }
 }
 
 /// Along the map's axes, somewhere in it.
@@ -60,34 +37,6 @@ std::vector<types::Segment> draw_walls(const DenseMap& map) {
   return walls;
 }
 
-TEST(Regions, OfFirstLabelsThatChangedAreThoseOfTheWholeMap) {
-  EXPECT_TRUE(rc::check([] {
-    DrawnMap drawn(*rc::gen::inRange(30, 160), *rc::gen::inRange(30, 90));
-    DenseMap map = drawn.free(2, 2, drawn.map().width() - 6, drawn.map().height() - 6).map();
-    draw_patches(map, *rc::gen::inRange(0, 30), 24);
-    grid::ClearanceUpdate update;
-    update.take(map);
-    FirstLabels first =
-        first_labels(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPiece_m);
-    std::vector<types::Segment> walls = draw_walls(map);
-    double compass_rad = 0.2;
-    RegionMemory memory;
-    for (int step = 0; step < 6; ++step) {
-      RegionMemory none;
-      renew_regions(map, update.clearance_m(), first, walls, CompassFrame(compass_rad), memory);
-      renew_regions(map, update.clearance_m(), first, walls, CompassFrame(compass_rad), none);
-      check_regions(memory.regions, none.regions);
-      draw_patches(map, *rc::gen::inRange(0, 3), *rc::gen::element(2, 8, 20));
-      if (!walls.empty() && *rc::gen::inRange(0, 3) == 0) walls.pop_back();
-      for (const types::Segment& wall : draw_walls(map)) walls.push_back(wall);
-      if (*rc::gen::inRange(0, 4) == 0) compass_rad = *rc::gen::element(0.2, 0.5);  // there and back
-      update.take(map);
-      relabel(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPiece_m, *update.changed(),
-              first);
-    }
-  }));
-}
-
 TEST(Regions, AreSumsOverTheirCells) {
   EXPECT_TRUE(rc::check([] {
     DrawnMap drawn(60, 50);
@@ -95,8 +44,7 @@ TEST(Regions, AreSumsOverTheirCells) {
     draw_patches(map, 10, 16);
     const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
     const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPiece_m);
-    RegionMemory memory;
-    renew_regions(map, clearance_m, first, {}, CompassFrame(0.0), memory);
+    const std::vector<Region> regions = regions_of(map, clearance_m, first, {}, CompassFrame(0.0));
     for (std::size_t r = 0; r < first.pieces.size(); ++r) {
       std::uint32_t cells = 0, beside = 0;
       for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -107,8 +55,8 @@ TEST(Regions, AreSumsOverTheirCells) {
           beside += first.labels[j] != 0 && first.labels[j] != first.pieces[r];
       }
       std::uint32_t pairs = 0;
-      for (const Contact& contact : memory.regions[r].contacts) pairs += contact.upright + contact.level;
-      RC_ASSERT(memory.regions[r].cells == cells);
+      for (const Contact& contact : regions[r].contacts) pairs += contact.upright + contact.level;
+      RC_ASSERT(regions[r].cells == cells);
       RC_ASSERT(pairs == beside);
     }
   }));
@@ -120,22 +68,22 @@ struct Labelled {
     draw_patches(map, *rc::gen::inRange(0, 14), 16);
     clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
     first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPiece_m);
-    renew_regions(map, clearance_m, first, draw_walls(map), frame, memory);
+    regions = regions_of(map, clearance_m, first, draw_walls(map), frame);
   }
   /// The region of each cell, by number; -1 for none.
   [[nodiscard]] std::vector<int> regions_of_cells() const {
     std::map<std::uint32_t, int> numbers{{0, -1}};
     for (std::size_t r = 0; r < first.pieces.size(); ++r) numbers[first.pieces[r]] = static_cast<int>(r);
-    std::vector<int> regions;
-    for (const std::uint32_t label : first.labels) regions.push_back(numbers.at(label));
-    return regions;
+    std::vector<int> numbers_of;
+    for (const std::uint32_t label : first.labels) numbers_of.push_back(numbers.at(label));
+    return numbers_of;
   }
 
   DenseMap map = DrawnMap(50, 40).free(2, 2, 48, 38).map();
   CompassFrame frame{0.1 * *rc::gen::inRange(-7, 8)};
   std::vector<float> clearance_m;
   FirstLabels first;
-  RegionMemory memory;
+  std::vector<Region> regions;
 };
 
 struct Border {
@@ -178,7 +126,7 @@ void check_borders(const std::vector<Region>& regions, const BordersByPair& bord
 TEST(Regions, TouchWhereTheirCellsAreSideBySide) {
   EXPECT_TRUE(rc::check([] {
     const Labelled of;
-    check_borders(of.memory.regions, borders_of(of.map, of.clearance_m, of.regions_of_cells()), true);
+    check_borders(of.regions, borders_of(of.map, of.clearance_m, of.regions_of_cells()), true);
   }));
 }
 
@@ -186,8 +134,8 @@ TEST(Regions, HaveTheBoxAndSumOfTheirCells) {
   EXPECT_TRUE(rc::check([] {
     const Labelled of;
     const std::vector<int> regions = of.regions_of_cells();
-    for (std::size_t r = 0; r < of.memory.regions.size(); ++r) {
-      const Region& region = of.memory.regions[r];
+    for (std::size_t r = 0; r < of.regions.size(); ++r) {
+      const Region& region = of.regions[r];
       types::Rectangle box;
       types::Vector2 sum(0.0, 0.0);
       float clearance_m = 0.0F;
@@ -210,7 +158,7 @@ TEST(Regions, HaveTheBoxAndSumOfTheirCells) {
 TEST(Regions, ThatAbsorbAnotherAreThoseOfAllTheirCells) {
   EXPECT_TRUE(rc::check([] {
     Labelled of;
-    std::vector<Region>& regions = of.memory.regions;
+    std::vector<Region>& regions = of.regions;
     std::vector<int> cells = of.regions_of_cells();
     for (int merges = *rc::gen::inRange(0, 6); merges > 0; --merges) {
       const auto into = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(regions.size() + 1));
@@ -236,7 +184,7 @@ TEST(Regions, ThatAbsorbAnotherAreThoseOfAllTheirCells) {
 TEST(Regions, ThatTouchSayTheSameOfTheirBorder) {
   EXPECT_TRUE(rc::check([] {
     Labelled of;
-    std::vector<Region>& regions = of.memory.regions;
+    std::vector<Region>& regions = of.regions;
     for (std::uint32_t into = 0; into < regions.size(); ++into) {
       if (regions[into].cells == 0 || regions[into].contacts.empty() || *rc::gen::inRange(0, 3) != 0)
         continue;

@@ -76,32 +76,5 @@ TEST(Slopes, NeverLeadThroughTheCornerWhereTwoWallsMeet) {
   }));
 }
 
-TEST(Slopes, OfAMapThatChangedAreThoseOfTheWholeMap) {
-  EXPECT_TRUE(rc::check([] {
-    grid::DenseMap map = patched_map();
-    grid::ClearanceUpdate update;
-    update.take(map);
-    std::vector<Slope> slopes = slopes_of(map, update.clearance_m());
-    std::vector<Slope> flags(slopes.size());
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      flags[i] = *rc::gen::element<Slope>(0, kOnAxis, kVisited, kOnAxis | kVisited);
-      slopes[i] |= flags[i];
-    }
-    for (int step = 0; step < 3; ++step) {
-      draw_patches(map, *rc::gen::inRange(0, 3), 20);
-      update.take(map);
-      const std::vector<Slope> before = slopes;
-      const auto others = renew_slopes(map, update.clearance_m(), *update.changed(), slopes);
-      const std::vector<Slope> whole = slopes_of(map, update.clearance_m());
-      std::vector<std::uint32_t> expected;
-      for (std::uint32_t i = 0; i < slopes.size(); ++i) {
-        RC_ASSERT(slopes[i] == (whole[i] | flags[i]));
-        if (slopes[i] != before[i]) expected.push_back(i);
-      }
-      RC_ASSERT(others == expected);
-    }
-  }));
-}
-
 }  // namespace
 }  // namespace topo::places

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "tests/unit/core/places/drawn_map.hpp"
 
@@ -16,22 +18,17 @@ namespace {
 using grid::DenseMap;
 using types::Segment;
 
-/// Patches of some labels, and of none; returns where they are.
-LabelChange draw_labels(const DenseMap& map, int count, std::vector<std::uint32_t>& labels) {
-  LabelChange change;
-  for (; count > 0; --count) {
+/// Patches of some labels, and of none.
+std::vector<std::uint32_t> draw_labels(const DenseMap& map) {
+  std::vector<std::uint32_t> labels(map.cells.size(), 0);
+  for (int count = 30; count > 0; --count) {
     const int x0 = *rc::gen::inRange(0, map.width() - 2), y0 = *rc::gen::inRange(0, map.height() - 2);
     const int x1 = std::min(map.width() - 2, x0 + *rc::gen::inRange(1, 40)),
               y1 = std::min(map.height() - 2, y0 + *rc::gen::inRange(1, 40));
     const auto label = *rc::gen::inRange<std::uint32_t>(0, 5);
-    for (int y = y0; y < y1; ++y) {
-      const auto first = static_cast<std::uint32_t>(map.index({x0, y})),
-                 end = static_cast<std::uint32_t>(map.index({x1, y}));
-      std::fill(labels.begin() + first, labels.begin() + end, label);
-      change.cells.push_back({first, end});
-    }
+    for (int y = y0; y < y1; ++y) std::fill(&labels[map.index({x0, y})], &labels[map.index({x1, y})], label);
   }
-  return change;
+  return labels;
 }
 
 std::vector<Segment> draw_walls(int count) {
@@ -46,22 +43,36 @@ std::vector<Segment> draw_walls(int count) {
   return walls;
 }
 
-TEST(WallSides, OfLabelsThatChangedAreThoseOfAll) {
+TEST(WallSides, OfAllWallsAreThoseOfEachInTurn) {
   EXPECT_TRUE(rc::check([] {
     const DrawnMap drawn(220, 150);
-    std::vector<std::uint32_t> labels(drawn.map().cells.size(), 0);
-    (void)draw_labels(drawn.map(), 30, labels);
-    std::vector<Segment> walls = draw_walls(*rc::gen::inRange(0, 20));
-    WallSides sides;
-    sides.take(drawn.map(), labels, walls, std::nullopt);
-    for (int step = 0; step < 5; ++step) {
-      const LabelChange change = draw_labels(drawn.map(), *rc::gen::inRange(0, 3), labels);
-      for (const Segment& wall : draw_walls(*rc::gen::inRange(0, 3))) walls.insert(walls.begin(), wall);
-      if (!walls.empty() && *rc::gen::inRange(0, 2) == 0) walls.pop_back();
-      sides.take(drawn.map(), labels, walls, change);
-      WallSides whole;
-      whole.take(drawn.map(), labels, walls, std::nullopt);
-      RC_ASSERT(sides.all() == whole.all());
+    const std::vector<std::uint32_t> labels = draw_labels(drawn.map());
+    const std::vector<Segment> walls = draw_walls(*rc::gen::inRange(0, 20));
+    std::vector<WallBetween> expected;
+    for (const Segment& wall : walls) {
+      const auto of_one = wall_sides(drawn.map(), labels, std::span(&wall, 1));
+      expected.insert(expected.end(), of_one.begin(), of_one.end());
+    }
+    RC_ASSERT(wall_sides(drawn.map(), labels, walls) == expected);
+  }));
+}
+
+TEST(WallSides, OfAWallTurnedRoundAreExchanged) {
+  EXPECT_TRUE(rc::check([] {
+    const DrawnMap drawn(220, 150);
+    const std::vector<std::uint32_t> labels = draw_labels(drawn.map());
+    for (const Segment& wall : draw_walls(10)) {
+      // Of whole steps, so that both ways stop at the same points.
+      const double length_m = 0.1 * std::floor(wall.length_m() / 0.1);
+      if (length_m <= 0.0) continue;
+      const types::Vector2 end = wall.a + length_m * (wall.b - wall.a) / wall.length_m();
+      std::uint32_t there = 0, back = 0;
+      for (const WallBetween& sides : wall_sides(drawn.map(), labels, std::vector<Segment>{{wall.a, end}}))
+        there += sides.steps;
+      for (const WallBetween& sides : wall_sides(drawn.map(), labels, std::vector<Segment>{{end, wall.a}}))
+        back += sides.steps;
+      // Rounding moves a few samples over the border of a cell.
+      RC_ASSERT(std::abs(static_cast<double>(there) - static_cast<double>(back)) <= 2.0 + 0.1 * there);
     }
   }));
 }
@@ -74,15 +85,13 @@ TEST(WallSides, AreWhatLiesAcrossAWall) {
       if (x < 48 || x >= 52 || y >= 60) labels[drawn.map().index({x, y})] = x < 48 ? 7 : y < 60 ? 9 : 11;
     }
   }
-  WallSides sides;
-  sides.take(drawn.map(), labels,
-             std::vector<Segment>{{{2.5, 0.0}, {2.5, 2.0}},
-                                  {{3.5, 1.0}, {3.5, 1.5}},
-                                  {{1.0, 1.0}, {1.0, 1.0}},
-                                  {{NAN, 0.0}, {1.0, 1.0}}},
-             std::nullopt);
+  const auto sides = wall_sides(drawn.map(), labels,
+                                std::vector<Segment>{{{2.5, 0.0}, {2.5, 2.0}},
+                                                     {{3.5, 1.0}, {3.5, 1.5}},
+                                                     {{1.0, 1.0}, {1.0, 1.0}},
+                                                     {{NAN, 0.0}, {1.0, 1.0}}});
   // Twenty steps of wall between two labels, and five where there is the same label on both sides.
-  EXPECT_EQ(sides.all(), (std::vector<WallBetween>{{7, 9, 20}, {9, 9, 5}}));
+  EXPECT_EQ(sides, (std::vector<WallBetween>{{7, 9, 20}, {9, 9, 5}}));
   EXPECT_NEAR(wall_length_m(20), 2.0, 1e-5);
 }
 

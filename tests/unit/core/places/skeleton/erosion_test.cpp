@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "core/grid/clearance_update.hpp"
 #include "core/grid/distance.hpp"
@@ -82,48 +81,14 @@ TEST(Erosion, KeepsWhatCellByCellWouldBeKept) {
   }));
 }
 
-/// The same cells in a greater box.
-DenseMap grown(const DenseMap& map) {
-  DenseMap out;
-  out.resolution_m = map.resolution_m;
-  out.box.min = {map.box.min.x - *rc::gen::inRange(0, 5), map.box.min.y - *rc::gen::inRange(0, 5)};
-  out.box.max = {map.box.max.x + *rc::gen::inRange(0, 5), map.box.max.y + *rc::gen::inRange(0, 5)};
-  out.cells.resize(static_cast<std::size_t>(out.width()) * static_cast<std::size_t>(out.height()));
-  for (std::size_t i = 0; i < out.cells.size(); ++i) out.cells[i] = map.state(out.cell(i));
-  return out;
-}
-
-TEST(Erosion, AgainIsThatOfTheWholeMap) {
-  EXPECT_TRUE(rc::check("growing and changing maps", [] {
-    DenseMap map = random_map();
-    grid::ClearanceUpdate update;
-    update.take(map);
-    Erosion erosion = erode(map, update.clearance_m());
-    for (int step = 0; step < 5; ++step) {
-      if (*rc::gen::inRange(0, 2) == 0) map = grown(map);
-      draw_patches(map, *rc::gen::inRange(0, 5), *rc::gen::element(2, 20));
-      update.take(map);
-      RC_ASSERT(update.changed().has_value());
-      erosion = erode_again(map, update.clearance_m(), erosion, *update.changed());
-      const Erosion whole = erode(map, update.clearance_m());
-      RC_ASSERT(erosion.box == whole.box);
-      RC_ASSERT(erosion.states == whole.states);
-      RC_ASSERT(erosion.kept == whole.kept);
-    }
-  }));
-}
-
 /// A map that is none: what is free there would have neighbours outside the array.
 TEST(Erosion, NeverLooksBeyondTheArray) {
   DrawnMap drawn(70, 110);
   drawn.free(2, 2, 68, 108);
   DenseMap map = drawn.map();
-  Erosion erosion = erode(map, clearance_of(map));
   for (std::uint32_t i = 0; i < map.cells.size(); ++i)
     if (map.is_on_border(map.cell(i))) map.cells[i] = CellState::kFree;
-  std::vector<std::uint32_t> all(map.cells.size());
-  std::iota(all.begin(), all.end(), 0U);
-  erosion = erode_again(map, clearance_of(map), erosion, all);
+  const Erosion erosion = erode(map, clearance_of(map));
   for (std::uint32_t i = 0; i < map.cells.size(); ++i) {
     if (map.is_on_border(map.cell(i))) {
       EXPECT_EQ(erosion.states[i], 0);
@@ -131,10 +96,7 @@ TEST(Erosion, NeverLooksBeyondTheArray) {
   }
 }
 
-TEST(Erosion, OfNothingIsNothing) {
-  EXPECT_TRUE(erode(DenseMap{}, {}).states.empty());
-  EXPECT_TRUE(erode_again(DenseMap{}, {}, {}, {}).states.empty());
-}
+TEST(Erosion, OfNothingIsNothing) { EXPECT_TRUE(erode(DenseMap{}, {}).states.empty()); }
 
 }  // namespace
 }  // namespace topo::places
