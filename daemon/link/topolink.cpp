@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <spdlog/spdlog.h>
+#include <systemd/sd-daemon.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -98,6 +99,8 @@ int start(int argc, char** argv) {
   const TeamConfig& team = loaded.values.team;
   if (!team.present) {
     fmt::print("topolink: {}: no section [team], so there is nothing to do\n", config);
+    static_cast<void>(
+        ::sd_notify(0, "READY=1\nSTATUS=no team is configured"));  // ended well, and not too early
     return kOk;
   }
   if (team.secure()) {
