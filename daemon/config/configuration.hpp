@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/types/area_limits.hpp"
 #include "core/types/battery.hpp"
 #include "core/types/robot_limits.hpp"
+#include "core/types/se2.hpp"
 
 namespace topo::daemon {
 
@@ -111,6 +113,20 @@ struct SessionConfig {
   std::string resume = "killed";  ///< "killed", "last", a session's name, or empty
 };
 
+/// The team and the radio to it. Without the section the robot has no team.
+struct TeamConfig {
+  bool present = false;             ///< its section is in the file
+  std::string name;                 ///< the same on every robot of the team
+  int id = 0;                       ///< in a file without faults the same as RobotConfig::id
+  std::vector<std::string> peers;   ///< IPv4 addresses of team-mates; empty: found by multicast
+  std::string interface;            ///< network interface of the radio
+  int domain = 0;                   ///< of DDS
+  std::string security;             ///< folder of the credentials (topometric-team(8)), or "off"
+  std::optional<types::Se2> start;  ///< in the team's common frame; nothing: unknown
+  std::string socket = "/run/topometric/link.sock";
+  [[nodiscard]] bool secure() const { return security != "off"; }
+};
+
 struct Configuration {
   RobotConfig robot;
   BaseConfig base;
@@ -126,6 +142,7 @@ struct Configuration {
   RealtimeConfig realtime;
   RecordConfig record;
   SessionConfig session;
+  TeamConfig team;
 };
 
 /// The mapper's parameters with the scanners' configured poses.

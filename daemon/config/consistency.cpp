@@ -160,6 +160,30 @@ void check_area(LoadedConfiguration& loaded) {
   }
 }
 
+void check_team(LoadedConfiguration& loaded) {
+  const Configuration& c = loaded.values;
+  if (!c.team.present) return;
+  if (place_of(loaded, "team.id").line > 0 && c.team.id != c.robot.id) {
+    contradict(
+        loaded, "team.id", "robot.id",
+        fmt::format("found {} and {}, the robot has one number; expected the same, or robot.id left out",
+                    c.team.id, c.robot.id));
+  }
+  const auto& peers = c.team.peers;
+  for (std::size_t i = 0; i < peers.size(); ++i) {
+    if (std::find(peers.begin(), peers.begin() + static_cast<std::ptrdiff_t>(i), peers[i]) ==
+        peers.begin() + static_cast<std::ptrdiff_t>(i))
+      continue;
+    loaded.faults.push_back(
+        {place_of(loaded, "team.peers"),
+         fmt::format("team.peers: found {} twice, expected every address once", peers[i])});
+  }
+  if (normal_path(c.team.socket) == normal_path(c.control.socket)) {
+    contradict(loaded, "team.socket", "control.socket",
+               fmt::format("both are {}; the link has a socket of its own", c.team.socket));
+  }
+}
+
 void check_the_rest(LoadedConfiguration& loaded) {
   const RealtimeConfig& r = loaded.values.realtime;
   if (r.scan_priority >= r.base_priority) {
@@ -191,6 +215,7 @@ void check_consistency(LoadedConfiguration& loaded) {
   check_forward_view(loaded);
   check_model(loaded);
   check_area(loaded);
+  check_team(loaded);
   check_the_rest(loaded);
 }
 

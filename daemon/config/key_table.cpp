@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/config/key_table.hpp"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <iterator>
 
 #include "daemon/config/polygon.hpp"
+#include "daemon/config/pose.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -65,9 +67,27 @@ bool is_optional_path(std::string_view text) { return text.empty() || is_absolut
 // sockaddr_un.sun_path holds 108 bytes including the terminating zero.
 bool is_socket_path(std::string_view text) { return is_absolute(text) && text.size() < 108; }
 
+// IFNAMSIZ with its terminating zero; the kernel refuses "/" and white space. What is left goes into an XML
+// text.
+bool is_interface(std::string_view text) { return all_of(text, 15, "-_.:@"); }
+/// Numbers only: a name would be looked up when the radio comes up, which takes seconds without a name
+/// server.
+bool is_peer(std::string_view text) {
+  in_addr address{};
+  if (::inet_pton(AF_INET, std::string(text).c_str(), &address) != 1) return false;
+  const std::uint32_t first = ntohl(address.s_addr) >> 24U;
+  return first > 0 && first < 224;  // neither "this network", nor multicast and beyond
+}
+bool is_security(std::string_view text) { return text == "off" || is_absolute(text); }
+
 constexpr std::string_view kToldForm =
     "up to 32 printable characters as the robot tells them, or \"\" for any";
 constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for none";
+
+/// A team is small; every address costs a datagram a second to where nobody may be.
+constexpr std::size_t kPeersMax = 16;
+/// The ports of a domain begin at 7400 + 250 * domain (DDSI-RTPS 2.3, 9.6.1.1) and must be below 65536.
+constexpr int kDomainMax = 230;
 
 void add_robot(std::vector<KeySpec>& t) {
   constexpr auto kS = &Configuration::robot;
@@ -305,6 +325,34 @@ void add_session(std::vector<KeySpec>& t) {
        "journal; \"\": a new map"});
 }
 
+void add_team(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::team;
+  using C = TeamConfig;
+  t.push_back({"team.name", "", true,
+               TextKey{&at<kS, &C::name>, "1 to 32 letters, digits, - and _", &is_name},
+               "the team; robots of another one are not heard"});
+  t.push_back({"team.id", "", true, IntegerKey{&at<kS, &C::id>, 1, 250},
+               "number of the robot in the team; robot.id is the same"});
+  t.push_back({"team.interface", "", true,
+               TextKey{&at<kS, &C::interface>, "a network interface's name such as \"wlan0\"", &is_interface},
+               "network interface of the radio; the link waits until it is up"});
+  t.push_back({"team.peers", "", false,
+               TextListKey{&at<kS, &C::peers>, "an IPv4 address such as \"10.0.0.2\"", &is_peer, kPeersMax},
+               "addresses of the team-mates, where there is no multicast; []: found by multicast"});
+  t.push_back({"team.domain", "", false, IntegerKey{&at<kS, &C::domain>, 0, kDomainMax},
+               "DDS domain: the same on every robot of the team"});
+  t.push_back({"team.security", "", true,
+               TextKey{&at<kS, &C::security>,
+                       "the absolute path of a folder made by topometric-team, or \"off\"", &is_security},
+               "the robot's credentials; off: who is in reach of the radio can command the team"});
+  t.push_back(
+      {"team.start", "", false, PoseKey{&at<kS, &C::start>},
+       "where the robot starts in the team's common frame: [x in m, y in m, yaw in degrees], or unknown"});
+  t.push_back({"team.socket", "", false,
+               TextKey{&at<kS, &C::socket>, "an absolute path of less than 108 bytes", &is_socket_path},
+               "Unix socket between the daemon and its link, topolink"});
+}
+
 std::vector<KeySpec> make_table() {
   std::vector<KeySpec> table;
   add_robot(table);
@@ -319,6 +367,7 @@ std::vector<KeySpec> make_table() {
   add_control_and_log(table);
   add_realtime_and_record(table);
   add_session(table);
+  add_team(table);
   return table;
 }
 
@@ -343,6 +392,10 @@ struct ExpectedText {
   std::string operator()(const IntegerListKey& k) const {
     return fmt::format("a list of whole numbers from {} to {}", k.min, k.max);
   }
+  std::string operator()(const TextListKey& k) const {
+    return fmt::format("a list of at most {} strings, each {}", k.longest, k.form);
+  }
+  std::string operator()(const PoseKey&) const { return std::string(kPoseForm); }
   std::string operator()(const PolygonKey&) const {
     return "corners [[x, y], [x, y], [x, y], ...] of a polygon whose edges do not cross";
   }
@@ -369,6 +422,12 @@ struct ValueText {
   std::string operator()(const IntegerListKey& k) const {
     return fmt::format("[{}]", fmt::join(k.field(c), ", "));
   }
+  std::string operator()(const TextListKey& k) const {
+    std::string text;
+    for (const std::string& element : k.field(c)) text += (text.empty() ? "" : ", ") + quoted(element);
+    return "[" + text + "]";
+  }
+  std::string operator()(const PoseKey& k) const { return pose_text(k.field(c)); }
   std::string operator()(const PolygonKey& k) const { return k.field(c) ? polygon_text(*k.field(c)) : "[]"; }
   std::string operator()(const PolygonListKey& k) const {
     std::string text;

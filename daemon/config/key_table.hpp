@@ -49,6 +49,15 @@ struct IntegerListKey {
   int min;
   int max;
 };
+struct TextListKey {
+  std::vector<std::string>& (*field)(Configuration&);
+  std::string_view form;  ///< of one element, for messages
+  bool (*accepts)(std::string_view);
+  std::size_t longest;  ///< list
+};
+struct PoseKey {  ///< "unknown": no pose
+  std::optional<types::Se2>& (*field)(Configuration&);
+};
 struct PolygonKey {  ///< an empty list of corners: no polygon
   std::optional<types::Polygon>& (*field)(Configuration&);
 };
@@ -56,7 +65,7 @@ struct PolygonListKey {
   std::vector<types::Polygon>& (*field)(Configuration&);
 };
 using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey, AddressKey, IntegerListKey,
-                             PolygonKey, PolygonListKey>;
+                             TextListKey, PoseKey, PolygonKey, PolygonListKey>;
 
 /// One key of the configuration file.
 struct KeySpec {

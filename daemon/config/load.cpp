@@ -15,6 +15,7 @@
 #include "daemon/config/consistency.hpp"
 #include "daemon/config/key_table.hpp"
 #include "daemon/config/polygon.hpp"
+#include "daemon/config/pose.hpp"
 #include "daemon/config/suggest.hpp"
 #include "daemon/config/syntax.hpp"
 #include "drivers/io/make_connector.hpp"
@@ -102,6 +103,25 @@ struct Store {
     k.field(c) = values;
     return {};
   }
+  Outcome operator()(const TextListKey& k) const {
+    const auto* array = node.as_array();
+    if (array == nullptr || array->size() > k.longest) return "";
+    std::vector<std::string> values;
+    for (const auto& element : *array) {
+      const auto* text = element.as_string();
+      if (text == nullptr || !k.accepts(text->get())) {
+        blamed = &element;
+        return "element " + std::to_string(values.size() + 1) + " is " + found_text(element);
+      }
+      values.push_back(text->get());
+    }
+    k.field(c) = std::move(values);
+    return {};
+  }
+  Outcome operator()(const PoseKey& k) const {
+    if (!read_pose(node, k.field(c))) return "";
+    return {};
+  }
 
   Outcome operator()(const PolygonKey& k) const {
     if (const auto* list = node.as_array(); list != nullptr && list->empty())
@@ -145,7 +165,7 @@ class Reader {
     sections_[""] = to_place(parsed.root.source());
     present_.push_back("");
     walk(parsed.root, "");
-    mark_scanners();
+    mark_optional_sections();
     check_missing(parsed.left_out);
   }
 
@@ -223,19 +243,24 @@ class Reader {
     return std::find(present_.begin(), present_.end(), section) != present_.end();
   }
 
-  void mark_scanners() {
+  void mark_optional_sections() {
     loaded_.values.front.present = present("scanner.front");
     loaded_.values.coronal.present = present("scanner.coronal");
+    loaded_.values.team.present = present("team");
+    // A team's robot is numbered once; where both numbers stand, check_consistency() compares them.
+    if (loaded_.values.team.present && !loaded_.places.contains("robot.id") &&
+        loaded_.places.contains("team.id"))
+      loaded_.values.robot.id = loaded_.values.team.id;
   }
 
-  /// The section of the coronal scanner may be missing; every other section with a required key may not. A
-  /// key on an unreadable line does not count as missing.
+  /// The sections of the coronal scanner and of the team may be missing; every other section with a required
+  /// key may not. A key on an unreadable line does not count as missing.
   void check_missing(const std::vector<std::string>& left_out) {
     for (const auto& key : key_table()) {
       if (!key.required || loaded_.places.contains(key.path)) continue;
       const std::string section(key.section());
       if (std::find(left_out.begin(), left_out.end(), key.name()) != left_out.end()) continue;
-      if (section == "scanner.coronal" && !present(section)) continue;
+      if ((section == "scanner.coronal" || section == "team") && !present(section)) continue;
       Place place = sections_[section];
       if (place.line == 0) place = {1, 1};
       fault(place, fmt::format("{} is missing, expected {} ({})", key.path, expected_text(key), key.doc));

@@ -45,7 +45,7 @@ types::Result<LoadedConfiguration> load_configuration(const std::string& file);
 std::string faults_text(const LoadedConfiguration& loaded);
 
 /// Every key with its effective value and, as a comment, its origin: "default" or FILE:LINE. An absent
-/// coronal scanner is left out. Reading the text gives the same configuration.
+/// coronal scanner or team is left out. Reading the text gives the same configuration.
 std::string effective_text(const LoadedConfiguration& loaded);
 
 }  // namespace topo::daemon

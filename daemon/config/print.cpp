@@ -20,6 +20,7 @@ std::string effective_text(const LoadedConfiguration& loaded) {
   std::string_view section;
   for (const auto& key : key_table()) {
     if (key.section() == "scanner.coronal" && !loaded.values.coronal.present) continue;
+    if (key.section() == "team" && !loaded.values.team.present) continue;
     if (key.section() != section) {
       text += fmt::format("{}[{}]\n", section.empty() ? "" : "\n", key.section());
       section = key.section();

@@ -25,20 +25,28 @@ using types::fail;
 using types::Result;
 using types::Status;
 
-tl::unexpected<types::Error> fail_path(const std::string& path, std::string_view doing) {
+/// A socket for messages: its kind and its path.
+struct Named {
+  const SocketKind& kind;
+  const std::string& path;
+  [[nodiscard]] std::string text() const { return fmt::format("{} {}", kind.name, path); }
+};
+
+tl::unexpected<types::Error> fail_path(const Named& socket, std::string_view doing) {
   const int error = errno;
   const Errc code = error == EACCES || error == EPERM ? Errc::kPermission
                     : error == ENOENT                 ? Errc::kNotFound
                     : error == ECONNREFUSED           ? Errc::kNotFound
                                                       : Errc::kIo;
-  return fail(code, fmt::format("control socket {}: {}: {}", path, doing, std::strerror(error)), error);
+  return fail(code, fmt::format("{}: {}: {}", socket.text(), doing, std::strerror(error)), error);
 }
 
-Result<sockaddr_un> to_address(const std::string& path) {
+Result<sockaddr_un> to_address(const Named& socket) {
+  const std::string& path = socket.path;
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.empty() || path.size() >= sizeof address.sun_path) {
-    return fail(Errc::kInvalidInput, fmt::format("control socket {}: expected a path of 1 to {} bytes", path,
+    return fail(Errc::kInvalidInput, fmt::format("{}: expected a path of 1 to {} bytes", socket.text(),
                                                  sizeof address.sun_path - 1));
   }
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
@@ -65,99 +73,100 @@ struct flock whole_file() {
 
 /// Only its owner may open the lock file: any process that may read it can lock it, and keep the daemon from
 /// starting.
-Status check_own(const UniqueFd& lock, const std::string& lock_path) {
+Status check_own(const UniqueFd& lock, const Named& lock_file) {
+  const std::string& lock_path = lock_file.path;
   struct stat status {};
-  if (::fstat(lock.get(), &status) != 0) return fail_path(lock_path, "cannot be examined");
+  if (::fstat(lock.get(), &status) != 0) return fail_path(lock_file, "cannot be examined");
   if (!S_ISREG(status.st_mode)) {
-    return fail(
-        Errc::kInvalidInput,
-        fmt::format("control socket's lock {}: found no regular file, expected one or none", lock_path));
+    return fail(Errc::kInvalidInput, fmt::format("{}'s lock {}: found no regular file, expected one or none",
+                                                 lock_file.kind.name, lock_path));
   }
   if (status.st_uid != ::geteuid()) {
-    return fail(
-        Errc::kPermission,
-        fmt::format("control socket's lock {}: found a file of user {}, expected one of user {}, who runs "
-                    "this; remove it when no daemon of the other user runs",
-                    lock_path, status.st_uid, ::geteuid()));
+    return fail(Errc::kPermission,
+                fmt::format("{}'s lock {}: found a file of user {}, expected one of user {}, who runs "
+                            "this; remove it when no daemon of the other user runs",
+                            lock_file.kind.name, lock_path, status.st_uid, ::geteuid()));
   }
   if ((status.st_mode & 07777) != kLockMode && ::fchmod(lock.get(), kLockMode) != 0)
-    return fail_path(lock_path, "its permissions cannot be set");
+    return fail_path(lock_file, "its permissions cannot be set");
   return {};
 }
 
 /// Two locks. The kernel reports the holder of an fcntl() lock, but a process that opens the file again takes
 /// that lock a second time and loses it at close. A flock() lock does not have this fault, but its holder is
 /// not reported.
-Result<UniqueFd> take_lock(const std::string& path) {
-  const std::string lock_path = lock_path_of(path);
+Result<UniqueFd> take_lock(const Named& socket) {
+  const std::string lock_path = lock_path_of(socket.path);
+  const Named lock_file{socket.kind, lock_path};
   UniqueFd lock(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kLockMode));
-  if (!lock.valid()) return fail_path(lock_path, "cannot be opened");
-  if (auto own = check_own(lock, lock_path); !own) return tl::unexpected(own.error());
+  if (!lock.valid()) return fail_path(lock_file, "cannot be opened");
+  if (auto own = check_own(lock, lock_file); !own) return tl::unexpected(own.error());
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) == 0) {
     struct flock range = whole_file();
     static_cast<void>(::fcntl(lock.get(), F_SETLK, &range));  // on failure only the process id is unknown
     return lock;
   }
-  if (errno != EWOULDBLOCK) return fail_path(lock_path, "cannot be locked");
+  if (errno != EWOULDBLOCK) return fail_path(lock_file, "cannot be locked");
   return fail(Errc::kBusy,
-              fmt::format("control socket {}: another process serves it; stop that one, or give this one "
-                          "another control socket",
-                          path));
+              fmt::format("{}: another process serves it; stop that one, or give this one another {}",
+                          socket.text(), socket.kind.name));
 }
 
 /// With the lock held, an existing socket belongs to no process.
-Status remove_stale(const std::string& path) {
+Status remove_stale(const Named& socket) {
+  const std::string& path = socket.path;
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0) {
     if (errno == ENOENT) return {};
-    return fail_path(path, "cannot be examined");
+    return fail_path(socket, "cannot be examined");
   }
   if (!S_ISSOCK(status.st_mode)) {
     return fail(Errc::kInvalidInput,
-                fmt::format("control socket {}: a file that is no socket is there, expected none", path));
+                fmt::format("{}: a file that is no socket is there, expected none", socket.text()));
   }
-  if (::unlink(path.c_str()) != 0) return fail_path(path, "the old socket cannot be removed");
+  if (::unlink(path.c_str()) != 0) return fail_path(socket, "the old socket cannot be removed");
   return {};
 }
 
-Status limit_sends(int socket, types::Duration patience, const std::string& path) {
+Status limit_sends(int socket, types::Duration patience, const Named& name) {
   const auto us = std::max<std::int64_t>(
       std::chrono::duration_cast<std::chrono::microseconds>(patience).count(), 1);  // 0 would be no limit
   const timeval limit{us / 1'000'000, us % 1'000'000};
   if (::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit) != 0)
-    return fail_path(path, "no time limit");
+    return fail_path(name, "no time limit");
   return {};
 }
 
-tl::unexpected<types::Error> fail_unanswered(const std::string& path) {
-  return fail(Errc::kTimeout, fmt::format("control socket {}: who serves it does not answer", path));
+tl::unexpected<types::Error> fail_unanswered(const Named& socket) {
+  return fail(Errc::kTimeout, fmt::format("{}: who serves it does not answer", socket.text()));
 }
 
 /// A connected socket; an invalid one when a signal interrupted the call.
-Result<UniqueFd> try_connect(const std::string& path, const sockaddr_un& address, types::Duration patience) {
-  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  if (!socket.valid()) return fail_path(path, "no socket");
-  if (auto limited = limit_sends(socket.get(), patience, path); !limited)
+Result<UniqueFd> try_connect(const Named& name, const sockaddr_un& address, types::Duration patience) {
+  UniqueFd socket(::socket(AF_UNIX, name.kind.type | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) return fail_path(name, "no socket");
+  if (auto limited = limit_sends(socket.get(), patience, name); !limited)
     return tl::unexpected(limited.error());
   if (::connect(socket.get(), generic(address), sizeof address) == 0) return socket;
   if (errno == EINTR) return UniqueFd();
-  if (errno == EAGAIN) return fail_unanswered(path);
-  return fail_path(path, "nobody answers");
+  if (errno == EAGAIN) return fail_unanswered(name);
+  return fail_path(name, "nobody answers");
 }
 
 }  // namespace
 
-Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mode) {
-  const auto address = to_address(path);
+Result<ListeningSocket> ListeningSocket::open(const std::string& path, mode_t mode, const SocketKind& kind) {
+  const Named name{kind, path};
+  const auto address = to_address(name);
   if (!address) return tl::unexpected(address.error());
-  auto lock = take_lock(path);
+  auto lock = take_lock(name);
   if (!lock) return tl::unexpected(lock.error());
-  if (const auto removed = remove_stale(path); !removed) return tl::unexpected(removed.error());
-  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (!socket.valid()) return fail_path(path, "no socket");
-  if (::bind(socket.get(), generic(*address), sizeof *address) != 0) return fail_path(path, "cannot be made");
-  if (::chmod(path.c_str(), mode) != 0) return fail_path(path, "its permissions cannot be set");
-  if (::listen(socket.get(), kBacklog) != 0) return fail_path(path, "cannot listen");
+  if (const auto removed = remove_stale(name); !removed) return tl::unexpected(removed.error());
+  UniqueFd socket(::socket(AF_UNIX, kind.type | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) return fail_path(name, "no socket");
+  if (::bind(socket.get(), generic(*address), sizeof *address) != 0) return fail_path(name, "cannot be made");
+  if (::chmod(path.c_str(), mode) != 0) return fail_path(name, "its permissions cannot be set");
+  if (::listen(socket.get(), kBacklog) != 0) return fail_path(name, "cannot listen");
   return ListeningSocket(std::move(*lock), std::move(socket), path);
 }
 
@@ -175,19 +184,20 @@ pid_t serving_process(const std::string& path) {
   return range.l_type == F_WRLCK ? std::max(range.l_pid, 0) : 0;
 }
 
-Result<UniqueFd> connect_unix(const std::string& path, types::Duration patience) {
-  const auto address = to_address(path);
+Result<UniqueFd> connect_unix(const std::string& path, types::Duration patience, const SocketKind& kind) {
+  const Named name{kind, path};
+  const auto address = to_address(name);
   if (!address) return tl::unexpected(address.error());
   const types::Stamp deadline = monotonic_now() + patience;
-  auto socket = try_connect(path, *address, patience);
+  auto socket = try_connect(name, *address, patience);
   // POSIX continues connecting an interrupted socket, Linux does not: a new socket is correct for both.
   while (socket && !socket->valid()) {
     const types::Duration left = deadline - monotonic_now();
-    if (left <= types::Duration::zero()) return fail_unanswered(path);
-    socket = try_connect(path, *address, left);
+    if (left <= types::Duration::zero()) return fail_unanswered(name);
+    socket = try_connect(name, *address, left);
   }
   if (!socket) return socket;
-  if (auto limited = limit_sends(socket->get(), patience, path); !limited)
+  if (auto limited = limit_sends(socket->get(), patience, name); !limited)
     return tl::unexpected(limited.error());
   return socket;
 }

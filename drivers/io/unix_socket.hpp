@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/socket.h>
 #include <sys/types.h>
 
 #include <string>
+#include <string_view>
 
 #include "core/types/result.hpp"
 #include "core/types/stamp.hpp"
@@ -12,7 +14,13 @@
 
 namespace topo::io {
 
-/// A listening Unix stream socket in the file system, owned through a lock file beside it (PATH.lock): a
+/// What a socket carries, and its name in messages.
+struct SocketKind {
+  int type = SOCK_STREAM;
+  std::string_view name = "control socket";
+};
+
+/// A listening Unix socket in the file system, owned through a lock file beside it (PATH.lock): a
 /// socket left by a crash is replaced, a socket of a living process never is. The lock file belongs to the
 /// user who runs the process and is open to nobody else. The destructor removes the socket's file.
 class ListeningSocket {
@@ -20,7 +28,8 @@ class ListeningSocket {
   /// `mode`: permission to connect. By default any user: a peer's rights follow from its credentials. kBusy:
   /// another process serves this path. kInvalidInput: a file that is not a socket is there. kPermission: the
   /// lock file belongs to another user.
-  static types::Result<ListeningSocket> open(const std::string& path, mode_t mode = 0666);
+  static types::Result<ListeningSocket> open(const std::string& path, mode_t mode = 0666,
+                                             const SocketKind& kind = {});
 
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
@@ -45,6 +54,7 @@ class ListeningSocket {
 /// Connects to the process that serves `path`. kNotFound: none does. kPermission: no access to the file or
 /// its folder. kTimeout: not accepted within `patience`, which is also the limit of later sends.
 types::Result<UniqueFd> connect_unix(const std::string& path,
-                                     types::Duration patience = std::chrono::seconds(5));
+                                     types::Duration patience = std::chrono::seconds(5),
+                                     const SocketKind& kind = {});
 
 }  // namespace topo::io

@@ -11,6 +11,7 @@ import sys
 import time
 
 UNIT = "topometric.service"
+LINK = "topometric-link.service"
 CONFIG = pathlib.Path("/etc/topometric/topometric.toml")
 SIM_CONTROL = "/run/toposim.sock"
 PATIENCE_S = 60
@@ -173,6 +174,49 @@ def drives_when_told():
     check("it drives when told", sim("truth")["path_m"] > before_m + 0.02)
 
 
+def link_show(*names):
+    lines = run("systemctl", "show", LINK, *["--property=" + name for name in names]).stdout.splitlines()
+    return dict(line.split("=", 1) for line in lines)
+
+
+def link():
+    """The link of a robot without a team ends well; with one it serves the daemon's user, and is started again."""
+    started = run("systemctl", "start", LINK)
+    found = link_show("ActiveState", "Result")
+    check("the link without a team ends well", started.returncode == 0 and wait(
+        lambda: link_show("ActiveState", "Result") == {"ActiveState": "inactive", "Result": "success"}, 5), found)
+    made = run("topometric-team", "new", "/root/office", "--name", "office"), run("topometric-team", "add", "1", "/root/office")
+    run("cp", "-r", "/root/office/robot-1", "/etc/topometric/team")
+    run("chown", "-R", "topometric:", "/etc/topometric/team")
+    run("ip", "link", "set", "lo", "up")
+    CONFIG.write_text(CONFIG.read_text() + """
+[team]
+name = "office"
+id = 1
+interface = "lo"
+peers = ["127.0.0.1"]
+security = "/etc/topometric/team"
+""")
+    started = run("systemctl", "start", LINK)
+    check("the link starts with credentials", started.returncode == 0 and made[1].returncode == 0,
+          started.stderr + made[0].stderr + made[1].stderr)
+    up = wait(lambda: "radio up" in link_show("StatusText")["StatusText"], 10)
+    check("its radio is up", up, run("journalctl", "--unit", LINK, "--no-pager", "--output=cat", "--lines=20").stdout if not up
+          else link_show("StatusText")["StatusText"])
+    old = link_show("MainPID")["MainPID"]
+    os.kill(int(old), signal.SIGKILL)
+    check("kill -9: the link is started again", wait(lambda: link_show("MainPID")["MainPID"] not in ("0", old) and
+                                                     link_show("ActiveState")["ActiveState"] == "active"))
+    run("systemctl", "stop", LINK)
+    check("stopping the link is a success", link_show("Result")["Result"] == "success")
+    os.chmod("/etc/topometric/team/identity-key.pem", 0o644)
+    run("systemctl", "start", LINK)
+    check("a key that others may read: exit status 2, no restart", wait(
+        lambda: link_show("ActiveState", "ExecMainStatus") == {"ActiveState": "failed", "ExecMainStatus": "2"}, 5),
+        link_show("ActiveState", "ExecMainStatus"))
+    run("systemctl", "reset-failed", LINK)
+
+
 def stop():
     stops = sim("status")["base"]["e_stops"]
     run("systemctl", "stop", UNIT)
@@ -207,6 +251,7 @@ dies_driving("crash", signal.SIGABRT, "status=6/ABRT")
 dies_driving("kill -9", signal.SIGKILL, "code=killed, status=9/KILL")
 dies_driving("hang", signal.SIGSTOP, "Watchdog timeout")
 drives_when_told()
+link()
 stop()
 remove()
 print("%d failures" % failures)

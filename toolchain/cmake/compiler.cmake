@@ -3,11 +3,11 @@
 # Compiler options that hold for every target of the tree. Sanitizers are set here and nowhere else: a
 # sanitizer that instruments the test but not the library under test sees almost nothing.
 
-add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
-                    -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wdouble-promotion
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion $<$<COMPILE_LANGUAGE:CXX>:-Wold-style-cast>
+                    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual> -Wcast-align -Wdouble-promotion
                     -Wformat=2 -Wimplicit-fallthrough)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  add_compile_options(-Wsuggest-override -Wduplicated-cond -Wlogical-op)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override> -Wduplicated-cond -Wlogical-op)
   if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 sees overlaps and overflows inside its own std::string and std::vector at -O3 (GCC bugs 105651 and
     # 107852), and uses after the release of a counted reference. The sanitizer runs see the real ones.
@@ -15,7 +15,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   endif()
 elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   # GUARDED_BY and its kin: g++ parses and ignores them.
-  add_compile_options(-Wsuggest-override -Wthread-safety)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wsuggest-override> -Wthread-safety)
 endif()
 if(TOPO_WERROR)
   add_compile_options(-Werror)

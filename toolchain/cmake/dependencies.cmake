@@ -12,6 +12,8 @@ find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PNG REQUIRED)
+find_package(CycloneDDS 0.10 REQUIRED)  # the team's link, with idlc of cyclonedds-tools
+find_package(OpenSSL REQUIRED)         # the team's credentials
 find_package(ZLIB REQUIRED)
 find_package(BZip2 REQUIRED)
 find_package(PkgConfig REQUIRED)

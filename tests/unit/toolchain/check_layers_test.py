@@ -57,6 +57,19 @@ class CheckLayers(TreeTest):
         self.write("core/slam/graph.cpp", "#include <ceres/ceres.h>\n")
         self.assert_reports(("core/slam/graph.cpp:1", "<ceres/ceres.h>"))
 
+    def test_what_one_folder_owns_is_nobody_elses(self):
+        self.write("daemon/link/radio.cpp", "#include <dds/dds.h>\n#include <datagram.h>\n")
+        self.write("daemon/link/CMakeLists.txt", "target_link_libraries(topo_link PRIVATE CycloneDDS::ddsc)\n")
+        self.assert_clean()
+        self.write("daemon/app/app.cpp", "#include <dds/dds.h>\n")
+        self.write("daemon/app/CMakeLists.txt", "topo_library(app SOURCES app.cpp DEPS CycloneDDS::ddsc)\n")
+        self.write("tests/unit/b_test.cpp", "#include <ddsc/dds.h>\n")
+        self.assert_reports(
+            ("daemon/app/app.cpp:1", "daemon must not include <dds/dds.h>"),
+            ("tests/unit/b_test.cpp:1", "tests must not include <ddsc/dds.h>"),
+            ("daemon/app/CMakeLists.txt:1", "daemon must not link CycloneDDS::ddsc"),
+        )
+
     def test_ways_around_the_check_are_breaches(self):
         self.write(
             "core/types/bad.cpp",

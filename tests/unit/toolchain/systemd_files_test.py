@@ -13,8 +13,10 @@ import unittest
 
 SYSTEMD = pathlib.Path(__file__).resolve().parents[3] / "systemd"
 UNIT = SYSTEMD / "topometric.service"
+LINK = SYSTEMD / "topometric-link.service"
 # systemd-analyze's scale: 0 is best, 10 is unconfined; its --threshold takes tenths.
 EXPOSURE_MAX_TENTHS = 30
+LINK_EXPOSURE_MAX_TENTHS = 20  # it opens no device
 
 
 def run(*command):
@@ -39,12 +41,20 @@ class SystemdFiles(unittest.TestCase):
         unit.write_text(text)
         return str(unit)
 
-    def test_systemd_reads_the_unit_without_a_word(self):
+    def staged_link(self):
+        text, programs = re.subn(r"^ExecStart=/usr/bin/topolink\b", "ExecStart=/bin/true", LINK.read_text(), flags=re.M)
+        self.assertEqual(programs, 1, "the package installs /usr/bin/topolink")
+        unit = self.folder / LINK.name
+        unit.write_text(text)
+        return str(unit)
+
+    def test_systemd_reads_the_units_without_a_word(self):
         # Unknown keys are warnings and leave the exit status at 0, so the output must be empty as well. Words
         # about other units of this machine are not ours.
-        status, output = run("systemd-analyze", "verify", "--man=no", "--recursive-errors=no", self.staged_unit())
-        ours = [line for line in output.splitlines() if "topometric" in line]
-        self.assertEqual((status, ours), (0, []), output)
+        for unit in (self.staged_unit(), self.staged_link()):
+            status, output = run("systemd-analyze", "verify", "--man=no", "--recursive-errors=no", unit)
+            ours = [line for line in output.splitlines() if "topometric" in line]
+            self.assertEqual((status, ours), (0, []), output)
 
     def test_verify_would_have_said_a_word(self):
         unit = pathlib.Path(self.staged_unit())
@@ -52,11 +62,10 @@ class SystemdFiles(unittest.TestCase):
         _, output = run("systemd-analyze", "verify", "--man=no", "--recursive-errors=no", str(unit))
         self.assertIn("WatchdogSecs", output)
 
-    def test_the_unit_is_confined(self):
-        status, output = run(
-            "systemd-analyze", "security", "--offline=true", f"--threshold={EXPOSURE_MAX_TENTHS}", self.staged_unit()
-        )
-        self.assertEqual(status, 0, output)
+    def test_the_units_are_confined(self):
+        for unit, most_tenths in ((self.staged_unit(), EXPOSURE_MAX_TENTHS), (self.staged_link(), LINK_EXPOSURE_MAX_TENTHS)):
+            status, output = run("systemd-analyze", "security", "--offline=true", f"--threshold={most_tenths}", unit)
+            self.assertEqual(status, 0, output)
 
     def test_the_unit_keeps_what_the_daemon_needs(self):
         lines = set(UNIT.read_text().splitlines())
@@ -66,6 +75,12 @@ class SystemdFiles(unittest.TestCase):
             "ExecStopPost=-/usr/bin/topometric-estop --config /etc/topometric/topometric.toml",
             "RestartPreventExitStatus=2", "RestrictRealtime=no", "DeviceAllow=char-ttyACM rw", "DeviceAllow=char-ttyUSB rw",
         ):
+            self.assertIn(line, lines)
+
+    def test_the_link_is_the_daemons_user_and_reaches_no_device(self):
+        lines = set(LINK.read_text().splitlines())
+        for line in ("Type=notify", "User=topometric", "Restart=on-failure", "RestartPreventExitStatus=2", "PrivateDevices=yes",
+                     "InaccessiblePaths=-/var/lib/topometric", "RestrictAddressFamilies=AF_UNIX AF_INET AF_NETLINK"):
             self.assertIn(line, lines)
 
     @unittest.skipUnless(shutil.which("systemd-sysusers"), "no systemd-sysusers here")

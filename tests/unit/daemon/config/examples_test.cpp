@@ -25,7 +25,7 @@ std::string read_all(const std::string& path) {
   return text.str();
 }
 
-/// The example with every "# key = value" in effect.
+/// The example with every "# key = value" and "# [section]" in effect.
 std::string uncommented(const std::string& text) {
   std::istringstream in(text);
   std::string out, line;
@@ -35,7 +35,7 @@ std::string uncommented(const std::string& text) {
     while (end < line.size() &&
            (std::islower(line[end]) != 0 || std::isdigit(line[end]) != 0 || line[end] == '_'))
       ++end;
-    const bool key = end > at && line.compare(end, 3, " = ") == 0;
+    const bool key = (end > at && line.compare(end, 3, " = ") == 0) || line.starts_with("# [");
     out += (key ? line.substr(at) : line) + "\n";
   }
   return out;
@@ -57,7 +57,7 @@ TEST_P(Example, NamesEveryKeyAndShowsItsDefault) {
   const auto active = parse_configuration(text, GetParam());
   for (const auto& key : key_table()) {
     EXPECT_TRUE(all.places.contains(key.path)) << key.path << " is not in the example";
-    if (active.places.contains(key.path)) continue;
+    if (active.places.contains(key.path) || key.required) continue;
     EXPECT_EQ(value_text(key, all.values), value_text(key, Configuration{}))
         << key.path << ": default shown wrongly";
   }
