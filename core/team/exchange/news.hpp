@@ -43,8 +43,9 @@ struct DuplicateId {
   bool own = false;
 };
 
-/// What came since the last call. Each keyframe, relation, entry and order comes once; of statuses the newest
-/// of each mate that said something.
+/// What came since the last call. Each keyframe, relation and entry comes once; of statuses the newest of
+/// each mate that said something. An order that came with the log first comes once more when it is heard as a
+/// repeated one.
 struct ExchangeNews {
   std::vector<slam::KeyframePtr> keyframes;
   std::vector<slam::FoundRelation> relations;  ///< check_relation() holds
@@ -84,7 +85,7 @@ enum class MessageKind : std::uint8_t {
   kRelation,
   kPiece
 };
-inline constexpr std::size_t kMessageKinds = 8;
+inline constexpr std::size_t kMessageKinds = 9;
 std::string_view to_text(MessageKind kind);
 
 /// Counted since the beginning.
