@@ -83,7 +83,8 @@ enum class MessageKind : std::uint8_t {
   kOrder,
   kLog,
   kRelation,
-  kPiece
+  kPiece,
+  kCoded
 };
 inline constexpr std::size_t kMessageKinds = 9;
 std::string_view to_text(MessageKind kind);

@@ -96,12 +96,11 @@ void read_fixed(ByteReader& in, StatusMessage& status, bool& ok) {
   status.duty = static_cast<Duty>(ok ? duty : 0);
   if ((flags & kHome) != 0) status.home = read_place(in, ok);
   if ((flags & kClaim) == 0) return;
-  Bid claim;
+  Bid& claim = status.claim.emplace();
   claim.p_map = read_place(in, ok);
   claim.cost_m = in.real64();
   claim.essential = (flags & kEssential) != 0;
   ok = ok && in.ok() && is_in_reach(claim.cost_m);
-  status.claim = claim;
 }
 
 }  // namespace
@@ -131,7 +130,8 @@ std::vector<std::byte> encode_status(const StatusMessage& status, std::size_t ro
 types::Result<StatusMessage> decode_status(std::uint16_t robot, std::span<const std::byte> bytes) {
   ByteReader in(bytes);
   bool ok = true;
-  StatusMessage status;
+  types::Result<StatusMessage> result;
+  StatusMessage& status = *result;
   status.robot = robot;
   read_fixed(in, status, ok);
   const std::size_t bids = in.count(3);
@@ -142,7 +142,7 @@ types::Result<StatusMessage> decode_status(std::uint16_t robot, std::span<const 
   if (!ok || !in.complete())
     return types::fail(types::Errc::kProtocol,
                        "status: found a number out of reach, or other bytes than its fields");
-  return status;
+  return result;
 }
 
 }  // namespace topo::team
