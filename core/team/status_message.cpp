@@ -24,4 +24,17 @@ bool beats(const Bid& a, std::uint16_t robot_a, const Bid& b, std::uint16_t robo
   return a.cost_m != b.cost_m ? a.cost_m < b.cost_m : robot_a < robot_b;
 }
 
+StatusMessage in_frame(const types::Se2& T_map_mates, StatusMessage message) {
+  const auto move = [&](types::Vector2& p) { p = T_map_mates * p; };
+  message.T_map_base = T_map_mates * message.T_map_base;
+  move(message.start);
+  if (message.home) move(*message.home);
+  if (message.claim) move(message.claim->p_map);
+  for (Bid& bid : message.bids) move(bid.p_map);
+  for (types::Vector2& place : message.visited) move(place);
+  for (types::Vector2& opening : message.looked) move(opening);
+  for (types::Vector2& point : message.way_map) move(point);
+  return message;
+}
+
 }  // namespace topo::team

@@ -56,4 +56,7 @@ bool is_same_goal(const types::Vector2& a, const types::Vector2& b);
 /// Of two claims on one goal the one with the lower cost wins, then the lower id (DESIGN "Exploration").
 bool beats(const Bid& a, std::uint16_t robot_a, const Bid& b, std::uint16_t robot_b);
 
+/// A status message transformed from a team-mate's map frame into the robot's own.
+StatusMessage in_frame(const types::Se2& T_map_mates, StatusMessage message);
+
 }  // namespace topo::team

@@ -10,6 +10,7 @@
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
 #include "tests/bench/topobench/compass/compass_command.hpp"
+#include "tests/bench/topobench/contact/contact_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/goals/goals_command.hpp"
@@ -221,6 +222,30 @@ void add_options(CLI::App& app, topo::bench::CompassCommand& compass) {
   app.add_flag("--json", compass.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::ContactCommand& contact) {
+  topo::bench::ContactSetup& setup = contact.setup;
+  app.add_option("--robots", setup.robots)->check(CLI::Range(2, 16))->capture_default_str();
+  app.add_option("--keyframes", setup.keyframes, "That each made while apart; an hour is 5600")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  app.add_option("--loss", setup.loss, "Share of datagrams, for each receiver by itself")
+      ->check(number_from(0.0, 0.95))
+      ->capture_default_str();
+  app.add_option("--delay", setup.delay_s, "Seconds that a datagram takes")
+      ->check(number_from(0.0, 10.0))
+      ->capture_default_str();
+  app.add_option("--catch-up", setup.rates.catch_up_Bps,
+                 "Bytes a second that a robot may send while mates lack much")
+      ->check(number_from(1e3, 1e9))
+      ->capture_default_str();
+  app.add_flag("--unicast", setup.rates.unicast, "Each datagram is charged once for each mate");
+  app.add_option("--limit", setup.limit_s, "Seconds after contact")->capture_default_str();
+  app.add_option("--steady", setup.steady_s, "Seconds for which all go on, afterwards")
+      ->capture_default_str();
+  app.add_option("--seed", setup.seed, "Of contents, loss and jitter")->capture_default_str();
+  app.add_flag("--json", contact.json, "One JSON object on one line");
+}
+
 void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
   app.footer(
       "Clusters and goals are those of maps with eight frontier clusters (0.75 m) or more, openings those "
@@ -314,6 +339,10 @@ int start(int argc, char** argv) {
   CLI::App* compass_app = app.add_subcommand(
       "compass", "The direction of turned maps against that of the maps: how far the compass is off");
   add_options(*compass_app, compass);
+  topo::bench::ContactCommand contact;
+  CLI::App* contact_app = app.add_subcommand(
+      "contact", "How long robots that were apart take to have the same sets, and what they send afterwards");
+  add_options(*contact_app, contact);
   topo::bench::GoalsCommand goals;
   CLI::App* goals_app = app.add_subcommand(
       "goals", "Goals on partial maps met while exploring: how few, and whether one is missing");
@@ -340,6 +369,7 @@ int start(int argc, char** argv) {
   if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
   if (*compass_app) return finish(topo::bench::run_compass(compass));
+  if (*contact_app) return finish(topo::bench::run_contact_command(contact));
   if (*goals_app) return finish(topo::bench::run_goals(goals));
   if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
