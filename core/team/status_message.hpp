@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -28,6 +29,14 @@ struct Bid {
   bool essential = true;  ///< the building continues there; false: only a gap to be filled
 };
 
+/// A keyframe of a robot's own with its pose in that robot's map: a team-mate whose map holds it too knows
+/// how the two maps lie to each other.
+struct Anchor {
+  std::uint32_t run = 0, sequence = 0;
+  types::Se2 T_map_base;
+};
+inline constexpr std::size_t kAnchorsMax = 2;  ///< the first keyframe of a run, and a late one
+
 /// What a robot sends to its team-mates once per planning period: all inputs of the team's decisions.
 struct StatusMessage {
   std::uint16_t robot = 0;
@@ -45,6 +54,9 @@ struct StatusMessage {
   /// Openings that it has looked into in its final sweep (exploration/final_sweep.hpp): no robot needs to
   /// again.
   std::vector<types::Vector2> looked;
+  /// Its map frame is the common frame of the team: it started at a configured pose in that.
+  bool in_common_frame = false;
+  std::vector<Anchor> anchors;          ///< at most kAnchorsMax, the first keyframe of its run first
   std::vector<types::Vector2> way_map;  ///< the next metres of its route, from the robot on; empty: it stands
 };
 

@@ -121,10 +121,15 @@ Status App::add_events() {
     static_cast<App*>(app)->collect(2);
     return 0;
   };
+  const auto ordered = [](sd_event_source*, int, std::uint32_t, void* app) {
+    static_cast<App*>(app)->collect(3);
+    return 0;
+  };
   const auto fds = operator_->finished_fds();
   if (auto s = watch(fds[0], saved, this, saved_); !s) return s;
   if (auto s = watch(fds[1], searched, this, searched_); !s) return s;
   if (auto s = watch(fds[2], latched, this, latched_); !s) return s;
+  if (auto s = watch(fds[3], ordered, this, ordered_); !s) return s;
   const int added = sd_event_add_time_relative(event, &source, CLOCK_MONOTONIC, kTickUsec, kTickAccuracyUsec,
                                                &App::on_tick, this);
   if (auto s = from_sd(added, "timer"); !s) return s;
@@ -150,6 +155,7 @@ void App::end_readers() {
   saved_.reset();
   searched_.reset();
   latched_.reset();
+  ordered_.reset();
   operator_.reset();  // no longer called: the event loop, which serves the socket, has ended
 }
 

@@ -75,7 +75,7 @@ class App {
   std::unique_ptr<Operator> operator_;
   std::unique_ptr<Methods> methods_;
   std::unique_ptr<ControlServer> control_;
-  EventSource tick_, saved_, searched_, latched_, stop_source_;
+  EventSource tick_, saved_, searched_, latched_, ordered_, stop_source_;
   std::array<EventSource, 3> signals_;
 };
 

@@ -33,6 +33,8 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       estop_(
           hand_overs.estop, [&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
           configuration.control.state_folder, [this](const Json& event) { announce_(event); }),
+      team_(configuration.team, hand_overs.team,
+            [this](team::OrderKind kind, std::uint16_t from) { obey(kind, from); }),
       saver_(hand_overs),
       sessions_(configuration, hand_overs, files_) {}
 
@@ -44,11 +46,13 @@ Status Operator::start() {
 
 void Operator::collect(std::size_t i) {
   if (i == 0) return files_.collect();
-  i == 1 ? searches_.collect() : estop_.collect();
+  if (i == 1) return searches_.collect();
+  i == 2 ? estop_.collect() : team_.collect();
 }
 
 void Operator::tick(types::Stamp now) {
   plan_.update();
+  team_.tick();
   add_distance();
   estop_.tick();
   if (estop_.latched()) interrupt("the emergency stop");
@@ -130,6 +134,23 @@ Status Operator::resume() {
   announce_mission("mission");
   return {};
 }
+
+void Operator::obey(team::OrderKind kind, std::uint16_t from) {
+  kind == team::OrderKind::kEstop ? estop() : stop();
+  announce_({{"event", "team_order"}, {"order", team::to_text(kind)}, {"robot", from}});
+}
+
+std::uint64_t Operator::estop_team() {
+  estop();
+  return team_.order(team::OrderKind::kEstop);
+}
+
+std::uint64_t Operator::stop_team() {
+  stop();
+  return team_.order(team::OrderKind::kStop);
+}
+
+Json Operator::team() const { return team_.json(io::monotonic_now()); }
 
 /// Takes control from the mission: the operator must resume it explicitly.
 void Operator::interrupt(const std::string& why) {

@@ -12,6 +12,7 @@
 #include "daemon/app/mission_control.hpp"
 #include "daemon/app/plan_watch.hpp"
 #include "daemon/app/session_control.hpp"
+#include "daemon/app/team_control.hpp"
 #include "daemon/control/methods.hpp"
 
 namespace topo::daemon {
@@ -30,7 +31,9 @@ class Operator final : public Operations {
   /// be called before the base's thread is started.
   types::Status start();
   /// Main only: when finished_fds()[i] is readable, call collect(i).
-  [[nodiscard]] std::array<int, 3> finished_fds() const { return {files_.fd(), searches_.fd(), estop_.fd()}; }
+  [[nodiscard]] std::array<int, 4> finished_fds() const {
+    return {files_.fd(), searches_.fd(), estop_.fd(), team_.fd()};
+  }
   void collect(std::size_t i);
 
   /// To be called every tick, after the monitor's update: handles planning's report, the e-stop, the journal
@@ -46,6 +49,9 @@ class Operator final : public Operations {
   [[nodiscard]] Json progress() const override;
   void doctor(std::function<void(Json)> done) override;
   void estop() override;
+  std::uint64_t estop_team() override;
+  std::uint64_t stop_team() override;
+  [[nodiscard]] Json team() const override;
   void clear_estop(std::function<void(types::Status)> done) override;
   types::Status drive(const types::Twist2& twist) override;
   void stop() override;
@@ -68,6 +74,7 @@ class Operator final : public Operations {
   [[nodiscard]] std::string obstacle() const;
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
+  void obey(team::OrderKind kind, std::uint16_t from);
   void send_mission();
   void end_driving();
   void announce_mission(std::string_view event);
@@ -84,6 +91,7 @@ class Operator final : public Operations {
   MissionControl missions_;
   std::uint64_t commands_ = 0;  ///< that move or stop the robot; a slow one must not override a later one
   EStopControl estop_;
+  TeamControl team_;
   MapSaver saver_;
   SessionControl sessions_;  // declared before the thread of its jobs, which is destroyed first
   Background files_, searches_;

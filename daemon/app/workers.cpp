@@ -10,6 +10,7 @@
 #include "daemon/threads/mapping_worker.hpp"
 #include "daemon/threads/planning_worker.hpp"
 #include "daemon/threads/scan_worker.hpp"
+#include "daemon/threads/team_worker.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -38,6 +39,16 @@ pioneer::ConnectionConfig connection_config(const Configuration& configuration) 
   return config;
 }
 
+TeamSettings team_settings(const Configuration& c) {
+  TeamSettings settings;
+  settings.name = c.team.name;
+  settings.robot = static_cast<std::uint16_t>(c.robot.id);
+  settings.in_common_frame = c.team.start.has_value();
+  settings.socket = c.team.socket;
+  settings.exchange.rates.unicast = !c.team.peers.empty();
+  return settings;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers& hand_overs,
@@ -64,10 +75,11 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
         w.coronal_.vitals);
   }
   w.mapping_.worker =
-      std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id), w.mapping_.vitals);
-  w.planning_.worker = std::make_unique<PlanningWorker>(hand_overs, planner_params(c),
-                                                        types::from_seconds(c.exploration.planning_period_s),
-                                                        w.planning_.vitals);
+      std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id), w.mapping_.vitals,
+                                      c.team.start.value_or(types::Se2{}), c.team.present);
+  w.planning_.worker = std::make_unique<PlanningWorker>(
+      hand_overs, planner_params(c), types::from_seconds(c.exploration.planning_period_s),
+      static_cast<std::uint16_t>(c.robot.id), w.planning_.vitals);
   w.closure_.worker = std::make_unique<ClosureWorker>(hand_overs, w.closure_.vitals);
   if (!c.session.folder.empty() && c.session.journal) {
     const JournalSettings settings{c.session.folder, types::from_seconds(c.session.journal_period_s),
@@ -75,19 +87,21 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
                                    static_cast<std::uint64_t>(c.session.quota_mb) * 1'000'000U};
     w.journal_.worker = std::make_unique<JournalWorker>(hand_overs, settings, w.journal_.vitals);
   }
+  if (c.team.present)
+    w.team_.worker = std::make_unique<TeamWorker>(hand_overs, team_settings(c), w.team_.vitals);
   w.list_vitals();
   return made;
 }
 
-std::array<Workers::Post*, 7> Workers::posts() {
-  return {&base_, &front_, &coronal_, &mapping_, &planning_, &closure_, &journal_};
+std::array<Workers::Post*, 8> Workers::posts() {
+  return {&base_, &front_, &coronal_, &mapping_, &planning_, &closure_, &journal_, &team_};
 }
 
 void Workers::list_vitals() {
   for (Post* post : posts()) {
     if (post->worker == nullptr) continue;
     all_.push_back(&post->vitals);
-    if (post != &closure_ && post != &journal_) vital_.push_back(&post->vitals);
+    if (post != &closure_ && post != &journal_ && post != &team_) vital_.push_back(&post->vitals);
   }
 }
 
@@ -117,11 +131,12 @@ Status Workers::start() {
   constexpr std::size_t kLargeStack = 8 << 20;
   constexpr int kBehind = 5;  // niceness: after mapping and planning
   const RealtimeConfig& config = configuration_.realtime;
-  const std::array<std::pair<Post*, ThreadSettings>, 7> in_order{{
+  const std::array<std::pair<Post*, ThreadSettings>, 8> in_order{{
       {&closure_, {.name = {}, .nice = kBehind, .cpus = {}, .stack_bytes = kLargeStack}},
       {&mapping_, {.name = {}, .cpus = {}, .stack_bytes = kLargeStack}},
       {&planning_, {.name = {}, .cpus = {}, .stack_bytes = kLargeStack}},
       {&journal_, {.name = {}, .nice = kBehind, .cpus = {}}},
+      {&team_, {.name = {}, .cpus = {}}},
       {&coronal_, real_time(config.scan_priority)},
       {&front_, real_time(config.scan_priority)},
       {&base_, real_time(config.base_priority)},
@@ -145,8 +160,10 @@ void Workers::stop() {
   hand_overs_.to_planning.wakeup.post();
   hand_overs_.closure.wakeup.post();
   hand_overs_.journal.wakeup.post();
+  hand_overs_.team.wakeup.post();
   closure_.thread.join();
   planning_.thread.join();
+  team_.thread.join();
   journal_.thread.join();  // the mapping thread answers it to the end
   hand_overs_.ending.readers_gone.store(true, std::memory_order_release);
   hand_overs_.mapping.wakeup.post();

@@ -60,7 +60,7 @@ class Workers {
 
   Workers(const Configuration& configuration, HandOvers& hand_overs)
       : configuration_(configuration), hand_overs_(hand_overs) {}
-  [[nodiscard]] std::array<Post*, 7> posts();
+  [[nodiscard]] std::array<Post*, 8> posts();
   void list_vitals();
   types::Status launch(Post& post, ThreadSettings settings);
   [[nodiscard]] ThreadSettings real_time(int priority) const;
@@ -68,7 +68,7 @@ class Workers {
   const Configuration& configuration_;
   HandOvers& hand_overs_;
   Post base_{"base"}, front_{"front"}, coronal_{"coronal"}, mapping_{"mapping"}, planning_{"planning"},
-      closure_{"closure"}, journal_{"journal"};
+      closure_{"closure"}, journal_{"journal"}, team_{"team"};
   std::vector<Vitals*> vital_, all_;
 };
 

@@ -184,6 +184,16 @@ tl::expected<std::string, RpcError> text_param(const Json& params, const char* n
   return found->get<std::string>();
 }
 
+tl::expected<bool, RpcError> switch_param(const Json& params, const char* name) {
+  const auto found = params.find(name);
+  if (found == params.end()) return false;
+  if (!found->is_boolean()) {
+    return refuse(RpcCode::kInvalidParams,
+                  fmt::format("{}: found {}, expected true or false", name, short_dump(*found)));
+  }
+  return found->get<bool>();
+}
+
 std::optional<RpcError> only_params(const Json& params, std::initializer_list<std::string_view> allowed) {
   for (const auto& [name, value] : params.items()) {
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {

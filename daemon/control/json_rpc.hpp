@@ -77,6 +77,9 @@ inline constexpr double kGreatestReal = 1e5;
 tl::expected<double, RpcError> real_param(const Json& params, const char* name);
 tl::expected<std::string, RpcError> text_param(const Json& params, const char* name);
 
+/// False when it is absent.
+tl::expected<bool, RpcError> switch_param(const Json& params, const char* name);
+
 /// An error when params contain a member other than `allowed`.
 std::optional<RpcError> only_params(const Json& params, std::initializer_list<std::string_view> allowed);
 

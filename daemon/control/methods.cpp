@@ -46,8 +46,28 @@ Answer call_log_level(Operations& o, const Json& params) {
   return done(o.set_log_level(*level));
 }
 
-const std::array<Method, 17>& methods() {
-  static const std::array<Method, 17> table{{
+/// With "all": true of the whole team.
+Answer call_estop(Operations& o, const Json& params) {
+  const auto all = switch_param(params, "all");
+  if (!all) {
+    o.estop();  // whatever was meant
+    return tl::unexpected(all.error());
+  }
+  if (*all) return Json{{"order", o.estop_team()}};
+  o.estop();
+  return Json::object();
+}
+
+Answer call_stop(Operations& o, const Json& params) {
+  const auto all = switch_param(params, "all");
+  if (!all) return tl::unexpected(all.error());
+  if (*all) return Json{{"order", o.stop_team()}};
+  o.stop();
+  return Json::object();
+}
+
+const std::array<Method, 18>& methods() {
+  static const std::array<Method, 18> table{{
       {"status", false, {}, [](Operations& o, const Json&) -> Answer { return o.status(); }},
       {"version",
        false,
@@ -60,17 +80,15 @@ const std::array<Method, 17>& methods() {
       {"config", false, {}, [](Operations& o, const Json&) -> Answer { return o.config(); }},
       {"goals", false, {}, [](Operations& o, const Json&) -> Answer { return o.goals(); }},
       {"places", false, {}, [](Operations& o, const Json&) -> Answer { return o.places(); }},
+      {"team", false, {}, [](Operations& o, const Json&) -> Answer { return o.team(); }},
       {"progress", false, {}, [](Operations& o, const Json&) -> Answer { return o.progress(); }},
       {"start", true, {}, [](Operations& o, const Json&) { return done(o.explore()); }},
       {"home", true, {}, [](Operations& o, const Json&) { return done(o.go_home()); }},
       {"pause", true, {}, [](Operations& o, const Json&) { return done(o.pause()); }},
       {"resume", true, {}, [](Operations& o, const Json&) { return done(o.resume()); }},
-      {kEstopMethod,
-       false,
-       {},
-       [](Operations& o, const Json&) -> Answer { return o.estop(), Json::object(); }},
+      {kEstopMethod, false, {"all"}, &call_estop},
       {"drive", true, {"v_mps", "omega_radps"}, &call_drive},
-      {"stop", true, {}, [](Operations& o, const Json&) -> Answer { return o.stop(), Json::object(); }},
+      {"stop", true, {"all"}, &call_stop},
       {"session.new", true, {}, [](Operations& o, const Json&) { return done(o.begin_anew()); }},
       {"log_level", true, {"level"}, &call_log_level},
   }};

@@ -22,6 +22,12 @@ class Operations {
   [[nodiscard]] virtual Json config() const = 0;
   /// Latches; the base stops within 100 ms.
   virtual void estop() = 0;
+  /// The whole team's e-stop, and the end of all missions; this robot is stopped first. The number of the
+  /// order, which team() names with those who have acknowledged it; 0: this robot has no team.
+  virtual std::uint64_t estop_team() = 0;
+  virtual std::uint64_t stop_team() = 0;
+  /// Who is in the team, and what each of it lacks.
+  [[nodiscard]] virtual Json team() const = 0;
   /// The goals with their reasons, and the places; empty before planning has a map.
   [[nodiscard]] virtual Json goals() const = 0;
   [[nodiscard]] virtual Json places() const = 0;

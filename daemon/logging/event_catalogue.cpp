@@ -18,6 +18,9 @@ constexpr std::array kTemplates{
     EventTemplate{"journal_failed", "the session is not being kept, {a} times since the start: {text}"},
     EventTemplate{"journal_goes_on", "the session is being kept again: {a} keyframes"},
     EventTemplate{"old_journals_removed", "{a} old journals of {b} MB are removed: session.quota_mb is {c}"},
+    EventTemplate{"team", "{text}"},
+    EventTemplate{"two_robots_one_number",
+                  "two robots of the team have the number {a} (runs {b} and {c}): give one another robot.id"},
 };
 static_assert(kTemplates.size() == static_cast<std::size_t>(EventId::kCount));
 

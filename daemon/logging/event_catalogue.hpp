@@ -20,6 +20,8 @@ enum class EventId : std::uint16_t {
   kJournalFailed,
   kJournalGoesOn,
   kOldJournalsRemoved,
+  kTeam,
+  kTwoRobotsOneNumber,
   kCount  ///< number of events
 };
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/slam/team_alignment.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -28,7 +29,17 @@ bool ClosureWorker::answer_one() {
     hand_overs_.closure.loop_queries.pop();
     return true;
   }
+  if (const auto* query = hand_overs_.closure.alignment_queries.front(); query != nullptr) {
+    answer(*query);
+    hand_overs_.closure.alignment_queries.pop();
+    return true;
+  }
   return false;
+}
+
+void ClosureWorker::answer(const slam::AlignmentQuery& query) {
+  const types::Stamp begin = io::monotonic_now();
+  hand_back(hand_overs_.closure.alignments, slam::align_maps(query), begin);
 }
 
 void ClosureWorker::answer(const slam::GraphQuery& query) {

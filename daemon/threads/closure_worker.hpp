@@ -21,6 +21,7 @@ class ClosureWorker final : public Worker {
   bool answer_one();
   void answer(const slam::GraphQuery& query);
   void answer(const slam::LoopQuery& query);
+  void answer(const slam::AlignmentQuery& query);
   template <class Answer, std::size_t N>
   void hand_back(sync::Ring<Answer, N>& ring, Answer answer, types::Stamp begin);
 

@@ -13,6 +13,7 @@
 #include "core/pipeline/mapping_losses.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/pipeline/planning_step.hpp"
+#include "core/slam/alignment.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/sync/estop_line.hpp"
@@ -23,6 +24,7 @@
 #include "core/types/scan.hpp"
 #include "daemon/threads/fixed_text.hpp"
 #include "daemon/threads/session_desk.hpp"
+#include "daemon/threads/team_hand_over.hpp"
 #include "daemon/threads/wakeup.hpp"
 #include "drivers/io/bus_faults.hpp"
 
@@ -131,6 +133,8 @@ struct ClosureHandOver {
   sync::Ring<slam::LoopAnswer, 8> loop_answers;
   sync::Ring<slam::GraphQuery, 2> graph_queries;
   sync::Ring<slam::GraphSolution, 2> graph_solutions;
+  sync::Ring<slam::AlignmentQuery, 2> alignment_queries;
+  sync::Ring<slam::Alignment, 2> alignments;
 };
 
 struct JournalHandOver {
@@ -154,6 +158,7 @@ struct HandOvers {
   MappingHandOver mapping;
   ClosureHandOver closure;
   JournalHandOver journal;
+  TeamHandOver team;
   SessionDesk files_desk;  ///< requests of main's background thread, answered by mapping
 };
 

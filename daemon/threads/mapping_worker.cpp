@@ -9,13 +9,15 @@
 namespace topo::daemon {
 
 MappingWorker::MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params,
-                             const slam::Origin& origin, Vitals& vitals)
-    : hand_overs_(hand_overs), params_(params), maker_(origin), vitals_(vitals) {
+                             const slam::Origin& origin, Vitals& vitals, const types::Se2& start,
+                             bool with_team)
+    : hand_overs_(hand_overs), params_(params), maker_(origin), start_(start), vitals_(vitals) {
+  if (with_team) team_.emplace(hand_overs.team, params);
   odometry_.reserve(kOdometryRing);
 }
 
 void MappingWorker::run() noexcept {
-  auto state = std::make_unique<pipeline::MappingState>(params_, maker_);
+  auto state = std::make_unique<pipeline::MappingState>(params_, maker_, start_);
   publish(*state);
   while (!hand_overs_.ending.readers_gone.load(std::memory_order_acquire)) {
     hand_overs_.mapping.wakeup.wait(std::chrono::milliseconds(250));
@@ -30,6 +32,7 @@ void MappingWorker::run() noexcept {
       hand_overs_.mapping.report.store(report_);
       serve_desk(hand_overs_.journal.desk, *state, report_.map);
       serve_desk(hand_overs_.files_desk, *state, report_.map);
+      if (team_) team_->serve(*state, report_.map);
       vitals_.beat();
     }
   }
@@ -49,6 +52,7 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
     former_.push_back(std::exchange(state, std::move(next)));
     loops_.stale_until = loops_.asked;
     graphs_.stale_until = graphs_.asked;
+    alignments_.stale_until = alignments_.asked;
     ++report_.map;
     publish(*state);
     hand_over_pose(*state, state->cloud().stamp, true);
@@ -61,6 +65,7 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
 bool MappingWorker::serve(pipeline::MappingState& state) {
   take_answers(hand_overs_.closure.loop_answers, loops_, state);
   take_answers(hand_overs_.closure.graph_solutions, graphs_, state);
+  take_answers(hand_overs_.closure.alignments, alignments_, state);
   skip_backlog(hand_overs_.front.to_mapping);
   skip_backlog(hand_overs_.coronal.to_mapping);
   take_odometry();
@@ -85,6 +90,12 @@ void MappingWorker::take_odometry() {
   }
 }
 
+/// By the odometry that came last.
+types::Se2 MappingWorker::place_now(const pipeline::MappingState& state) {
+  if (!odometry_.empty()) T_odom_base_ = odometry_.back().T_odom_base.se2();
+  return state.mapper().T_map_odom() * T_odom_base_;
+}
+
 /// One step with the oldest data; false when there were none.
 bool MappingWorker::step(pipeline::MappingState& state) {
   auto& front_ring = hand_overs_.front.to_mapping;
@@ -96,6 +107,11 @@ bool MappingWorker::step(pipeline::MappingState& state) {
   if (odometry_.empty() && input.front == nullptr && input.coronal == nullptr) return false;
   const types::Stamp begin = io::monotonic_now();
   if (input.front != nullptr) vitals_.wake.record((begin - input.front->arrival).count());
+  if (team_) {
+    const types::Se2 T_map_base = place_now(state);
+    input.front = team_->without_mates_front(input.front, T_map_base);
+    input.coronal = team_->without_mates_coronal(input.coronal, T_map_base);
+  }
   const pipeline::MappingLosses before = state.losses();
   auto output = pipeline::mapping_step(state, input);
   report_.losses += state.losses() - before;
@@ -128,6 +144,8 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
   // A full ring means that the search is slow: this query is dropped, and the next keyframe sends another.
   for (slam::LoopQuery& query : output.loop_queries)
     (void)ask(hand_overs_.closure.loop_queries, loops_, query);
+  if (output.alignment_query)
+    (void)ask(hand_overs_.closure.alignment_queries, alignments_, *output.alignment_query);
   if (output.graph_query && !ask(hand_overs_.closure.graph_queries, graphs_, *output.graph_query))
     state.offer(slam::GraphSolution{});
 }

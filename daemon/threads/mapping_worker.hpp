@@ -8,6 +8,7 @@
 
 #include "core/pipeline/mapping_step.hpp"
 #include "daemon/threads/hand_overs.hpp"
+#include "daemon/threads/mapping_team.hpp"
 #include "daemon/threads/vitals.hpp"
 #include "daemon/threads/worker.hpp"
 
@@ -20,9 +21,10 @@ class MappingWorker final : public Worker {
   /// When more scans wait, all but the newest are skipped.
   static constexpr std::size_t kBacklog = 12;
 
-  /// `origin`: origin of the keyframes of the first map.
+  /// `origin`: origin of the keyframes of the first map, which begins at `start`. `with_team`: mates are
+  /// heard.
   MappingWorker(HandOvers& hand_overs, const slam::MapperParams& params, const slam::Origin& origin,
-                Vitals& vitals);
+                Vitals& vitals, const types::Se2& start = {}, bool with_team = false);
 
   /// The thread's body: runs until hand_overs.ending.readers_gone, because it destroys the map cell; it stops
   /// mapping at hand_overs.ending.stopping.
@@ -43,6 +45,7 @@ class MappingWorker final : public Worker {
   void take_over(std::unique_ptr<pipeline::MappingState>& state);
   void take_odometry();
   bool step(pipeline::MappingState& state);
+  [[nodiscard]] types::Se2 place_now(const pipeline::MappingState& state);
   void skip_backlog(sync::Ring<types::Scan, kScanRing>& ring);
   void use(pipeline::MappingState& state, pipeline::MappingOutput& output);
   void publish(pipeline::MappingState& state);
@@ -51,12 +54,15 @@ class MappingWorker final : public Worker {
   HandOvers& hand_overs_;
   slam::MapperParams params_;
   slam::Origin maker_;
+  types::Se2 start_;
   Vitals& vitals_;
   std::vector<types::Odometry> odometry_;
+  types::Se2 T_odom_base_;  ///< the newest; kept with a team only
   MappingReport report_;
   plausibility::MatchedMotion matched_;                          ///< since the start
   std::vector<std::unique_ptr<pipeline::MappingState>> former_;  ///< readers may still use their maps
-  Questions loops_, graphs_;
+  Questions loops_, graphs_, alignments_;
+  std::optional<MappingTeam> team_;  ///< nothing without a team
 };
 
 }  // namespace topo::daemon

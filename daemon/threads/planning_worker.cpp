@@ -44,9 +44,14 @@ void PlanningWorker::decide(pipeline::PlanningState& state, MapSnapshots::Reader
   input.control = hand_overs_.to_planning.control.read();
   input.front = hand_overs_.front.to_planning.read();
   input.mission = mission_;
+  input.team.robot = robot_;
+  if (const auto* heard = hand_overs_.team.statuses.take_new(); heard != nullptr)
+    input.team.messages = *heard;
   input.now = io::monotonic_now();  // after everything was taken: nothing in the input is from the future
   pipeline::PlanningOutput output = pipeline::planning_step(state, input);
   hand_overs_.plan.store(output.plan);
+  hand_overs_.team.status.store(output.message);
+  hand_overs_.team.wakeup.post();
   hand_overs_.planning->publish(std::move(output.report));
 }
 

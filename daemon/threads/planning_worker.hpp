@@ -13,9 +13,10 @@ namespace topo::daemon {
 /// once when the mission changes.
 class PlanningWorker final : public Worker {
  public:
+  /// `robot`: its number in a team.
   PlanningWorker(HandOvers& hand_overs, const pipeline::PlannerParams& params, types::Duration period,
-                 Vitals& vitals)
-      : hand_overs_(hand_overs), params_(params), period_(period), vitals_(vitals) {}
+                 std::uint16_t robot, Vitals& vitals)
+      : hand_overs_(hand_overs), params_(params), period_(period), robot_(robot), vitals_(vitals) {}
 
   /// The thread's body: until hand_overs.ending.stopping. Ends the reports' cell, so that its readers must be
   /// gone by then.
@@ -28,6 +29,7 @@ class PlanningWorker final : public Worker {
   HandOvers& hand_overs_;
   pipeline::PlannerParams params_;
   types::Duration period_;
+  std::uint16_t robot_;
   Vitals& vitals_;
   pipeline::Mission mission_;
   std::int64_t slow_ = 0;  ///< decisions that took longer than the period

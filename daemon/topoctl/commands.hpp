@@ -25,6 +25,7 @@ struct Arguments {
   std::string socket = ControlConfig{}.socket;
   bool json = false;
   bool why = false;
+  bool all = false;  ///< robots of the team
   std::string folder, level, what, session;
   bool search = false;       ///< load a session without a pose
   std::vector<double> pose;  ///< x, y, theta; or empty
@@ -55,6 +56,9 @@ std::string one_line(const Json& json);
 /// Sends one request on a separate connection.
 types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params = Json::object(),
                         types::Duration patience = kPatience);
+
+/// Sends an order to the whole team, and names who has acknowledged it and who was not reached.
+int order_team(const Arguments& arguments, const char* method);
 
 /// Sends a request, and prints the answer as JSON or through `table`. Returns the exit status.
 int show(const Arguments& arguments, const char* method, std::string (*table)(const Json&),

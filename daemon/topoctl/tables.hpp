@@ -19,6 +19,7 @@ std::string why_table(const Json& goals);
 std::string places_table(const Json& places);
 std::string doctor_table(const Json& doctor);
 std::string sessions_table(const Json& answer);
+std::string team_table(const Json& team);
 /// One line, with its line end.
 std::string mission_text(const Json& mission);
 /// The status on one line without line end, for the command watch.

@@ -27,8 +27,10 @@ std::string member(const Json& answer, const char* name) {
   return found != answer.end() && found->is_string() ? found->get<std::string>() : std::string("-");
 }
 
-/// Uses a short time-out: the operator must learn quickly when there is no daemon.
+/// With --all: of the whole team. Uses a short time-out: the operator must learn quickly when there is no
+/// daemon.
 int estop(const Arguments& arguments) {
+  if (arguments.all) return order_team(arguments, "estop");
   const int status = show(arguments, "estop", &nothing, Json::object(), kEstopPatience);
   if (status == kNoDaemon)
     fmt::print(
@@ -68,6 +70,8 @@ void add_queries(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "goals", "where the robot may go next", status,
       [&a] { return show(a, "goals", a.why ? &why_table : &goals_table); });
   cli.get_subcommand("goals")->add_flag("--why", a.why, "why each goal was taken, dropped or put off");
+  add(cli, "team", "who is in the team, what it hears and what it lacks", status,
+      [&a] { return show(a, "team", &team_table); });
   add(cli, "places", "the places of the map", status, [&a] { return show(a, "places", &places_table); });
   add(cli, "version", "version of the daemon and of this program", status, [&a] {
     return show(a, "version", [](const Json& answer) {
@@ -81,6 +85,7 @@ void add_queries(CLI::App& cli, Arguments& a, int& status) {
 void add_commands(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "estop", "stop at once, and stay so until clear-estop; anybody may", status,
       [&a] { return estop(a); });
+  cli.get_subcommand("estop")->add_flag("--all", a.all, "of the whole team, and name who was not reached");
   add(cli, "clear-estop", "let the robot move again", status,
       [&a] { return show(a, "clear_estop", &nothing); });
   auto* driving = cli.add_subcommand("drive", "drive by hand: with the keys, or at V m/s and W rad/s");
@@ -140,7 +145,8 @@ void add_missions(CLI::App& cli, Arguments& a, int& status) {
   going->add_option("X", a.x_m, "metres in map")->required()->check(number_from(-kFar_m, kFar_m));
   going->add_option("Y", a.y_m, "metres in map")->required()->check(number_from(-kFar_m, kFar_m));
   add(cli, "stop", "end the mission and the driving: the robot stands", status,
-      [&a] { return show(a, "stop", &nothing); });
+      [&a] { return a.all ? order_team(a, "stop") : show(a, "stop", &nothing); });
+  cli.get_subcommand("stop")->add_flag("--all", a.all, "of the whole team, and name who was not reached");
   auto* wait = cli.add_subcommand("wait", "wait for something; --timeout S");
   wait->require_subcommand(1);
   wait->fallthrough();

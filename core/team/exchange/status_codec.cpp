@@ -12,9 +12,10 @@ using types::ByteReader;
 using types::ByteWriter;
 
 // varint sequence, f64 pose (3) and start (2), u8 flags, home (2 f64) and claim (3 f64) by their flags;
+// u8 number of anchors, each: varint run and sequence, f64 pose (3);
 // varint number of bids, each: steps of x and y from the bid before in cm, cost in cm and whether essential;
 // varint number of points of the way, each as steps in cm.
-constexpr unsigned kHome = 1, kClaim = 2, kEssential = 4, kDutyShift = 4, kFlags = 0x37;
+constexpr unsigned kHome = 1, kClaim = 2, kEssential = 4, kCommonFrame = 8, kDutyShift = 4, kFlags = 0x3F;
 constexpr std::uint8_t kDuties = 3;
 constexpr double kCm_m = 0.01;
 
@@ -83,17 +84,40 @@ Bid read_bid(ByteReader& in, Steps& steps, bool& ok) {
   return bid;
 }
 
-void read_fixed(ByteReader& in, StatusMessage& status, bool& ok) {
-  status.sequence = in.varint();
+void write_pose(ByteWriter& out, const types::Se2& pose) {
+  write_place(out, pose.translation());
+  out.real(pose.theta_rad);
+}
+
+types::Se2 read_pose(ByteReader& in, bool& ok) {
   const types::Vector2 place = read_place(in, ok);
   const double theta_rad = in.real64();
   ok = ok && is_in_reach(theta_rad);
-  status.T_map_base = {place.x(), place.y(), theta_rad};
+  return {place.x(), place.y(), theta_rad};
+}
+
+void read_anchors(ByteReader& in, StatusMessage& status, bool& ok) {
+  const auto count = in.integer<std::uint8_t>();
+  ok = ok && in.ok() && count <= kAnchorsMax;
+  for (std::uint8_t i = 0; ok && i < count; ++i) {
+    Anchor& anchor = status.anchors.emplace_back();
+    const std::uint64_t run = in.varint(), sequence = in.varint();
+    ok = ok && run <= UINT32_MAX && sequence <= UINT32_MAX;
+    anchor.run = static_cast<std::uint32_t>(run);
+    anchor.sequence = static_cast<std::uint32_t>(sequence);
+    anchor.T_map_base = read_pose(in, ok);
+  }
+}
+
+void read_fixed(ByteReader& in, StatusMessage& status, bool& ok) {
+  status.sequence = in.varint();
+  status.T_map_base = read_pose(in, ok);
   status.start = read_place(in, ok);
   const auto flags = in.integer<std::uint8_t>();
   const unsigned duty = flags >> kDutyShift;
   ok = ok && (flags & ~kFlags) == 0 && duty < kDuties;
   status.duty = static_cast<Duty>(ok ? duty : 0);
+  status.in_common_frame = (flags & kCommonFrame) != 0;
   if ((flags & kHome) != 0) status.home = read_place(in, ok);
   if ((flags & kClaim) == 0) return;
   Bid& claim = status.claim.emplace();
@@ -108,16 +132,23 @@ void read_fixed(ByteReader& in, StatusMessage& status, bool& ok) {
 std::vector<std::byte> encode_status(const StatusMessage& status, std::size_t room) {
   ByteWriter out;
   out.varint(status.sequence);
-  write_place(out, status.T_map_base.translation());
-  out.real(status.T_map_base.theta_rad);
+  write_pose(out, status.T_map_base);
   write_place(out, status.start);
   out.integer(static_cast<std::uint8_t>((status.home ? kHome : 0U) | (status.claim ? kClaim : 0U) |
                                         (status.claim && status.claim->essential ? kEssential : 0U) |
+                                        (status.in_common_frame ? kCommonFrame : 0U) |
                                         (static_cast<unsigned>(status.duty) << kDutyShift)));
   if (status.home) write_place(out, *status.home);
   if (status.claim) {
     write_place(out, status.claim->p_map);
     out.real(status.claim->cost_m);
+  }
+  const std::size_t anchors = std::min(status.anchors.size(), kAnchorsMax);
+  out.integer(static_cast<std::uint8_t>(anchors));
+  for (const Anchor& anchor : std::span(status.anchors).first(anchors)) {
+    out.varint(anchor.run);
+    out.varint(anchor.sequence);
+    write_pose(out, anchor.T_map_base);
   }
   // Two numbers of at most two bytes each follow. The way gets at least a fifth: others yield by it.
   const std::size_t left = room - std::min(room, out.bytes().size() + 4);
@@ -134,6 +165,7 @@ types::Result<StatusMessage> decode_status(std::uint16_t robot, std::span<const 
   StatusMessage& status = *result;
   status.robot = robot;
   read_fixed(in, status, ok);
+  read_anchors(in, status, ok);
   const std::size_t bids = in.count(3);
   Steps bid_steps, way_steps;
   for (std::size_t i = 0; ok && i < bids; ++i) status.bids.push_back(read_bid(in, bid_steps, ok));

@@ -33,6 +33,7 @@ Json Operator::status() const {
   json["estop_latch"] = estop_.json();
   json["mission"] = mission_json();
   json["session"] = sessions_.status();
+  json["team"] = team_.brief();
   const auto* report = plan_.report();
   if (report == nullptr) return json;
   json["activity"] = to_text(report->activity);
@@ -52,6 +53,10 @@ Json Operator::health() const {
   if (const std::string trouble = estop_.trouble(); !trouble.empty()) {
     json["healthy"] = false;
     json["faults"].push_back("e-stop: " + trouble);
+  }
+  if (const std::string trouble = team_.trouble(); !trouble.empty()) {
+    json["healthy"] = false;
+    json["faults"].push_back("team: " + trouble);
   }
   if (const std::string trouble = sessions_.trouble(); !trouble.empty()) {
     json["healthy"] = false;

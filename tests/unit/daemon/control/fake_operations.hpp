@@ -38,6 +38,9 @@ class FakeOperations final : public Operations {
     goto_done = std::move(done);
   }
   void estop() override { calls.push_back("estop"); }
+  std::uint64_t estop_team() override { return calls.push_back("estop_team"), 7; }
+  std::uint64_t stop_team() override { return calls.push_back("stop_team"), 8; }
+  [[nodiscard]] Json team() const override { return Json{{"present", false}}; }
   void clear_estop(std::function<void(types::Status)> done) override {
     calls.push_back("clear_estop");
     done(outcome);

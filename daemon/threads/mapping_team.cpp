@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/mapping_team.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "core/team/masked_scan.hpp"
+#include "core/team/roster.hpp"
+
+namespace topo::daemon {
+namespace {
+
+/// A scanner sees 30 m (UTM-30LX); a mate farther away is in no scan.
+constexpr double kSight_m = 31.0;
+/// Keyframes behind the newest own one: mates mostly hold it already.
+constexpr std::size_t kAnchorBehind = 10;
+
+std::vector<team::Anchor> anchors_of(const slam::Mapper& mapper) {
+  std::vector<std::size_t> of_run;
+  for (const std::size_t node : mapper.own_way())
+    if (mapper.keyframes()[node]->id.origin() == mapper.origin()) of_run.push_back(node);
+  if (of_run.empty()) return {};
+  std::vector<std::size_t> nodes{of_run.front()};
+  if (of_run.size() > 1)
+    nodes.push_back(of_run[of_run.size() - 1 - std::min(kAnchorBehind, of_run.size() - 2)]);
+  std::vector<team::Anchor> anchors;
+  for (const std::size_t node : nodes) {
+    const slam::KeyframeId& id = mapper.keyframes()[node]->id;
+    anchors.push_back({id.run, id.sequence, mapper.poses()[node]});
+  }
+  return anchors;
+}
+
+std::unique_ptr<OwnMapNews> news_for(const OwnMapAsk& ask, const slam::Mapper& mapper, std::uint64_t map) {
+  auto news = std::make_unique<OwnMapNews>();
+  news->map = map;
+  news->origin = mapper.origin();
+  const bool is_same = ask.map == map;
+  const auto way = mapper.own_way();
+  const auto keyframes = mapper.keyframes();
+  if (!is_same) {
+    for (const slam::KeyframePtr& keyframe : keyframes)
+      if (keyframe->id.origin() != mapper.origin()) news->held.push_back(keyframe);
+  }
+  for (const std::size_t node : way.subspan(is_same ? std::min(ask.keyframes, way.size()) : 0))
+    if (keyframes[node]->id.origin() == mapper.origin()) news->keyframes.push_back(keyframes[node]);
+  news->own_way = way.size();
+  const auto found = mapper.found_since(is_same ? ask.relations : 0);
+  news->relations.assign(found.begin(), found.end());
+  news->anchors = anchors_of(mapper);
+  for (const slam::KeyframeId& id : ask.poses_of)
+    if (const auto node = mapper.node_of(id)) news->poses.emplace_back(id, mapper.poses()[*node]);
+  return news;
+}
+
+}  // namespace
+
+MappingTeam::MappingTeam(TeamHandOver& team, const slam::MapperParams& params)
+    : team_(team),
+      T_base_front_(params.T_base_laser),
+      T_base_coronal_(params.coronal.x_m, params.coronal.y_m, 0.0) {}
+
+void MappingTeam::serve(pipeline::MappingState& state, std::uint64_t map) {
+  for (const auto* parcel = team_.mates.front(); parcel != nullptr; parcel = team_.mates.front()) {
+    const std::unique_ptr<MatesMapNews> news = std::move(parcel->content);
+    team_.mates.pop();
+    if (news->map != map) continue;
+    for (const auto& [key, relation] : news->known) state.relate(key, relation);
+    state.join(news->keyframes, news->relations);
+  }
+  for (const OwnMapAsk* ask = team_.asks.front(); ask != nullptr; ask = team_.asks.front()) {
+    if (auto* slot = team_.own.try_acquire(); slot != nullptr) {
+      slot->content = news_for(*ask, state.mapper(), map);
+      team_.own.commit();
+      team_.wakeup.post();
+    }
+    team_.asks.pop();
+  }
+}
+
+std::vector<types::Vector2> MappingTeam::mates_near(const types::Se2& T_map_base, types::Stamp now) {
+  std::vector<types::Vector2> near;
+  const MatesPlaces* mates = team_.places.read();
+  if (mates == nullptr) return near;
+  for (const MatesPlaces::Place& place : mates->places) {
+    if (now - place.heard <= team::kPlaceAgeMax &&
+        (place.p_map - T_map_base.translation()).norm() <= kSight_m)
+      near.push_back(place.p_map);
+  }
+  return near;
+}
+
+const types::Scan* MappingTeam::without_mates_front(const types::Scan* scan, const types::Se2& T_map_base) {
+  if (scan == nullptr) return nullptr;
+  const std::vector<types::Vector2> near = mates_near(T_map_base, scan->arrival);
+  if (near.empty()) return scan;
+  front_ = *scan;
+  team::mask_mates(front_, T_map_base * T_base_front_, near, team::kMateRadius_m);
+  return &front_;
+}
+
+const types::Scan* MappingTeam::without_mates_coronal(const types::Scan* scan, const types::Se2& T_map_base) {
+  if (scan == nullptr) return nullptr;
+  const std::vector<types::Vector2> near = mates_near(T_map_base, scan->arrival);
+  if (near.empty()) return scan;
+  coronal_ = *scan;
+  team::mask_mates_coronal(coronal_, T_map_base * T_base_coronal_, near, team::kMateRadius_m);
+  return &coronal_;
+}
+
+}  // namespace topo::daemon
