@@ -29,6 +29,7 @@ struct Sender {
         summary(periods.seed ^ 3U),
         wants(periods.seed ^ 4U) {}
   ByteBudget budget;
+  bool catching_up = false;
   Periodic presence, status, summary, wants;
   std::uint32_t counter = 0;  ///< of the next datagram
   SentLately sent;
