@@ -77,7 +77,7 @@ TEST(Due, AMateCanNameNoMoreThanTheCap) {
 TEST(Due, OnlyLiveMatesThatAskThisRobotCount) {
   const PeriodParams periods;
   Peers peers;
-  for (const std::uint16_t robot : {2, 3, 4}) {
+  for (std::uint16_t robot = 2; robot <= 4; ++robot) {
     peers.hear({robot, 1}, 0, {}, at(0.0));
     *peers.find({robot, 1}) = mate({});
   }

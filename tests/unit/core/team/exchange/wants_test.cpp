@@ -18,7 +18,7 @@ const StreamKey kFrames{ItemKind::kKeyframe, {1, 1}};
 
 Holds holding(const StreamKey& key, std::uint32_t items) { return {{key, {key, items, items, items, {}}}}; }
 
-auto find(const ItemStore& store, std::span<const Source> sources, const CapParams& caps = {}) {
+auto wanted(const ItemStore& store, std::span<const Source> sources, const CapParams& caps = {}) {
   return find_wants({9, 1}, store, Assemblies(1'000'000), sources, caps);
 }
 
@@ -77,7 +77,7 @@ TEST(Wants, NothingIsWantedThatIsHeldOrThatNobodyHas) {
   for (const std::uint32_t n : {0U, 1U, 4U}) store.insert({kFrames, n}, item_of({1}));
   const Holds theirs = holding(kFrames, 6);
   const std::vector<Source> sources{{{2, 1}, &theirs}};
-  const auto wants = find(store, sources);
+  const auto wants = wanted(store, sources);
   ASSERT_EQ(wants.size(), 1U);
   const StreamWants& stream = wants.at({2, 1}).front();
   EXPECT_EQ(stream.runs, (std::vector<WantRun>{{2, 2, kAllPieces}, {5, 1, kAllPieces}}));
@@ -87,7 +87,7 @@ TEST(Wants, NothingIsWantedThatIsHeldOrThatNobodyHas) {
 TEST(Wants, TheOriginIsAskedBeforeOthers) {
   const Holds theirs = holding(kFrames, 40);
   const std::vector<Source> sources{{{1, 1}, &theirs}, {{2, 1}, &theirs}};
-  const auto wants = find({}, sources);
+  const auto wants = wanted({}, sources);
   EXPECT_TRUE(wants.contains({1, 1}));
   EXPECT_FALSE(wants.contains({2, 1}));
 }
@@ -97,7 +97,7 @@ TEST(Wants, OthersShareTheWorkWithoutOverlap) {
   const std::vector<Source> sources{{{2, 1}, &theirs}, {{3, 1}, &theirs}};
   CapParams caps;
   caps.oldest_wanted = 120;
-  const auto wants = find({}, sources, caps);
+  const auto wants = wanted({}, sources, caps);
   std::vector<int> asked(120, 0);
   for (const auto& [peer, streams] : wants) {
     for (const WantRun& run : streams.front().runs) {
@@ -115,7 +115,7 @@ TEST(Wants, OldestAndNewestAreWantedWithinTheirBounds) {
   CapParams caps;
   caps.oldest_wanted = 10;
   caps.newest_wanted = 4;
-  const StreamWants stream = find({}, sources, caps).at({1, 1}).front();
+  const StreamWants stream = wanted({}, sources, caps).at({1, 1}).front();
   EXPECT_EQ(stream.runs, (std::vector<WantRun>{{0, 10, kAllPieces}, {996, 4, kAllPieces}}));
   EXPECT_EQ(stream.covered, 10U);
 }
@@ -134,7 +134,7 @@ TEST(Wants, NothingOfThisRunIsWantedFromOthers) {
   const StreamKey own{ItemKind::kKeyframe, {9, 1}};
   const Holds theirs = holding(own, 5);
   const std::vector<Source> sources{{{2, 1}, &theirs}};
-  EXPECT_TRUE(find({}, sources).empty());
+  EXPECT_TRUE(wanted({}, sources).empty());
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ TEST(Wire, WhatIsCutOffIsMalformed) {
   DatagramHead head;
   for (std::size_t size = 0; size < kHeadBytes; ++size)
     EXPECT_EQ(read_head(std::span(datagram).first(size), head), HeadVerdict::kMalformed) << size;
-  MessageReader messages(std::span(datagram).first(datagram.size() - 1));
+  const auto cut = std::span(datagram).first(datagram.size() - 1);
+  MessageReader messages(cut);
   EXPECT_TRUE(messages.next());
   EXPECT_FALSE(messages.next());
   EXPECT_FALSE(messages.ok());
