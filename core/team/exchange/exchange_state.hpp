@@ -18,6 +18,7 @@ namespace topo::team {
 struct Unread {
   std::deque<ItemKey> keyframes, relations, entries;
   std::vector<HeardOrder> orders;
+  bool same_run_heard = false;  ///< another robot speaks with this one's id and run
   types::Stamp duplicates_told{};
 };
 

@@ -47,14 +47,14 @@ TEST(Exchange, WhatOneHasTheOtherGetsAsItIs) {
 TEST(Exchange, WhatIsLostIsSentAgain) {
   Robot a(1), b(2);
   ASSERT_TRUE(a.make());
-  talk(a, b, 0.0, 1.0);
+  talk(a, b, 0.0, 4.0);
   ASSERT_TRUE(a.make());
-  for (double t = 1.0; t < 3.0; t += 0.05) {
+  for (double t = 4.0; t < 6.0; t += 0.05) {
     (void)a.exchange.datagrams(at(t));  // lost
     send(b, a, at(t));
   }
   EXPECT_EQ(keyframes(b), 1U);
-  talk(a, b, 3.0, 8.0);
+  talk(a, b, 6.0, 12.0);
   EXPECT_TRUE(are_equal(a, b));
 }
 
@@ -295,6 +295,19 @@ TEST(Exchange, TwoWithOneIdAreSeenByBothAndByOthers) {
   EXPECT_TRUE(found[0].front().own && found[1].front().own);
   EXPECT_FALSE(found[2].front().own);
   EXPECT_GT(one.exchange.counters().duplicate_ids, 0U);
+}
+
+TEST(Exchange, TheSameRunWithALaterCounterIsAnother) {
+  Robot one(1), two(1);
+  for (double t = 0.0; t < 5.0; t += 0.05) (void)two.exchange.datagrams(at(t));
+  for (const Datagram& datagram : one.exchange.datagrams(at(5.0))) one.exchange.take(datagram, at(5.0));
+  EXPECT_TRUE(one.exchange.take_news(at(5.0)).duplicates.empty()) << "its own echo";
+  for (double t = 5.0; t < 6.0; t += 0.05) {
+    for (const Datagram& datagram : two.exchange.datagrams(at(t))) one.exchange.take(datagram, at(t));
+  }
+  const ExchangeNews news = one.exchange.take_news(at(6.0));
+  ASSERT_EQ(news.duplicates.size(), 1U);
+  EXPECT_TRUE(news.duplicates[0].own);
 }
 
 TEST(Exchange, ACopyGoesItsOwnWay) {

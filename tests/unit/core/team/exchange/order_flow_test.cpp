@@ -65,9 +65,11 @@ TEST(OrderFlow, ItPassesThroughARobotInBetween) {
   Robot a(1), b(2), c(3);
   const auto round = [&](double t) {
     send(a, b, at(t));
-    send(b, a, at(t));
-    send(b, c, at(t));
     send(c, b, at(t));
+    for (const Datagram& datagram : b.exchange.datagrams(at(t))) {
+      a.exchange.take(datagram, at(t));
+      c.exchange.take(datagram, at(t));
+    }
   };
   for (double t = 0.0; t < 1.0; t += 0.05) round(t);
   const EntryId id = a.exchange.order({OrderKind::kEstop}, at(1.0));
