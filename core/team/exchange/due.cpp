@@ -37,6 +37,8 @@ class Collection {
     }
   }
 
+  [[nodiscard]] std::size_t wanted_bytes() const { return wanted_bytes_; }
+
   std::vector<DuePiece> take() {
     const auto key = [](const DuePiece& piece) { return std::tie(piece.key, piece.index); };
     std::sort(pieces_.begin(), pieces_.end(),
@@ -57,10 +59,11 @@ class Collection {
     const std::size_t count = whole ? 1 : pieces_of(bytes);
     for (std::uint8_t i = 0; i < count; ++i) {
       if ((pieces >> i & 1U) == 0) continue;
+      const std::size_t size = whole ? bytes : span_of(bytes, i).size;
+      wanted_bytes_ += size;
       const auto sent = sent_.find(key, i);
       if (sent && is_later(*sent, heard_)) continue;
-      const std::size_t size = whole ? bytes : span_of(bytes, i).size;
-      pieces_.push_back({key, i, 1U << mate_, static_cast<std::uint32_t>(size)});
+      pieces_.push_back({key, i, 1U << mate_, 0, static_cast<std::uint32_t>(size)});
     }
   }
 
@@ -69,6 +72,7 @@ class Collection {
   std::size_t items_max_;
   std::uint32_t heard_ = 0;
   std::uint32_t mate_ = 0;
+  std::size_t wanted_bytes_ = 0;
   std::vector<DuePiece> pieces_;
 };
 
@@ -81,11 +85,13 @@ const StreamWants* wants_of(const Peer& mate, const StreamKey& key) {
   return at == streams.end() ? nullptr : &*at;
 }
 
-bool all_hold(std::span<const Peer* const> mates, std::uint32_t bits, const DuePiece& piece) {
-  for (std::size_t i = 0; i < mates.size(); ++i) {
-    if ((bits >> i & 1U) != 0 && !holds_piece(*mates[i], piece.key, piece.index)) return false;
+/// The mates that hold a piece.
+std::uint32_t holders_of(std::span<const Peer* const> mates, const DuePiece& piece) {
+  std::uint32_t holders = 0;
+  for (std::uint32_t i = 0; i < mates.size(); ++i) {
+    if ((piece.wanters >> i & 1U) == 0 && holds_piece(*mates[i], piece.key, piece.index)) holders |= 1U << i;
   }
-  return true;
+  return holders;
 }
 
 }  // namespace
@@ -121,9 +127,12 @@ Due find_due(std::span<const Peer* const> mates, const ItemStore& store, const S
   Collection collection(store, sent, caps.wanted_items);
   for (std::uint32_t i = 0; i < mates.size(); ++i) collection.add(*mates[i]->wants, i);
   Due due;
-  for (const DuePiece& piece : collection.take()) {
+  due.wanted_bytes = collection.wanted_bytes();
+  std::vector<DuePiece> pieces = collection.take();
+  for (DuePiece& piece : pieces) {
     due.bytes += piece.size;
     const ItemKind kind = piece.key.stream.kind;
+    if (kind == ItemKind::kKeyframe) piece.holders = holders_of(mates, piece);
     (kind == ItemKind::kLog        ? due.log
      : kind == ItemKind::kRelation ? due.relations
                                    : due.keyframes)
@@ -143,14 +152,46 @@ bool holds_piece(const Peer& mate, const ItemKey& key, std::uint8_t index) {
   return at != mate.holds.end() && at->second.holds(key.number);
 }
 
-std::optional<std::size_t> find_partner(std::span<const DuePiece> due, std::size_t at,
-                                        std::span<const Peer* const> mates) {
-  const DuePiece& piece = due[at];
+PieceQueue::PieceQueue(std::vector<DuePiece> pieces, std::size_t mates)
+    : pieces_(std::move(pieces)),
+      all_(mates >= kWantingMax ? ~0U : (1U << mates) - 1U),
+      end_(pieces_.size()) {}
+
+bool PieceQueue::empty() const { return begin_ == end_ && deferred_.empty(); }
+
+void PieceQueue::trim() {
+  while (begin_ < end_ && pieces_[begin_].size == 0) ++begin_;
+  while (begin_ < end_ && pieces_[end_ - 1].size == 0) --end_;
+}
+
+PieceQueue::Pick PieceQueue::take(bool newest) {
+  while (begin_ < end_) {
+    const std::size_t at = newest ? end_ - 1 : begin_;
+    const DuePiece piece = pieces_[at];
+    const auto partner = piece.wanters == all_ ? std::nullopt : partner_of(at);
+    pieces_[at].size = 0;
+    Pick pick{piece, std::nullopt};
+    if (partner) {
+      pick.partner = pieces_[*partner];
+      pieces_[*partner].size = 0;
+    }
+    trim();
+    if (partner || piece.wanters == all_) return pick;
+    deferred_.push_back(piece);
+  }
+  const DuePiece piece = deferred_.front();
+  deferred_.pop_front();
+  return {piece, std::nullopt};
+}
+
+std::optional<std::size_t> PieceQueue::partner_of(std::size_t at) const {
+  const DuePiece& piece = pieces_[at];
   std::size_t looked = 0;
-  for (std::size_t i = 0; i < due.size() && looked < kPartnersMax; ++i) {
-    if (i == at || due[i].size == 0 || (due[i].wanters & piece.wanters) != 0) continue;
-    ++looked;
-    if (all_hold(mates, piece.wanters, due[i]) && all_hold(mates, due[i].wanters, piece)) return i;
+  for (std::size_t i = begin_; i < end_ && looked < kPartnersMax; ++i, ++looked) {
+    const DuePiece& other = pieces_[i];
+    const bool apart = other.size > 0 && (other.wanters & piece.wanters) == 0;
+    const bool known = (piece.wanters & ~other.holders) == 0 && (other.wanters & ~piece.holders) == 0;
+    if (i != at && apart && known) return i;
   }
   return std::nullopt;
 }

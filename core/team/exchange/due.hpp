@@ -16,13 +16,15 @@ struct DuePiece {
   ItemKey key;
   std::uint8_t index = 0;
   std::uint32_t wanters = 0;  ///< bit i: the i-th wanting mate
+  std::uint32_t holders = 0;  ///< of a keyframe's: bit i: the i-th wanting mate holds it
   std::uint32_t size = 0;     ///< bytes
 };
 
 /// All that is due, each list in the order of the keys.
 struct Due {
   std::vector<DuePiece> log, relations, keyframes;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;         ///< of these
+  std::size_t wanted_bytes = 0;  ///< with what is under way
 };
 
 /// In which datagram a piece was last sent: what was sent after the datagram that a mate had heard when it
@@ -50,9 +52,28 @@ class SentLately {
 /// True when a mate's newest wants, or its summary, say that it holds a piece of a keyframe.
 [[nodiscard]] bool holds_piece(const Peer& mate, const ItemKey& key, std::uint8_t index);
 
-/// Of the other pieces of `due`, the first that together with `due[at]` helps all who want either: those who
-/// want the one hold the other. Nothing when every mate wants `due[at]`, or none fits.
-[[nodiscard]] std::optional<std::size_t> find_partner(std::span<const DuePiece> due, std::size_t at,
-                                                      std::span<const Peer* const> mates);
+/// The pieces of keyframes one after the other, oldest first, or newest: what all want, and two that are sent
+/// as one because those who want the one hold the other (coding.hpp). What only some want and has no partner
+/// yet comes last: a partner may turn up.
+class PieceQueue {
+ public:
+  PieceQueue(std::vector<DuePiece> pieces, std::size_t mates);
+  [[nodiscard]] bool empty() const;
+  struct Pick {
+    DuePiece piece;
+    std::optional<DuePiece> partner;
+  };
+  /// Precondition: not empty.
+  Pick take(bool newest);
+
+ private:
+  void trim();
+  [[nodiscard]] std::optional<std::size_t> partner_of(std::size_t at) const;
+
+  std::vector<DuePiece> pieces_;  // size 0: taken, or deferred
+  std::uint32_t all_;             // bits of the mates
+  std::size_t begin_ = 0, end_;
+  std::deque<DuePiece> deferred_;
+};
 
 }  // namespace topo::team

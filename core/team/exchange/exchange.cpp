@@ -197,6 +197,8 @@ ExchangeNews Exchange::take_news(types::Stamp now) {
   news.statuses = take_statuses(*state_, now);
   if (now - unread.duplicates_told >= types::from_seconds(state_->params.periods.alive_s)) {
     news.duplicates = state_->peers.duplicates(state_->self(), state_->params.periods, now);
+    const auto [robot, run] = state_->self();
+    if (std::exchange(unread.same_run_heard, false)) news.duplicates.push_back({robot, run, run, true});
     if (!news.duplicates.empty()) unread.duplicates_told = now;
   }
   return news;

@@ -18,6 +18,7 @@ namespace topo::team {
 struct Unread {
   std::deque<ItemKey> keyframes, relations, entries;
   std::vector<HeardOrder> orders;
+  bool same_run_heard = false;  ///< another robot speaks with this one's id and run
   types::Stamp duplicates_told{};
 };
 
@@ -29,6 +30,7 @@ struct Sender {
         summary(periods.seed ^ 3U),
         wants(periods.seed ^ 4U) {}
   ByteBudget budget;
+  bool catching_up = false;
   Periodic presence, status, summary, wants;
   std::uint32_t counter = 0;  ///< of the next datagram
   SentLately sent;

@@ -268,10 +268,14 @@ bool is_for_us(ExchangeState& state, HeadVerdict verdict, const DatagramHead& he
     ++counters.other_version;
   else if (head.team != state.identity.team)
     ++counters.other_team;
-  else if (head.sender == state.self())
-    ++counters.own_echo;
-  else
+  else if (head.sender != state.self())
     return true;
+  else if (is_later(state.sender.counter, head.counter))
+    ++counters.own_echo;
+  else {
+    ++counters.duplicate_ids;  // this robot has not sent so many
+    state.unread.same_run_heard = true;
+  }
   return false;
 }
 

@@ -26,9 +26,10 @@ struct ExchangeIdentity {
 
 /// Bytes per second and robot. Defaults are for an 802.11 radio that several teams share.
 struct RateParams {
-  double steady_Bps = 10'000.0;              ///< while little is wanted: 1.6 keyframes/s are 7 kB/s
-  double catch_up_Bps = 200'000.0;           ///< while more than `catch_up_over_bytes` is wanted from here
+  double steady_Bps = 10'000.0;     ///< while little is wanted: 1.6 keyframes/s are 7 kB/s
+  double catch_up_Bps = 200'000.0;  ///< while mates lack much: from `catch_up_over_bytes` wanted until ...
   std::size_t catch_up_over_bytes = 30'000;  ///< 3 s of the steady rate
+  std::size_t caught_up_bytes = 6'000;       ///< ... less than this is: a keyframe
   /// What is not sent is saved up for so long: two periods of the caller. Contact after hours is no burst.
   double burst_s = 0.1;
   /// True when the carrier sends each datagram once to each mate (no multicast): each copy is charged.

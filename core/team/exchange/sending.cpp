@@ -72,7 +72,7 @@ class Composer {
   std::vector<Datagram> compose() {
     const std::vector<const Peer*> mates = wanting(state_.peers, state_.self(), periods(), now_);
     Due due = find_due(mates, state_.store, sender_.sent, state_.params.caps);
-    refill(due.bytes);
+    refill(due.wanted_bytes);
     add_orders();
     if (sender_.budget.bytes() >= 0.0) add_words();
     add_items(std::move(due), mates);
@@ -93,9 +93,11 @@ class Composer {
     return static_cast<double>(std::max<std::ptrdiff_t>(alive, 1));
   }
 
-  void refill(std::size_t due_bytes) {
+  void refill(std::size_t wanted_bytes) {
     const RateParams& rates = state_.params.rates;
-    const double rate = due_bytes > rates.catch_up_over_bytes ? rates.catch_up_Bps : rates.steady_Bps;
+    const std::size_t bound = sender_.catching_up ? rates.caught_up_bytes : rates.catch_up_over_bytes;
+    sender_.catching_up = wanted_bytes > bound;
+    const double rate = sender_.catching_up ? rates.catch_up_Bps : rates.steady_Bps;
     const double burst = std::max(rates.burst_s * rate, 2.0 * static_cast<double>(kDatagramBytesMax));
     sender_.budget.refill(rate, burst, now_);
   }
@@ -183,7 +185,7 @@ class Composer {
       if (allows(piece.size)) add_small(MessageKind::kLog, piece);
     }
     std::size_t next_relation = 0;
-    KeyframePieces pieces(std::move(due.keyframes), mates);
+    PieceQueue pieces(std::move(due.keyframes), mates.size());
     while (allows(kDatagramBytesMax)) {
       const bool turn = pieces.empty() || sender_.picks % kRelationsEvery == kRelationsEvery - 1;
       if (turn) add_relations(due.relations, next_relation);
@@ -211,36 +213,7 @@ class Composer {
     sender_.sent.note(piece.key, piece.index, counter);
   }
 
-  /// The pieces that were not taken yet: the oldest first, and of some the newest.
-  class KeyframePieces {
-   public:
-    KeyframePieces(std::vector<DuePiece> pieces, std::span<const Peer* const> mates)
-        : pieces_(std::move(pieces)), mates_(mates), end_(pieces_.size()) {}
-    bool empty() {
-      while (begin_ < end_ && pieces_[begin_].size == 0) ++begin_;
-      while (begin_ < end_ && pieces_[end_ - 1].size == 0) --end_;
-      return begin_ == end_;
-    }
-    /// The next one, and the one that is coded with it. Precondition: not empty.
-    std::pair<DuePiece, std::optional<DuePiece>> take(bool newest) {
-      const std::size_t at = newest ? end_ - 1 : begin_;
-      const std::span<const DuePiece> rest = std::span(pieces_).subspan(begin_, end_ - begin_);
-      const auto partner = find_partner(rest, at - begin_, mates_);
-      const DuePiece piece = pieces_[at];
-      pieces_[at].size = 0;
-      if (!partner) return {piece, std::nullopt};
-      const DuePiece other = pieces_[begin_ + *partner];
-      pieces_[begin_ + *partner].size = 0;
-      return {piece, other};
-    }
-
-   private:
-    std::vector<DuePiece> pieces_;  // size 0: taken
-    std::span<const Peer* const> mates_;
-    std::size_t begin_ = 0, end_ = 0;
-  };
-
-  void add_piece(KeyframePieces& pieces) {
+  void add_piece(PieceQueue& pieces) {
     const auto [piece, partner] = pieces.take(sender_.picks++ % kNewestEvery == kNewestEvery - 1);
     const ItemBytes item = state_.store.find(piece.key);
     const PieceHead head = head_of(piece.key, *item, piece.index);

@@ -17,7 +17,7 @@ namespace {
 using team::Exchange;
 
 constexpr types::Duration kStep = std::chrono::milliseconds(25);
-constexpr double kHitBytes = 2.9;  // encoded, with the surfels and columns that follow from it
+constexpr double kHitBytes = 2.0;  // encoded: steps of at most 55 mm in two axes
 
 /// Of random content, which no compression makes smaller than it is.
 slam::Keyframe random_keyframe(const slam::KeyframeId& id, std::size_t bytes, std::mt19937_64& random) {

@@ -22,7 +22,7 @@ struct ExploreCommand {
   std::string fidelity = "full";
   std::string finish = "complete";
   double limit_s = 1800.0;
-  std::string radio = "perfect";  ///< of several robots: perfect, none, range:M, loss:P
+  std::string radio = "perfect";  ///< of several robots: see parse_radio()
   double contact_lost_s = pipeline::PlannerParams{}.contact_lost_s;
   double entry_delay_s = 0.0;  ///< of several robots: from one's beginning to the next one's
   bool starts_known = true;    ///< of several robots: to them

@@ -8,7 +8,6 @@
 
 #include "core/pipeline/mapping_step.hpp"
 #include "core/pipeline/planning_step.hpp"
-#include "core/team/exchange.hpp"
 #include "tests/bench/topobench/explore/readings.hpp"
 
 namespace topo::bench {
@@ -25,8 +24,13 @@ class MapSource {
   [[nodiscard]] virtual const plausibility::MatchedMotion* matched() const { return nullptr; }
 };
 
-using team::PosedKeyframe;
-using TeamNews = team::News;
+/// Keyframes and relations of a robot, its own or a mate's. In fidelity "plan" a keyframe's dead reckoning is
+/// its pose in the map that all robots have.
+struct TeamNews {
+  std::vector<slam::KeyframePtr> keyframes;
+  std::vector<slam::FoundRelation> relations;
+  [[nodiscard]] bool empty() const { return keyframes.empty() && relations.empty(); }
+};
 
 /// One that makes its map of a team's keyframes.
 class SharedMapSource : public MapSource {

@@ -88,6 +88,12 @@ class Heights {
   bool has_before_ = false;
 };
 
+/// A keyframe and where it is in the map.
+struct PosedKeyframe {
+  slam::KeyframePtr keyframe;
+  types::Se2 T_map_base;
+};
+
 class PosedSource final : public SharedMapSource {
  public:
   PosedSource(const slam::MapperParams& params, std::uint16_t robot)
@@ -103,7 +109,7 @@ class PosedSource final : public SharedMapSource {
       T_map_base_ = readings.poses[i].T_map_base;
       tracked_.T_map_odom = types::Transform2<types::Map, types::Odom>(T_map_base_ * T_odom_base->inverse());
       heights_.add(readings.coronal[i], T_map_base_);
-      if (due(readings.front[i])) add_keyframe(readings.front[i], *T_odom_base);
+      if (due(readings.front[i])) add_keyframe(readings.front[i]);
       publish_when_due(readings.poses[i].stamp);
       tracked_.stamp = readings.poses[i].stamp;
       tracked_.revision = snapshot_->revision;
@@ -115,9 +121,10 @@ class PosedSource final : public SharedMapSource {
   [[nodiscard]] const pipeline::TrackedPose& tracked() const override { return tracked_; }
 
   void join(const TeamNews& news) override {
-    for (const PosedKeyframe& keyframe : news.keyframes) {
+    for (const slam::KeyframePtr& theirs : news.keyframes) {
+      const PosedKeyframe keyframe{theirs, theirs->T_odom_base};
       add(keyframe);
-      ways_[keyframe.keyframe->id.robot].push_back(station(keyframe));
+      ways_[theirs->id.robot].push_back(station(keyframe));
     }
   }
   TeamNews take_new() override { return {std::exchange(new_, {}), {}}; }
@@ -144,18 +151,19 @@ class PosedSource final : public SharedMapSource {
            std::abs(moved.theta_rad) >= params_.keyframe.turn_rad;
   }
 
-  void add_keyframe(const types::Scan& scan, const types::Se2& T_odom_base) {
+  void add_keyframe(const types::Scan& scan) {
     auto keyframe = std::make_shared<slam::Keyframe>();
     keyframe->id = {robot_, static_cast<std::uint32_t>(own_.size())};
     keyframe->stamp = scan.first_beam;
-    keyframe->T_odom_base = T_odom_base;
+    keyframe->T_odom_base = T_map_base_;  // what mates get of its place
     invalid_share_ = slam::invalid_share(scan);
     keyframe->sensor = params_.T_base_laser.translation().cast<float>();
     dense_hits(scan, params_.T_base_laser, params_.cloud.range_max_m, keyframe->hits);
     keyframe->columns = heights_.take(T_map_base_);
-    new_.push_back({std::move(keyframe), T_map_base_});
-    add(new_.back());
-    own_.push_back(station(new_.back()));
+    const PosedKeyframe posed{keyframe, T_map_base_};
+    new_.push_back(std::move(keyframe));
+    add(posed);
+    own_.push_back(station(posed));
   }
 
   void add(const PosedKeyframe& keyframe) {
@@ -195,7 +203,7 @@ class PosedSource final : public SharedMapSource {
   std::vector<slam::KeyframePtr> keyframes_;
   std::vector<types::Se2> poses_;
   std::map<slam::KeyframeId, std::size_t> places_;  ///< in these lists
-  std::vector<PosedKeyframe> new_;
+  std::vector<slam::KeyframePtr> new_;
   std::vector<types::KeyframePose> own_;
   std::map<std::uint16_t, std::vector<types::KeyframePose>> ways_;  ///< of team-mates
   types::Se2 T_map_base_;

@@ -43,19 +43,15 @@ class SlamSource final : public SharedMapSource {
   [[nodiscard]] const plausibility::MatchedMotion* matched() const override { return &matched_; }
 
   void join(const TeamNews& news) override {
-    std::vector<slam::KeyframePtr> keyframes;
-    for (const PosedKeyframe& theirs : news.keyframes) {
-      keyframes.push_back(theirs.keyframe);
-      meet(theirs.keyframe->id);
-    }
-    state_.join(keyframes, news.relations);
+    for (const slam::KeyframePtr& theirs : news.keyframes) meet(theirs->id);
+    state_.join(news.keyframes, news.relations);
   }
 
   TeamNews take_new() override {
     TeamNews news;
     const slam::Mapper& mapper = state_.mapper();
     for (const std::size_t node : mapper.own_way().subspan(keyframes_told_))
-      news.keyframes.push_back({mapper.keyframes()[node], mapper.poses()[node]});
+      news.keyframes.push_back(mapper.keyframes()[node]);
     keyframes_told_ += news.keyframes.size();
     const auto found = mapper.found_since(relations_told_);
     news.relations.assign(found.begin(), found.end());

@@ -6,12 +6,19 @@
 
 #include "core/team/masked_scan.hpp"
 #include "core/team/roster.hpp"
+#include "core/types/invariant.hpp"
 
 namespace topo::bench {
 namespace {
 
 /// Without a message from a robot it is taken to stand at its start so long.
 constexpr types::Duration kAtStart = std::chrono::seconds(30);
+
+team::ExchangeParams params_of(std::uint16_t robot) {
+  team::ExchangeParams params;
+  params.periods.seed = robot + 1U;
+  return params;
+}
 
 }  // namespace
 
@@ -21,7 +28,8 @@ TeamNode::TeamNode(std::uint16_t robot, SharedMapSource& source, const slam::Map
       source_(source),
       T_base_front_(mapping.T_base_laser),
       T_base_coronal_(mapping.coronal.x_m, mapping.coronal.y_m, 0.0),
-      starts_(std::move(starts)) {}
+      starts_(std::move(starts)),
+      exchange_({team::team_hash("topobench"), robot, 0}, params_of(robot)) {}
 
 std::vector<types::Vector2> TeamNode::mates_at(types::Stamp now) const {
   std::vector<types::Vector2> places;
@@ -54,23 +62,36 @@ pipeline::TeamInput TeamNode::heard() {
   return {robot_, outbox_};
 }
 
-void TeamNode::gather() {
-  exchange_.add_own(source_.take_new());
+std::vector<team::Datagram> TeamNode::exchange(types::Stamp now) {
+  take_news(now);
+  give_own();
+  return exchange_.datagrams(now);
+}
+
+void TeamNode::give_own() {
+  const TeamNews own = source_.take_new();
+  for (const slam::KeyframePtr& keyframe : own.keyframes) {
+    types::require(exchange_.add_keyframe(*keyframe).has_value(), "team node: an own keyframe");
+    own_.push_back(keyframe);
+  }
+  for (const slam::FoundRelation& found : own.relations)
+    types::require(exchange_.add_relation(found).has_value(), "team node: an own relation");
   if (!said_) return;
   said_->T_map_base = source_.T_map_base();
-  said_->sequence = ++messages_;
+  exchange_.say(*said_);
 }
 
-Letter TeamNode::letter_to(std::uint16_t other) const {
-  return exchange_.letter_to(other, said_, [&](const slam::KeyframeId& id) { return source_.find_pose(id); });
-}
-
-void TeamNode::take(std::uint16_t from, const Letter& letter, types::Stamp now) {
-  if (const TeamNews news = exchange_.take(from, letter); !news.empty()) source_.join(news);
-  const auto T_map_mates = source_.T_map_mates(from);
-  if (!letter.message || !T_map_mates) return;
-  inbox_.push_back(team::in_frame(*T_map_mates, *letter.message));
-  mates_[from] = {inbox_.back().T_map_base.translation(), now};
+void TeamNode::take_news(types::Stamp now) {
+  team::ExchangeNews news = exchange_.take_news(now);
+  if (const TeamNews theirs{std::move(news.keyframes), std::move(news.relations)}; !theirs.empty())
+    source_.join(theirs);
+  for (const team::HeardStatus& status : news.statuses) {
+    const std::uint16_t mate = status.message.robot;
+    const auto T_map_mates = source_.T_map_mates(mate);
+    if (!T_map_mates) continue;
+    inbox_.push_back(team::in_frame(*T_map_mates, status.message));
+    mates_[mate] = {inbox_.back().T_map_base.translation(), status.heard};
+  }
 }
 
 }  // namespace topo::bench

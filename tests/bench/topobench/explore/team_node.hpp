@@ -4,19 +4,19 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/params.hpp"
-#include "core/team/exchange.hpp"
+#include "core/team/exchange/exchange.hpp"
 #include "tests/bench/topobench/explore/map_source.hpp"
 
 namespace topo::bench {
 
-using team::Letter;
-
-/// A robot's end of the team's link: says what the planner says, keeps the others in keyframes and
-/// relations (core/team/exchange.hpp), and knows where they are. Not thread-safe.
+/// What connects a robot's parts with the team's exchange, as the daemon's thread for the team does: what
+/// mapper and planner have goes in, what is new for them comes out. Knows where the mates are. Not
+/// thread-safe.
 class TeamNode {
  public:
   /// `source` is borrowed. `starts`: where the robots enter, in map; theirs is the id that is the index.
@@ -32,14 +32,14 @@ class TeamNode {
   pipeline::TeamInput heard();
   void say(const team::StatusMessage& message) { said_ = message; }
 
-  /// Before letters are written: takes the robot's new keyframes into its set, and brings its message up to
-  /// date with where it is by now.
-  void gather();
-  [[nodiscard]] Letter letter_to(std::uint16_t other) const;
-  void take(std::uint16_t from, const Letter& letter, types::Stamp now);
+  void take(std::span<const std::byte> datagram, types::Stamp now) { exchange_.take(datagram, now); }
+  /// Hands what is new to mapper and planner, what the robot has to the exchange, its message with where it
+  /// is by now, and gives what is to be sent.
+  std::vector<team::Datagram> exchange(types::Stamp now);
 
-  [[nodiscard]] const slam::KeyframeSet& keyframes() const { return exchange_.keyframes(); }
-  [[nodiscard]] const slam::RelationLog& relations() const { return exchange_.relations(); }
+  /// The robot's own keyframes, by their numbers.
+  [[nodiscard]] std::span<const slam::KeyframePtr> own_keyframes() const { return own_; }
+  [[nodiscard]] const team::Exchange& state() const { return exchange_; }
 
  private:
   struct Place {
@@ -47,16 +47,18 @@ class TeamNode {
     types::Stamp heard{};
   };
   [[nodiscard]] std::vector<types::Vector2> mates_at(types::Stamp now) const;
+  void take_news(types::Stamp now);
+  void give_own();
 
   std::uint16_t robot_;
   SharedMapSource& source_;
   types::Se2 T_base_front_, T_base_coronal_;
   std::vector<types::Se2> starts_;
   team::Exchange exchange_;
+  std::vector<slam::KeyframePtr> own_;
   std::map<std::uint16_t, Place> mates_;
   types::Transform2<types::Odom, types::Base> T_odom_base_;  ///< newest
   std::optional<team::StatusMessage> said_;
-  std::uint64_t messages_ = 0;
   std::vector<team::StatusMessage> inbox_, outbox_;  ///< messages that came, and those handed to the planner
 };
 

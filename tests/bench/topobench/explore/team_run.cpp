@@ -18,7 +18,7 @@ namespace {
 
 using pipeline::Activity;
 
-constexpr sim::SimTime kExchangePeriod = std::chrono::milliseconds(200);  // and how long a letter takes
+constexpr sim::SimTime kExchangePeriod = std::chrono::milliseconds(100);  // the daemon's is shorter
 
 /// One robot with all that is its own. Stays where it is: its parts refer to one another.
 struct Member {
@@ -88,8 +88,8 @@ class TeamRun {
  private:
   struct Sent {
     sim::SimTime due;
-    std::uint16_t from, to;
-    Letter letter;
+    std::uint16_t to;
+    std::shared_ptr<const team::Datagram> datagram;
   };
 
   [[nodiscard]] sim::SimTime now() const { return members_.front()->plant->now(); }
@@ -104,29 +104,29 @@ class TeamRun {
   }
 
   void exchange() {
-    for (; !sent_.empty() && sent_.front().due <= now(); sent_.pop_front()) {
-      const Sent& sent = sent_.front();
-      members_[sent.to]->node->take(sent.from, sent.letter, types::Stamp{now()});
-    }
-    for (std::uint16_t i = 0; i < members_.size(); ++i) {
-      members_[i]->node->gather();
-      note_truths(i);
-    }
+    for (; !sent_.empty() && sent_.front().due <= now(); sent_.pop_front())
+      members_[sent_.front().to]->node->take(*sent_.front().datagram, types::Stamp{now()});
     for (std::uint16_t from = 0; from < members_.size(); ++from) {
-      for (std::uint16_t to = 0; to < members_.size(); ++to) {
-        if (from == to || !radio_.carries(place(from), place(to))) continue;
-        sent_.push_back({now() + kExchangePeriod, from, to, members_[from]->node->letter_to(to)});
-      }
+      for (team::Datagram& datagram : members_[from]->node->exchange(types::Stamp{now()}))
+        broadcast(from, std::make_shared<const team::Datagram>(std::move(datagram)));
+      note_truths(from);
+    }
+  }
+
+  void broadcast(std::uint16_t from, const std::shared_ptr<const team::Datagram>& datagram) {
+    const sim::SimTime due = now() + types::from_seconds(setup_.radio.delay_s);
+    for (std::uint16_t to = 0; to < members_.size(); ++to) {
+      if (from != to && radio_.carries(place(from), place(to), types::to_seconds(now())))
+        sent_.push_back({due, to, datagram});
     }
   }
 
   /// Where the robot truly was at its newest keyframes: a body remembers a second.
   void note_truths(std::uint16_t robot) {
-    const auto& keyframes = members_[robot]->node->keyframes().keyframes();
-    for (auto at = keyframes.lower_bound({robot, noted_[robot]});
-         at != keyframes.end() && at->first.robot == robot; ++at) {
-      truths_[at->first] = members_[robot]->plant->body().pose_at(at->second->stamp.time_since_epoch());
-      noted_[robot] = at->first.sequence + 1;
+    const auto keyframes = members_[robot]->node->own_keyframes();
+    for (; noted_[robot] < keyframes.size(); ++noted_[robot]) {
+      const slam::Keyframe& keyframe = *keyframes[noted_[robot]];
+      truths_[keyframe.id] = members_[robot]->plant->body().pose_at(keyframe.stamp.time_since_epoch());
     }
   }
 
@@ -148,20 +148,16 @@ class TeamRun {
   }
 
   /// A robot's own keyframes from the given one on, with what number comes next.
-  static std::uint32_t draw_own(const Member& member, std::uint16_t robot, std::uint32_t from, Drawing& to) {
-    const auto& keyframes = member.node->keyframes().keyframes();
-    for (auto at = keyframes.lower_bound({robot, from}); at != keyframes.end() && at->first.robot == robot;
-         ++at) {
-      to.add(at->second, member);
-      from = at->first.sequence + 1;
-    }
+  static std::size_t draw_own(const Member& member, std::size_t from, Drawing& to) {
+    const auto keyframes = member.node->own_keyframes();
+    for (; from < keyframes.size(); ++from) to.add(keyframes[from], member);
     return from;
   }
 
   void measure() {
     const Stopwatch watch(result_.team.spent.measuring_s);
     for (std::uint16_t i = 0; i < members_.size(); ++i) {
-      drawn_[i] = draw_own(*members_[i], i, drawn_[i], all_);
+      drawn_[i] = draw_own(*members_[i], drawn_[i], all_);
       if (!joined_s_[i] && !members_[i]->source->map().mates.empty()) joined_s_[i] = types::to_seconds(now());
     }
     all_.update();
@@ -220,7 +216,7 @@ class TeamRun {
     std::vector<int> seen_by(visible_.cells.size(), 0);
     for (std::uint16_t i = 0; i < members_.size(); ++i) {
       Drawing own(setup_.run, visible_);
-      draw_own(*members_[i], i, 0, own);
+      draw_own(*members_[i], 0, own);
       own.update();
       const auto& covered = own.coverage().covered().cells;
       for (std::size_t c = 0; c < seen_by.size(); ++c) seen_by[c] += covered[c] != 0 ? 1 : 0;
@@ -234,8 +230,8 @@ class TeamRun {
   const TeamSetup& setup_;
   const sim::Raster& visible_;
   Drawing all_;
-  std::vector<std::uint32_t> drawn_;  ///< of each robot, the next keyframe to be drawn
-  std::vector<std::uint32_t> noted_;  ///< the same of those whose truth has been noted
+  std::vector<std::size_t> drawn_;  ///< of each robot, the next keyframe to be drawn
+  std::vector<std::size_t> noted_;  ///< the same of those whose truth has been noted
   std::vector<std::optional<double>> joined_s_;
   std::map<slam::KeyframeId, types::Se2> truths_;  ///< in the building
   Radio radio_;

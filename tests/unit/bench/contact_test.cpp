@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/bench/topobench/contact/contact.hpp"
+
+#include <gtest/gtest.h>
+
+namespace topo::bench {
+namespace {
+
+ContactSetup apart(std::uint32_t keyframes, double loss) {
+  ContactSetup setup;
+  setup.keyframes = keyframes;
+  setup.loss = loss;
+  setup.steady_s = 60.0;
+  return setup;
+}
+
+TEST(Contact, RobotsThatWereApartHaveTheSameSetsInTheEnd) {
+  for (const double loss : {0.0, 0.3, 0.7}) {
+    const ContactResult result = run_contact(apart(150, loss));
+    EXPECT_TRUE(result.same_sets) << loss;
+    EXPECT_LE(result.catch_up_Bps, 205'000.0) << loss;
+  }
+}
+
+TEST(Contact, TwoAsWellAsFive) {
+  for (const int robots : {2, 5}) {
+    ContactSetup setup = apart(60, 0.3);
+    setup.robots = robots;
+    EXPECT_TRUE(run_contact(setup).same_sets) << robots;
+  }
+}
+
+TEST(Contact, IncompleteItemsDoNotGrowWithTheTimeApart) {
+  const ContactResult few = run_contact(apart(300, 0.3)), many = run_contact(apart(1'200, 0.3));
+  EXPECT_LT(many.assembly_bytes_max, 2 * few.assembly_bytes_max);
+}
+
+TEST(Contact, AfterwardsTheSteadyRateIsKept) {
+  const ContactResult result = run_contact(apart(30, 0.0));
+  EXPECT_LE(result.steady_Bps, 10'000.0);
+  EXPECT_LE(result.steady_lag_s, 5.0);
+}
+
+TEST(Contact, TheSameSeedGivesTheSame) {
+  const ContactResult one = run_contact(apart(40, 0.3)), other = run_contact(apart(40, 0.3));
+  EXPECT_EQ(one.same_after_s, other.same_after_s);
+  EXPECT_EQ(one.steady_Bps, other.steady_Bps);
+}
+
+}  // namespace
+}  // namespace topo::bench
