@@ -92,11 +92,27 @@ Check check_speed(const Configuration& c) {
   return check;
 }
 
+Check check_team_security(const TeamConfig& team) {
+  if (team.secure()) return {"team security", true, "credentials in " + team.security, {}, {}};
+  return {
+      "team security",
+      true,
+      "off (team.security = \"off\")",
+      {},
+      fmt::format(
+          "who is in reach of {} can read, disturb and command the team; topometric-team new and add make "
+          "credentials",
+          team.interface)};
+}
+
 }  // namespace
 
 std::vector<Check> examine_choices(const Configuration& configuration) {
-  return {check_sonar(configuration), check_margin(configuration), check_stamps(configuration),
-          check_serial_numbers(configuration), check_speed(configuration)};
+  std::vector<Check> checks{check_sonar(configuration), check_margin(configuration),
+                            check_stamps(configuration), check_serial_numbers(configuration),
+                            check_speed(configuration)};
+  if (configuration.team.present) checks.push_back(check_team_security(configuration.team));
+  return checks;
 }
 
 }  // namespace topo::daemon

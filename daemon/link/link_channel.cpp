@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 #include <sys/socket.h>
-#include <sys/uio.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -83,14 +83,11 @@ std::optional<LinkChannel::Packet> LinkChannel::next() {
 }
 
 LinkChannel::Sent LinkChannel::send_datagram(std::span<const std::byte> datagram) {
-  std::byte kind{static_cast<std::uint8_t>(LinkMessage::kDatagram)};
-  std::array<iovec, 2> parts{{{&kind, 1}, {const_cast<std::byte*>(datagram.data()), datagram.size()}}};
-  msghdr message{};
-  message.msg_iov = parts.data();
-  message.msg_iovlen = parts.size();
-  if (!socket_.valid()) return Sent::kClosed;
-  return outcome_of(
-      io::retry_interrupted([&] { return ::sendmsg(socket_.get(), &message, MSG_DONTWAIT | MSG_NOSIGNAL); }));
+  std::array<std::byte, 1 + kDatagramMax_bytes> message{};
+  if (datagram.size() > kDatagramMax_bytes) return Sent::kFull;
+  message[0] = static_cast<std::byte>(LinkMessage::kDatagram);
+  std::copy(datagram.begin(), datagram.end(), message.begin() + 1);
+  return send(std::span(message).first(1 + datagram.size()));
 }
 
 LinkChannel::Sent LinkChannel::send(std::span<const std::byte> message) {

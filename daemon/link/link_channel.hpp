@@ -42,7 +42,7 @@ class LinkChannel {
   /// that does not fit is refused: the words are sent, and the channel is closed.
   [[nodiscard]] std::optional<Packet> next();
 
-  /// A datagram, in place of a copy with its kind before it.
+  /// A datagram of at most kDatagramMax_bytes; a longer one is never sent.
   Sent send_datagram(std::span<const std::byte> datagram);
   /// A message with its kind, from encode_...().
   Sent send(std::span<const std::byte> message);

@@ -63,7 +63,7 @@ inline constexpr std::size_t kLinkDrops = 11;
 /// What the link tells of itself. All counts are since its start.
 struct LinkStats {
   bool radio = false;          ///< the participant exists; false: the interface is awaited
-  std::uint16_t mates = 0;     ///< links of the team that are matched now
+  std::uint16_t mates = 0;     ///< links of the team that are matched; one that is gone counts for 10 s more
   std::uint64_t sent = 0;      ///< datagrams handed to the radio
   std::uint64_t received = 0;  ///< datagrams handed to the daemon
   std::uint64_t sent_bytes = 0;

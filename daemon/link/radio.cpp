@@ -111,13 +111,19 @@ void read_until_stop(Shared& shared, RadioFilter filter, dds_entity_t participan
   shared.reader_ended.store(true, std::memory_order_release);
 }
 
-void write_one(Shared& shared, dds_entity_t writer, topometric_Datagram& sample, const RadioSlot& slot) {
-  // The sample borrows the slot's bytes, which stay until pop(); DDS does not write to them.
-  sample.content._buffer = reinterpret_cast<std::uint8_t*>(const_cast<std::byte*>(slot.bytes.data()));
-  sample.content._length = slot.size;
-  ++sample.number;
+/// What is written again and again, and the bytes that its sequence points to.
+struct Outgoing {
+  topometric_Datagram sample{};
+  std::array<std::uint8_t, kDatagramMax_bytes> content{};
+};
+
+void write_one(Shared& shared, dds_entity_t writer, Outgoing& out, const RadioSlot& slot) {
+  std::memcpy(out.content.data(), slot.bytes.data(), slot.size);
+  out.sample.content._buffer = out.content.data();
+  out.sample.content._length = slot.size;
+  ++out.sample.number;
   shared.busy_since_ns.store(io::monotonic_now().time_since_epoch().count(), std::memory_order_relaxed);
-  const dds_return_t written = dds_write(writer, &sample);
+  const dds_return_t written = dds_write(writer, &out.sample);
   shared.busy_since_ns.store(0, std::memory_order_relaxed);
   if (written != DDS_RETCODE_OK) return count(shared, LinkDrop::kWriteFailed);
   shared.sent.fetch_add(1, std::memory_order_relaxed);
@@ -125,17 +131,17 @@ void write_one(Shared& shared, dds_entity_t writer, topometric_Datagram& sample,
 }
 
 void write_until_stop(Shared& shared, dds_entity_t writer, const LinkIdentity& own, std::uint64_t run) {
-  topometric_Datagram sample{};
-  sample.version = kRadioVersion;
-  sample.robot = own.robot;
-  sample.team = own.team;
-  sample.run = run;
-  sample.content._maximum = kDatagramMax_bytes;
+  Outgoing out;
+  out.sample.version = kRadioVersion;
+  out.sample.robot = own.robot;
+  out.sample.team = own.team;
+  out.sample.run = run;
+  out.sample.content._maximum = kDatagramMax_bytes;
   while (!shared.stop.load(std::memory_order_acquire)) {
     shared.to_send.wait(std::chrono::milliseconds(200));
     while (const RadioSlot* slot = shared.out.front()) {
       if (shared.stop.load(std::memory_order_acquire)) return;
-      write_one(shared, writer, sample, *slot);
+      write_one(shared, writer, out, *slot);
       shared.out.pop();
     }
   }

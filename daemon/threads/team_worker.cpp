@@ -115,7 +115,7 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
       if (id.robot != settings_.robot && !held.contains(id)) late_keyframes_.push_back(keyframe);
     }
     const slam::RelationLog relations = team::relations_of(before->items());
-    for (const auto& [key, found] : relations.@@) {
+    for (const slam::FoundRelation& found : relations.missing({}, relations.size())) {
       restore(exchange_->restore_relation(found));
       late_relations_.push_back(found);
     }

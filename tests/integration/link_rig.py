@@ -5,6 +5,7 @@ import itertools
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import threading
@@ -132,14 +133,14 @@ def ip(*words):
 
 
 def may_make_namespaces():
-    if os.geteuid() != 0:
+    if os.geteuid() != 0 or not shutil.which("ip"):
         return False
     name = "topo-probe-%d" % os.getpid()
     try:
         ip("netns", "add", name)
         ip("netns", "exec", name, "ip", "link", "add", "va", "type", "veth", "peer", "name", "vb")
         return True
-    except (subprocess.CalledProcessError, FileNotFoundError):
+    except subprocess.CalledProcessError:
         return False
     finally:
         subprocess.run(["ip", "netns", "del", name], capture_output=True, check=False)
@@ -170,6 +171,12 @@ class Network:
 
     def unplug(self, robot):
         self.inside(robot, "link", "del", "radio")
+
+    def lose(self, robot, percent):
+        """Of every hundred packets that reach the robot's radio, by chance; once."""
+        rules = ("table netdev loss { chain in { type filter hook ingress device radio priority 0; "
+                 "numgen random mod 100 < %d drop; }; }" % percent)
+        subprocess.run(["ip", "netns", "exec", self.names[robot], "nft", rules], check=True, capture_output=True)
 
     @staticmethod
     def address(robot):

@@ -6,6 +6,7 @@ usage: link_test.py PROGRAMS SOURCES [unittest's arguments]"""
 import os
 import pathlib
 import random
+import shutil
 import signal
 import socket
 import subprocess
@@ -270,6 +271,20 @@ class InNamespaces(Links):
         self.network.inside(1, "addr", "add", "10.77.0.101/24", "dev", "radio")
         one.wait("the radio", lambda s: s["radio"])
         self.hear_each_other(one, two)
+
+    @unittest.skipUnless(shutil.which("nft"), "no nft here")
+    def test_where_a_third_is_lost_the_rest_arrives(self):
+        self.network.plug(1)
+        self.network.plug(2)
+        for number in (1, 2):
+            self.network.lose(number, 30)
+        folders = self.credentials("office", "office", 1, 2)
+        one, two = (self.robot(n, security=folder, period_ms=5).start() for n, folder in zip((1, 2), folders))
+        self.hear_each_other(one, two)
+        sent, heard = one.status["radio_sent"], two.heard(1)
+        one.wait("traffic", lambda s: s["radio_sent"] >= sent + 600)
+        share = (two.heard(1) - heard) / (one.status["radio_sent"] - sent)
+        self.assertTrue(0.5 < share < 0.9, share)
 
     def test_it_ends_while_the_interface_is_down(self):
         one, _ = self.plugged(1, 2, period_ms=5)

@@ -185,8 +185,8 @@ def link():
     found = link_show("ActiveState", "Result")
     check("the link without a team ends well", started.returncode == 0 and wait(
         lambda: link_show("ActiveState", "Result") == {"ActiveState": "inactive", "Result": "success"}, 5), found)
-    made = run("topometric-team", "new", "/root/office", "--name", "office"), run("topometric-team", "add", "1", "/root/office")
-    run("cp", "-r", "/root/office/robot-1", "/etc/topometric/team")
+    made = run("topometric-team", "new", "/run/office", "--name", "office"), run("topometric-team", "add", "1", "/run/office")
+    run("cp", "-r", "/run/office/robot-1", "/etc/topometric/team")
     run("chown", "-R", "topometric:", "/etc/topometric/team")
     run("ip", "link", "set", "lo", "up")
     CONFIG.write_text(CONFIG.read_text() + """

@@ -94,6 +94,12 @@ TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
        [](DoctorFacts& f) { f.watchdog_ms = 2000; }},
       {"speed", "at most 0.8 m/s", "0.64 m (0.49 m at 0.7 m/s)",
        [](DoctorFacts& f) { f.configuration.base.v_max_mps = 0.8; }},
+      {"team security", "off", "who is in reach of wlan0 can read, disturb and command the team",
+       [](DoctorFacts& f) {
+         f.configuration.team.present = true;
+         f.configuration.team.interface = "wlan0";
+         f.configuration.team.security = "off";
+       }},
   };
   for (const Row& row : rows) {
     DoctorFacts facts = healthy();
@@ -103,6 +109,13 @@ TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
     EXPECT_THAT(check.found, HasSubstr(row.found)) << row.name;
     EXPECT_THAT(check.safer, HasSubstr(row.safer)) << row.name;
   }
+}
+
+TEST(Doctor, ATeamWithCredentialsIsNoWarning) {
+  DoctorFacts facts = healthy();
+  facts.configuration.team.present = true;
+  facts.configuration.team.security = "/etc/topometric/team";
+  for (const Check& check : examine(facts)) EXPECT_THAT(check.safer, IsEmpty()) << check.name;
 }
 
 TEST(Doctor, TheEdgeOfWhatIsDaring) {

@@ -35,6 +35,15 @@ TEST(Replayed, ReadsAndWritesNothingOfTheRobots) {
   EXPECT_THAT(effective_text(loaded), HasSubstr("resume = \"\"  # default"));
 }
 
+TEST(Replayed, HasNoTeam) {
+  const std::string text =
+      std::string(kSmallest) + "[team]\nname = \"a\"\nid = 9\ninterface = \"lo\"\nsecurity = \"off\"\n";
+  const LoadedConfiguration loaded = replayed(parse_configuration(text, "f.toml"), "");
+  EXPECT_FALSE(loaded.values.team.present);
+  EXPECT_FALSE(loaded.places.contains("team.name"));
+  EXPECT_EQ(loaded.values.robot.id, 9) << "the same robot";
+}
+
 TEST(Replayed, KeepsItsOwnSessionsWhereItIsTold) {
   const LoadedConfiguration loaded = replayed(of_a_robot_that_keeps_everything(), "scratch");
   EXPECT_EQ(loaded.values.session.folder, "scratch");
