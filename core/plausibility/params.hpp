@@ -66,7 +66,10 @@ struct PlausibilityParams {
   /// Longest time from a request to the base's answer (types::BaseState::round_trip):
   /// ObedienceParams::lag_max and a status cycle, by which an answer may wait behind a status on a slow line.
   types::Duration round_trip_max = std::chrono::milliseconds(400);
-  types::Duration hold = std::chrono::seconds(1);        ///< a doubt lasts this long after its cause
+  types::Duration hold = std::chrono::seconds(1);  ///< a doubt lasts this long after its cause
+  /// A base that does not obey and is not heard for so long is taken to stand when the operator says so: the
+  /// gate lets none drive whose watchdog takes more than 2 s, and from 1.2 m/s it brakes in 2.4 s.
+  types::Duration unheard_stands = std::chrono::seconds(5);
   int strikes = 3;                                       ///< the same doubt so often within
   types::Duration strikes_in = std::chrono::minutes(1);  ///< this time lasts until the operator clears it
 };

@@ -33,11 +33,14 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       estop_(
           hand_overs.estop, [&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
           configuration.control.state_folder, [this](const Json& event) { announce_(event); }),
+      silence_([&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
+               configuration.control.state_folder),
       saver_(hand_overs),
       sessions_(configuration, hand_overs, files_) {}
 
 Status Operator::start() {
   if (auto s = estop_.start(); !s) return s;
+  if (auto s = silence_.start(); !s) return s;
   if (auto s = files_.start("files"); !s) return s;
   return searches_.start("searches");
 }
@@ -51,6 +54,7 @@ void Operator::tick(types::Stamp now) {
   plan_.update();
   add_distance();
   estop_.tick();
+  silence_.tick(now);
   if (estop_.latched()) interrupt("the emergency stop");
   const auto* report = plan_.report();
   if (report != nullptr && missions_.note(*report, now)) {

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "drivers/io/byte_stream.hpp"
+
+namespace topo::fuzz {
+
+/// What a line does to the bytes of its device.
+struct LineFaults {
+  types::Duration delay{};         ///< of everything
+  types::Duration delay_growth{};  ///< of every message more than of the one before
+  unsigned drop_permille = 0;      ///< of bytes
+  unsigned flip_permille = 0;      ///< of bytes, one bit
+  bool holds = false;              ///< nothing arrives until it ends, then all at once
+  bool swallows = false;           ///< whole messages are lost
+};
+
+/// The way from a device to the host: messages, the faults, and which of the undamaged ones arrived. Pure but
+/// for its dice, which are the same in every run.
+class HostileLine {
+ public:
+  LineFaults faults;
+
+  /// A message that the device sends at `now`. `news`: it says what the world is like now.
+  void send(std::string_view message, types::Stamp now, bool news);
+  /// Bytes that no device sent.
+  void inject(std::string_view bytes, types::Stamp now) { put(std::string(bytes), now, {}); }
+  /// Sends once more what was sent last, unchanged.
+  void replay(types::Stamp now) { put(last_, now, {}); }
+  void clear();
+  void begin_delay() { delay_ = faults.delay; }
+
+  /// The bytes that have arrived by `now`, at most `most`.
+  std::string read(types::Stamp now, std::size_t most);
+  [[nodiscard]] bool has(types::Stamp now) const;
+  /// When the newest undamaged news that was read had been sent; zero: none was.
+  [[nodiscard]] types::Stamp newest() const { return newest_; }
+
+ private:
+  struct Chunk {
+    types::Stamp due;
+    std::string bytes;
+    types::Stamp news;  ///< zero: none, or damaged
+  };
+  void put(std::string bytes, types::Stamp due, types::Stamp news);
+  std::uint32_t roll();
+
+  std::deque<Chunk> queue_;
+  std::size_t offset_ = 0;  ///< bytes of the first chunk that were read
+  std::string last_;
+  types::Stamp newest_{}, last_due_{};
+  types::Duration delay_{};
+  std::uint32_t dice_ = 1;
+};
+
+/// One opened port at the end of a line.
+struct HostilePort {
+  HostileLine* line = nullptr;
+  types::Stamp now{};  ///< of the thread that uses it
+  bool unplugged = false;
+  std::uint64_t opened = 0;
+  /// Runs the world up to this time.
+  std::function<void(types::Stamp)> advance;
+  std::function<void(std::string_view)> on_write;
+};
+
+/// The host's end. The port outlives it.
+class HostileConnector final : public io::Connector {
+ public:
+  explicit HostileConnector(HostilePort& port) : port_(&port) {}
+  io::Result<std::unique_ptr<io::ByteStream>> connect(types::Duration timeout) override;
+  [[nodiscard]] std::string_view name() const override { return "/dev/hostile"; }
+  [[nodiscard]] types::Stamp now() const override { return port_->now; }
+  void pause(types::Duration duration) override;
+
+ private:
+  HostilePort* port_;
+};
+
+}  // namespace topo::fuzz
