@@ -9,7 +9,7 @@ namespace topo::fuzz {
 namespace {
 
 /// The two threads run beside each other.
-constexpr types::Duration kSlice = std::chrono::milliseconds(10);
+constexpr types::Duration kSideBySide = std::chrono::milliseconds(10);
 
 pioneer::ConnectionConfig base_config() {
   pioneer::ConnectionConfig config;
@@ -49,7 +49,7 @@ Host::Host(World& world)
 
 void Host::period() {
   const types::Stamp due = std::max(base_port_.now, scan_port_.now) + types::kBasePeriod;
-  for (types::Stamp until = base_port_.now + kSlice; until < due; until += kSlice) serve(until);
+  for (types::Stamp until = base_port_.now + kSideBySide; until < due; until += kSideBySide) serve(until);
   serve(due);
   decide();
 }

@@ -17,13 +17,14 @@ class Oracle {
   std::string judge(const World& world, const Host& host);
 
  private:
-  [[nodiscard]] std::string judge_age(const World& world, const Host& host) const;
+  [[nodiscard]] static std::string judge_age(const World& world, const Host& host);
   [[nodiscard]] static std::string judge_way(const World& world, const Host& host);
   std::string judge_silence(const World& world, const Host& host);
   std::string judge_deaf(const World& world, const Host& host);
 
-  types::Stamp silent_since_{}, deaf_since_{}, lied_{};
+  types::Stamp silent_since_{}, deaf_since_{};
   std::uint64_t bytes_when_silent_ = 0;
+  int excused_ = 0;  ///< collisions while the robot was lied to
 };
 
 }  // namespace topo::fuzz

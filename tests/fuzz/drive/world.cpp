@@ -158,11 +158,19 @@ void World::picture(sim::scip::Turn& turn) {
   }
 }
 
+void World::note_lies() {
+  if (lies.of_scanner()) {
+    if (!(lies == last_lies_)) lying_.since = now_;
+    lying_.last = now_;
+  }
+  last_lies_ = lies;
+}
+
 void World::look() {
   const sim::SimTime period = scanner_.model().period();
   turn_.step0 = sim_now() - period;
   if (!lies.frozen) picture(turn_);
-  if (lies.of_scanner()) lied_ = now_;
+  note_lies();
   scanner_.deliver(turn_, sim_now());
   next_turn_ += period;
 }
@@ -194,6 +202,7 @@ void World::deliver_commands() {
   static const std::string kPulse = sim::arcos::PacketBuilder(0).frame();
   for (; !commands_.empty() && commands_.front().due <= now_; commands_.pop_front()) {
     const bool swallowed = lies.deaf && base_.state() == sim::ArcosDevice::State::kOpen;
+    if (swallowed) lying_.deaf = now_;
     base_.receive(bytes_of(swallowed ? std::string_view(kPulse) : std::string_view(commands_.front().bytes)),
                   sim_now());
   }

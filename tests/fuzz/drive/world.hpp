@@ -30,6 +30,14 @@ struct Lies {
   bool covered = false;  ///< half of its window is covered
   bool deaf = false;     ///< the base swallows what it is sent, which feeds its watchdog all the same
   [[nodiscard]] bool of_scanner() const { return frozen || blind || covered; }
+  friend bool operator==(const Lies&, const Lies&) = default;
+};
+
+/// The lies so far.
+struct Lying {
+  types::Stamp last{};   ///< the newest picture that was one; zero: none
+  types::Stamp since{};  ///< from when on all pictures were the same lie
+  types::Stamp deaf{};   ///< when the base last swallowed something; zero: never
 };
 
 /// The way of the commands to the base.
@@ -69,8 +77,7 @@ class World {
   [[nodiscard]] bool touches(const types::Se2& pose, types::Stamp since) const;
   /// Times that the robot drove forwards into something.
   [[nodiscard]] int collisions() const { return collisions_; }
-  /// The newest picture that was a lie; zero: none.
-  [[nodiscard]] types::Stamp lied() const { return lied_; }
+  [[nodiscard]] const Lying& lying() const { return lying_; }
   /// Bytes of the host that were sent to the base so far.
   [[nodiscard]] std::uint64_t base_bytes() const { return base_bytes_; }
 
@@ -84,6 +91,7 @@ class World {
   void drive(double dt_s);
   void deliver_commands();
   void look();
+  void note_lies();
   [[nodiscard]] double ray_m(const types::Vector2& from, double heading_rad) const;
   void picture(sim::scip::Turn& turn);
   void pump();
@@ -97,7 +105,9 @@ class World {
   std::vector<Box> boxes_;
   std::deque<Late> commands_;
   sim::scip::Turn turn_;
-  types::Stamp next_turn_, lied_{};
+  types::Stamp next_turn_;
+  Lies last_lies_;  ///< of the newest picture
+  Lying lying_;
   std::uint32_t pictures_ = 0;
   std::uint64_t base_bytes_ = 0;
   int collisions_ = 0;
