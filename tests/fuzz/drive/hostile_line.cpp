@@ -61,12 +61,25 @@ std::uint32_t HostileLine::roll() {
   return dice_ >> 8U;
 }
 
-void HostileLine::put(std::string bytes, types::Stamp due, types::Stamp news) {
+void HostileLine::put(std::string bytes, types::Stamp due, types::Stamp sent, const Says& says) {
   last_due_ = std::max(due, last_due_);
-  queue_.push_back({last_due_, std::move(bytes), news});
+  queue_.push_back({last_due_, std::move(bytes), sent, says});
 }
 
-void HostileLine::send(std::string_view message, types::Stamp now, bool news) {
+void HostileLine::hear(const Chunk& chunk) {
+  if (chunk.says.lie > 0) {
+    heard_.lies = chunk.says.lie == last_lie_ ? heard_.lies + 1 : 1;
+    heard_.lie = std::max(heard_.lie, chunk.sent);
+  } else if (chunk.says.news) {
+    heard_.lies = 0;
+    heard_.news = std::max(heard_.news, chunk.sent);
+  } else {
+    return;
+  }
+  last_lie_ = chunk.says.lie;
+}
+
+void HostileLine::send(std::string_view message, types::Stamp now, const Says& says) {
   constexpr unsigned kPermille = 1000;
   std::string bytes;
   if (!faults.swallows) {
@@ -80,7 +93,7 @@ void HostileLine::send(std::string_view message, types::Stamp now, bool news) {
   const bool whole = bytes == message;
   delay_ += faults.delay_growth;
   last_ = bytes;
-  put(std::move(bytes), now + delay_, whole && news ? now : types::Stamp{});
+  put(std::move(bytes), now + delay_, now, whole ? says : Says{});
 }
 
 void HostileLine::clear() {
@@ -101,7 +114,7 @@ std::string HostileLine::read(types::Stamp now, std::size_t most) {
     out.append(first.bytes, offset_, count);
     offset_ += count;
     if (offset_ < first.bytes.size()) break;
-    newest_ = std::max(newest_, first.news);
+    hear(first);
     queue_.pop_front();
     offset_ = 0;
   }

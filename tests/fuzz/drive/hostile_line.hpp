@@ -23,40 +23,56 @@ struct LineFaults {
   bool swallows = false;           ///< whole messages are lost
 };
 
+/// What a message says of the world.
+struct Says {
+  bool news = false;  ///< what it is like now
+  unsigned lie = 0;   ///< above 0: which lie of the device
+};
+
+/// What the host has heard.
+struct Heard {
+  types::Stamp news{};  ///< when the newest undamaged news was sent; zero: none came
+  types::Stamp lie{};   ///< the same of lies
+  int lies = 0;         ///< that came in a row, the same without news between
+};
+
 /// The way from a device to the host: messages, the faults, and which of the undamaged ones arrived. Pure but
 /// for its dice, which are the same in every run.
 class HostileLine {
  public:
   LineFaults faults;
 
-  /// A message that the device sends at `now`. `news`: it says what the world is like now.
-  void send(std::string_view message, types::Stamp now, bool news);
+  /// A message that the device sends at `now`.
+  void send(std::string_view message, types::Stamp now, const Says& says);
   /// Bytes that no device sent.
-  void inject(std::string_view bytes, types::Stamp now) { put(std::string(bytes), now, {}); }
+  void inject(std::string_view bytes, types::Stamp now) { put(std::string(bytes), now, now, {}); }
   /// Sends once more what was sent last, unchanged.
-  void replay(types::Stamp now) { put(last_, now, {}); }
+  void replay(types::Stamp now) { put(last_, now, now, {}); }
   void clear();
   void begin_delay() { delay_ = faults.delay; }
 
   /// The bytes that have arrived by `now`, at most `most`.
   std::string read(types::Stamp now, std::size_t most);
   [[nodiscard]] bool has(types::Stamp now) const;
-  /// When the newest undamaged news that was read had been sent; zero: none was.
-  [[nodiscard]] types::Stamp newest() const { return newest_; }
+  [[nodiscard]] const Heard& heard() const { return heard_; }
 
  private:
   struct Chunk {
     types::Stamp due;
     std::string bytes;
-    types::Stamp news;  ///< zero: none, or damaged
+    types::Stamp sent;
+    Says says;  ///< nothing when it was damaged
   };
-  void put(std::string bytes, types::Stamp due, types::Stamp news);
+  void put(std::string bytes, types::Stamp due, types::Stamp sent, const Says& says);
+  void hear(const Chunk& chunk);
   std::uint32_t roll();
 
   std::deque<Chunk> queue_;
   std::size_t offset_ = 0;  ///< bytes of the first chunk that were read
   std::string last_;
-  types::Stamp newest_{}, last_due_{};
+  Heard heard_;
+  unsigned last_lie_ = 0;
+  types::Stamp last_due_{};
   types::Duration delay_{};
   std::uint32_t dice_ = 1;
 };

@@ -17,8 +17,10 @@ using types::Stamp;
 constexpr Duration kLate = milliseconds(300);  // PlausibilityParams::late_max
 // By arrival 2.5 periods, and late; then the sweep's time on its way and the period of control.
 constexpr Duration kScanKnown = milliseconds(250) + kLate + milliseconds(150);
-// Ten equal pictures, or a second without sight, whose first may be as old as an honest one.
-constexpr Duration kLieKnown = milliseconds(1100) + kScanKnown;
+// Ten equal pictures, or a second without sight at 10 Hz, and those of a period.
+constexpr int kLieScans = 12;
+// The robot stands a second after the last lie: the time to brake.
+constexpr Duration kLieOver = milliseconds(1500);
 // By arrival 300 ms, and late; sampled 60 ms before it is sent; the drift that is allowed of 1 % over the
 // run.
 constexpr Duration kStatusKnown = milliseconds(300) + kLate + milliseconds(60 + 50 + 250);
@@ -44,26 +46,36 @@ bool moves(const types::Twist2& twist) {
   return std::abs(twist.v_mps) > 1e-3 || std::abs(twist.omega_radps) > 1e-2;
 }
 
-/// The newest pictures are lies, or were when the robot last moved on them: each is noticed in time, but not
-/// at once, and not how near a robot that waits before something is to it.
+/// The newest pictures are lies: each is noticed in time, but not at once, and not how near to something a
+/// robot that waits is.
 bool is_lied_to(const World& world) {
-  return world.lying().last != Stamp{} && world.now() - world.lying().last < kLieKnown;
+  const Stamp lie = world.scan_line.heard().lie;
+  return lie != Stamp{} && world.now() - lie < kLieOver;
 }
 
 /// A base that swallows its commands drives until its watchdog is no longer fed.
 bool is_run_away(const World& world) {
-  return world.lying().deaf != Stamp{} && world.now() - world.lying().deaf < kDeafStands;
+  return world.swallowed() != Stamp{} && world.now() - world.swallowed() < kDeafStands;
+}
+
+/// What the base says arrives, and what it is sent.
+bool is_clear(const World& world, const Host& host) {
+  const LineFaults& line = world.base_line.faults;
+  return !line.holds && !line.swallows && line.drop_permille == 0 && line.flip_permille == 0 &&
+         host.now() - world.base_line.heard().news < kLate && !world.command_faults.lost;
 }
 
 }  // namespace
 
 std::string Oracle::judge(const World& world, const Host& host) {
-  if (is_lied_to(world) || is_run_away(world)) excused_ = world.collisions();
+  std::string lag = judge_lag(world, host);
+  if (is_lied_to(world) || is_run_away(world) || is_late(host)) excused_ = world.collisions();
   if (world.collisions() > excused_) return text("the robot drove into something", world.pose().x_m);
   if (moves(granted(host)) && host.estop_pressed()) return "motion is commanded while the e-stop is pressed";
   if (std::string found = judge_silence(world, host); !found.empty()) return found;
   if (std::string found = judge_deaf(world, host); !found.empty()) return found;
   if (!moves(granted(host))) return {};
+  if (!lag.empty()) return lag;
   if (std::string found = judge_age(world, host); !found.empty()) return found;
   return judge_way(world, host);
 }
@@ -71,10 +83,9 @@ std::string Oracle::judge(const World& world, const Host& host) {
 /// Motion while what the host has of the world is older than what must be noticed.
 std::string Oracle::judge_age(const World& world, const Host& host) {
   const Stamp now = host.now();
-  const Lying& lying = world.lying();
-  const Duration scan = now - world.scan_line.newest(), status = now - world.base_line.newest();
-  const bool deceived =
-      lying.last != Stamp{} && now - lying.last < kScanKnown && now - lying.since < kLieKnown;
+  const Heard& scans = world.scan_line.heard();
+  const Duration scan = now - scans.news, status = now - world.base_line.heard().news;
+  const bool deceived = scans.lies > 0 && scans.lies <= kLieScans && now - scans.lie <= kScanKnown;
   if (scan > kScanKnown && !deceived)
     return text("motion is commanded while the newest true scan is too old", types::to_seconds(scan));
   if (status > kStatusKnown)
@@ -117,12 +128,30 @@ std::string Oracle::judge_silence(const World& world, const Host& host) {
               static_cast<double>(world.base_bytes() - bytes_when_silent_));
 }
 
+/// Motion while commands take long: known by the answer to a request, which is made twice a second. Until
+/// then the robot runs on with what was commanded (doc/faults.md).
+std::string Oracle::judge_lag(const World& world, const Host& host) {
+  constexpr Duration kLag = milliseconds(600), kAsked = milliseconds(500), kAnswered = milliseconds(400);
+  const Duration delay = world.command_faults.delay;
+  if (delay > kLag) late_ = host.now();
+  if (delay <= kLag || !is_clear(world, host) || world.lies.deaf) {
+    late_since_ = {};
+    return {};
+  }
+  if (late_since_ == Stamp{}) late_since_ = host.now();
+  const Duration known = 2 * delay + kAsked + kAnswered;  // a request may be on its way when it begins
+  if (host.now() - late_since_ <= known) return {};
+  return text("motion is commanded while the base answers late", types::to_seconds(delay));
+}
+
+bool Oracle::is_late(const Host& host) const {
+  constexpr Duration kStands = milliseconds(6000);
+  return late_ != Stamp{} && host.now() - late_ < kStands;
+}
+
 /// A base that swallows its commands, and tells truly what it does, stands in the end.
 std::string Oracle::judge_deaf(const World& world, const Host& host) {
-  const LineFaults& line = world.base_line.faults;
-  const bool heard = !line.holds && !line.swallows && line.drop_permille == 0 && line.flip_permille == 0 &&
-                     host.now() - world.base_line.newest() < kLate;
-  if (!world.lies.deaf || !heard || world.command_faults.lost) {
+  if (!world.lies.deaf || !is_clear(world, host)) {
     deaf_since_ = {};
     return {};
   }

@@ -20,9 +20,12 @@ class Oracle {
   [[nodiscard]] static std::string judge_age(const World& world, const Host& host);
   [[nodiscard]] static std::string judge_way(const World& world, const Host& host);
   std::string judge_silence(const World& world, const Host& host);
+  std::string judge_lag(const World& world, const Host& host);
+  [[nodiscard]] bool is_late(const Host& host) const;
   std::string judge_deaf(const World& world, const Host& host);
 
   types::Stamp silent_since_{}, deaf_since_{};
+  types::Stamp late_since_{}, late_{};  ///< commands: without interruption, and the newest
   std::uint64_t bytes_when_silent_ = 0;
   int excused_ = 0;  ///< collisions while the robot was lied to
 };

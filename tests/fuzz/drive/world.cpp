@@ -158,19 +158,10 @@ void World::picture(sim::scip::Turn& turn) {
   }
 }
 
-void World::note_lies() {
-  if (lies.of_scanner()) {
-    if (!(lies == last_lies_)) lying_.since = now_;
-    lying_.last = now_;
-  }
-  last_lies_ = lies;
-}
-
 void World::look() {
   const sim::SimTime period = scanner_.model().period();
   turn_.step0 = sim_now() - period;
   if (!lies.frozen) picture(turn_);
-  note_lies();
   scanner_.deliver(turn_, sim_now());
   next_turn_ += period;
 }
@@ -179,13 +170,14 @@ void World::pump() {
   constexpr std::size_t kWhole = 1U << 20U, kScanBytes = 500, kType = 3;
   for (std::string_view m = scanner_.output().peek(sim_now(), kWhole); !m.empty();
        m = scanner_.output().peek(sim_now(), kWhole)) {
-    scan_line.send(m, now_, m.size() > kScanBytes && !lies.of_scanner());
+    const bool scan = m.size() > kScanBytes;
+    scan_line.send(m, now_, {scan && lies.of_scanner() == 0, scan ? lies.of_scanner() : 0U});
     scanner_.output().consume(m.size());
   }
   for (std::string_view m = base_.output().peek(sim_now(), kWhole); !m.empty();
        m = base_.output().peek(sim_now(), kWhole)) {
     const bool status = m.size() > kType && (m[kType] == 0x32 || m[kType] == 0x33);
-    base_line.send(m, now_, status);
+    base_line.send(m, now_, {status, 0});
     base_.output().consume(m.size());
   }
 }
@@ -202,7 +194,7 @@ void World::deliver_commands() {
   static const std::string kPulse = sim::arcos::PacketBuilder(0).frame();
   for (; !commands_.empty() && commands_.front().due <= now_; commands_.pop_front()) {
     const bool swallowed = lies.deaf && base_.state() == sim::ArcosDevice::State::kOpen;
-    if (swallowed) lying_.deaf = now_;
+    if (swallowed) swallowed_ = now_;
     base_.receive(bytes_of(swallowed ? std::string_view(kPulse) : std::string_view(commands_.front().bytes)),
                   sim_now());
   }

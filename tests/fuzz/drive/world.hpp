@@ -29,15 +29,10 @@ struct Lies {
   bool blind = false;    ///< it reports no return
   bool covered = false;  ///< half of its window is covered
   bool deaf = false;     ///< the base swallows what it is sent, which feeds its watchdog all the same
-  [[nodiscard]] bool of_scanner() const { return frozen || blind || covered; }
-  friend bool operator==(const Lies&, const Lies&) = default;
-};
-
-/// The lies so far.
-struct Lying {
-  types::Stamp last{};   ///< the newest picture that was one; zero: none
-  types::Stamp since{};  ///< from when on all pictures were the same lie
-  types::Stamp deaf{};   ///< when the base last swallowed something; zero: never
+  /// Which lies the scanner tells; 0: none.
+  [[nodiscard]] unsigned of_scanner() const {
+    return (frozen ? 1U : 0U) | (blind ? 2U : 0U) | (covered ? 4U : 0U);
+  }
 };
 
 /// The way of the commands to the base.
@@ -77,7 +72,8 @@ class World {
   [[nodiscard]] bool touches(const types::Se2& pose, types::Stamp since) const;
   /// Times that the robot drove forwards into something.
   [[nodiscard]] int collisions() const { return collisions_; }
-  [[nodiscard]] const Lying& lying() const { return lying_; }
+  /// When the base last swallowed something; zero: never.
+  [[nodiscard]] types::Stamp swallowed() const { return swallowed_; }
   /// Bytes of the host that were sent to the base so far.
   [[nodiscard]] std::uint64_t base_bytes() const { return base_bytes_; }
 
@@ -91,7 +87,6 @@ class World {
   void drive(double dt_s);
   void deliver_commands();
   void look();
-  void note_lies();
   [[nodiscard]] double ray_m(const types::Vector2& from, double heading_rad) const;
   void picture(sim::scip::Turn& turn);
   void pump();
@@ -105,9 +100,7 @@ class World {
   std::vector<Box> boxes_;
   std::deque<Late> commands_;
   sim::scip::Turn turn_;
-  types::Stamp next_turn_;
-  Lies last_lies_;  ///< of the newest picture
-  Lying lying_;
+  types::Stamp next_turn_, swallowed_{};
   std::uint32_t pictures_ = 0;
   std::uint64_t base_bytes_ = 0;
   int collisions_ = 0;
