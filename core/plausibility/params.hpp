@@ -17,6 +17,10 @@ struct ObedienceParams {
   double omega_tolerance_radps = 0.5;  ///< the same; RVEL is quantised to 1 deg/s
   double braking_share = 0.5;          ///< of the believed deceleration that a base may brake with at least
   int statuses = 3;                    ///< in a row outside the bounds: one may be a bump
+  /// Within the tolerances, a base that is commanded to stand still may roll, but not go on: a swallowed stop
+  /// of a slow robot. Wheels that stand report 0; encoders err by a few mm/s.
+  double creep_mps = 0.03, creep_radps = 0.06;
+  types::Duration creep_for = std::chrono::seconds(2);  ///< rolling out, or a push
   /// A change of the command within the last seconds that is enough to measure the lag by.
   double informative_mps = 0.15;
   int informative_statuses = 6;  ///< from which the lag counts: 0.6 s at 10 Hz

@@ -91,6 +91,25 @@ TEST(Plausibility, theOperatorClearsAtAStandingRobotOnly) {
   EXPECT_FALSE(robot.doubts(Doubt::kDisobeys));
 }
 
+TEST(Plausibility, aSlowBaseThatDoesNotStopDisobeys) {
+  Robot robot;
+  robot.run(3.0, 0.07);
+  robot.base.obeys = false;
+  robot.run(1.5, 0.0);
+  EXPECT_TRUE(robot.opinion.doubts.none()) << "it may roll";
+  robot.run(2.0, 0.0);
+  EXPECT_TRUE(robot.doubts(Doubt::kDisobeys));
+}
+
+TEST(Plausibility, aPushOfAStandingRobotIsNoDisobedience) {
+  Robot robot;
+  for (int push = 0; push < 10; ++push) {
+    robot.run(1.5, 0.0, [&](Evidence&) { robot.base.push(0.08); });
+    robot.run(0.5, 0.0, [&](Evidence&) { robot.base.push(0.0); });
+    ASSERT_TRUE(robot.opinion.doubts.none()) << push;
+  }
+}
+
 /// A base that disobeyed and stands, without a connection.
 Robot lost_after_disobedience() {
   Robot robot;
