@@ -92,6 +92,11 @@ void HostileLine::send(std::string_view message, types::Stamp now, const Says& s
   }
   const bool whole = bytes == message;
   delay_ += faults.delay_growth;
+  constexpr types::Duration kNewStream = std::chrono::milliseconds(500);
+  if (says.news || says.lie > 0) {
+    if (now - last_sent_ > kNewStream) began_late_ = delay_;
+    last_sent_ = now;
+  }
   last_ = bytes;
   put(std::move(bytes), now + delay_, now, whole ? says : Says{});
 }

@@ -55,6 +55,8 @@ class HostileLine {
   std::string read(types::Stamp now, std::size_t most);
   [[nodiscard]] bool has(types::Stamp now) const;
   [[nodiscard]] const Heard& heard() const { return heard_; }
+  /// The delay with which the newest stream of news began: one way it cannot be seen.
+  [[nodiscard]] types::Duration began_late() const { return began_late_; }
 
  private:
   struct Chunk {
@@ -73,7 +75,8 @@ class HostileLine {
   Heard heard_;
   unsigned last_lie_ = 0;
   types::Stamp last_due_{};
-  types::Duration delay_{};
+  types::Duration delay_{}, began_late_{};
+  types::Stamp last_sent_{};
   std::uint32_t dice_ = 1;
 };
 

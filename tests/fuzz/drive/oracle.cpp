@@ -86,9 +86,9 @@ std::string Oracle::judge_age(const World& world, const Host& host) {
   const Heard& scans = world.scan_line.heard();
   const Duration scan = now - scans.news, status = now - world.base_line.heard().news;
   const bool deceived = scans.lies > 0 && scans.lies <= kLieScans && now - scans.lie <= kScanKnown;
-  if (scan > kScanKnown && !deceived)
+  if (scan > kScanKnown + world.scan_line.began_late() && !deceived)
     return text("motion is commanded while the newest true scan is too old", types::to_seconds(scan));
-  if (status > kStatusKnown)
+  if (status > kStatusKnown + world.base_line.began_late())
     return text("motion is commanded while the newest true status is too old", types::to_seconds(status));
   return {};
 }
