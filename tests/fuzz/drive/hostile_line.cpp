@@ -48,6 +48,7 @@ class Stream final : public io::ByteStream {
 io::Result<std::unique_ptr<io::ByteStream>> HostileConnector::connect(types::Duration /*timeout*/) {
   if (port_->unplugged) return types::fail(types::Errc::kNotFound, "/dev/hostile: no such device");
   ++port_->opened;
+  port_->line->clear();  // what came before nobody has kept
   return std::unique_ptr<io::ByteStream>(std::make_unique<Stream>(*port_));
 }
 
