@@ -24,7 +24,8 @@ plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& i
       .T_base_laser = setup.T_base_laser,
       .limits = {},
       .model = setup.model,
-      .cleared = in.estop_cleared};
+      .cleared = in.estop_cleared,
+      .base_released = in.base_released};
   evidence.limits.take_limits(limits);
   return evidence;
 }

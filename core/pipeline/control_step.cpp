@@ -77,7 +77,7 @@ void report_base(const ControlSetup& setup, const ControlInput& in, const motion
 }  // namespace
 
 struct ControlState::Impl {
-  explicit Impl(const plausibility::PlausibilityParams& params) : plausibility(params) {}
+  Impl(const plausibility::PlausibilityParams& params, bool disobeyed) : plausibility(params, disobeyed) {}
 
   plausibility::Plausibility plausibility;
   ControlSenses senses;
@@ -89,8 +89,8 @@ struct ControlState::Impl {
   Stamp wanted_at{};  ///< when motion was last requested; zero: never, or not since an e-stop
 };
 
-ControlState::ControlState(const plausibility::PlausibilityParams& params)
-    : impl_(std::make_unique<Impl>(params)) {}
+ControlState::ControlState(const plausibility::PlausibilityParams& params, bool disobeyed)
+    : impl_(std::make_unique<Impl>(params, disobeyed)) {}
 ControlState::~ControlState() = default;
 
 ControlOutput control_step(ControlState& state, const ControlSetup& setup, const ControlInput& input) {

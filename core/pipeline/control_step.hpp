@@ -23,6 +23,7 @@ struct ControlSetup {
   types::AreaLimits area;
   types::Duration plan_age_max = std::chrono::seconds(1);
   types::ModelSize model = types::kP3dx;
+  bool disobeyed = false;  ///< the base did not obey when the daemon ended (Plausibility)
 };
 
 /// Manual control by the operator, with a dead man's switch (limits.request_age_max). Overrides the plan.
@@ -44,6 +45,7 @@ struct ControlInput {
   std::span<const types::Se2> T_base_sonar;
   types::Duration firmware_watchdog{};
   double firmware_deceleration_mps2 = 0.0;  ///< the most that it brakes with; 0: unknown
+  bool base_released = false;               ///< plausibility::Evidence::base_released
 };
 
 enum class ControlMode : std::uint8_t {
@@ -90,7 +92,8 @@ struct ControlOutput {
 /// Allocates in the constructor only.
 class ControlState {
  public:
-  explicit ControlState(const plausibility::PlausibilityParams& params = {});
+  /// `disobeyed`: ControlSetup::disobeyed.
+  explicit ControlState(const plausibility::PlausibilityParams& params = {}, bool disobeyed = false);
   ~ControlState();
   ControlState(const ControlState&) = delete;
   ControlState& operator=(const ControlState&) = delete;

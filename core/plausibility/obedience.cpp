@@ -45,6 +45,14 @@ void Obedience::follow(SpeedBounds& bounds, double commanded, double braking, do
   bounds.low = std::min({commanded, bounds.low + step, 0.0});
 }
 
+bool Obedience::creeps(const types::Twist2& measured) {
+  const bool to_stand = v_.high == 0.0 && v_.low == 0.0 && omega_.high == 0.0 && omega_.low == 0.0;
+  const bool moves =
+      std::abs(measured.v_mps) > params_.creep_mps || std::abs(measured.omega_radps) > params_.creep_radps;
+  if (!to_stand || !moves || stood_ == types::Stamp{}) stood_ = last_;
+  return last_ - stood_ > params_.creep_for;
+}
+
 bool Obedience::measure_lag(const CommandHistory& commands, const types::BaseState& state) {
   const types::Stamp now = state.odometry.stamp;
   // Motors that were just switched on begin late, and the commands before do not count.
@@ -80,14 +88,14 @@ ObedienceOpinion Obedience::judge(const CommandHistory& commands, const types::B
   ObedienceOpinion opinion;
   if (!state.motors_enabled) {
     outside_ = 0;
-    motors_on_ = now;
+    motors_on_ = stood_ = now;
     return opinion;
   }
   const types::Twist2& measured = state.odometry.twist;
   const bool outside = is_outside(measured.v_mps, v_, params_.v_tolerance_mps) ||
                        is_outside(measured.omega_radps, omega_, params_.omega_tolerance_radps);
   outside_ = outside ? outside_ + 1 : 0;
-  opinion.disobeys = outside_ >= params_.statuses;
+  opinion.disobeys = creeps(measured) || outside_ >= params_.statuses;
   const bool informative = measure_lag(commands, state);
   opinion.lag = late_lag_;
   if (informative_ < params_.informative_statuses) return opinion;

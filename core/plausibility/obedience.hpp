@@ -26,10 +26,11 @@ struct ObedienceOpinion {
 
 /// Compares the speed of every status with the commands before it.
 ///
-/// Disobedience: the speed leaves the bounds. Lag: for every lag of a grid the squared difference between the
-/// speed and that of a prompt base so long ago (CommandHistory::followed_at) is summed over the statuses
-/// around changes; the best lag is the estimate (matched filter). A base that stands still although it is
-/// commanded to move is not disobedient: it may be blocked, which control notices.
+/// Disobedience: the speed leaves the bounds, or goes on for seconds while the bounds allow none. Lag: for
+/// every lag of a grid the squared difference between the speed and that of a prompt base so long ago
+/// (CommandHistory::followed_at) is summed over the statuses around changes; the best lag is the estimate
+/// (matched filter). A base that stands still although it is commanded to move is not disobedient: it may be
+/// blocked, which control notices.
 class Obedience {
  public:
   static constexpr types::Duration kLagStep = std::chrono::milliseconds(50);
@@ -48,6 +49,8 @@ class Obedience {
 
  private:
   void follow(SpeedBounds& bounds, double commanded, double braking, double elapsed_s) const;
+  /// True when the base has gone on for long although it is to stand.
+  bool creeps(const types::Twist2& measured);
   /// True when the status says something about the lag.
   bool measure_lag(const CommandHistory& commands, const types::BaseState& state);
   [[nodiscard]] std::size_t best_lag(std::size_t end) const;
@@ -57,6 +60,7 @@ class Obedience {
   types::Stamp last_{};
   types::Stamp motors_on_{};  ///< the newest status without them
   int outside_ = 0;
+  types::Stamp stood_{};  ///< the newest status that stood, or was allowed to move
   std::array<double, kLags> error_{};
   types::Duration late_lag_{};  ///< the longest lag that was too long
   double weight_ = 0.0;

@@ -17,6 +17,10 @@ struct ObedienceParams {
   double omega_tolerance_radps = 0.5;  ///< the same; RVEL is quantised to 1 deg/s
   double braking_share = 0.5;          ///< of the believed deceleration that a base may brake with at least
   int statuses = 3;                    ///< in a row outside the bounds: one may be a bump
+  /// Within the tolerances, a base that is commanded to stand still may roll, but not go on: a swallowed stop
+  /// of a slow robot. Wheels that stand report 0; encoders err by a few mm/s.
+  double creep_mps = 0.03, creep_radps = 0.06;
+  types::Duration creep_for = std::chrono::seconds(2);  ///< rolling out, or a push
   /// A change of the command within the last seconds that is enough to measure the lag by.
   double informative_mps = 0.15;
   int informative_statuses = 6;  ///< from which the lag counts: 0.6 s at 10 Hz
@@ -66,7 +70,10 @@ struct PlausibilityParams {
   /// Longest time from a request to the base's answer (types::BaseState::round_trip):
   /// ObedienceParams::lag_max and a status cycle, by which an answer may wait behind a status on a slow line.
   types::Duration round_trip_max = std::chrono::milliseconds(400);
-  types::Duration hold = std::chrono::seconds(1);        ///< a doubt lasts this long after its cause
+  types::Duration hold = std::chrono::seconds(1);  ///< a doubt lasts this long after its cause
+  /// A base that does not obey and is not heard for so long is taken to stand when the operator says so: the
+  /// gate lets none drive whose watchdog takes more than 2 s, and from 1.2 m/s it brakes in 2.4 s.
+  types::Duration unheard_stands = std::chrono::seconds(5);
   int strikes = 3;                                       ///< the same doubt so often within
   types::Duration strikes_in = std::chrono::minutes(1);  ///< this time lasts until the operator clears it
 };

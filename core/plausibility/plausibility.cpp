@@ -23,19 +23,18 @@ bool stands(const types::BaseState* base) {
 
 }  // namespace
 
-Plausibility::Plausibility(const PlausibilityParams& params)
-    : params_(params), obedience_(params.obedience), match_(params.match), picture_(params.picture) {}
+Plausibility::Plausibility(const PlausibilityParams& params, bool disobeyed)
+    : params_(params), obedience_(params.obedience), match_(params.match), picture_(params.picture) {
+  held_[at(Doubt::kDisobeys)].latched = disobeyed;
+}
 
 void Plausibility::judge_status(const Evidence& evidence) {
   const types::BaseState& base = *evidence.base;
   if (base.arrival == last_status_) return;
   const bool anew = last_status_ != types::Stamp{} && base.arrival - last_status_ > kNewConnection;
-  if (anew) {
-    obedience_.reset();
-    held_[at(Doubt::kDisobeys)] = {};
-  }
+  if (anew) obedience_.reset();
   const bool first = anew || last_status_ == types::Stamp{};
-  last_status_ = base.arrival;
+  last_status_ = heard_ = base.arrival;
   impossible_ =
       is_impossible(first ? nullptr : &last_odometry_, base.odometry, evidence.model, params_.motion);
   last_odometry_ = base.odometry;
@@ -86,12 +85,29 @@ void Plausibility::hold(std::size_t doubt, bool cause, bool standing, const Evid
   }
   if (cause) held.until = evidence.now + params_.hold;
   const bool motors_off = evidence.base != nullptr && !evidence.base->motors_enabled;
-  if ((evidence.cleared && standing) || (disobeys && motors_off)) held = Held{held.until, {}, 0, false};
+  const bool cleared = evidence.cleared && (disobeys ? rests(evidence) : standing);
+  if (cleared || (disobeys && motors_off)) held = Held{held.until, {}, 0, false};
   const bool lasts = held.until != types::Stamp{} && (evidence.now < held.until || !standing);
   present_.set(doubt, cause || held.latched || (present_.test(doubt) && lasts));
 }
 
+/// True when a base that does not obey stands, as far as can be known.
+bool Plausibility::rests(const Evidence& evidence) const {
+  if (evidence.base != nullptr) return stands(evidence.base);
+  return evidence.now - heard_ >= params_.unheard_stands;
+}
+
+/// At once and without the hold: a driver that waits for it hears of a reset once.
+void Plausibility::release() {
+  obedience_.reset();
+  obeys_ = {};
+  held_[at(Doubt::kDisobeys)] = {};
+  present_.reset(at(Doubt::kDisobeys));
+}
+
 Opinion Plausibility::judge(const Evidence& evidence) {
+  if (heard_ == types::Stamp{}) heard_ = evidence.now;
+  if (evidence.base_released) release();
   const DoubtSet now = causes(evidence);
   const bool standing = stands(evidence.base);
   for (std::size_t doubt = 0; doubt < kDoubts; ++doubt) hold(doubt, now.test(doubt), standing, evidence);

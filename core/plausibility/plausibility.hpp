@@ -24,6 +24,8 @@ struct Evidence {
   types::DriveLimits limits;  ///< as the stopping distance uses them
   types::ModelSize model = types::kP3dx;
   bool cleared = false;  ///< by the operator, in this period
+  /// Since the period before, the base was heard with its motors off, or after a reset of its controller.
+  bool base_released = false;
 };
 
 struct Opinion {
@@ -37,11 +39,13 @@ struct Opinion {
 ///
 /// A doubt lasts while its cause lasts and PlausibilityParams::hold longer, and until the robot stands. A
 /// doubt that came the third time within a minute lasts until the operator clears it at a standing robot. A
-/// base that disobeys is doubted until its motors are off, its connection began anew, or the operator cleared
-/// it at a standing robot. Allocates nothing.
+/// base that disobeys is doubted until its motors are off, its controller was reset, or the operator cleared
+/// it at a standing robot, also over new connections and restarts: nothing that the daemon does by itself may
+/// feed its watchdog again. Allocates nothing.
 class Plausibility {
  public:
-  explicit Plausibility(const PlausibilityParams& params = {});
+  /// `disobeyed`: the base did not obey before the start, and was not released since.
+  explicit Plausibility(const PlausibilityParams& params = {}, bool disobeyed = false);
 
   Opinion judge(const Evidence& evidence);
 
@@ -57,6 +61,8 @@ class Plausibility {
   [[nodiscard]] DoubtSet causes(const Evidence& evidence);
   void judge_status(const Evidence& evidence);
   void hold(std::size_t doubt, bool cause, bool stands, const Evidence& evidence);
+  [[nodiscard]] bool rests(const Evidence& evidence) const;
+  void release();
 
   PlausibilityParams params_;
   CommandHistory commands_;
@@ -69,6 +75,7 @@ class Plausibility {
   bool impossible_ = false;
   types::Odometry last_odometry_;
   types::Stamp last_status_{}, last_scan_{}, last_match_{};
+  types::Stamp heard_{};  ///< the newest status, or the start
   DoubtSet present_;
   std::array<Held, kDoubts> held_{};
 };

@@ -51,7 +51,8 @@ struct BaseCommand {
   Twist2 twist;
   bool enable_motors = false;
   bool estop = false;  ///< stop at maximum deceleration; overrides everything else
-  /// The base does not obey: E_STOP, and then nothing, so that the firmware's watchdog stops it.
+  /// The base does not obey: E_STOP, and then nothing, so that the firmware's watchdog stops it. Nor may a
+  /// new connection send anything.
   bool silence = false;
 };
 

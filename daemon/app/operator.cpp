@@ -33,6 +33,8 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       estop_(
           hand_overs.estop, [&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
           configuration.control.state_folder, [this](const Json& event) { announce_(event); }),
+      silence_([&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
+               configuration.control.state_folder),
       team_(configuration.team, hand_overs.team,
             [this](team::OrderKind kind, std::uint16_t from) { obey(kind, from); }),
       saver_(hand_overs),
@@ -40,6 +42,7 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
 
 Status Operator::start() {
   if (auto s = estop_.start(); !s) return s;
+  if (auto s = silence_.start(); !s) return s;
   if (auto s = files_.start("files"); !s) return s;
   return searches_.start("searches");
 }
@@ -55,6 +58,7 @@ void Operator::tick(types::Stamp now) {
   team_.tick();
   add_distance();
   estop_.tick();
+  silence_.tick(now);
   if (estop_.latched()) interrupt("the emergency stop");
   const auto* report = plan_.report();
   if (report != nullptr && missions_.note(*report, now)) {

@@ -12,6 +12,7 @@
 #include "daemon/app/mission_control.hpp"
 #include "daemon/app/plan_watch.hpp"
 #include "daemon/app/session_control.hpp"
+#include "daemon/app/silence_control.hpp"
 #include "daemon/app/team_control.hpp"
 #include "daemon/control/methods.hpp"
 
@@ -91,6 +92,7 @@ class Operator final : public Operations {
   MissionControl missions_;
   std::uint64_t commands_ = 0;  ///< that move or stop the robot; a slow one must not override a later one
   EStopControl estop_;
+  SilenceControl silence_;
   TeamControl team_;
   MapSaver saver_;
   SessionControl sessions_;  // declared before the thread of its jobs, which is destroyed first

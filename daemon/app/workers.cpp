@@ -3,6 +3,7 @@
 #include "daemon/app/workers.hpp"
 
 #include "daemon/app/session_control.hpp"
+#include "daemon/estop/latch_file.hpp"
 #include "daemon/session/origin.hpp"
 #include "daemon/threads/base_worker.hpp"
 #include "daemon/threads/closure_worker.hpp"
@@ -49,6 +50,14 @@ TeamSettings team_settings(const Configuration& c) {
   return settings;
 }
 
+/// With what the daemon before left behind.
+pipeline::ControlSetup setup_at_start(const Configuration& configuration) {
+  pipeline::ControlSetup setup = control_setup(configuration);
+  const std::string& folder = configuration.control.state_folder;
+  setup.disobeyed = !folder.empty() && read_latch(silence_path(folder)).latched;
+  return setup;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers& hand_overs,
@@ -58,7 +67,7 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   auto base = connectors("base", c.base.address);
   if (!base) return tl::unexpected(base.error());
   w.base_.worker = std::make_unique<BaseWorker>(
-      hand_overs, control_setup(c), c.plausibility,
+      hand_overs, setup_at_start(c), c.plausibility,
       std::make_unique<pioneer::Connection>(connection_config(c), std::move(*base)), w.base_.vitals);
   auto front = connectors("front", c.front.address);
   if (!front) return tl::unexpected(front.error());

@@ -27,6 +27,8 @@ FoundLatch damaged(const std::string& what) { return {true, what, true}; }
 
 std::string latch_path(const std::string& folder) { return folder + "/estop.latch"; }
 
+std::string silence_path(const std::string& folder) { return folder + "/silence.latch"; }
+
 FoundLatch read_latch(const std::string& path) {
   // O_NONBLOCK: whatever is there in place of a file must not hold up the start.
   const io::UniqueFd fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));

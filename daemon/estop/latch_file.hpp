@@ -11,6 +11,9 @@ namespace topo::daemon {
 /// The file that keeps a latched e-stop beyond the daemon's end. That it is there means latched, whatever is
 /// in it; the text is for people.
 [[nodiscard]] std::string latch_path(const std::string& folder);
+/// The same for the silence towards a base that does not obey: a file of the same form, that binds the next
+/// daemon and topometric-estop.
+[[nodiscard]] std::string silence_path(const std::string& folder);
 
 /// What the start finds.
 struct FoundLatch {

@@ -12,7 +12,9 @@
 #include "daemon/app/command_line.hpp"
 #include "daemon/config/load.hpp"
 #include "daemon/control/probe.hpp"
+#include "daemon/estop/latch_file.hpp"
 #include "daemon/estop/stop_robot.hpp"
+#include "daemon/estop/watch_robot.hpp"
 #include "drivers/io/run_program.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
@@ -58,14 +60,38 @@ int stop(const std::string& address) {
   return kOk;
 }
 
+/// The robot did not obey: every byte would feed its watchdog, which is what stops it.
+int watch(const std::string& address, const std::string& why) {
+  tell(
+      fmt::format("{}: nothing is written, because the robot did not obey ({}) and its own watchdog stops "
+                  "it; press its stop button when it does not",
+                  address, why));
+  auto connector = pioneer::make_base_connector(address);
+  if (!connector) return complain(connector.error().message, kUsersFault);
+  const auto outcome = watch_robot(**connector);
+  if (!outcome) return complain(outcome.error().message, kFailed);
+  if (*outcome == StopOutcome::kMoves)
+    return complain(fmt::format("{}: the wheels still turned at the last report", address), kFailed);
+  tell(*outcome == StopOutcome::kStands ? "the robot stands" : "the robot reports nothing");
+  return kOk;
+}
+
+/// What the daemon left behind decides: a robot that did not obey gets no byte.
+int stop_or_watch(const Configuration& configuration) {
+  const std::string& folder = configuration.control.state_folder;
+  const FoundLatch silence = folder.empty() ? FoundLatch{} : read_latch(silence_path(folder));
+  if (silence.latched) return watch(configuration.base.address, silence.text);
+  return stop(configuration.base.address);
+}
+
 /// A daemon that hangs may hold the port exclusively: always a serial port, and often a TCP bridge.
-int stop_beside(const std::string& socket, pid_t daemon, const std::string& address, bool force) {
+int stop_beside(const std::string& socket, pid_t daemon, const Configuration& configuration, bool force) {
   tell(fmt::format("the daemon on {}{} does not answer", socket,
                    daemon > 0 ? fmt::format(" (process {})", daemon) : ""));
   if (force && (daemon <= 0 || ::kill(daemon, SIGKILL) != 0))
     tell(fmt::format("it cannot be ended: {}",
                      daemon <= 0 ? "its process is not known" : std::strerror(errno)));
-  const int status = stop(address);
+  const int status = stop_or_watch(configuration);
   if (status != kOk && !force) tell("it may hold the port; --force ends it first");
   return status;
 }
@@ -83,8 +109,8 @@ int stop_configured(const std::string& file, bool force) {
   if (daemon.served == Served::kByLiving) {
     return complain(fmt::format("a daemon serves this robot on {}; use topoctl estop", socket), kDaemonLives);
   }
-  if (daemon.served == Served::kNobody) return stop(loaded->values.base.address);
-  return stop_beside(socket, daemon.pid, loaded->values.base.address, force);
+  if (daemon.served == Served::kNobody) return stop_or_watch(loaded->values);
+  return stop_beside(socket, daemon.pid, loaded->values, force);
 }
 
 int start(int argc, char** argv) {

@@ -3,6 +3,7 @@
 #include "daemon/threads/base_worker.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "daemon/logging/event_catalogue.hpp"
 #include "daemon/threads/device_report.hpp"
@@ -16,7 +17,9 @@ BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setu
       connection_(std::move(connection)),
       vitals_(vitals),
       setup_(setup),
-      control_(plausibility) {}
+      control_(plausibility, setup.disobeyed) {
+  connection_->set_silence(setup.disobeyed);  // before its first byte
+}
 
 void BaseWorker::run() noexcept {
   Period period(io::monotonic_now() + kPeriod, kPeriod);
@@ -68,6 +71,7 @@ pipeline::ControlInput BaseWorker::gather() {
   input.plan = hand_overs_.plan.read();
   input.front = hand_overs_.front.to_base.read();
   input.matched = hand_overs_.mapping.to_base.read();
+  input.base_released = connection_->releases() != std::exchange(releases_, connection_->releases());
   const bool ready = connection_->health() == pioneer::Health::kReady;
   input.state = ready && has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {
@@ -81,6 +85,7 @@ pipeline::ControlInput BaseWorker::gather() {
 void BaseWorker::decide() {
   const pipeline::ControlOutput output = pipeline::control_step(control_, setup_, gather());
   control_report_ = output.report;
+  connection_->set_silence(output.command.silence);
   // A command that cannot be sent shows in the connection's health; without commands the connection stops the
   // base.
   if (connection_->health() == pioneer::Health::kReady) (void)connection_->command(output.command);

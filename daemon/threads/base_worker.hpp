@@ -41,6 +41,7 @@ class BaseWorker final : public Worker {
   pipeline::ControlSetup setup_;
   pipeline::ControlState control_;
   pipeline::ControlReport control_report_;
+  std::uint64_t releases_ = 0;  ///< of the connection, that control knows of
 };
 
 }  // namespace topo::daemon

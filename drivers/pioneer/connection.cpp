@@ -10,6 +10,7 @@
 #include "drivers/pioneer/drive.hpp"
 #include "drivers/pioneer/handshake.hpp"
 #include "drivers/pioneer/link.hpp"
+#include "drivers/pioneer/listening.hpp"
 #include "drivers/pioneer/robot_info.hpp"
 #include "drivers/pioneer/round_trip.hpp"
 #include "drivers/pioneer/sip.hpp"
@@ -45,6 +46,12 @@ struct Connection::Impl {
         may_drive_until{};  ///< until the watchdog expires, a setpoint of the lost connection may be in force
   };
 
+  /// The base does not obey: every byte would feed its watchdog.
+  struct Silence {
+    bool binds = false;
+    std::uint64_t releases = 0;
+  };
+
   Impl(ConnectionConfig connection_config, std::unique_ptr<io::Connector> connection_connector)
       : config(std::move(connection_config)), connector(std::move(connection_connector)) {}
 
@@ -58,6 +65,11 @@ struct Connection::Impl {
   void lose(Health value, std::string text);
   void open(Duration timeout);
   void connect_further(Stamp deadline);
+  void begin_listening();
+  void listen_further(Stamp deadline);
+  void begin_handshake();
+  void set_silence(bool silence);
+  void release();
   void advance(Handshake::Progress progress);
   void start_running();
   bool run(types::BaseState& out, Stamp deadline);
@@ -75,7 +87,10 @@ struct Connection::Impl {
   Retry retry;
   int good_baud = 0;
 
+  Silence silence;
+
   std::optional<Link> link;
+  std::optional<Listening> listening;
   std::optional<Handshake> handshake;
   std::optional<Drive> drive;
   std::optional<SipDelay> delay;
@@ -93,17 +108,18 @@ void Connection::Impl::set_health(Health value, std::string text) {
   verdict.changed = true;
 }
 
-/// Closes the line and waits before the next attempt; sends a last E_STOP if possible.
+/// Closes the line and waits before the next attempt; sends a last E_STOP if possible and allowed.
 void Connection::Impl::lose(Health value, std::string text) {
   const Stamp time = now();
   if (link && drive) {
-    std::ignore = link->send_at_once(encode(Command::kEStop));
+    if (!silence.binds) std::ignore = link->send_at_once(encode(Command::kEStop));
     // A controller that was reset holds no setpoint.
     if (drive->may_be_moving() && value != Health::kReset)
       retry.may_drive_until = time + milliseconds(info->watchdog_ms);
   }
   drive.reset();
   handshake.reset();
+  listening.reset();
   link.reset();
   retry.retry_at = time + retry.back_off;
   retry.back_off = std::min(retry.back_off * 2, kBackOffMax);
@@ -122,6 +138,11 @@ void Connection::Impl::open(Duration timeout) {
     return;
   }
   link.emplace(std::move(*stream), counters);
+  silence.binds ? begin_listening() : begin_handshake();
+}
+
+void Connection::Impl::begin_handshake() {
+  listening.reset();
   ExpectedRobot expected{config.expected_subclass, config.expected_name, config.expected_serial_number};
   handshake.emplace(*link, std::move(expected), connector->name(), good_baud, retry.may_drive_until);
   if (auto begun = handshake->begin(); !begun) {
@@ -132,6 +153,39 @@ void Connection::Impl::open(Duration timeout) {
   // not alternate.
   if (std::exchange(retry.first_attempt, false))
     set_health(Health::kConnecting, device() + ": looking for the robot");
+}
+
+void Connection::Impl::begin_listening() {
+  handshake.reset();
+  listening.emplace(*link, good_baud);
+  retry.first_attempt = false;
+  set_health(Health::kUnsafe,
+             device() +
+                 ": the robot did not obey: nothing is sent to it, so that its own watchdog stops it; "
+                 "press its stop button, or reset its controller, or say topoctl clear-estop while "
+                 "it stands");
+}
+
+/// Nothing is sent until the robot is released.
+void Connection::Impl::listen_further(Stamp deadline) {
+  if (!silence.binds) return begin_handshake();
+  if (const auto packet = link->next_packet()) {
+    if (listening->on_packet(*packet) == Listening::Heard::kReleased) release();
+    return;
+  }
+  auto done = listening->on_time();
+  if (done) done = link->receive(std::min(deadline, listening->deadline()) - link->now());
+  if (!done) lose(Health::kDisconnected, device() + ": " + done.error().message);
+}
+
+void Connection::Impl::set_silence(bool binds) {
+  silence.binds = binds;
+  if (binds && handshake) begin_listening();
+}
+
+void Connection::Impl::release() {
+  silence.binds = false;
+  ++silence.releases;
 }
 
 /// Sends due commands and reads once, at most until `until`. False when the line is lost.
@@ -215,6 +269,7 @@ bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out
 
 bool Connection::Impl::on_packet(const PacketView& packet, types::BaseState& out) {
   if (packet.is(PacketType::kReset) || packet.is(PacketType::kResetWithDiagnosis)) {
+    release();
     lose(Health::kReset, device() + ": the robot's controller was reset; connecting again");
     return false;
   }
@@ -250,6 +305,8 @@ StepOutcome Connection::Impl::step(types::BaseState& out, Duration timeout) {
       connector->pause(until - now());
     } else if (!link) {
       open(std::max(deadline - now(), Duration::zero()));
+    } else if (listening) {
+      listen_further(deadline);
     } else if (handshake) {
       connect_further(deadline);
     } else if (run(out, deadline)) {
@@ -260,6 +317,7 @@ StepOutcome Connection::Impl::step(types::BaseState& out, Duration timeout) {
 }
 
 types::Status Connection::Impl::command(const types::BaseCommand& command) {
+  set_silence(command.silence);
   if (!drive) return types::fail(types::Errc::kClosed, "not connected");  // short: no allocation
   auto result = drive->command(command, link->now());
   // An error of the line is handled in step(), which closes the line.
@@ -281,7 +339,10 @@ void Connection::Impl::drain(Stamp until, bool until_standstill) {
 void Connection::Impl::close(Duration timeout) {
   if (closed) return;
   const Stamp end = now() + timeout;
-  if (link && drive) {
+  if (silence.binds) {
+    drive.reset();
+    handshake.reset();
+  } else if (link && drive) {
     Outbox& out = link->outbox();
     drive->shut_down();
     link->clear();
@@ -294,11 +355,12 @@ void Connection::Impl::close(Duration timeout) {
     link->outbox().push(encode(Command::kEnable, 0));
     link->outbox().push(encode(Command::kClose, 1));
     drain(end, false);
-  } else if (link) {
+  } else if (link && !silence.binds) {
     std::ignore = link->send_at_once(encode(Command::kClose, 1));
   }
   drive.reset();
   handshake.reset();
+  listening.reset();
   link.reset();
   closed = true;
   set_health(Health::kDisconnected, device() + ": closed");
@@ -312,6 +374,8 @@ StepOutcome Connection::step(types::BaseState& out, types::Duration timeout) {
   return impl_->step(out, timeout);
 }
 types::Status Connection::command(const types::BaseCommand& command) { return impl_->command(command); }
+void Connection::set_silence(bool silence) { impl_->set_silence(silence); }
+std::uint64_t Connection::releases() const { return impl_->silence.releases; }
 void Connection::close(types::Duration timeout) { impl_->close(timeout); }
 Health Connection::health() const { return impl_->verdict.health; }
 const std::string& Connection::message() const { return impl_->verdict.message; }

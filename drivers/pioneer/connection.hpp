@@ -57,8 +57,8 @@ enum class StepOutcome {
 };
 
 /// Connection to one Pioneer, from connect to controlled close. The first bytes on every opened port are
-/// E_STOP, VEL 0, RVEL 0, CLOSE, then SYNC0. Used by one thread. Allocates while connecting, never while
-/// running.
+/// E_STOP, VEL 0, RVEL 0, CLOSE, then SYNC0; none while the base does not obey. Used by one thread. Allocates
+/// while connecting, never while running.
 class Connection {
  public:
   Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector);
@@ -73,7 +73,15 @@ class Connection {
   /// is not finite becomes a stop. Without a call for 200 ms, step() sends a stop.
   types::Status command(const types::BaseCommand& command);
 
-  /// E_STOP, VEL 0, RVEL 0, ENABLE 0, CLOSE; bounded by `timeout`.
+  /// As BaseCommand::silence of every command, for periods in which none can be sent: while the base does not
+  /// obey, a new connection only listens, and closing sends nothing. It ends by false, or by itself when the
+  /// base is released.
+  void set_silence(bool silence);
+  /// How often since the start the base was released: heard, while the connection only listened, with its
+  /// motors off; or a reset of its controller was heard.
+  [[nodiscard]] std::uint64_t releases() const;
+
+  /// E_STOP, VEL 0, RVEL 0, ENABLE 0, CLOSE; bounded by `timeout`. Nothing towards a base that does not obey.
   void close(types::Duration timeout);
 
   [[nodiscard]] Health health() const;

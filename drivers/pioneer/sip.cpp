@@ -10,7 +10,6 @@
 namespace topo::pioneer {
 namespace {
 
-constexpr unsigned kFlagMotors = 1U << 0U;
 constexpr unsigned kFlagStopButton = 1U << 5U;
 constexpr unsigned kFlagChargerPower = 1U << 10U;
 constexpr std::size_t kFixedPart = 20;  ///< type to sonar count
@@ -86,7 +85,7 @@ void apply_status(const StatusPacket& packet, const RobotModel& model, types::St
                   types::BaseState& state) {
   const unsigned bits = packet.stall_bump;
   state.arrival = arrival;
-  state.motors_enabled = (packet.flags & kFlagMotors) != 0;
+  state.motors_enabled = packet.motors_enabled();
   state.stop_button = (packet.flags & kFlagStopButton) != 0;
   state.stall_left = (bits & 0x0001U) != 0;
   state.stall_right = (bits & 0x0100U) != 0;

@@ -38,6 +38,8 @@ struct StatusPacket {
   std::optional<std::uint16_t> fault_flags;
   std::optional<std::int8_t> temperature_c;
   std::optional<std::uint8_t> state_of_charge_percent;
+
+  [[nodiscard]] bool motors_enabled() const { return (flags & 1U) != 0; }
 };
 
 /// Nothing for types other than 0x32 and 0x33, and for a packet that ends before its sonar readings do.

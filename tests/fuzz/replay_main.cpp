@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs a fuzz target without a fuzzing engine: every seed, then fixed mutants of the seeds. The same bytes
 // come in every run, so that a failure repeats; searching for new ones is the work of preset `fuzz`.
+// usage: NAME MUTANTS [FOLDER OF SEEDS]...
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,7 +21,6 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using Dice = std::mt19937;
 
-constexpr int kMutants = 4000;
 constexpr std::size_t kSizeMax = 4096;
 
 std::size_t below(Dice& dice, std::size_t bound) { return bound == 0 ? 0 : dice() % bound; }
@@ -32,7 +33,7 @@ Bytes read_file(const std::filesystem::path& path) {
 /// Every file of the folder, in the order of names; always begins with the empty input.
 std::vector<Bytes> read_seeds(int argc, char** argv) {
   std::vector<std::filesystem::path> paths;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 2; i < argc; ++i) {
     for (const auto& entry : std::filesystem::directory_iterator(argv[i])) {
       if (entry.is_regular_file()) paths.push_back(entry.path());
     }
@@ -77,13 +78,18 @@ Bytes mutant(const std::vector<Bytes>& seeds, Dice& dice) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const int mutants = argc > 1 ? std::atoi(argv[1]) : 0;
+  if (mutants <= 0) {
+    std::fprintf(stderr, "expected a number of mutants above 0, and folders of seeds\n");
+    return 2;
+  }
   const std::vector<Bytes> seeds = read_seeds(argc, argv);
   for (const Bytes& seed : seeds) LLVMFuzzerTestOneInput(seed.data(), seed.size());
   Dice dice(1);
-  for (int i = 0; i < kMutants; ++i) {
+  for (int i = 0; i < mutants; ++i) {
     const Bytes bytes = mutant(seeds, dice);
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
   }
-  std::printf("%zu seeds and %d mutants went through\n", seeds.size() - 1, kMutants);
+  std::printf("%zu seeds and %d mutants went through\n", seeds.size() - 1, mutants);
   return 0;
 }

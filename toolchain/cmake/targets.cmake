@@ -99,14 +99,14 @@ function(topo_test name)
   endif()
 endfunction()
 
-# topo_fuzz(NAME SOURCES a_fuzz.cpp ... DEPS target ... [SEEDS folder])
+# topo_fuzz(NAME SOURCES a_fuzz.cpp ... DEPS target ... [SEEDS folder] [DICTIONARY file] [MUTANTS n])
 # A file with LLVMFuzzerTestOneInput. In preset `fuzz` it is linked with libFuzzer and searches for
-# TOPO_FUZZ_SECONDS; in every other build the same function gets the seeds and fixed mutants of them, so that
-# each run of the tests, with and without sanitizers, goes over it.
+# TOPO_FUZZ_SECONDS, with the words of the dictionary; in every other build the same function gets the seeds and
+# MUTANTS (4000) fixed mutants of them, so that each run of the tests, with and without sanitizers, goes over it.
 set(TOPO_FUZZ_SECONDS 20 CACHE STRING "How long each libFuzzer test searches")
 set(TOPO_FUZZ_REPLAY ${CMAKE_CURRENT_LIST_DIR}/../../tests/fuzz/replay_main.cpp)
 function(topo_fuzz name)
-  cmake_parse_arguments(ARG "" "SEEDS" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "" "SEEDS;DICTIONARY;MUTANTS" "SOURCES;DEPS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS})
@@ -115,12 +115,19 @@ function(topo_fuzz name)
     target_link_options(${name} PRIVATE -fsanitize=fuzzer)
     # The first folder takes what is found; the seeds are only read.
     file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/${name}_found)
+    set(dictionary)
+    if(ARG_DICTIONARY)
+      set(dictionary -dict=${ARG_DICTIONARY})
+    endif()
     add_test(NAME ${name}
              COMMAND ${name} -max_total_time=${TOPO_FUZZ_SECONDS} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
-                     -seed=1 ${CMAKE_CURRENT_BINARY_DIR}/${name}_found ${ARG_SEEDS})
+                     -seed=1 ${dictionary} ${CMAKE_CURRENT_BINARY_DIR}/${name}_found ${ARG_SEEDS})
   else()
     target_sources(${name} PRIVATE ${TOPO_FUZZ_REPLAY})
-    add_test(NAME ${name} COMMAND ${name} ${ARG_SEEDS})
+    if(NOT ARG_MUTANTS)
+      set(ARG_MUTANTS 4000)
+    endif()
+    add_test(NAME ${name} COMMAND ${name} ${ARG_MUTANTS} ${ARG_SEEDS})
   endif()
   math(EXPR limit_s "${TOPO_FUZZ_SECONDS} + 100")
   set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit_s})

@@ -58,6 +58,10 @@ Json Operator::health() const {
     json["healthy"] = false;
     json["faults"].push_back("team: " + trouble);
   }
+  if (const std::string& trouble = silence_.trouble(); !trouble.empty()) {
+    json["healthy"] = false;
+    json["faults"].push_back("base: " + trouble);
+  }
   if (const std::string trouble = sessions_.trouble(); !trouble.empty()) {
     json["healthy"] = false;
     json["faults"].push_back("session: " + trouble);

@@ -91,19 +91,89 @@ TEST(Plausibility, theOperatorClearsAtAStandingRobotOnly) {
   EXPECT_FALSE(robot.doubts(Doubt::kDisobeys));
 }
 
-TEST(Plausibility, aNewConnectionIsTrustedAnew) {
+TEST(Plausibility, aSlowBaseThatDoesNotStopDisobeys) {
+  Robot robot;
+  robot.run(3.0, 0.07);
+  robot.base.obeys = false;
+  robot.run(1.5, 0.0);
+  EXPECT_TRUE(robot.opinion.doubts.none()) << "it may roll";
+  robot.run(2.0, 0.0);
+  EXPECT_TRUE(robot.doubts(Doubt::kDisobeys));
+}
+
+TEST(Plausibility, aPushOfAStandingRobotIsNoDisobedience) {
+  Robot robot;
+  for (int push = 0; push < 10; ++push) {
+    robot.run(1.5, 0.0, [&](Evidence&) { robot.base.push(0.08); });
+    robot.run(0.5, 0.0, [&](Evidence&) { robot.base.push(0.0); });
+    ASSERT_TRUE(robot.opinion.doubts.none()) << push;
+  }
+}
+
+/// A base that disobeyed and stands, without a connection.
+Robot lost_after_disobedience() {
   Robot robot;
   robot.run(4.0, 0.5);
   robot.base.obeys = false;
   robot.run(4.0, 0.0);
-  ASSERT_TRUE(robot.doubts(Doubt::kDisobeys));
-  robot.base.push(0.0);
+  EXPECT_TRUE(robot.doubts(Doubt::kDisobeys));
   robot.run(1.0, 0.0, [&](Evidence& evidence) {
     robot.base.push(0.0);
     evidence.base = nullptr;
   });
-  robot.run(2.0, 0.0, [&](Evidence&) { robot.base.push(0.0); });
+  return robot;
+}
+
+TEST(Plausibility, aNewConnectionIsNoReasonToTrustTheBase) {
+  Robot robot = lost_after_disobedience();
+  ASSERT_TRUE(robot.doubts(Doubt::kDisobeys));
+  robot.run(60.0, 0.0, [&](Evidence&) { robot.base.push(0.0); });
+  EXPECT_TRUE(robot.doubts(Doubt::kDisobeys));
+}
+
+TEST(Plausibility, aReleasedBaseIsTrustedAtOnce) {
+  Robot robot = lost_after_disobedience();
+  robot.run(0.05, 0.0, [](Evidence& evidence) {
+    evidence.base = nullptr;
+    evidence.base_released = true;
+  });
   EXPECT_FALSE(robot.doubts(Doubt::kDisobeys));
+  robot.run(2.0, 0.0, [&](Evidence&) { robot.base.push(0.0); });
+  EXPECT_TRUE(robot.opinion.doubts.none());
+}
+
+TEST(Plausibility, anUnheardBaseIsClearedWhenItMustStand) {
+  Robot robot = lost_after_disobedience();
+  const auto clear = [](Evidence& evidence) {
+    evidence.base = nullptr;
+    evidence.cleared = true;
+  };
+  robot.run(0.05, 0.0, clear);
+  ASSERT_TRUE(robot.doubts(Doubt::kDisobeys)) << "a second after its last status it may drive";
+  robot.run(5.0, 0.0, [](Evidence& evidence) { evidence.base = nullptr; });
+  ASSERT_TRUE(robot.doubts(Doubt::kDisobeys)) << "time alone ends nothing";
+  robot.run(0.05, 0.0, clear);
+  EXPECT_FALSE(robot.doubts(Doubt::kDisobeys));
+}
+
+TEST(Plausibility, disobedienceOutlivesARestart) {
+  Robot robot;
+  robot.plausibility = Plausibility({}, true);
+  robot.run(10.0, 0.5);
+  EXPECT_TRUE(robot.doubts(Doubt::kDisobeys));
+  EXPECT_EQ(robot.base.v_mps(), 0.0);
+  robot.run(0.05, 0.0, [](Evidence& evidence) { evidence.cleared = true; });
+  EXPECT_FALSE(robot.doubts(Doubt::kDisobeys));
+}
+
+TEST(Plausibility, anUnheardBaseIsNotClearedAtTheStart) {
+  Robot robot;
+  robot.plausibility = Plausibility({}, true);
+  robot.run(1.0, 0.0, [](Evidence& evidence) {
+    evidence.base = nullptr;
+    evidence.cleared = true;
+  });
+  EXPECT_TRUE(robot.doubts(Doubt::kDisobeys));
 }
 
 TEST(Plausibility, theThirdStrikeInAMinuteStays) {
