@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Topometric authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demonstration: two programs started, a mission given, its end waited for and judged. toolchain/demo builds them and
+"""The demonstration: programs started, a mission given, its end waited for and judged. toolchain/demo builds them and
 explains the options. What drives the robot is the daemon alone; the simulator's truth is only read to judge."""
 
 import argparse
@@ -10,18 +10,17 @@ import os
 import pathlib
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import time
 
 import demo_processes
 import demo_report
+import demo_robot
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png")
 ALSO = ("judge.png", "report.json", "trajectory.txt", "goals.json", "topometricd.log", "truth.tsv")
-READY_LIMIT_S = 60
 LINE_PERIOD_S = 10.0  # where no terminal is
 POLL_PERIOD_S = 0.5
 # Mapping runs in real time. A machine that is too slow for it makes the simulated time lag behind.
@@ -35,18 +34,23 @@ class Progress:
         self.terminal = sys.stdout.isatty()
         self.next_s = 0.0
 
-    def show(self, status, elapsed_s):
+    def show(self, statuses, elapsed_s):
         if not self.terminal and time.monotonic() < self.next_s:
             return
         self.next_s = time.monotonic() + LINE_PERIOD_S
-        pose, twist = status.get("pose", {}), status.get("twist", {})
-        line = "%5.0f s  %6.1f m2  %2d goals  (%6.2f, %6.2f)  %4.2f m/s  %s: %s" % (
-            elapsed_s, status.get("known_m2") or 0.0, status.get("open_goals") or 0, pose.get("x_m", 0.0), pose.get("y_m", 0.0),
-            twist.get("v_mps", 0.0), status.get("activity", "-"), status.get("reason", "-"))
+        known = max(status.get("known_m2") or 0.0 for status in statuses)
+        line = "%5.0f s  %6.1f m2" % (elapsed_s, known) + "".join(self.of_robot(status) for status in statuses)
         if self.terminal:
             print("\r%s\033[K" % line[:shutil.get_terminal_size().columns - 1], end="", flush=True)
         else:
             print(line, flush=True)
+
+    @staticmethod
+    def of_robot(status):
+        pose, twist = status.get("pose", {}), status.get("twist", {})
+        return "  %2d goals  (%6.2f, %6.2f)  %4.2f m/s  %s: %s" % (
+            status.get("open_goals") or 0, pose.get("x_m", 0.0), pose.get("y_m", 0.0), twist.get("v_mps", 0.0),
+            status.get("activity", "-"), status.get("reason", "-"))
 
     def end(self):
         if self.terminal:
@@ -61,138 +65,122 @@ class Demo:
         self.processes = processes
         self.why = []  # it did not pass
         self.samples = []  # robot time since the start, known area
-        self.status = {}
-        self.last_truth = 0.0, {}
+        self.robots = []
+        self.last_truths = 0.0, []
 
-    def topoctl(self, *words, patience_s=150.0):
-        return self.processes.run("topoctl", "--socket", self.socket, *words, patience_s=patience_s)
-
-    def answer(self, *words):
-        done = self.topoctl("--json", *words)
-        return json.loads(done.stdout) if done.returncode == 0 else {}
-
-    def truth(self):
-        """Robot time, and the robot as it is in the building; the last known when the simulator does not answer."""
+    def truths(self):
+        """Robot time, and the robots as they are in the building; the last known when the simulator does not answer."""
         done = self.processes.run("toposim", "ctl", self.sim_control, "truth")
         if done.returncode == 0:
             answer = json.loads(done.stdout)
-            self.last_truth = answer["sim_s"], answer["robots"][0]
-        return self.last_truth
-
-    def truth_at_end(self):
-        return self.last_truth
+            self.last_truths = answer["sim_s"], answer["robots"]
+        return self.last_truths
 
     def start_simulator(self):
         self.sim_control = self.folder / "sim.sock"
         ready = self.processes.start_and_read_line(
-            "toposim", "--world", self.options.world, "--tcp", "--seed", self.options.seed, "--control", self.sim_control,
-            "--truth", self.folder / "truth.tsv", "--die-with-parent")
-        self.robot = json.loads(ready)["robots"][0]
-        self.truth()
+            "toposim", "--world", self.options.world, "--tcp", "--seed", self.options.seed, "--robots", self.options.robots,
+            "--control", self.sim_control, "--truth", self.folder / "truth.tsv", "--die-with-parent")
+        self.robots = [demo_robot.Robot(number + 1, devices, self.options, self.folder, self.processes)
+                       for number, devices in enumerate(json.loads(ready)["robots"])]
+        self.truths()
         print("building: %s, seed %s" % (self.options.world, self.options.seed))
 
-    def start_daemon(self):
-        self.socket = self.folder / "control.sock"
-        values = {("control", "socket"): str(self.socket), ("exploration", "strategy"): self.options.strategy,
-                  ("exploration", "finish"): self.options.finish}
-        for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
-            values[section, "address"] = self.robot[device]["address"]
-        config = self.folder / "topometric.toml"
-        config.write_text(demo_processes.configure((SOURCE / "config/simulation.toml").read_text(), values))
-        self.daemon = self.processes.start("topometricd", "--config", config)
-        self.threads = demo_processes.ThreadTimes(self.daemon.pid)
-        end = time.monotonic() + READY_LIMIT_S
-        while not self.socket.exists() and self.daemon.poll() is None and time.monotonic() < end:
-            time.sleep(0.05)
-        ready = self.topoctl("wait", "ready", "--timeout", READY_LIMIT_S)
-        if ready.returncode != 0:
-            raise demo_processes.Failure("the robot did not get ready: %s\n%s" %
-                                         (ready.stderr.strip(), self.processes.end_of_log("topometricd")))
-        print("daemon: topoctl --socket %s status, in another terminal, tells more" % self.socket)
+    def start_daemons(self):
+        for robot in self.robots:
+            robot.start()
+        for robot in self.robots:
+            robot.wait_ready()
+            print("daemon: topoctl --socket %s status, in another terminal, tells more" % robot.socket)
 
     def explore(self):
-        begun = self.topoctl("start")
-        if begun.returncode != 0:
-            raise demo_processes.Failure("topoctl start: %s" % begun.stderr.strip())
-        waiter = self.processes.start("topoctl", "--socket", self.socket, "wait", "done", stdout=subprocess.DEVNULL)
-        begin_s, wall_end = self.truth()[0], time.monotonic() + WALL_TIME_FACTOR * self.options.time_limit
-        self.threads.begin()
+        begin_s, wall_end = self.truths()[0], time.monotonic() + WALL_TIME_FACTOR * self.options.time_limit
         progress = Progress()
         self.elapsed_s = 0.0
-        while waiter.poll() is None:
-            self.status = self.answer("status") or self.status
-            self.elapsed_s = self.truth()[0] - begin_s
-            self.samples.append((self.elapsed_s, self.status.get("known_m2") or 0.0))
-            self.threads.update()
-            progress.show(self.status, self.elapsed_s)
+        while not all(robot.has_ended() for robot in self.robots):
+            self.elapsed_s = self.truths()[0] - begin_s
+            for robot in self.robots:
+                if robot.begin_s is None and self.elapsed_s >= (robot.number - 1) * self.options.entry_delay:
+                    robot.begin(self.elapsed_s)
+                robot.update(self.elapsed_s)
+            self.note()
+            progress.show([robot.status for robot in self.robots], self.elapsed_s)
             if not self.goes_on(time.monotonic() < wall_end):
                 break
-            self.wait_a_little(waiter)
+            time.sleep(POLL_PERIOD_S)
         progress.end()
-        self.processes.end(waiter)
-        self.end_mission()
+        for robot in self.robots:
+            robot.update(self.elapsed_s)
+            trouble = robot.end_mission()
+            if trouble and not self.why:
+                self.why.append(trouble)
+        self.note()
 
-    def wait_a_little(self, waiter):
-        try:
-            waiter.wait(POLL_PERIOD_S)
-        except subprocess.TimeoutExpired:
-            pass
+    def note(self):
+        """The team knows what its best informed robot knows."""
+        known = max(robot.status.get("known_m2") or 0.0 for robot in self.robots)
+        self.samples.append((self.elapsed_s, known))
 
     def goes_on(self, in_time):
-        if self.daemon.poll() is not None:
-            raise demo_processes.Failure("topometricd ended with status %d:\n%s" %
-                                         (self.daemon.returncode, self.processes.end_of_log("topometricd")))
+        for robot in self.robots:
+            robot.check_alive()
         if self.elapsed_s < self.options.time_limit and in_time:
             return True
-        self.why.append("the robot was not home after %.0f s of robot time, the limit (--time-limit): %s" %
-                        (self.elapsed_s, self.status.get("reason", "-")))
-        self.topoctl("stop")
+        for robot in self.robots:
+            if robot.has_ended():
+                continue
+            self.why.append("%s was not home after %.0f s of robot time, the limit (--time-limit): %s" %
+                            (robot.name, self.elapsed_s, robot.status.get("reason", "-")))
+            robot.topoctl("stop")
         return False
 
-    def end_mission(self):
-        self.status = self.answer("status") or self.status
-        self.samples.append((self.elapsed_s, self.status.get("known_m2") or 0.0))
-        mission = self.status.get("mission", {})
-        if mission.get("state") != "done" and not self.why:
-            self.why.append("the mission ended as '%s': %s" % (mission.get("state", "-"), mission.get("reason", "-")))
+    def out_of(self, robot):
+        """Of a team, the first robot's results stand in the folder itself, the others' in one each."""
+        return self.out if robot.number == 1 else self.out / ("robot%d" % robot.number)
 
     def save(self):
-        saved = self.topoctl("map", "save", self.out)
-        if saved.returncode != 0:
-            self.why.append("the map was not saved: %s" % saved.stderr.strip())
-        for name in RESULTS:
-            if not (self.out / name).exists():
-                self.why.append("%s was not written" % name)
-        self.goals, self.latency = self.answer("goals"), self.answer("latency")
+        for robot in self.robots:
+            folder = self.out_of(robot)
+            folder.mkdir(exist_ok=True)
+            saved = robot.topoctl("map", "save", folder)
+            if saved.returncode != 0:
+                self.why.append("the map of %s was not saved: %s" % (robot.name, saved.stderr.strip()))
+            for name in RESULTS:
+                if not (folder / name).exists():
+                    self.why.append("%s was not written" % (folder / name))
+            robot.goals, robot.latency, robot.team = robot.answer("goals"), robot.answer("latency"), robot.answer("team")
         self.lost_s = json.loads(self.processes.run("toposim", "ctl", self.sim_control, "status").stdout or "{}").get("lost_s")
 
     def stop(self):
-        """The robot first, the building last."""
-        self.truth()
-        self.peak_rss_mb = self.threads.peak_rss_mb()
-        status = self.processes.end(self.daemon)
-        if status != 0:
-            self.why.append("topometricd ended with status %s" % status)
+        """The robots first, the building last."""
+        self.truths()
+        for robot in self.robots:
+            robot.peak_rss_mb = robot.threads.peak_rss_mb()
+            status = self.processes.end(robot.daemon)
+            if status != 0:
+                self.why.append("topometricd of %s ended with status %s" % (robot.name, status))
         self.processes.end_all()
-        for name in ("topometricd.log", "truth.tsv"):
-            shutil.copy(self.folder / name, self.out)
+        for path in (*self.folder.glob("topometricd*.log"), *self.folder.glob("topolink*.log"), *self.folder.glob("truth.tsv*")):
+            shutil.copy(path, self.out)
 
-    def judge(self):
-        start = ",".join("%r" % value for value in self.robot["start"])
-        done = self.processes.run("topobench", "judge", "--world", self.options.world, "--map", self.out / "map.yaml", "--truth",
-                                  self.folder / "truth.tsv", "--start=" + start, "--picture", self.out / "judge.png", "--json")
+    def judge(self, robot):
+        start = ",".join("%r" % value for value in robot.devices["start"])
+        truth = self.folder / ("truth.tsv" + (".%d" % (robot.number - 1) if len(self.robots) > 1 else ""))
+        folder = self.out_of(robot)
+        done = self.processes.run("topobench", "judge", "--world", self.options.world, "--map", folder / "map.yaml", "--truth",
+                                  truth, "--start=" + start, "--picture", folder / "judge.png", "--json")
         if done.returncode != 0:
-            self.why.append("the map could not be judged: %s" % done.stderr.strip())
+            self.why.append("the map of %s could not be judged: %s" % (robot.name, done.stderr.strip()))
             return {}
         return json.loads(done.stdout)
 
     def run(self):
         self.start_simulator()
-        self.start_daemon()
+        self.start_daemons()
         self.explore()
         self.save()
         self.stop()
-        report = demo_report.make(self, self.judge())
+        report = demo_report.make(self, [self.judge(robot) for robot in self.robots])
         (self.out / "report.json").write_text(demo_report.text(report))
         demo_report.tell(report, self.out)
         return 0 if report["passed"] else 1
@@ -207,8 +195,9 @@ def prepare_folder(out):
     except BlockingIOError:
         os.close(lock)
         raise OSError("%s: another demonstration writes there, name another folder" % out) from None
-    for name in RESULTS + ALSO:  # what is there afterwards is of this run
-        (out / name).unlink(missing_ok=True)
+    for folder in (out, *out.glob("robot[0-9]*")):
+        for name in RESULTS + ALSO:  # what is there afterwards is of this run
+            (folder / name).unlink(missing_ok=True)
     return lock
 
 
@@ -217,6 +206,8 @@ def main():
     for name in ("bin", "world", "strategy", "finish", "out"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--seed", type=int, required=True)
+    parser.add_argument("--robots", type=int, default=1)
+    parser.add_argument("--entry-delay", type=float, default=0.0)
     parser.add_argument("--time-limit", type=int, required=True)
     options = parser.parse_args()
     for number in (signal.SIGTERM, signal.SIGHUP):
@@ -233,7 +224,7 @@ def main():
         except KeyboardInterrupt:
             signal.signal(signal.SIGINT, signal.SIG_IGN)
             processes.end_all()
-            print("\ndemo: interrupted; the robot is stopped", file=sys.stderr)
+            print("\ndemo: interrupted; every robot is stopped", file=sys.stderr)
             return 130
         except demo_processes.Failure as failure:
             print("\ndemo: %s" % failure, file=sys.stderr)

@@ -35,9 +35,9 @@ class Processes:
     def command(self, name, words):
         return [str(self.programs / name), *map(str, words)]
 
-    def start(self, name, *words, **options):
-        with open(self.folder / (name + ".log"), "ab") as log:
-            process = subprocess.Popen(self.command(name, words), stdin=subprocess.DEVNULL, stderr=log, text=True,
+    def start(self, name, *words, log=None, **options):
+        with open(self.folder / ((log or name) + ".log"), "ab") as log_file:
+            process = subprocess.Popen(self.command(name, words), stdin=subprocess.DEVNULL, stderr=log_file, text=True,
                                        start_new_session=True, preexec_fn=end_with_parent, **options)
         self.running.append(process)
         return process
@@ -139,7 +139,7 @@ class ThreadTimes:
 
 
 def configure(text, values):
-    """The configuration with other values: {(section, key): text}. A key stands in its section, or there behind a #."""
+    """The configuration with other values: {(section, key): text or whole number}. A key stands in its section, or there behind a #."""
     for (section, key), value in values.items():
         header = re.search(r"(?m)^\[%s\].*$" % re.escape(section), text)
         if header is None:
@@ -147,7 +147,7 @@ def configure(text, values):
             header = re.search(r"(?m)^\[%s\].*$" % re.escape(section), text)
         after = re.search(r"(?m)^\[", text[header.end():])
         end = header.end() + after.start() if after else len(text)
-        body, line = text[header.end():end], '%s = "%s"' % (key, value)
+        body, line = text[header.end():end], '%s = %s' % (key, value if isinstance(value, int) else '"%s"' % value)
         body, found = re.subn(r'(?m)^(?:# *)?%s = "[^"]*"' % re.escape(key), lambda _: line, body, count=1)
         text = text[:header.end()] + ("" if found else "\n" + line) + body + text[end:]
     return text

@@ -24,38 +24,58 @@ def time_to(curve, fraction):
     return next((t for t, share in curve if share >= fraction), None)
 
 
-def reasons(demo, judged, collisions):
+def reasons(demo, judged, truths):
     why = list(demo.why)
-    covered, home_m = judged.get("covered"), judged.get("home_distance_m")
-    if covered is not None and covered < COVERED_MIN:
-        why.append("%.1f %% of the reachable area was mapped, expected at least %.0f %%" % (100 * covered, 100 * COVERED_MIN))
-    if collisions:
-        why.append("the robot touched something %d times" % collisions)
-    if home_m is not None and home_m > HOME_MAX_M:
-        why.append("the robot is %.2f m from its start, expected at most %.1f m" % (home_m, HOME_MAX_M))
-    if covered is None and not why:
-        why.append("nothing was judged")
+    for robot, verdict, truth in zip(demo.robots, judged, truths):
+        covered, home_m = verdict.get("covered"), verdict.get("home_distance_m")
+        if covered is not None and covered < COVERED_MIN:
+            why.append("%.1f %% of the reachable area is in the map of %s, expected at least %.0f %%" %
+                       (100 * covered, robot.name, 100 * COVERED_MIN))
+        if truth["collisions"]:
+            why.append("%s touched something %d times" % (robot.name, truth["collisions"]))
+        if home_m is not None and home_m > HOME_MAX_M:
+            why.append("%s is %.2f m from its start, expected at most %.1f m" % (robot.name, home_m, HOME_MAX_M))
+        if covered is None and not why:
+            why.append("nothing was judged")
     return why
 
 
+def of_robot(robot, verdict):
+    cpu = robot.threads.percent()
+    report = {"t_home_s": robot.home_s, "home_distance_m": verdict.get("home_distance_m"), "covered": verdict.get("covered"),
+              "cpu_percent": round(sum(cpu.values()), 2), "peak_rss_mb": robot.peak_rss_mb}
+    if robot.options.robots > 1:
+        exchange = robot.team.get("exchange", {})
+        report.update({"sent_bytes": exchange.get("sent_bytes"), "received_bytes": exchange.get("received_bytes"),
+                       "held_hash": robot.team.get("held", {}).get("hash"),
+                       "link_cpu_percent": round(sum(robot.link_threads.percent().values()), 2),
+                       "link_peak_rss_mb": robot.link_threads.peak_rss_mb()})
+    return report
+
+
 def make(demo, judged):
-    options, (_, truth), goals = demo.options, demo.truth_at_end(), demo.goals
-    mission = demo.status.get("mission", {})
-    curve = coverage(demo.samples, judged.get("covered"))
-    why = reasons(demo, judged, truth["collisions"])
-    run = demo.latency.get("planning", {}).get("run", {})
-    cpu = demo.threads.percent()
+    options, (_, truths) = demo.options, demo.last_truths
+    first, verdict = demo.robots[0], judged[0]
+    curve = coverage(demo.samples, verdict.get("covered"))
+    why = reasons(demo, judged, truths)
+    run = first.latency.get("planning", {}).get("run", {})
+    cpu = first.threads.percent()
+    all_home = all(robot.status.get("mission", {}).get("state") == "done" for robot in demo.robots)
     report = {
-        "strategy": options.strategy, "robots": 1, "seed": options.seed, "fidelity": "real processes", "finish": options.finish,
+        "strategy": options.strategy, "robots": options.robots, "seed": options.seed, "fidelity": "real processes",
+        "finish": options.finish,
         **{"t%d_s" % percent: time_to(curve, percent / 100.0) for percent in (50, 90, 95, 99)},
-        "t_home_s": round(demo.elapsed_s, 1) if mission.get("state") == "done" else None,
-        "limit_s": options.time_limit, "distance_m": [round(truth["path_m"], 2)], "collisions": truth["collisions"],
-        **{key: goals[key] for key in ("goals_issued", "clusters_sum", "goals_sum") if key in goals},
+        "t_home_s": round(demo.elapsed_s, 1) if all_home else None,
+        "limit_s": options.time_limit, "distance_m": [round(truth["path_m"], 2) for truth in truths],
+        "collisions": sum(truth["collisions"] for truth in truths),
+        **{key: first.goals[key] for key in ("goals_issued", "clusters_sum", "goals_sum") if key in first.goals},
         "decision_ms": {name: run["%s_ms" % name] for name in ("mean", "p99", "max") if "%s_ms" % name in run},
         "speedup_over_real_time": 1.0, "robot_time_lost_s": demo.lost_s,
-        "cpu_percent": {**cpu, "all": round(sum(cpu.values()), 2)}, "peak_rss_mb": demo.peak_rss_mb,
+        "cpu_percent": {**cpu, "all": round(sum(cpu.values()), 2)}, "peak_rss_mb": first.peak_rss_mb,
     }
-    report.update({key: value for key, value in judged.items() if key not in report})
+    report.update({key: value for key, value in verdict.items() if key not in report})
+    if options.robots > 1:
+        report["each"] = [of_robot(*pair) for pair in zip(demo.robots, judged)]
     return {**report, "passed": not why, "why": why, "coverage": curve}
 
 
@@ -66,12 +86,16 @@ def text(report):
 
 def tell(report, out):
     cpu = report["cpu_percent"]
-    print("\nmapped %s of %.0f m2 in %s s of robot time, %.0f m driven, %d collisions, %s m from the start at the end" % (
+    print("\nmapped %s of %.0f m2 in %s s of robot time, %s m driven, %d collisions, %s m from the start at the end" % (
         "%.1f %%" % (100 * report["covered"]) if "covered" in report else "-", report.get("reachable_m2", 0.0),
-        report["t_home_s"] if report["t_home_s"] is not None else "-", report["distance_m"][0], report["collisions"],
+        report["t_home_s"] if report["t_home_s"] is not None else "-", " and ".join("%.0f" % way for way in report["distance_m"]), report["collisions"],
         "%.2f" % report["home_distance_m"] if "home_distance_m" in report else "-"))
     print("daemon: %.1f %% of a core (%s), %.0f MB at most" % (
         cpu["all"], ", ".join("%s %.1f" % item for item in cpu.items() if item[0] != "all" and item[1] >= 0.05),
         report["peak_rss_mb"]))
+    for number, each in enumerate(report.get("each", []), 1):
+        print("robot %d: home after %s s, %s of the area in its map, %.1f kB sent, link %.1f %% of a core" % (
+            number, each["t_home_s"], "-" if each["covered"] is None else "%.1f %%" % (100 * each["covered"]),
+            (each["sent_bytes"] or 0) / 1e3, each["link_cpu_percent"]))
     print("results: %s (look at overview.png)" % out)
     print("PASSED" if report["passed"] else "FAILED:\n" + "\n".join("  " + line for line in report["why"]))
