@@ -12,6 +12,9 @@
 #include <set>
 #include <sstream>
 
+#include "tests/integration/content_faults.hpp"
+#include "tests/integration/fault_table.hpp"
+#include "tests/integration/wire_setups.hpp"
 #include "tests/sim/devices/commands.hpp"
 
 namespace topo::test {
@@ -102,31 +105,43 @@ class WireTest : public testing::Test {
 };
 
 struct Case {
-  BaseLink link;
+  WireSetup setup;
   WireFault fault;
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.fault; }
 
-std::vector<Case> cases(BaseLink link, const std::vector<WireFault>& faults) {
+/// Every device's faults; those of the base on both kinds of wires always.
+std::vector<Case> cases(Wires wires, bool sonar) {
   std::vector<Case> all;
-  for (const WireFault& fault : faults) all.push_back({link, fault});
+  std::size_t number = 0;
+  const auto add = [&](const std::string& device, std::vector<WireFault> faults) {
+    for (WireFault& fault : faults) {
+      fault.name = device + "_" + fault.name;
+      for (const WireSetup& setup : setups_of(number++))
+        if (setup.wires == wires && setup.sonar == sonar) all.push_back({setup, fault});
+    }
+  };
+  add("front", front_faults());
+  add("coronal", coronal_faults());
+  add("base", base_faults());
+  ++number;  // an odd number of faults a device would put each on the same wires again
+  if (!is_cross()) add("base", base_faults());
   return all;
 }
 
 class WireFaults : public WireTest, public testing::WithParamInterface<Case> {};
-std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.fault.name; }
-INSTANTIATE_TEST_SUITE_P(Front, WireFaults, testing::ValuesIn(cases(BaseLink::kTcp, front_faults())),
-                         name_of);
-INSTANTIATE_TEST_SUITE_P(Coronal, WireFaults, testing::ValuesIn(cases(BaseLink::kTcp, coronal_faults())),
-                         name_of);
-INSTANTIATE_TEST_SUITE_P(BaseOnTcp, WireFaults, testing::ValuesIn(cases(BaseLink::kTcp, base_faults())),
-                         name_of);
-INSTANTIATE_TEST_SUITE_P(BaseOnTerminal, WireFaults, testing::ValuesIn(cases(BaseLink::kPty, base_faults())),
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  return info.param.fault.name + suffix_of(info.param.setup);
+}
+INSTANTIATE_TEST_SUITE_P(Tcp, WireFaults, testing::ValuesIn(cases(Wires::kTcp, true)), name_of);
+INSTANTIATE_TEST_SUITE_P(TcpWithoutSonar, WireFaults, testing::ValuesIn(cases(Wires::kTcp, false)), name_of);
+INSTANTIATE_TEST_SUITE_P(Terminal, WireFaults, testing::ValuesIn(cases(Wires::kPty, true)), name_of);
+INSTANTIATE_TEST_SUITE_P(TerminalWithoutSonar, WireFaults, testing::ValuesIn(cases(Wires::kPty, false)),
                          name_of);
 
 TEST_P(WireFaults, StopsInTimeOrDrivesOnSafelyAndRecovers) {
   const WireFault& fault = GetParam().fault;
-  ASSERT_NO_FATAL_FAILURE(use({GetParam().link}));
+  ASSERT_NO_FATAL_FAILURE(use(GetParam().setup));
   const Evidence before = at_full_speed();
   const Moment hit = rig_->strike(fault.strike);
   if (fault.outcome == Outcome::kStops) stands_within(hit, fault.noticed_s);
@@ -144,14 +159,25 @@ TEST_P(WireFaults, StopsInTimeOrDrivesOnSafelyAndRecovers) {
   EXPECT_EQ(after.truth.collisions, hit.truth.collisions) << "it touched something";
 }
 
-class WireEvents : public WireTest, public testing::WithParamInterface<BaseLink> {
- protected:
-  void SetUp() override { ASSERT_NO_FATAL_FAILURE(use({GetParam()})); }
-};
-std::string name_of_link(const testing::TestParamInfo<BaseLink>& info) {
-  return info.param == BaseLink::kTcp ? "Tcp" : "Terminal";
+WireSetup setup_on(Wires wires) {
+  WireSetup setup;
+  setup.wires = wires;
+  return setup;
 }
-INSTANTIATE_TEST_SUITE_P(, WireEvents, testing::Values(BaseLink::kTcp, BaseLink::kPty), name_of_link);
+WireSetup setup_with_watchdog(int watchdog_ms) {
+  WireSetup setup;
+  setup.watchdog_ms = watchdog_ms;
+  return setup;
+}
+
+class WireEvents : public WireTest, public testing::WithParamInterface<Wires> {
+ protected:
+  void SetUp() override { ASSERT_NO_FATAL_FAILURE(use(setup_on(GetParam()))); }
+};
+std::string name_of_link(const testing::TestParamInfo<Wires>& info) {
+  return info.param == Wires::kTcp ? "Tcp" : "Terminal";
+}
+INSTANTIATE_TEST_SUITE_P(, WireEvents, testing::Values(Wires::kTcp, Wires::kPty), name_of_link);
 
 TEST_P(WireEvents, BoxesThatAppearAMetreAheadAreNotTouched) {
   for (int i = 0; i < 3; ++i) {
@@ -190,8 +216,8 @@ TEST_P(WireEvents, APressedFrontBumperStopsItAndItLeavesBackwards) {
     slowest_mps = std::min(slowest_mps, now.v_mps);
     return slowest_mps < -0.05;
   })) << rig_->status().dump(2);
-  constexpr double kStatus_s = 0.160;  // a status cycle and its delay
-  EXPECT_LT(furthest_m, stopping_distance_m(hit.v_mps, kStatus_s, rig_->machine().late_s()));
+  constexpr double kNoticed_s = 0.160;  // a status cycle and its delay
+  EXPECT_LT(furthest_m, stopping_distance_m(hit.v_mps, kNoticed_s, rig_->machine().late_s()));
   goes_on();
   EXPECT_EQ(rig_->moment().truth.collisions, before.moment.truth.collisions);
 }
@@ -269,7 +295,7 @@ TEST_F(WireEventsOnce, PeopleWhoCrossTheWayAreNotTouched) {
 
 TEST_F(WireEventsOnce, AFirmwareWithoutAGoodWatchdogIsNotDriven) {
   for (const int watchdog_ms : {0, 3000}) {
-    ASSERT_NO_FATAL_FAILURE(use({.watchdog_ms = watchdog_ms}));
+    ASSERT_NO_FATAL_FAILURE(use(setup_with_watchdog(watchdog_ms)));
     EXPECT_TRUE(WireRig::wait(kPatience_s, [] {
       const Json status = rig_->status();
       return status["devices"]["base"]["state"] == "unsafe" && status["map"]["keyframes"] >= 1;
@@ -290,6 +316,8 @@ TEST(WireFaultsTable, HasEveryFaultThatToposimCanInject) {
   for (const auto& faults : {front_faults(), coronal_faults(), base_faults()})
     for (const WireFault& fault : faults)
       for (const Json& strike : fault.strike) named.insert(strike["command"]);
+  for (const ContentFault& fault : content_faults())
+    for (const Json& strike : fault.strike) named.insert(strike["command"]);
   std::istringstream help(sim::command_help());
   for (std::string line, name; std::getline(help, line);) {
     std::istringstream(line) >> name;
