@@ -103,7 +103,8 @@ Faults base_lines() {
   return {
       fault("base: statuses 0.35 s late", {on("delay", {{"seconds", 0.35}})}, {prompt}, "stopped"),
       fault("base: statuses late by 50 ms more every second",
-            {on("delay", {{"seconds", 0.0}, {"grows_s_per_s", 0.05}})}, {prompt}, "wait on their line", 8.5),
+            {on("delay", {{"seconds", 0.0}, {"grows_s_per_s", 0.05}})}, {prompt},
+            "wait on their line|follow the commands too late", 8.5),
       fault("base: commands 0.6 s late", {on("delay", {{"seconds", 0.6}, {"way", "to"}})}, {heard},
             "follow the commands too late", 3.5),
       fault("base: commands 1.5 s late", {on("delay", {{"seconds", 1.5}, {"way", "to"}})}, {heard}, "", 4.5),
@@ -143,7 +144,8 @@ Faults base_content() {
       fault("base: impossible speed", {lie("speed", -6.1)}, {honest}, impossible),
       fault("base: says that it stands", {lie("speed", 0.0)}, {honest}, ""),
       fault("base: impossible turning", {lie("turning", 9.0)}, {honest}, impossible),
-      fault("base: pose jumps", {lie("position", 1.5)}, {honest}, impossible),
+      fault("base: pose jumps", {lie("position", 1.5)}, {honest},
+            "its model cannot make|measure different motions"),
       fault("base: heading jumps", {lie("heading", 1.5)}, {honest}, impossible),
       fault("base: the left encoder is dead", {encoder("left", true)}, {encoder("left", false)}, ""),
       fault("base: the right encoder is dead", {encoder("right", true)}, {encoder("right", false)}, ""),
@@ -175,7 +177,8 @@ Faults half_open() {
   return faults;
 }
 
-ContentFault hung_threads(const std::string& name, const std::vector<std::string>& threads, double box_after_s) {
+ContentFault hung_threads(const std::string& name, const std::vector<std::string>& threads,
+                          double box_after_s) {
   ContentFault made = fault(name, {}, {}, "", box_after_s);
   made.act = [threads](WireRig&) {
     EXPECT_GE(HungThreads::hang(threads), std::max<std::size_t>(1, threads.size()));

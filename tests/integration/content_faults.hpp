@@ -17,7 +17,8 @@ struct ContentFault {
   std::string name;          ///< as in the table: "device: what is wrong"
   std::vector<Json> strike;  ///< toposim's commands
   std::vector<Json> lift;
-  /// A part of what state, doubts or health have to say; empty: the daemon need not know.
+  /// A part of what state, doubts or health have to say, or one of several with a bar between them; empty:
+  /// the daemon need not know.
   std::string says;
   double box_after_s = 1.5;              ///< until a box appears 1 m ahead; below 0: none appears
   std::function<void(WireRig&)> act{};   ///< after `strike`

@@ -213,8 +213,8 @@ std::vector<ValueFault> plain_faults() {
   const auto scans = [](auto spoil) { return [spoil](DriveRig& rig) { rig.spoil_scan = spoil; }; };
   const auto states = [](auto spoil) { return [spoil](DriveRig& rig) { rig.spoil_state = spoil; }; };
   return {
-      {"front: silent", std::nullopt, [](DriveRig& r) { r.front_silent = true; }},
-      {"base: silent", std::nullopt, [](DriveRig& r) { r.base_silent = true; }},
+      {"front: silence", std::nullopt, [](DriveRig& r) { r.front_silent = true; }},
+      {"base: silence", std::nullopt, [](DriveRig& r) { r.base_silent = true; }},
       {"daemon: no new plan", std::nullopt, [](DriveRig& r) { r.planner_silent = true; }},
       {"front: every beam failed", Doubt::kFrozen,
        scans([](types::Scan& s) { s.range_m.fill(types::kInvalid); })},
@@ -223,7 +223,7 @@ std::vector<ValueFault> plain_faults() {
       {"base: stop button", std::nullopt, states([](types::BaseState& b) { b.stop_button = true; }), 1.5,
        true},
       {"operator: e-stop", std::nullopt, [](DriveRig& r) { r.estop = true; }, 1.5, true},
-      {"base: rear bumper stuck", std::nullopt, states([](types::BaseState& b) { b.bumpers_rear = 2; })},
+      {"base: rear bumper", std::nullopt, states([](types::BaseState& b) { b.bumpers_rear = 2; })},
       {"base: speed is no number", std::nullopt,
        states([](types::BaseState& b) { b.odometry.twist.v_mps = std::nan(""); })},
       {"base: its watchdog is off", std::nullopt, [](DriveRig& r) { r.told_watchdog = {}; }},

@@ -14,6 +14,7 @@
 
 #include "tests/integration/content_faults.hpp"
 #include "tests/integration/fault_table.hpp"
+#include "tests/integration/said.hpp"
 #include "tests/integration/wire_setups.hpp"
 #include "tests/sim/devices/commands.hpp"
 
@@ -139,24 +140,46 @@ INSTANTIATE_TEST_SUITE_P(Terminal, WireFaults, testing::ValuesIn(cases(Wires::kP
 INSTANTIATE_TEST_SUITE_P(TerminalWithoutSonar, WireFaults, testing::ValuesIn(cases(Wires::kPty, false)),
                          name_of);
 
+/// "front_drop_of_some_bytes" as the table has it.
+std::string title_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name.replace(name.find(' '), 1, ": ");
+}
+
 TEST_P(WireFaults, StopsInTimeOrDrivesOnSafelyAndRecovers) {
   const WireFault& fault = GetParam().fault;
   ASSERT_NO_FATAL_FAILURE(use(GetParam().setup));
   const Evidence before = at_full_speed();
   const Moment hit = rig_->strike(fault.strike);
-  if (fault.outcome == Outcome::kStops) stands_within(hit, fault.noticed_s);
-  EXPECT_TRUE(WireRig::wait(kPatience_s, [&] { return fault.has_struck(before, evidence()); }))
+  Said said;
+  std::string does = "drives on";
+  if (fault.outcome == Outcome::kStops) {
+    stands_within(hit, fault.noticed_s);
+    does = stands_after(way_from(hit), rig_->moment().truth.sim_s - hit.truth.sim_s);
+  }
+  EXPECT_TRUE(WireRig::wait(kPatience_s,
+                            [&] {
+                              said.listen(*rig_);
+                              return fault.has_struck(before, evidence());
+                            }))
       << "the fault did not strike\n"
       << rig_->status().dump(2);
   if (fault.outcome == Outcome::kStops && !fault.lift.empty()) stays_standing(0.5);
   if (fault.outcome == Outcome::kDrivesOn) {
     EXPECT_GT(rig_->moment().v_mps, 0.5) << "it may drive on";
   }
-  if (fault.outcome != Outcome::kStops && fault.box_after) stops_before_a_box();
+  if (fault.outcome != Outcome::kStops && fault.box_after) {
+    stops_before_a_box();
+    does += fault.outcome == Outcome::kTouchesNothing ? " or stops, and stops before the box"
+                                                      : ", stops before the box";
+  }
+  said.listen(*rig_);
   rig_->strike(fault.lift);
   goes_on();
   const Moment after = rig_->moment();
   EXPECT_EQ(after.truth.collisions, hit.truth.collisions) << "it touched something";
+  record({title_of(fault.name), form_of(GetParam().setup), does, said.text(),
+          HasFailure() ? "not as it should" : "by itself"});
 }
 
 WireSetup setup_on(Wires wires) {
