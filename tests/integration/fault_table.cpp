@@ -101,9 +101,8 @@ std::string stands_after(double way_m, double time_s) {
 void record(const FaultRow& row) {
   const char* file = std::getenv("TOPOMETRIC_FAULT_TABLE");
   if (file == nullptr) return;
-  const std::string lock = std::string(file) + ".lock";
-  const io::UniqueFd fd(::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  ASSERT_TRUE(fd.valid() && ::flock(fd.get(), LOCK_EX) == 0) << "cannot lock " << lock;
+  const io::UniqueFd lock(::open(file, O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  ASSERT_TRUE(lock.valid() && ::flock(lock.get(), LOCK_EX) == 0) << "cannot open and lock " << file;
   Rows rows = rows_in(file);
   const std::string line = line_of(row);
   rows[key_of(line)] = line;

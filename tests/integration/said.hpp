@@ -17,6 +17,9 @@ namespace topo::test {
 /// What the daemon said since the blow, each once, in the order of its saying.
 class Said {
  public:
+  Said() = default;
+  explicit Said(std::string words) : words_{std::move(words)} {}
+
   void listen(WireRig& rig) {
     const Json status = rig.ask("status");
     for (const Json& doubt : status["plausibility"]["doubts"]) add(doubt["found"].get<std::string>());
@@ -24,7 +27,9 @@ class Said {
     for (const Json& fault : health["faults"]) add(fault.get<std::string>());
     const std::string state = status["state"].get<std::string>();
     if (state.starts_with("stopped") || state.starts_with("emergency")) add(state);
-    const std::string reason = status["reason"].get<std::string>();
+    const std::string obstacle = status["session"]["obstacle"].get<std::string>();
+    if (!obstacle.empty()) add("session: " + obstacle);
+    const std::string reason = status.value("reason", "");  // absent before the first plan
     if (state == "standing" && !reason.empty()) add("plan: " + reason);
   }
   [[nodiscard]] bool has(const std::string& part) const {
@@ -38,11 +43,14 @@ class Said {
       if (has(part)) return true;
     return false;
   }
-  /// The first three.
-  [[nodiscard]] std::string text() const {
+  /// Three of them, what was expected first.
+  [[nodiscard]] std::string text(const std::string& expected = "") const {
     constexpr std::size_t kMost = 3;
+    std::vector<std::string> order = words_;
+    std::stable_partition(order.begin(), order.end(),
+                          [&](const std::string& w) { return Said(w).has_any(expected); });
     std::string all;
-    for (std::size_t i = 0; i < std::min(kMost, words_.size()); ++i) all += (i == 0 ? "" : "; ") + words_[i];
+    for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i) all += (i == 0 ? "" : "; ") + order[i];
     return all.empty() ? "nothing" : all;
   }
 
@@ -54,6 +62,7 @@ class Said {
     constexpr std::string_view kStopped = "stopped: ";
     words = std::regex_replace(words, kAddress, "");
     if (words.starts_with(kStopped) && has(words.substr(kStopped.size()))) return;  // a doubt, named already
+    if (words.ends_with(": ")) return;  // a device that was not tried yet
     if (has(words)) return;
     std::replace(words.begin(), words.end(), '\n', ' ');
     std::replace(words.begin(), words.end(), '|', '/');

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/config/load.hpp"
@@ -45,6 +46,7 @@ std::unique_ptr<WireRig> WireRig::start(const WireSetup& setup) {
   daemon::block_signals();
   std::unique_ptr<WireRig> rig(new WireRig);
   rig->setup_ = setup;
+  if (setup.journal) std::filesystem::create_directories(rig->sessions());
   if (!rig->start_simulator(setup) || !rig->start_daemon()) return nullptr;
   return rig;
 }
@@ -75,7 +77,7 @@ std::string WireRig::configuration() {
   };
   const std::string sonar = setup_.sonar ? "true" : "false";
   const std::string session =
-      setup_.journal ? "[session]\nfolder = \"" + folder_.str() + "\"\njournal_period_s = 0.2\n" : "";
+      setup_.journal ? "[session]\nfolder = \"" + sessions() + "\"\njournal_period_s = 0.2\n" : "";
   // Quick to get fast, so that more faults fit into a minute; how it brakes is as configured by default.
   return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\nsonar = " + sonar + "\n" +
          address(DeviceId::kBase) + "[scanner.front]\n" + address(DeviceId::kFront) +
@@ -106,8 +108,17 @@ bool WireRig::start_daemon() {
 
 WireRig::~WireRig() { end_daemon(); }
 
-void WireRig::restart_daemon(const std::function<void()>& meanwhile) {
+void WireRig::restart_daemon() {
   end_daemon();
+  EXPECT_TRUE(start_daemon());
+}
+
+void WireRig::kill_daemon(const std::function<void()>& meanwhile) {
+  const std::string kept = folder_.file("kept");
+  std::filesystem::copy(sessions(), kept, std::filesystem::copy_options::recursive);
+  end_daemon();
+  std::filesystem::remove_all(sessions());
+  std::filesystem::rename(kept, sessions());
   meanwhile();
   EXPECT_TRUE(start_daemon());
 }

@@ -86,9 +86,11 @@ class WireRig {
   /// A method of the control protocol that has to succeed; and one that may be refused.
   Json ask(const char* method, const Json& params = Json::object());
   bool try_ask(const char* method, const Json& params = Json::object());
-  /// The daemon's end, what happens meanwhile, and its next start; its session is kept as of one that was
-  /// killed when there is a journal.
-  void restart_daemon(const std::function<void()>& meanwhile);
+  /// The daemon's end, in order, and its next start.
+  void restart_daemon();
+  /// The same for one that is killed, as far as its session goes: the journal stays as it was; what happens
+  /// meanwhile. Needs WireSetup::journal.
+  void kill_daemon(const std::function<void()>& meanwhile);
   Json status() { return ask("status"); }
   bool is_ready();
 
@@ -106,6 +108,7 @@ class WireRig {
   bool start_simulator(const WireSetup& setup);
   bool start_daemon();
   void end_daemon();
+  std::string sessions() { return folder_.file("sessions"); }
   std::string configuration();
   void order_down_the_hall(bool to_the_east);
 
