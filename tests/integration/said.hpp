@@ -58,10 +58,12 @@ class Said {
   void add(std::string words) {
     // Where a device answers is another place in every run.
     static const std::regex kAddress(
-        "((serial|tcp):)?(/tmp/[^ :]*|127\\.0\\.0\\.1:[0-9]+)(: |, )?|journal-[0-9TZ.a-z]*: ");
+        R"( ?\(?((serial|tcp):)?(/tmp/[^ :)]*|127\.0\.0\.1:[0-9]+)\)?(: |, )?|journal-[0-9TZ.a-z]*: )");
     constexpr std::string_view kStopped = "stopped: ";
-    words = std::regex_replace(words, kAddress, "");
+    words = std::regex_replace(words, kAddress, " ");
     if (words.starts_with(kStopped) && has(words.substr(kStopped.size()))) return;  // a doubt, named already
+    for (std::size_t at = words.find("  "); at != std::string::npos; at = words.find("  "))
+      words.erase(at, 1);
     if (words.ends_with(": ")) return;  // a device that was not tried yet
     if (has(words)) return;
     std::replace(words.begin(), words.end(), '\n', ' ');
