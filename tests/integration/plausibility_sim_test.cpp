@@ -4,17 +4,13 @@
 // with the simulated robot. A box appears a metre ahead after the fault has begun.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <deque>
-#include <fstream>
 #include <memory>
 #include <string>
 
-#include "drivers/pioneer/round_trip.hpp"
-#include "tests/integration/drive_rig.hpp"
+#include "tests/integration/fault_table.hpp"
+#include "tests/integration/value_faults.hpp"
 #include "tests/unit/sim/rooms.hpp"
 
 namespace topo::test {
@@ -31,169 +27,37 @@ std::vector<Vector2> straight() {
   return points;
 }
 
-/// The robot's line to its base, with a delay of every command.
-struct LateLine {
-  sim::SimTime delay;
-  std::deque<std::pair<sim::SimTime, types::BaseCommand>> on_the_way{};
-  void operator()(const types::BaseCommand& command, bench::VirtualBase& base, sim::SimTime now) {
-    on_the_way.emplace_back(now + delay, command);
-    for (; !on_the_way.empty() && on_the_way.front().first <= now; on_the_way.pop_front())
-      base.command(on_the_way.front().second, now);
-  }
-};
-
-/// Scan matching without errors, of the odometry that was given.
-struct Matcher {
-  const DriveRig& rig;
-  bool other_robots = false;  ///< the scanner is on a robot that stands
-  bool upside_down = false;
-  plausibility::MatchedMotion motion{};
-  sim::Se2 last{};
-
-  explicit Matcher(const DriveRig& of) : rig(of), last(of.body().truth()) {}
-  plausibility::MatchedMotion operator()() {
-    const sim::Se2 here = rig.body().truth();
-    sim::Se2 step = last.inverse() * here;
-    last = here;
-    if (other_robots) step = {};
-    if (upside_down) step = {step.x_m, -step.y_m, -step.theta_rad};
-    motion = plausibility::after_scan(motion, rig.report().odometry.stamp, step,
-                                      rig.report().odometry.T_odom_base.se2(), true);
-    return motion;
-  }
-};
-
-/// Commands arrive late; the driver measures it by the next answer
-/// (drivers/pioneer/round_trip.hpp).
-std::function<void(DriveRig&)> late_commands(sim::SimTime delay) {
-  return [delay](DriveRig& rig) {
-    rig.carry = LateLine{delay};
-    auto trip = std::make_shared<pioneer::RoundTrip>();
-    auto answers = std::make_shared<std::deque<types::Stamp>>();
-    trip->asked(types::Stamp{rig.simulation().now()});
-    trip->answered(types::Stamp{rig.simulation().now()} +
-                   std::chrono::milliseconds(100));  // before the fault
-    rig.spoil_state = [trip, answers, delay](types::BaseState& b) {
-      const types::Stamp now = b.arrival;
-      while (!answers->empty() && answers->front() <= now) {
-        trip->answered(answers->front());
-        answers->pop_front();
-      }
-      trip->expire(now);
-      if (trip->is_due(now)) {
-        trip->asked(now);
-        answers->push_back(now + delay);
-      }
-      b.round_trip = trip->trip();
-    };
-  };
-}
-
-struct Lie {
-  const char* name;
-  std::optional<Doubt> doubt;
-  std::function<void(DriveRig&)> begin;
-  double box_after_s = 1.5;  ///< from the fault to the box
-};
-
-std::vector<Lie> lies() {
-  using std::chrono::milliseconds;
-  const auto scans = [](auto spoil) { return [spoil](DriveRig& rig) { rig.spoil_scan = spoil; }; };
-  const auto states = [](auto spoil) { return [spoil](DriveRig& rig) { rig.spoil_state = spoil; }; };
-  return {
-      {"nothing is wrong", std::nullopt, [](DriveRig&) {}},
-      {"scans 0.35 s late", Doubt::kLateScans, scans([](types::Scan& s) { s.late = milliseconds(350); })},
-      {"scans 2 s late", Doubt::kLateScans, scans([](types::Scan& s) { s.late = milliseconds(2000); })},
-      {"statuses 0.35 s late", Doubt::kLateStatuses,
-       states([](types::BaseState& b) { b.late = milliseconds(350); })},
-      {"scanner sees nothing", Doubt::kBlind,
-       scans([](types::Scan& s) { s.range_m.fill(types::kNoReturn); })},
-      {"scanner sees nothing ahead", Doubt::kBlind, scans([](types::Scan& s) {
-         for (std::size_t i = 0; i < s.beams; ++i)
-           if (std::abs(s.angle_rad(i)) < 1.58F) s.range_m[i] = types::kNoReturn;
-       })},
-      {"scanner repeats one picture", Doubt::kFrozen,
-       [](DriveRig& rig) {
-         auto kept = std::make_shared<std::optional<types::Scan>>();
-         rig.spoil_scan = [kept](types::Scan& s) {
-           if (!*kept) kept->emplace(s);
-           s.range_m = (*kept)->range_m;
-         };
-       }},
-      {"a quarter of the window covered", Doubt::kCovered, scans([](types::Scan& s) {
-         for (std::size_t i = 0; i < s.beams; ++i)
-           if (s.angle_rad(i) > 0.0F && s.angle_rad(i) < 0.8F) s.range_m[i] = types::kTooNear;
-       })},
-      {"half the window covered", Doubt::kCovered, scans([](types::Scan& s) {
-         for (std::size_t i = 0; i < s.beams; ++i)
-           if (s.angle_rad(i) > 0.0F && s.angle_rad(i) < 1.5F) s.range_m[i] = 0.03F;
-       })},
-      {"impossible speed", Doubt::kImpossibleMotion,
-       states([](types::BaseState& b) { b.odometry.twist.v_mps = -6.1; })},
-      {"impossible turning", Doubt::kImpossibleMotion,
-       states([](types::BaseState& b) { b.odometry.twist.omega_radps = 9.0; })},
-      {"pose jumps", Doubt::kImpossibleMotion,
-       [](DriveRig& rig) {
-         auto jumps = std::make_shared<int>(0);
-         rig.spoil_state = [jumps](types::BaseState& b) {
-           const sim::Se2 jump{++*jumps % 2 * 1.5, 0.0, 0.0};
-           b.odometry.T_odom_base =
-               types::Transform2<types::Odom, types::Base>(b.odometry.T_odom_base.se2() * jump);
-         };
-       }},
-      {"commands 0.6 s late", Doubt::kAnswersLate, late_commands(milliseconds(600)), 3.5},
-      {"commands 1.5 s late", Doubt::kAnswersLate, late_commands(milliseconds(1500)), 4.5},
-      {"scanner of another robot", Doubt::kMatchDisagrees,
-       [](DriveRig& rig) {
-         Matcher matcher(rig);
-         matcher.other_robots = true;
-         rig.match = matcher;
-       },
-       2.5},
-      {"scans match", std::nullopt, [](DriveRig& rig) { rig.match = Matcher(rig); }},
-  };
-}
-
-/// Over all seeds, the worst.
-struct Row {
-  std::string fault, begins, found;
+/// Of one fault over all seeds, the worst.
+struct Seen {
   double way_m = 0.0, time_s = 0.0;
+  std::string says = "nothing", back;
 };
 
-/// Into the file that TOPOMETRIC_FAULT_TABLE names: doc/faults.md is made by it.
-void write_table(const std::vector<Row>& rows) {
-  const char* path = std::getenv("TOPOMETRIC_FAULT_TABLE");
-  if (path == nullptr) return;
-  std::ofstream out(path);
-  out << R"(# Faults in which everything arrives and is wrong
-
-Written by `TOPOMETRIC_FAULT_TABLE=doc/faults.md build/release/tests/integration/plausibility_sim_test`: a P3-DX in
-lock-step with the simulator, three seeds each, the fault from the start or at 0.7 m/s, a box 1 m ahead 1.5 s later
-(late commands: 3.5 and 4.5 s, another robot's scanner: 2.5 s). Way and time are from the fault to standstill behind the
-box, of the worst seed. No run touched anything. Commands that become late less than the time of one answer before an
-obstacle appears are not known in time: at 0.7 m/s with 1.5 s of delay the robot runs 1.05 m before it brakes. The
-faults of the wires are in `tests/integration/wire_faults.cpp`.
-
-| fault | begins | way (m) | time (s) | what it says |
-|---|---|---|---|---|
-)";
-  for (const Row& row : rows) {
-    std::array<char, 64> figures{};
-    std::snprintf(figures.data(), figures.size(), "%.2f | %.2f", row.way_m, row.time_s);
-    out << "| " << row.fault << " | " << row.begins << " | " << figures.data() << " | " << row.found
-        << " |\n";
+/// The first standstill of 0.1 s after some motion; zero when nothing moved at all.
+struct Standstill {
+  double way_m = 0.0, time_s = 0.0;
+  double since_s = -1.0;
+  bool moved = false, stood = false;
+  void look(double speed_mps, double from_m, double from_s) {
+    constexpr double kStands_mps = 1e-3, kLongEnough_s = 0.1;
+    if (stood) return;
+    if (std::abs(speed_mps) > kStands_mps) {
+      moved = true;
+      since_s = -1.0;
+    } else if (moved && since_s < 0.0) {
+      since_s = time_s = from_s;
+      way_m = from_m;
+    }
+    stood = since_s >= 0.0 && from_s - since_s > kLongEnough_s;
   }
-  out << "\nHow each doubt ends, and its cure:\n\n| doubt | found | cure |\n|---|---|---|\n";
-  for (const plausibility::DoubtText& text : plausibility::doubt_texts())
-    out << "| " << text.name << " | " << text.found << " | " << text.cure << " |\n";
-}
+};
 
 struct Drive {
   std::unique_ptr<DriveRig> rig;
   double from_m = 0.0, from_s = 0.0, v_mps = 0.0;
 };
 
-Drive begin(std::uint64_t seed, bool at_start, const Lie& lie) {
+Drive begin(std::uint64_t seed, bool at_start, const ValueFault& lie) {
   DriveSetup setup;
   setup.start = {2.0, 4.0, 0.0};
   setup.seed = seed;
@@ -212,72 +76,110 @@ Drive begin(std::uint64_t seed, bool at_start, const Lie& lie) {
   return drive;
 }
 
-TEST(PlausibilitySim, NoLieEndsInACollision) {
-  std::printf("%-32s %-6s %5s %9s %9s  %s\n", "fault", "begins", "seed", "way (m)", "time (s)", "found");
-  std::vector<Row> rows;
-  for (const Lie& lie : lies()) {
+/// The fault is over: does it go on, and what does that need?
+std::string how_it_comes_back(DriveRig& rig) {
+  const auto goes_on = [&rig] { return rig.v_mps() > 0.3; };
+  if (rig.run(10.0, goes_on)) return "by itself";
+  rig.go(straight());
+  if (rig.run(5.0, goes_on)) return "a new order";
+  rig.estop_cleared = true;
+  if (rig.run(5.0, goes_on)) return "clear-estop";
+  rig.go(straight());
+  return rig.run(10.0, goes_on) ? "clear-estop and a new order" : "not";
+}
+
+/// Reasons that are about what is wrong, and not about what stands in the way.
+bool stops(motion::GateReason reason) {
+  using R = motion::GateReason;
+  return reason != R::kFree && reason != R::kLimited && reason != R::kSlowed && reason != R::kBlocked &&
+         reason != R::kImplausible;
+}
+
+/// One fault with one seed, judged.
+void suffer(const ValueFault& fault, bool at_start, std::uint64_t seed, Seen& worst) {
+  const Drive drive = begin(seed, at_start, fault);
+  DriveRig& rig = *drive.rig;
+  std::optional<sim::MovableId> box;
+  Standstill standstill;
+  plausibility::DoubtSet all;
+  rig.run(fault.box_after_s + 8.0, [&] {
+    const double since_s = rig.now_s() - drive.from_s;
+    all |= rig.report().plausibility.doubts;
+    standstill.look(rig.v_mps(), rig.body().path_m() - drive.from_m, since_s);
+    if (!standstill.stood && stops(rig.report().reason)) worst.says = motion::to_text(rig.report().reason);
+    if (box || since_s <= fault.box_after_s) return false;
+    const auto added = rig.simulation().add_box_ahead(0, 1.0);
+    EXPECT_TRUE(added.has_value());
+    if (added) box = *added;
+    return false;
+  });
+  EXPECT_EQ(rig.body().collisions(), 0U) << fault.name << (at_start ? " from the start" : " at full speed");
+  if (!fault.perhaps_doubted) {
+    EXPECT_EQ(all.any(), fault.doubt.has_value()) << fault.name << ": " << plausibility::found_text(all);
+  }
+  if (fault.doubt) {
+    EXPECT_TRUE(has(all, *fault.doubt)) << fault.name << ": " << plausibility::found_text(all);
+  }
+  heal(rig);
+  if (box) {
+    EXPECT_TRUE(rig.simulation().remove_obstacle(*box));
+  }
+  const std::string back = how_it_comes_back(rig);
+  EXPECT_NE(back, "not") << fault.name << " at the start: " << at_start << ", seed " << seed << ": "
+                         << to_text(rig.report().mode) << ", " << to_text(rig.report().reason) << ", "
+                         << plausibility::found_text(rig.report().plausibility.doubts) << ", at "
+                         << rig.body().truth().x_m << " " << rig.body().truth().y_m << " "
+                         << rig.body().truth().theta_rad;
+  EXPECT_EQ(rig.body().collisions(), 0U) << fault.name << ", when it was over";
+  EXPECT_TRUE(standstill.stood || !standstill.moved) << fault.name << " drove on";
+  worst.way_m = std::max(worst.way_m, standstill.way_m);
+  worst.time_s = std::max(worst.time_s, standstill.time_s);
+  if (all.any()) worst.says = plausibility::found_text(all);
+  if (worst.back.size() < back.size()) worst.back = back;
+}
+
+TEST(PlausibilitySim, NoFaultEndsInACollision) {
+  std::vector<ValueFault> faults = lies();
+  for (ValueFault& fault : plain_faults()) faults.push_back(std::move(fault));
+  for (const ValueFault& fault : faults) {
     for (const bool at_start : {true, false}) {
-      Row row{lie.name, at_start ? "at the start" : "at 0.7 m/s", "nothing"};
-      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        const Drive drive = begin(seed, at_start, lie);
-        DriveRig& rig = *drive.rig;
-        bool doubted = false, boxed = false;
-        double stood_m = -1.0, stood_s = 0.0;
-        plausibility::DoubtSet all;
-        rig.run(12.0, [&] {
-          all |= rig.report().plausibility.doubts;
-          if (lie.doubt && has(all, *lie.doubt)) doubted = true;
-          if (!boxed && rig.now_s() - drive.from_s > lie.box_after_s) {
-            boxed = true;
-            EXPECT_TRUE(rig.simulation().add_box_ahead(0, 1.0).has_value());
-          }
-          const bool stands = std::abs(rig.v_mps()) < 1e-3 && rig.now_s() - drive.from_s > 0.5;
-          if (stands && stood_m < 0.0 && boxed) {
-            stood_m = rig.body().path_m() - drive.from_m;
-            stood_s = rig.now_s() - drive.from_s;
-          }
-          return false;
-        });
-        std::printf("%-32s %-6s %5d %9.2f %9.2f  %s\n", lie.name, at_start ? "start" : "0.7",
-                    static_cast<int>(seed), stood_m, stood_s,
-                    std::string(plausibility::found_text(all)).c_str());
-        row.way_m = std::max(row.way_m, stood_m);
-        row.time_s = std::max(row.time_s, stood_s);
-        if (all.any()) row.found = plausibility::found_text(all);
-        EXPECT_EQ(rig.body().collisions(), 0U)
-            << lie.name << (at_start ? " from the start" : " at full speed");
-        EXPECT_EQ(doubted, lie.doubt.has_value()) << lie.name << " " << at_start;
-        EXPECT_EQ(all.any(), lie.doubt.has_value()) << plausibility::found_text(all);
-      }
-      rows.push_back(row);
+      Seen worst;
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) suffer(fault, at_start, seed, worst);
+      std::printf("%-48s %-6s %5.2f m %5.2f s  %s; back: %s\n", fault.name.c_str(),
+                  at_start ? "start" : "0.7", worst.way_m, worst.time_s, worst.says.c_str(),
+                  worst.back.c_str());
+      record({fault.name, at_start ? "values, from the start" : "values, at 0.7 m/s",
+              worst.time_s > 0.0 ? stands_after(worst.way_m, worst.time_s) : "does not move", worst.says,
+              worst.back});
     }
   }
-  write_table(rows);
 }
 
 TEST(PlausibilitySim, ABaseThatSwallowsStopsIsStoppedByItsWatchdog) {
   for (const double speed_mps : {0.3, 0.7}) {
-    const Lie deaf{"swallows every command", Doubt::kDisobeys, [](DriveRig& rig) {
-                     rig.carry = [](const types::BaseCommand& command, bench::VirtualBase& base,
-                                    sim::SimTime now) {
-                       if (!command.silence) base.feed_watchdog(now);
-                     };
-                   }};
     DriveSetup setup;
     setup.start = {2.0, 4.0, 0.0};
     DriveRig rig(sim::scene(sim::hall_text()), setup);
     rig.by_hand = types::Twist2{speed_mps, 0.0};
     ASSERT_TRUE(rig.run(10.0, [&] { return rig.v_mps() > speed_mps - 0.03; }));
-    deaf.begin(rig);
+    rig.carry = swallow;
     rig.by_hand = types::Twist2{};  // the operator lets go
     const double from_m = rig.body().path_m(), from_s = rig.now_s();
     ASSERT_TRUE(rig.run(8.0, [&] { return std::abs(rig.v_mps()) < 1e-3; })) << speed_mps;
-    std::printf("swallows stops at %.1f m/s: stands after %.2f m, %.2f s\n", speed_mps,
-                rig.body().path_m() - from_m, rig.now_s() - from_s);
+    const double way_m = rig.body().path_m() - from_m, time_s = rig.now_s() - from_s;
+    std::printf("swallows stops at %.1f m/s: stands after %.2f m, %.2f s\n", speed_mps, way_m, time_s);
     EXPECT_TRUE(has(rig.report().plausibility.doubts, Doubt::kDisobeys));
     rig.run(10.0);
     EXPECT_TRUE(has(rig.report().plausibility.doubts, Doubt::kDisobeys)) << "it stays in doubt";
     EXPECT_TRUE(rig.command().silence);
+    if (speed_mps < 0.7) continue;
+    record({"base: swallows every command", "values, at 0.7 m/s, the operator stops",
+            stands_after(way_m, time_s),
+            std::string(plausibility::found_text(rig.report().plausibility.doubts)), "clear-estop"});
+    heal(rig);
+    rig.estop_cleared = true;
+    rig.by_hand = types::Twist2{0.3, 0.0};
+    EXPECT_TRUE(rig.run(5.0, [&] { return rig.v_mps() > 0.2; }));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "tests/integration/drive_rig.hpp"
+#include "tests/integration/value_faults.hpp"
 #include "tests/unit/sim/rooms.hpp"
 
 namespace topo::test {
@@ -116,56 +117,20 @@ TEST_P(Safety, TheWatchdogStopsBeforeTheWallWhenTheHostDies) {
   }
 }
 
-struct Fault {
-  const char* name;
-  std::function<void(DriveRig&)> begin;
-  std::function<void(DriveRig&)> end;
-  bool latches = false;  ///< nothing moves before somebody says so
-};
-
-std::vector<Fault> faults() {
-  const auto heal = [](DriveRig& r) {
-    r.front_silent = r.base_silent = r.planner_silent = r.estop = false;
-    r.spoil_scan = nullptr;
-    r.spoil_state = nullptr;
-    r.told_watchdog = std::chrono::milliseconds(2000);
-  };
-  return {
-      {"front laser silent", [](DriveRig& r) { r.front_silent = true; }, heal},
-      {"base silent", [](DriveRig& r) { r.base_silent = true; }, heal},
-      {"planner silent", [](DriveRig& r) { r.planner_silent = true; }, heal},
-      {"laser blind",
-       [](DriveRig& r) { r.spoil_scan = [](types::Scan& s) { s.range_m.fill(types::kInvalid); }; }, heal},
-      {"laser covered",
-       [](DriveRig& r) { r.spoil_scan = [](types::Scan& s) { s.range_m.fill(types::kTooNear); }; }, heal},
-      {"stop button", [](DriveRig& r) { r.spoil_state = [](types::BaseState& b) { b.stop_button = true; }; },
-       heal, true},
-      {"e-stop", [](DriveRig& r) { r.estop = true; }, heal, true},
-      {"rear bumper", [](DriveRig& r) { r.spoil_state = [](types::BaseState& b) { b.bumpers_rear = 2; }; },
-       heal},
-      {"reckoning is no number",
-       [](DriveRig& r) {
-         r.spoil_state = [](types::BaseState& b) { b.odometry.twist.v_mps = std::nan(""); };
-       },
-       heal},
-      {"watchdog off", [](DriveRig& r) { r.told_watchdog = {}; }, heal},
-  };
-}
-
 TEST_P(Safety, EveryFaultStopsInTimeAndHealsUnlessItLatches) {
-  for (const Fault& fault : faults()) {
+  for (const ValueFault& fault : plain_faults()) {
     const auto rig = at_full_speed(GetParam());
     const double v_mps = rig->v_mps(), from_m = rig->body().path_m(), from_s = rig->now_s();
     fault.begin(*rig);
     EXPECT_TRUE(rig->run(5.0, [&] { return stands(*rig); })) << fault.name;
-    std::printf("%s, %s at %.2f m/s: stands after %.2f m, %.2f s\n", GetParam(), fault.name, v_mps,
+    std::printf("%s, %s at %.2f m/s: stands after %.2f m, %.2f s\n", GetParam(), fault.name.c_str(), v_mps,
                 rig->body().path_m() - from_m, rig->now_s() - from_s);
     // The slowest to be noticed is a planner that says nothing any more, after a second.
     EXPECT_LT(rig->body().path_m() - from_m, v_mps * 1.2 + v_mps * v_mps + 0.1) << fault.name;
     const double stood_m = rig->body().path_m();
     rig->run(1.0);
     EXPECT_NEAR(rig->body().path_m(), stood_m, 1e-6) << fault.name;
-    fault.end(*rig);
+    heal(*rig);
     const bool moves = rig->run(5.0, [&] { return rig->v_mps() > 0.3; });
     EXPECT_EQ(moves, !fault.latches) << fault.name;
     if (fault.latches) {

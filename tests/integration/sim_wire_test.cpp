@@ -229,21 +229,53 @@ TEST(SimHarness, CommandsAreCheckedBeforeAnythingHappens) {
   EXPECT_NE(error(R"({"command":"dead","device":"base"})").find("expected one of front, coronal"),
             std::string::npos);
   EXPECT_NE(error(R"({"command":"obstacle","distance_m":3.5})"), "") << "robot 1 stands there";
+  EXPECT_NE(error(R"({"command":"carry","x_m":6.0,"y_m":3.0})").find("something stands there"),
+            std::string::npos);
+  EXPECT_NE(error(R"({"command":"delay","device":"base","seconds":-1})").find("from 0"), std::string::npos);
+  EXPECT_NE(error(R"({"command":"lie","field":"colour"})").find("expected one of none, speed"),
+            std::string::npos);
+  EXPECT_NE(error(R"({"command":"empty","device":"front","from_deg":9,"to_deg":-9})").find("not beyond"),
+            std::string::npos);
+  EXPECT_NE(error(R"({"command":"half-open","device":"base"})").find("no client"), std::string::npos);
+  EXPECT_NE(error(R"({"command":"steps","device":"front","start":9,"end":99})").find("does not stream"),
+            std::string::npos);
 }
 
 TEST(SimHarness, EveryCommandWorksOnARunningSimulation) {
   auto sim = start(two_tcp_robots());
   ASSERT_NE(sim, nullptr);
-  for (const char* line :
-       {R"({"command":"truth"})", R"({"command":"status"})",
-        R"({"command":"silence","device":"front","seconds":0.01})",
-        R"({"command":"garbage","device":"coronal","bytes":10})",
-        R"({"command":"slow","device":"base","bytes_per_s":0})",
-        R"({"command":"drop","device":"base","rate":0.5,"robot":1})",
-        R"({"command":"dead","device":"coronal","mode":"good"})",
-        R"({"command":"stop-button","pressed":false})", R"({"command":"bumper","front":3})",
-        R"({"command":"battery","volts":11.5})", R"({"command":"clock-jump","device":"front","ms":-5})",
-        R"({"command":"reset","device":"base"})", R"({"command":"cut","device":"base","seconds":0.01})"}) {
+  for (const char* line : {R"({"command":"truth"})",
+                           R"({"command":"status"})",
+                           R"({"command":"silence","device":"front","seconds":0.01})",
+                           R"({"command":"garbage","device":"coronal","bytes":10})",
+                           R"({"command":"slow","device":"base","bytes_per_s":0})",
+                           R"({"command":"drop","device":"base","rate":0.5,"robot":1})",
+                           R"({"command":"dead","device":"coronal","mode":"good"})",
+                           R"({"command":"stop-button","pressed":false})",
+                           R"({"command":"bumper","front":3})",
+                           R"({"command":"battery","volts":11.5})",
+                           R"({"command":"clock-jump","device":"front","ms":-5})",
+                           R"({"command":"delay","device":"base","seconds":0.1,"way":"to"})",
+                           R"({"command":"lose","rate":0.1})",
+                           R"({"command":"disobey","on":false})",
+                           R"({"command":"lie","field":"speed","value":-6})",
+                           R"({"command":"encoder","side":"left"})",
+                           R"({"command":"motors-off"})",
+                           R"({"command":"stall","right":false})",
+                           R"({"command":"sonar","range_m":0})",
+                           R"({"command":"watchdog","ms":0})",
+                           R"({"command":"freeze","device":"front"})",
+                           R"({"command":"empty","device":"front"})",
+                           R"({"command":"cover","device":"coronal","to_deg":30})",
+                           R"({"command":"swap"})",
+                           R"({"command":"foreign","device":"base"})",
+                           R"({"command":"replace","device":"front"})",
+                           R"({"command":"repeat","device":"base"})",
+                           R"({"command":"replay","device":"coronal"})",
+                           R"({"command":"unplug","robot":1})",
+                           R"({"command":"carry","x_m":2,"y_m":2})",
+                           R"({"command":"reset","device":"base"})",
+                           R"({"command":"cut","device":"base","seconds":0.01})"}) {
     EXPECT_TRUE(json::parse(sim->command(line)).value("ok", false)) << line << sim->command(line);
   }
   const json box = json::parse(sim->command(R"({"command":"obstacle","distance_m":1.0})"));
@@ -256,6 +288,23 @@ TEST(SimHarness, EveryCommandWorksOnARunningSimulation) {
     EXPECT_NE(remove(none).value("error", "").find("expected"), std::string::npos) << remove(none).dump();
   }
   EXPECT_TRUE(remove(box["id"]).value("ok", false));
+}
+
+TEST(SimHarness, AHalfOpenLinkSaysNothingAndListensAnew) {
+  auto sim = start(two_tcp_robots());
+  ASSERT_NE(sim, nullptr);
+  Client first(sim->address(0, DeviceId::kFront));
+  first.send("VV\n");
+  EXPECT_TRUE(first.read_until([](const std::string& all) { return all.find("SERI") != std::string::npos; },
+                               kPatience));
+  ASSERT_TRUE(json::parse(sim->command(R"({"command":"half-open","device":"front"})")).value("ok", false));
+  first.send("II\n");
+  EXPECT_FALSE(
+      first.read_until([](const std::string& all) { return all.find("MODL") != std::string::npos; }, 300ms));
+  Client second(sim->address(0, DeviceId::kFront));
+  second.send("VV\n");
+  EXPECT_TRUE(second.read_until([](const std::string& all) { return all.find("SERI") != std::string::npos; },
+                                kPatience));
 }
 
 TEST(SimHarness, WritesTheTruthAndAnswersOnItsSocket) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "daemon/app/device_connectors.hpp"
 #include "daemon/config/load.hpp"
@@ -44,6 +45,8 @@ MachineWatch::~MachineWatch() {
 std::unique_ptr<WireRig> WireRig::start(const WireSetup& setup) {
   daemon::block_signals();
   std::unique_ptr<WireRig> rig(new WireRig);
+  rig->setup_ = setup;
+  if (setup.journal) std::filesystem::create_directories(rig->sessions());
   if (!rig->start_simulator(setup) || !rig->start_daemon()) return nullptr;
   return rig;
 }
@@ -52,10 +55,9 @@ bool WireRig::start_simulator(const WireSetup& setup) {
   auto world = sim::World::from_scene_text(sim::hall_text(), "hall.toml");
   if (!world) return ADD_FAILURE() << world.error().message, false;
   sim::RigConfig config;
-  config.robots.push_back(sim::tcp_robot());
+  config.robots.push_back(setup.wires == Wires::kTcp ? sim::tcp_robot() : sim::pty_robot(folder_.str()));
   config.robots[0].watchdog_ms = setup.watchdog_ms;
-  sim::LinkConfig& base = config.robots[0].links[static_cast<std::size_t>(DeviceId::kBase)];
-  if (setup.base == BaseLink::kPty) base = {std::nullopt, folder_.file("base")};
+  config.seed = setup.seed;
   auto started = sim::SimHarness::start(std::move(*world), config);
   if (!started) return ADD_FAILURE() << started.error().message, false;
   simulator_ = std::move(*started);
@@ -67,13 +69,21 @@ std::string WireRig::configuration() {
     const sim::DeviceAddress& a = simulator_->address(0, device);
     const std::string where =
         a.tcp ? "tcp:" + a.host + ":" + std::to_string(a.port) : "serial:" + a.path.string();
-    return "address = \"" + where + "\"\n";
+    const std::string serial = simulator_->with_rig([device](sim::SimRig& rig) {
+      sim::RobotRig& robot = rig.robot(0);
+      return device == DeviceId::kBase ? robot.base().parameters().serial : robot.laser_serial(device);
+    });
+    return "address = \"" + where + "\"\nserial_number = \"" + serial + "\"\n";
   };
+  const std::string sonar = setup_.sonar ? "true" : "false";
+  const std::string session =
+      setup_.journal ? "[session]\nfolder = \"" + sessions() + "\"\njournal_period_s = 0.2\n" : "";
   // Quick to get fast, so that more faults fit into a minute; how it brakes is as configured by default.
-  return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\n" + address(DeviceId::kBase) +
-         "[scanner.front]\n" + address(DeviceId::kFront) + "x_m = 0.021\n[scanner.coronal]\n" +
-         address(DeviceId::kCoronal) + "[control]\nsocket = \"" + folder_.file("control.sock") +
-         "\"\nstate_folder = \"\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n";
+  return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\nsonar = " + sonar + "\n" +
+         address(DeviceId::kBase) + "[scanner.front]\n" + address(DeviceId::kFront) +
+         "x_m = 0.021\n[scanner.coronal]\n" + address(DeviceId::kCoronal) + "[control]\nsocket = \"" +
+         folder_.file("control.sock") +
+         "\"\nstate_folder = \"\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n" + session;
 }
 
 bool WireRig::start_daemon() {
@@ -86,14 +96,34 @@ bool WireRig::start_daemon() {
       {loaded.values, effective_text(loaded), std::move(*listening), daemon::device_connectors(nullptr), {}});
   if (!made) return ADD_FAILURE() << made.error().message, false;
   app_ = std::move(*made);
-  thread_ = std::thread([this] { ran_ = app_->run(); });
+  thread_ = std::thread([this] {
+    ::pthread_setname_np(::pthread_self(), "daemon-main");
+    ran_ = app_->run();
+  });
   auto connected = daemon::Client::connect(socket);
   if (!connected) return ADD_FAILURE() << connected.error().message, false;
   client_.emplace(std::move(*connected));
   return true;
 }
 
-WireRig::~WireRig() {
+WireRig::~WireRig() { end_daemon(); }
+
+void WireRig::restart_daemon() {
+  end_daemon();
+  EXPECT_TRUE(start_daemon());
+}
+
+void WireRig::kill_daemon(const std::function<void()>& meanwhile) {
+  const std::string kept = folder_.file("kept");
+  std::filesystem::copy(sessions(), kept, std::filesystem::copy_options::recursive);
+  end_daemon();
+  std::filesystem::remove_all(sessions());
+  std::filesystem::rename(kept, sessions());
+  meanwhile();
+  EXPECT_TRUE(start_daemon());
+}
+
+void WireRig::end_daemon() {
   client_.reset();
   if (app_ != nullptr) app_->request_stop();
   if (thread_.joinable()) thread_.join();
@@ -164,9 +194,9 @@ void WireRig::order_down_the_hall(bool to_the_east) {
   }
 }
 
-bool WireRig::reach_full_speed() {
+bool WireRig::reach_full_speed(double patience_s) {
   constexpr double kRoom_m = 7.0;
-  return wait(90.0, [this] {
+  return wait(patience_s, [this] {
     const Moment now = moment();
     const double heading_rad = now.truth.pose.theta_rad;
     const double room_m = room_ahead_m(now);

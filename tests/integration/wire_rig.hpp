@@ -20,8 +20,8 @@ namespace topo::test {
 
 using daemon::Json;
 
-/// On which kind of wire the base answers. The front scanner is on TCP always.
-enum class BaseLink { kTcp, kPty };
+/// On which kind of wires the robot's devices answer.
+enum class Wires { kTcp, kPty };
 
 /// What the simulator knows, all of one moment.
 struct Moment {
@@ -51,8 +51,11 @@ class MachineWatch {
 };
 
 struct WireSetup {
-  BaseLink base = BaseLink::kTcp;
+  Wires wires = Wires::kTcp;
   int watchdog_ms = 2000;
+  bool sonar = true;
+  std::uint64_t seed = 1;
+  bool journal = false;  ///< sessions are kept, a journal every 0.2 s
   friend bool operator==(const WireSetup&, const WireSetup&) = default;
 };
 
@@ -83,6 +86,11 @@ class WireRig {
   /// A method of the control protocol that has to succeed; and one that may be refused.
   Json ask(const char* method, const Json& params = Json::object());
   bool try_ask(const char* method, const Json& params = Json::object());
+  /// The daemon's end, in order, and its next start.
+  void restart_daemon();
+  /// The same for one that is killed, as far as its session goes: the journal stays as it was; what happens
+  /// meanwhile. Needs WireSetup::journal.
+  void kill_daemon(const std::function<void()>& meanwhile);
   Json status() { return ask("status"); }
   bool is_ready();
 
@@ -91,7 +99,7 @@ class WireRig {
 
   /// A mission down the hall, begun anew where there are less than some metres left: true at full speed
   /// straight ahead.
-  bool reach_full_speed();
+  bool reach_full_speed(double patience_s = 90.0);
   /// From the robot to the wall at the end of the hall that it looks at.
   static double room_ahead_m(const Moment& moment);
 
@@ -99,9 +107,12 @@ class WireRig {
   WireRig() = default;
   bool start_simulator(const WireSetup& setup);
   bool start_daemon();
+  void end_daemon();
+  std::string sessions() { return folder_.file("sessions"); }
   std::string configuration();
   void order_down_the_hall(bool to_the_east);
 
+  WireSetup setup_;
   daemon::testing::TempDir folder_;
   std::unique_ptr<sim::SimHarness> simulator_;
   std::unique_ptr<daemon::App> app_;

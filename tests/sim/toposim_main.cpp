@@ -82,7 +82,10 @@ std::string footer() {
          "answer; the\n"
          "socket takes the same as JSON, one object a line: "
          "{\"command\":\"cut\",\"device\":\"front\",\"seconds\":2}.\n"
-         "device is front, coronal or base; robot=N says whose (0 when left out). Commands:\n" +
+         "device is front, coronal or base; robot=N says whose (0 when left out). Angles are in degrees, "
+         "counter-clockwise\n"
+         "from straight ahead. A fault lasts until it is ended as its line says, or for its seconds. "
+         "Commands:\n" +
          sim::command_help() +
          "\nFILES\n"
          "The world is a map_server YAML with its image or a drawn scene (.toml); config/worlds documents "

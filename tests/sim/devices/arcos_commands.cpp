@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Effects of the commands on the firmware (PROTOCOLS sections 2 and 3).
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include "tests/sim/devices/arcos_device.hpp"
@@ -44,9 +46,17 @@ int signed_byte(int value, int shift) { return static_cast<std::int8_t>(value >>
 
 }  // namespace
 
+bool ArcosDevice::swallows(const arcos::Command& command) {
+  static constexpr std::array<std::uint8_t, 7> kMotion{kRotate, kVel, kRvel, kStop, kVel2, kEStop, kQStop};
+  return faults_.disobeys && std::find(kMotion.begin(), kMotion.end(), command.number) != kMotion.end();
+}
+
 void ArcosDevice::handle(const arcos::Command& command, SimTime now) {
+  if (faults_.lost_commands > 0.0 && std::uniform_real_distribution<>()(random_) < faults_.lost_commands)
+    return;
   last_packet_ = now;  // any valid packet resets the watchdog, and the earlier setpoint resumes
   if (command.number == kEStop) ++e_stops_;
+  if (swallows(command)) return;
   if (state_ == State::kOpen) return handle_open(command, now);
   handle_sync(command, now);
 }

@@ -93,13 +93,36 @@ void ArcosDevice::press_bumpers(std::uint8_t front, std::uint8_t rear, SimTime u
   pressed_until_ = until;
 }
 
+void ArcosDevice::set_battery(double volts, double fall_vps, SimTime now) {
+  parameters_.battery_volts = volts;
+  faults_.battery_fall_vps = fall_vps;
+  faults_.battery_since = now;
+}
+
+void ArcosDevice::set_identity(std::string robot_name, std::string serial) {
+  parameters_.robot_name = std::move(robot_name);
+  parameters_.serial = std::move(serial);
+}
+
+BaseInputs ArcosDevice::faulty(BaseInputs inputs, SimTime now) {
+  inputs.left_m = faults_.left.count_m(inputs.left_m);
+  inputs.right_m = faults_.right.count_m(inputs.right_m);
+  if (faults_.left.dead()) inputs.left_mps = 0.0;
+  if (faults_.right.dead()) inputs.right_mps = 0.0;
+  if (now < faults_.stalled_until) {
+    inputs.left_stall = inputs.left_stall || faults_.stall_left;
+    inputs.right_stall = inputs.right_stall || faults_.stall_right;
+  }
+  return inputs;
+}
+
 void ArcosDevice::add_sonar(int index, double range_m) {
   constexpr int kArraySize = 8;
   const unsigned array = static_cast<unsigned>(index / kArraySize);
   if (state_ != State::kOpen || index < 0 || (sonar_arrays_ >> array & 1U) == 0 ||
       sonar_.size() >= kSonarMost)
     return;
-  sonar_.push_back({index, static_cast<int>(range_m * 1e3)});
+  sonar_.push_back({index, static_cast<int>(faults_.sonar_stuck_m.value_or(range_m) * 1e3)});
 }
 
 void ArcosDevice::dead_reckon(const BaseInputs& inputs) {
@@ -134,7 +157,7 @@ void ArcosDevice::bump_stall() {
 }
 
 arcos::WheelTargets ArcosDevice::control(SimTime now, SimTime dt, const BaseInputs& inputs) {
-  inputs_ = inputs;
+  inputs_ = faulty(inputs, now);
   if (now < pressed_until_) {
     inputs_.front_bumpers |= pressed_front_;
     inputs_.rear_bumpers |= pressed_rear_;
@@ -144,6 +167,10 @@ arcos::WheelTargets ArcosDevice::control(SimTime now, SimTime dt, const BaseInpu
   tick(now);
   if (state_ != State::kOpen || !motors_on_) {
     drive_.stand();
+    return {};
+  }
+  if (now < faults_.stalled_until && (faults_.stall_left || faults_.stall_right)) {
+    drive_.blocked(0.0, 0.0);
     return {};
   }
   return drive_.step(seconds_of(dt), watchdog_holds(now));
@@ -175,7 +202,7 @@ void ArcosDevice::send_sip(SimTime now) {
   }
 }
 
-arcos::Sip ArcosDevice::compose_sip(SimTime /*now*/) {
+arcos::Sip ArcosDevice::compose_sip(SimTime now) {
   constexpr double kHeadingCounts = 4096.0;
   arcos::Sip sip;
   sip.left_mm_s = to_mm_s(inputs_.left_mps);
@@ -184,12 +211,13 @@ arcos::Sip ArcosDevice::compose_sip(SimTime /*now*/) {
   sip.x_mm = static_cast<int>(x_mm_);
   sip.y_mm = static_cast<int>(y_mm_);
   sip.heading_counts = static_cast<int>(heading_rad_ / (2.0 * kPi) * kHeadingCounts);
-  sip.battery_dv = static_cast<int>(std::lround(parameters_.battery_volts * 10.0));
+  sip.battery_dv = static_cast<int>(std::lround(faults_.battery_v(parameters_.battery_volts, now) * 10.0));
   sip.stall_bump = stall_bump_bits();
   sip.flags = flag_bits();
   sip.sonar.swap(sonar_);
   const double turn_rad_s = (inputs_.right_mps - inputs_.left_mps) * 1e3 / parameters_.track_mm;
   sip.rotation_ddeg_s = static_cast<int>(turn_rad_s * 1800.0 / kPi);
+  faults_.spoil(sip, sips_++, parameters_.track_mm);
   return sip;
 }
 

@@ -14,6 +14,7 @@
 #include "tests/sim/devices/arcos_model.hpp"
 #include "tests/sim/devices/arcos_packet.hpp"
 #include "tests/sim/devices/arcos_sip.hpp"
+#include "tests/sim/devices/base_faults.hpp"
 #include "tests/sim/devices/wire_device.hpp"
 
 namespace topo::sim {
@@ -56,7 +57,15 @@ class ArcosDevice final : public WireDevice {
   /// Presses bumper segments (masks as in BaseInputs) until a given time, in addition to contacts of the
   /// body.
   void press_bumpers(std::uint8_t front, std::uint8_t rear, SimTime until);
-  void set_battery(double volts) { parameters_.battery_volts = volts; }
+  /// The voltage from now on, and its fall, V/s.
+  void set_battery(double volts, double fall_vps, SimTime now);
+  /// The button on the deck that switches the motors off; the host may switch them on again.
+  void press_motors_button() { enable_motors(false); }
+  /// Another controller by its name and serial number, as the host hears with the next connection.
+  void set_identity(std::string robot_name, std::string serial);
+  /// The firmware's watchdog from now on; the host hears it with the next connection.
+  void set_watchdog(int ms) { parameters_.watchdog_ms = ms; }
+  [[nodiscard]] BaseFaults& faults() { return faults_; }
   /// The controller restarts by itself: sends 0xFF, and returns to WAIT.
   void controller_reset(SimTime now);
 
@@ -111,6 +120,11 @@ class ArcosDevice final : public WireDevice {
   int encoder_stream_ = 0;  ///< 0 off, 1 once, 2 continuously
   int io_stream_ = 0;
 
+  [[nodiscard]] bool swallows(const arcos::Command& command);
+  [[nodiscard]] BaseInputs faulty(BaseInputs inputs, SimTime now);
+
+  BaseFaults faults_;
+  std::uint64_t sips_ = 0;
   BaseInputs inputs_;
   bool have_ticks_ = false;
   std::int64_t left_ticks_ = 0;

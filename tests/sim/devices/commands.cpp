@@ -4,108 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string_view>
+#include <vector>
 
-#include "tests/sim/devices/sim_rig.hpp"
+#include "tests/sim/devices/command_parts.hpp"
 
 namespace topo::sim {
 namespace {
-
-using nlohmann::json;
-
-/// The arguments of one command. Each is read by name and range; the first fault is kept. An argument that is
-/// not read is a fault.
-class Arguments {
- public:
-  explicit Arguments(const json& object) : object_(object) { known_ = {"command"}; }
-
-  double number(const std::string& key, double low, double high, std::optional<double> otherwise = {}) {
-    known_.insert(key);
-    if (!object_.contains(key)) {
-      if (!otherwise) fault("missing \"" + key + "\"");
-      return otherwise.value_or(low);
-    }
-    const json& value = object_.at(key);
-    const double got = value.is_number() ? value.get<double>() : std::nan("");
-    if (std::isfinite(got) && got >= low && got <= high) return got;
-    fault("\"" + key + "\" is " + value.dump() + ", expected a number from " + json(low).dump() + " to " +
-          json(high).dump());
-    return low;
-  }
-
-  /// The same for an integer.
-  std::int64_t whole(const std::string& key, double low, double high, std::optional<double> otherwise = {}) {
-    const double got = number(key, low, high, otherwise);
-    if (got == std::trunc(got)) return static_cast<std::int64_t>(got);
-    fault("\"" + key + "\" is " + object_.at(key).dump() + ", expected a whole number");
-    return static_cast<std::int64_t>(low);
-  }
-
-  bool boolean(const std::string& key, bool otherwise) {
-    known_.insert(key);
-    if (!object_.contains(key)) return otherwise;
-    if (object_.at(key).is_boolean()) return object_.at(key).get<bool>();
-    fault("\"" + key + "\" is " + object_.at(key).dump() + ", expected true or false");
-    return otherwise;
-  }
-
-  /// Index of the value among the allowed ones.
-  std::size_t choice(const std::string& key, std::span<const std::string_view> allowed,
-                     std::optional<std::size_t> otherwise = {}) {
-    known_.insert(key);
-    std::string all;
-    for (std::size_t i = 0; i < allowed.size(); ++i) {
-      if (object_.contains(key) && object_.at(key) == allowed[i]) return i;
-      all.append(i == 0 ? "" : ", ").append(allowed[i]);
-    }
-    if (!object_.contains(key) && otherwise) return *otherwise;
-    fault("\"" + key + "\" is " + (object_.contains(key) ? object_.at(key).dump() : "missing") +
-          ", expected one of " + all);
-    return 0;
-  }
-
-  void fault(std::string text) {
-    if (fault_.empty()) fault_ = std::move(text);
-  }
-  /// Empty when all arguments read were valid and no others were given.
-  [[nodiscard]] std::string finish() {
-    for (const auto& [key, value] : object_.items()) {
-      if (!known_.contains(key)) fault("unknown argument \"" + key + "\"");
-    }
-    return fault_;
-  }
-
- private:
-  const json& object_;
-  std::set<std::string> known_;
-  std::string fault_;
-};
-
-struct Context {
-  SimRig& rig;
-  Arguments& arguments;
-
-  RobotRig& robot() const { return rig.robot(robot_index()); }
-  std::size_t robot_index() const {
-    return static_cast<std::size_t>(
-        arguments.whole("robot", 0, static_cast<double>(rig.robot_count() - 1), 0));
-  }
-  DeviceId device() const { return static_cast<DeviceId>(arguments.choice("device", kDeviceNames)); }
-  DeviceId laser() const {
-    return static_cast<DeviceId>(arguments.choice("device", std::span(kDeviceNames).first(2)));
-  }
-  SimTime until(double otherwise_s) const {
-    return rig.now() + sim_seconds(arguments.number("seconds", 0, 1e6, otherwise_s));
-  }
-};
-
-/// The prepared effect of a command; runs only when all arguments are valid.
-using Action = std::function<json()>;
-
-json done() { return json::object(); }
 
 Action truth(const Context& c) {
   return [&rig = c.rig] {
@@ -213,9 +119,9 @@ Action bumper(const Context& c) {
 }
 
 Action battery(const Context& c) {
-  return [&robot = c.robot(), volts = c.arguments.number("volts", 0, 60)] {
-    return robot.base().set_battery(volts), done();
-  };
+  return [&robot = c.robot(), volts = c.arguments.number("volts", 0, 60),
+          fall = c.arguments.number("falls_v_per_s", 0, 60, 0),
+          now = c.rig.now()] { return robot.base().set_battery(volts, fall, now), done(); };
 }
 
 Action clock_jump(const Context& c) {
@@ -241,12 +147,6 @@ Action remove_obstacle(const Context& c) {
   };
 }
 
-struct Command {
-  std::string_view name;
-  std::string_view help;
-  Action (*prepare)(const Context&);
-};
-
 constexpr std::array kCommands{
     Command{"truth", "true poses, collisions, way and time of all robots", truth},
     Command{"status", "who is connected, states, overruns, difficulty", status},
@@ -259,11 +159,18 @@ constexpr std::array kCommands{
     Command{"reset", "device: power off and on; a base says 0xFF", reset},
     Command{"stop-button", "[pressed=true]: the robot's STOP button", stop_button},
     Command{"bumper", "[front=MASK] [rear=MASK] [seconds=0.5]: bit 0 is segment 1", bumper},
-    Command{"battery", "volts", battery},
+    Command{"battery", "volts [falls_v_per_s=0]", battery},
     Command{"clock-jump", "device=front|coronal ms: the sensor's clock steps", clock_jump},
     Command{"obstacle", "distance_m: a box appears so far ahead; answers its id", obstacle},
     Command{"remove-obstacle", "id: as obstacle answered it", remove_obstacle},
 };
+
+std::vector<Command> all_commands() {
+  std::vector<Command> all(kCommands.begin(), kCommands.end());
+  const auto content = content_commands();
+  all.insert(all.end(), content.begin(), content.end());
+  return all;
+}
 
 std::string refusal(const std::string& why) { return json{{"ok", false}, {"error", why}}.dump(); }
 
@@ -271,7 +178,7 @@ std::string refusal(const std::string& why) { return json{{"ok", false}, {"error
 
 std::string command_help() {
   std::string text;
-  for (const Command& command : kCommands) {
+  for (const Command& command : all_commands()) {
     text.append("  ").append(command.name);
     text.append(command.name.size() < 16 ? 17 - command.name.size() : 1, ' ');
     text.append(command.help).append("\n");
@@ -285,9 +192,9 @@ std::string run_command(SimRig& rig, const std::string& line) {
     return refusal("expected one JSON object a line with a \"command\"");
   }
   const auto name = request.at("command").get<std::string>();
-  const auto found =
-      std::find_if(kCommands.begin(), kCommands.end(), [&](const Command& c) { return c.name == name; });
-  if (found == kCommands.end())
+  const std::vector<Command> all = all_commands();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.name == name; });
+  if (found == all.end())
     return refusal("unknown command \"" + name + "\", expected one of:\n" + command_help());
   Arguments arguments(request);
   const Action action = found->prepare({rig, arguments});

@@ -39,6 +39,9 @@ class Endpoint {
   virtual types::Status open() = 0;
   /// Disconnects the device: the client's link breaks.
   virtual void close() = 0;
+  /// Forgets the client, whose link stays open: it is served no more and hears of no end. False where a line
+  /// has no ends to forget (anything but TCP), or no client is there.
+  virtual bool forget_client() { return false; }
   /// Accepts new clients and detects lost ones.
   virtual void service() = 0;
   /// Number of bytes read, 0 when there are none.

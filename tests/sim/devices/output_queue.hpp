@@ -25,9 +25,18 @@ class OutputQueue {
   /// Queues a message that may be lost (a scan, a SIP): with a slow client it is dropped completely and
   /// counted.
   bool push_droppable(std::string message, SimTime due) {
+    if (copies_ > 1 || back_ > 0) push_again(message, due);
     if (push_below(std::move(message), due, byte_limit_)) return true;
     ++dropped_;
     return false;
+  }
+
+  /// A fault of the line: every message that may be lost leaves `copies` times; 1: once.
+  void repeat(std::size_t copies) { copies_ = copies; }
+  /// With every message that may be lost leaves the one that left `back` messages before; 0: none.
+  void replay(std::size_t back) {
+    back_ = back;
+    history_.clear();
   }
 
   /// The bytes that may be sent now, at most max_bytes: the rest of the front message. Empty when none is
@@ -69,6 +78,18 @@ class OutputQueue {
     return true;
   }
 
+  void push_again(const std::string& message, SimTime due) {
+    for (std::size_t i = 1; i < copies_; ++i) push_below(message, due, byte_limit_);
+    if (back_ == 0) return;
+    history_.push_back(message);
+    if (history_.size() <= back_) return;
+    push_below(std::move(history_.front()), due, byte_limit_);
+    history_.pop_front();
+  }
+
+  std::size_t copies_ = 1;
+  std::size_t back_ = 0;
+  std::deque<std::string> history_;  ///< while replaying
   std::deque<Message> messages_;
   std::size_t offset_ = 0;  ///< bytes of the front message already sent
   std::size_t bytes_ = 0;

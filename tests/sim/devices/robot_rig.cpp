@@ -89,7 +89,10 @@ RobotConfig pty_robot(const std::filesystem::path& folder) {
 }
 
 RobotRig::RobotRig(const RobotConfig& config, std::size_t number, std::uint64_t seed)
-    : config_(config), seed_(seed), base_(base_parameters(config, number), derive_seed(seed, 1)) {
+    : config_(config),
+      number_(number),
+      seed_(seed),
+      base_(base_parameters(config, number), derive_seed(seed, 1)) {
   const std::array models{config.front, config.coronal};
   for (std::size_t i = 0; i < lasers_.size(); ++i) {
     serials_[i] = serial_number(number, i);
@@ -142,8 +145,24 @@ WheelSpeeds RobotRig::wheel_speeds(SimTime now, SimTime dt, const RobotBody& bod
   return {wanted.left_mps, wanted.right_mps};
 }
 
+void RobotRig::exchange_scanners() {
+  exchanged_ = !exchanged_;
+  for (const DeviceId id : {DeviceId::kFront, DeviceId::kCoronal}) set_foreign(id, false);
+}
+
+void RobotRig::set_foreign(DeviceId id, bool foreign) {
+  if (id == DeviceId::kBase) {
+    const arcos::Parameters own = base_parameters(config_, number_);
+    base_.set_identity(foreign ? own.robot_name + "_other" : own.robot_name,
+                       foreign ? "OTHER_1" : own.serial);
+    return;
+  }
+  const auto at = static_cast<std::size_t>(id);
+  lasers_[at]->set_serial(foreign ? "H9999999" : serials_[exchanged_ ? 1 - at : at]);
+}
+
 void RobotRig::on_sweep(std::size_t laser, const Sweep& sweep) {
-  ScipDevice& device = *lasers_[laser];
+  ScipDevice& device = *lasers_[exchanged_ ? 1 - laser : laser];
   if (!device.laser_on()) return;
   turn_.step0 = sweep.step0;
   turn_.beams.resize(sweep.range_mm.size());

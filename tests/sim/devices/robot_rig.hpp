@@ -38,15 +38,21 @@ class RobotRig final : public WheelDrive, public SensorSink {
   [[nodiscard]] ScipDevice& laser(DeviceId id) { return *lasers_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] Wire& wire(DeviceId id) { return *wires_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const std::string& laser_serial(DeviceId id) const {
-    return serials_[static_cast<std::size_t>(id)];
+    return lasers_[static_cast<std::size_t>(id)]->serial();
   }
+  /// The two scanners at each other's plug, with their serial numbers, in mid-stream; again: as before.
+  void exchange_scanners();
+  /// From the next connection on another device of the same kind, by its name and serial number; or the own.
+  void set_foreign(DeviceId id, bool foreign);
   [[nodiscard]] const RobotConfig& config() const { return config_; }
 
  private:
   RobotConfig config_;
+  std::size_t number_;
   std::uint64_t seed_;
   ArcosDevice base_;
-  std::array<std::string, 2> serials_;
+  std::array<std::string, 2> serials_;  ///< as they were built in
+  bool exchanged_ = false;
   std::array<std::unique_ptr<ScipDevice>, 2> lasers_;
   std::array<std::unique_ptr<Wire>, kDeviceCount> wires_;
   scip::Turn turn_;

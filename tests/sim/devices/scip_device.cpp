@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <utility>
 
 #include "tests/sim/devices/scip_text.hpp"
@@ -126,8 +127,20 @@ void ScipDevice::reply(std::string_view echo, std::string_view status, SimTime n
   output_.push(scip::status_reply(echo, status), now);
 }
 
-void ScipDevice::deliver(const scip::Turn& turn, SimTime now) {
+bool ScipDevice::change_steps(int start, int end) {
+  if (!streaming_ || start < model_.amin || end < start || end > model_.amax) return false;
+  request_.start = start;
+  request_.end = end;
+  std::array<char, 16> digits{};
+  std::snprintf(digits.data(), digits.size(), "%04d%04d", start, end);
+  constexpr std::size_t kStepsAt = 2, kStepsSize = 8;  // MD SSSS EEEE CC I NN
+  request_line_.replace(kStepsAt, kStepsSize, digits.data());
+  return true;
+}
+
+void ScipDevice::deliver(const scip::Turn& measured, SimTime now) {
   if (!laser_on()) return;
+  const scip::Turn turn = faults_.seen(measured, model_);
   const SimTime end = turn.step0 + model_.period() * model_.amax / model_.ares;
   const SimTime due = std::max(now, end + kSendTick);
   latest_ = turn;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "tests/sim/devices/device_clock.hpp"
+#include "tests/sim/devices/scan_faults.hpp"
 #include "tests/sim/devices/scip_models.hpp"
 #include "tests/sim/devices/scip_scan.hpp"
 #include "tests/sim/devices/scip_text.hpp"
@@ -55,6 +56,13 @@ class ScipDevice final : public WireDevice {
 
   void set_health(ScipHealth health, SimTime now);
   void jump_clock(double ms) { clock_.jump(ms); }
+  [[nodiscard]] const std::string& serial() const { return options_.serial; }
+  /// Another sensor by its serial number, as the host hears when it asks.
+  void set_serial(std::string serial) { options_.serial = std::move(serial); }
+  [[nodiscard]] ScanFaults& faults() { return faults_; }
+  /// Sends other steps from the next scan on, as if another host had asked for them, until the next request.
+  /// False when it does not stream, or has no such steps.
+  bool change_steps(int start, int end);
 
  private:
   using Handler = void (ScipDevice::*)(const scip::Request&, SimTime);
@@ -105,6 +113,7 @@ class ScipDevice final : public WireDevice {
   int scans_to_wait_ = 0;
   SimTime waiting_until_{0};
 
+  ScanFaults faults_;
   ScipHealth health_ = ScipHealth::kGood;
   bool scip11_ = false;
   bool wedged_ = false;

@@ -90,7 +90,7 @@ void SimHarness::bumper(std::size_t robot, std::uint8_t front, std::uint8_t rear
   });
 }
 void SimHarness::battery(std::size_t robot, double volts) {
-  with_rig([=](SimRig& rig) { rig.robot(robot).base().set_battery(volts); });
+  with_rig([=](SimRig& rig) { rig.robot(robot).base().set_battery(volts, 0.0, rig.now()); });
 }
 void SimHarness::clock_jump(std::size_t robot, DeviceId laser, double ms) {
   with_rig([=](SimRig& rig) { rig.robot(robot).laser(laser).jump_clock(ms); });

@@ -43,8 +43,15 @@ class TcpEndpoint final : public Endpoint {
   }
 
   void close() override {
+    forgotten_.clear();
     client_.reset();
     listener_.reset();
+  }
+
+  bool forget_client() override {
+    if (!client_.valid()) return false;
+    forgotten_.push_back(std::move(client_));
+    return true;
   }
 
   void service() override {
@@ -105,6 +112,7 @@ class TcpEndpoint final : public Endpoint {
   std::uint16_t port_;
   FileDescriptor listener_;
   FileDescriptor client_;
+  std::vector<FileDescriptor> forgotten_;
 };
 
 }  // namespace

@@ -39,6 +39,8 @@ void Wire::notice_loss(SimTime now) {
   const bool connected = endpoint_->connected();
   if (was_connected_ && !connected) {
     staged_.clear();
+    from_device_.clear();  // a link that breaks loses what it carries
+    to_device_.clear();
     if (!endpoint_->serial()) device_.client_gone(now);
   }
   was_connected_ = connected;
@@ -47,9 +49,11 @@ void Wire::notice_loss(SimTime now) {
 void Wire::receive(SimTime now) {
   std::array<std::uint8_t, kChunk> buffer;
   const std::size_t got = endpoint_->read(buffer);
-  if (got == 0) return;
   std::string bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(got));
   spoil(bytes);
+  if (!bytes.empty()) to_device_.push(std::move(bytes), now);
+  bytes = to_device_.take(now);
+  if (bytes.empty()) return;
   device_.receive({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, now);
 }
 
@@ -88,20 +92,32 @@ void Wire::discard_output(SimTime now) {
 }
 
 void Wire::stage(SimTime now) {
+  staged_ = from_device_.take(now);
+  if (!staged_.empty()) return;
+  if (!from_device_.active()) {
+    staged_ = next_piece(now);
+    return;
+  }
+  for (std::string piece = next_piece(now); !piece.empty(); piece = next_piece(now))
+    from_device_.push(std::move(piece), now);
+}
+
+std::string Wire::next_piece(SimTime now) {
   if (garbage_ > 0) {
     const std::size_t count = std::min(garbage_, kChunk);
-    for (std::size_t i = 0; i < count; ++i) staged_.push_back(static_cast<char>(random_()));
+    std::string noise;
+    for (std::size_t i = 0; i < count; ++i) noise.push_back(static_cast<char>(random_()));
     garbage_ -= count;
-    return;
+    return noise;
   }
   const bool paced = bytes_per_s() > 0.0;
   const std::size_t most = paced ? std::min(kChunk, static_cast<std::size_t>(credit_)) : kChunk;
-  const auto piece = device_.output().peek(now, most);
-  if (piece.empty()) return;
-  staged_ = piece;
-  device_.output().consume(staged_.size());
-  if (paced) credit_ -= static_cast<double>(staged_.size());
-  spoil(staged_);
+  std::string piece(device_.output().peek(now, most));
+  if (piece.empty()) return piece;
+  device_.output().consume(piece.size());
+  if (paced) credit_ -= static_cast<double>(piece.size());
+  spoil(piece);
+  return piece;
 }
 
 void Wire::transmit(SimTime now) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/types/result.hpp"
+#include "tests/sim/devices/delay_line.hpp"
 #include "tests/sim/devices/endpoint.hpp"
 #include "tests/sim/devices/sim_time.hpp"
 #include "tests/sim/devices/wire_device.hpp"
@@ -35,6 +36,15 @@ class Wire {
   void slow(double bytes_per_s) { slow_bytes_per_s_ = bytes_per_s; }
   /// Drops this share of the bytes, in both directions.
   void drop(double rate) { drop_rate_ = rate; }
+  /// Holds all bytes from, or to, the device; as DelayLine::set().
+  void delay_from_device(SimTime constant, double growth, SimTime now) {
+    from_device_.set(constant, growth, now);
+  }
+  void delay_to_device(SimTime constant, double growth, SimTime now) {
+    to_device_.set(constant, growth, now);
+  }
+  /// As Endpoint::forget_client(): a half-open link.
+  bool forget_client() { return endpoint_->forget_client(); }
   /// Inserts this number of random bytes into the device's output.
   void garbage(std::size_t bytes) { garbage_ += bytes; }
 
@@ -46,6 +56,7 @@ class Wire {
   void receive(SimTime now);
   void transmit(SimTime now);
   void stage(SimTime now);
+  std::string next_piece(SimTime now);
   void discard_output(SimTime now);
   void spoil(std::string& bytes);
   [[nodiscard]] bool speeds_differ() const;
@@ -61,6 +72,7 @@ class Wire {
   double slow_bytes_per_s_ = 0.0;
   double drop_rate_ = 0.0;
   std::size_t garbage_ = 0;
+  DelayLine from_device_, to_device_;
   std::string staged_;   ///< to be written, with faults already applied
   double credit_ = 0.0;  ///< bytes that the line's speed permits now
   SimTime last_{0};
