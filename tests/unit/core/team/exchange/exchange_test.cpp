@@ -209,7 +209,7 @@ TEST(Exchange, AReplayedStatusIsDroppedAndCounted) {
 }
 
 TEST(Exchange, WhatIsNotOfTheTeamIsCountedByItsKind) {
-  Robot a(1), other({kTeam + 1, 2, 1}, params_for(2)), mine(1);
+  Robot a(1), other({kTeam + 1, 2, 1}, params_for(2));
   for (const Datagram& datagram : other.exchange.datagrams(at(0.0))) a.exchange.take(datagram, at(0.0));
   EXPECT_EQ(a.exchange.counters().other_team, 1U);
   Datagram later = other.exchange.datagrams(at(1.0)).front();
@@ -219,7 +219,7 @@ TEST(Exchange, WhatIsNotOfTheTeamIsCountedByItsKind) {
   a.exchange.take({}, at(1.0));
   a.exchange.take(std::vector<std::byte>(kDatagramBytesMax + 1), at(1.0));
   EXPECT_EQ(a.exchange.counters().malformed, 2U);
-  for (const Datagram& datagram : mine.exchange.datagrams(at(1.0))) a.exchange.take(datagram, at(1.0));
+  for (const Datagram& datagram : a.exchange.datagrams(at(1.0))) a.exchange.take(datagram, at(1.0));
   EXPECT_EQ(a.exchange.counters().own_echo, 1U);
   EXPECT_TRUE(a.exchange.peers(at(1.0)).empty());
   EXPECT_TRUE(a.exchange.take_news(at(1.0)).empty());
