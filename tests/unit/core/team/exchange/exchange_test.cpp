@@ -69,6 +69,19 @@ TEST(Exchange, WhatTheReceiverHasIsNotSent) {
   EXPECT_EQ(b.exchange.counters().repeated, 0U) << "nor was any piece sent twice";
 }
 
+TEST(Exchange, WhatIsJustMadeGoesBeforeAnybodyAsks) {
+  Robot a(1), b(2);
+  talk(a, b, 0.0, 4.0);
+  ASSERT_TRUE(a.make());
+  for (double t = 4.0; t < 5.0; t += 0.05) send(a, b, at(t));  // nothing comes back
+  EXPECT_EQ(keyframes(b), 1U);
+  Robot c(3);
+  ASSERT_TRUE(c.make());
+  for (double t = 0.0; t < 5.0; t += 0.05) (void)c.exchange.datagrams(at(t));
+  EXPECT_EQ(c.exchange.counters().sent_bytes_of.at(static_cast<std::size_t>(MessageKind::kPiece)), 0U)
+      << "nobody hears it";
+}
+
 TEST(Exchange, NewsAreBounded) {
   Robot a(1), b(2);
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(a.make(50));
