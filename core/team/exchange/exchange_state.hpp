@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -39,6 +40,8 @@ struct Sender {
   std::optional<std::uint64_t> summary_hash;  ///< of the store at the last summary
   types::Stamp summarised{};
   std::uint64_t picks = 0;  ///< pieces chosen so far
+  /// By kind, the own item that is the next to go before anybody asks.
+  std::array<std::uint32_t, kItemKinds> pushed{};
 };
 
 struct ExchangeState {

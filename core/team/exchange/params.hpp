@@ -58,6 +58,7 @@ struct CapParams {
   std::size_t oldest_wanted = 96;          ///< incomplete keyframes, oldest first: 2 s of catching up
   std::size_t newest_wanted = 32;          ///< and newest first
   std::size_t small_wanted = 192;          ///< relations, and as many log entries
+  std::size_t pushed = 8;                  ///< own new items of a kind that go before anybody asks, newest
   std::size_t wanted_items = 512;          ///< that one mate's wants may name; the rest is not looked at
   std::size_t peers = 32;                  ///< robots that are kept account of
   std::size_t streams = 512;               ///< 32 robots with five runs each

@@ -75,6 +75,7 @@ class Composer {
     refill(due.wanted_bytes);
     add_orders();
     if (sender_.budget.bytes() >= 0.0) add_words();
+    push_own();
     add_items(std::move(due), mates);
     std::vector<Datagram> datagrams = out_.take();
     sender_.budget.spend(copies() * out_.bytes());
@@ -180,6 +181,42 @@ class Composer {
     return sender_.budget.allows(copies() * (out_.bytes() + static_cast<double>(bytes)));
   }
 
+  /// What was just made goes at once, once: a summary and a want take a second. What is lost is wanted.
+  /// Nothing is pushed while nobody hears it, or while mates lack much.
+  void push_own() {
+    const bool heard = std::ranges::any_of(
+        state_.peers.all(), [&](const auto& entry) { return hears_us(entry.second, periods(), now_); });
+    for (const ItemKind kind : {ItemKind::kLog, ItemKind::kRelation, ItemKind::kKeyframe}) {
+      const StreamKey key{kind, state_.self()};
+      const ItemStream* stream = state_.store.stream(key);
+      if (stream == nullptr) continue;
+      std::uint32_t& next = sender_.pushed.at(static_cast<std::size_t>(kind));
+      const auto newest = static_cast<std::uint32_t>(std::min<std::size_t>(
+          stream->end(), heard && !sender_.catching_up ? state_.params.caps.pushed : 0));
+      next = std::max(next, stream->end() - newest);
+      while (next < stream->end() && push({key, next})) ++next;
+    }
+  }
+
+  /// False when the budget does not allow all of it now.
+  bool push(const ItemKey& key) {
+    const ItemBytes item = state_.store.find(key);
+    if (item == nullptr) return true;
+    const bool whole = key.stream.kind != ItemKind::kKeyframe;
+    const std::size_t pieces = whole ? 1 : pieces_of(item->size());
+    for (std::uint8_t i = 0; i < pieces; ++i) {
+      if (sender_.sent.find(key, i)) continue;
+      const std::size_t size = whole ? item->size() : span_of(item->size(), i).size;
+      if (!allows(size)) return false;
+      const DuePiece piece{key, i, 0, 0, static_cast<std::uint32_t>(size)};
+      if (whole)
+        add_small(key.stream.kind == ItemKind::kLog ? MessageKind::kLog : MessageKind::kRelation, piece);
+      else
+        add_piece(piece, std::nullopt);
+    }
+    return true;
+  }
+
   void add_items(Due due, std::span<const Peer* const> mates) {
     for (const DuePiece& piece : due.log) {
       if (allows(piece.size)) add_small(MessageKind::kLog, piece);
@@ -190,7 +227,8 @@ class Composer {
       const bool turn = pieces.empty() || sender_.picks % kRelationsEvery == kRelationsEvery - 1;
       if (turn) add_relations(due.relations, next_relation);
       if (pieces.empty()) break;
-      add_piece(pieces);
+      const PieceQueue::Pick pick = pieces.take(sender_.picks++ % kNewestEvery == kNewestEvery - 1);
+      add_piece(pick.piece, pick.partner);
       // What a piece leaves free takes a relation.
       while (next_relation < due.relations.size() && out_.fits(due.relations[next_relation].size + 20))
         add_small(MessageKind::kRelation, due.relations[next_relation++]);
@@ -213,8 +251,7 @@ class Composer {
     sender_.sent.note(piece.key, piece.index, counter);
   }
 
-  void add_piece(PieceQueue& pieces) {
-    const auto [piece, partner] = pieces.take(sender_.picks++ % kNewestEvery == kNewestEvery - 1);
+  void add_piece(const DuePiece& piece, const std::optional<DuePiece>& partner) {
     const ItemBytes item = state_.store.find(piece.key);
     const PieceHead head = head_of(piece.key, *item, piece.index);
     std::uint32_t counter = 0;

@@ -109,9 +109,8 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
   app.add_option("--limit", explore.limit_s, "Seconds of the robot's time")->capture_default_str();
   app.add_option(
          "--radio", explore.radio,
-         "Of several robots: perfect, none, or items joined by +: range:M (metres), loss:P (share of datagrams),
-         "
-         "delay:S (seconds), cut:FROM:TO (seconds)")
+         "Of several robots: perfect, none, or items joined by +: range:M (metres), loss:P (share of\n"
+         "datagrams), delay:S (seconds), cut:FROM:TO (seconds)")
       ->capture_default_str();
   app.add_option(
          "--contact", explore.contact_lost_s,

@@ -11,13 +11,13 @@ ContactSetup apart(std::uint32_t keyframes, double loss) {
   ContactSetup setup;
   setup.keyframes = keyframes;
   setup.loss = loss;
-  setup.steady_s = 60.0;
+  setup.steady_s = 40.0;
   return setup;
 }
 
 TEST(Contact, RobotsThatWereApartHaveTheSameSetsInTheEnd) {
   for (const double loss : {0.0, 0.3, 0.7}) {
-    const ContactResult result = run_contact(apart(150, loss));
+    const ContactResult result = run_contact(apart(80, loss));
     EXPECT_TRUE(result.same_sets) << loss;
     EXPECT_LE(result.catch_up_Bps, 205'000.0) << loss;
   }
@@ -32,7 +32,7 @@ TEST(Contact, TwoAsWellAsFive) {
 }
 
 TEST(Contact, IncompleteItemsDoNotGrowWithTheTimeApart) {
-  const ContactResult few = run_contact(apart(300, 0.3)), many = run_contact(apart(1'200, 0.3));
+  const ContactResult few = run_contact(apart(150, 0.3)), many = run_contact(apart(600, 0.3));
   EXPECT_LT(many.assembly_bytes_max, 2 * few.assembly_bytes_max);
 }
 

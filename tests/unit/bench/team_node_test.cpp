@@ -90,8 +90,13 @@ bool each_once(std::vector<slam::KeyframeId> ids, std::size_t count) {
 types::Stamp at(double t_s) { return types::stamp_from_seconds(t_s); }
 
 /// All that one sends now arrives at the other at once.
-void send(Robot& from, Robot& to, double t_s) {
+void deliver(Robot& from, Robot& to, double t_s) {
   for (const team::Datagram& datagram : from.node.exchange(at(t_s))) to.node.take(datagram, at(t_s));
+}
+
+/// The same, and what the other says is not heard.
+void send(Robot& from, Robot& to, double t_s) {
+  deliver(from, to, t_s);
   (void)to.node.exchange(at(t_s));  // takes what came
 }
 
@@ -153,8 +158,8 @@ TEST(TeamNode, aWordSaysWhereTheRobotIsWhenItIsSent) {
   mate.node.say(message(1, 5.0));
   for (const double x_m : {5.1, 5.2}) {
     mate.source.stands.x_m = x_m;
-    send(mate, robot, x_m);
-    send(mate, robot, x_m + 0.5);
+    send(mate, robot, 10.0 * x_m);
+    send(mate, robot, 10.0 * x_m + 0.5);
   }
   const auto messages = robot.node.heard().messages;
   ASSERT_GE(messages.size(), 2U);
@@ -176,8 +181,8 @@ TEST(TeamNode, hearsAMateInItsOwnFrameOrNotAtAll) {
   robot.source.T_map_mate = types::Se2{1.0, 2.0, 0.5 * std::numbers::pi};
   for (double t_s = 0.5; t_s < 5.0; t_s += 0.1) {
     (void)robot.node.heard();
-    send(mate, robot, t_s);
-    send(robot, mate, t_s);
+    deliver(mate, robot, t_s);
+    deliver(robot, mate, t_s);
   }
   send(mate, robot, 6.0);
   const auto messages = robot.node.heard().messages;

@@ -69,6 +69,19 @@ TEST(Exchange, WhatTheReceiverHasIsNotSent) {
   EXPECT_EQ(b.exchange.counters().repeated, 0U) << "nor was any piece sent twice";
 }
 
+TEST(Exchange, WhatIsJustMadeGoesBeforeAnybodyAsks) {
+  Robot a(1), b(2);
+  talk(a, b, 0.0, 4.0);
+  ASSERT_TRUE(a.make());
+  for (double t = 4.0; t < 5.0; t += 0.05) send(a, b, at(t));  // nothing comes back
+  EXPECT_EQ(keyframes(b), 1U);
+  Robot c(3);
+  ASSERT_TRUE(c.make());
+  for (double t = 0.0; t < 5.0; t += 0.05) (void)c.exchange.datagrams(at(t));
+  EXPECT_EQ(c.exchange.counters().sent_bytes_of.at(static_cast<std::size_t>(MessageKind::kPiece)), 0U)
+      << "nobody hears it";
+}
+
 TEST(Exchange, NewsAreBounded) {
   Robot a(1), b(2);
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(a.make(50));
@@ -209,7 +222,7 @@ TEST(Exchange, AReplayedStatusIsDroppedAndCounted) {
 }
 
 TEST(Exchange, WhatIsNotOfTheTeamIsCountedByItsKind) {
-  Robot a(1), other({kTeam + 1, 2, 1}, params_for(2)), mine(1);
+  Robot a(1), other({kTeam + 1, 2, 1}, params_for(2));
   for (const Datagram& datagram : other.exchange.datagrams(at(0.0))) a.exchange.take(datagram, at(0.0));
   EXPECT_EQ(a.exchange.counters().other_team, 1U);
   Datagram later = other.exchange.datagrams(at(1.0)).front();
@@ -219,7 +232,7 @@ TEST(Exchange, WhatIsNotOfTheTeamIsCountedByItsKind) {
   a.exchange.take({}, at(1.0));
   a.exchange.take(std::vector<std::byte>(kDatagramBytesMax + 1), at(1.0));
   EXPECT_EQ(a.exchange.counters().malformed, 2U);
-  for (const Datagram& datagram : mine.exchange.datagrams(at(1.0))) a.exchange.take(datagram, at(1.0));
+  for (const Datagram& datagram : a.exchange.datagrams(at(1.0))) a.exchange.take(datagram, at(1.0));
   EXPECT_EQ(a.exchange.counters().own_echo, 1U);
   EXPECT_TRUE(a.exchange.peers(at(1.0)).empty());
   EXPECT_TRUE(a.exchange.take_news(at(1.0)).empty());
