@@ -75,6 +75,9 @@ std::string cyclone_config(const RadioPlan& plan, const std::string& plugins) {
   // asm: any-source multicast for data, on the team's group. One receive thread: with several, deleting the
   // participant waits for ever for a packet that the thread of the multicast socket sends to itself over an
   // interface that is down.
+  // Messages over an Ethernet frame are those of the security handshake alone: some 3 kB, lost when one of
+  // their frames is, so as few frames as possible. With 30 % of the frames lost it took 4 s on average in
+  // place of 7 s at 1400 bytes.
   const bool multicast = plan.peers.empty();
   return fmt::format(
       "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"{}\"/></Interfaces>"

@@ -25,7 +25,7 @@ constexpr int kTurn_ms = 200;
 }  // namespace
 
 std::string carried_text(const Carried& carried) {
-  std::string text = fmt::format("{}:", carried.daemon_fd);
+  std::string text = fmt::format("{}{}:", carried.quiet ? "q" : "", carried.daemon_fd);
   for (const std::byte b : encode_stats(carried.stats))
     text += fmt::format("{:02x}", std::to_integer<unsigned>(b));
   return text;
@@ -35,9 +35,10 @@ Carried parse_carried(const std::string& text) {
   Carried carried;
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return {};
+  carried.quiet = text.starts_with('q');
+  const char* const number = text.data() + (carried.quiet ? 1 : 0);
   const char* const end = text.data() + text.size();
-  if (std::from_chars(text.data(), text.data() + colon, carried.daemon_fd).ptr != text.data() + colon)
-    return {};
+  if (std::from_chars(number, text.data() + colon, carried.daemon_fd).ptr != text.data() + colon) return {};
   std::vector<std::byte> bytes;
   for (const char* at = text.data() + colon + 1; at + 2 <= end; at += 2) {
     unsigned value = 0;
@@ -59,6 +60,7 @@ LinkLoop::LinkLoop(const TeamConfig& team, const Carried& carried, NetworkWatch 
       signals_(std::move(signals)),
       line_(team.socket, identity_, carried.daemon_fd),
       address_(network_address(team.interface)),
+      came_quiet_(carried.quiet),
       own_(carried.stats) {
   failed_at_ = types::Stamp{} - params_.try_again;
 }
@@ -91,6 +93,19 @@ bool LinkLoop::stopped() const {
   return ::read(signals_.get(), &info, sizeof info) == sizeof info;
 }
 
+/// Whether a handshake may have been left half done: with credentials, and no mate for long.
+bool LinkLoop::lonely(types::Stamp now) {
+  const bool up = radio_ && address_ && radio_->shared().up.load(std::memory_order_acquire);
+  if (!team_.secure() || !up || radio_->shared().mates.load(std::memory_order_relaxed) > 0) {
+    lonely_since_.reset();
+    return false;
+  }
+  if (!lonely_since_) lonely_since_ = now;
+  // The spread keeps two robots from beginning anew together: any number that they do not share will do.
+  const types::Duration chance = lonely_since_->time_since_epoch() % params_.lonely_spread;
+  return now - *lonely_since_ > params_.lonely + chance;
+}
+
 /// The participant keeps the interface that it was made with: another address, an interface that was down or
 /// gone, and a call that does not return are all cured by another participant.
 bool LinkLoop::must_begin_anew(types::Stamp now) {
@@ -111,7 +126,8 @@ bool LinkLoop::must_begin_anew(types::Stamp now) {
                   types::to_seconds(params_.hang));
     return true;
   }
-  return false;
+  quiet_ = lonely(now);
+  return quiet_;
 }
 
 void LinkLoop::start_radio(types::Stamp now) {
@@ -136,10 +152,11 @@ void LinkLoop::start_radio(types::Stamp now) {
 void LinkLoop::watch_radio() {
   if (!radio_) return;
   if (radio_->shared().up.load(std::memory_order_acquire) && !std::exchange(told_up_, true))
-    spdlog::info("the radio is up on {} ({}), team {}, robot {}, domain {}, {}, security {}", team_.interface,
-                 made_for_ ? made_for_->address : "", team_.name, team_.id, team_.domain,
-                 team_.peers.empty() ? "multicast" : fmt::format("{} peers", team_.peers.size()),
-                 team_.security);
+    spdlog::log(came_quiet_ ? spdlog::level::debug : spdlog::level::info,
+                "the radio is up on {} ({}), team {}, robot {}, domain {}, {}, security {}", team_.interface,
+                made_for_ ? made_for_->address : "", team_.name, team_.id, team_.domain,
+                team_.peers.empty() ? "multicast" : fmt::format("{} peers", team_.peers.size()),
+                team_.security);
 }
 
 void LinkLoop::to_radio(std::span<const std::byte> datagram) {
@@ -233,7 +250,7 @@ LinkLoop::End LinkLoop::run() {
 
 Carried LinkLoop::carried() {
   const int fd = line_.joined() ? ::fcntl(line_.fd(), F_DUPFD, 3) : -1;  // without close-on-exec
-  return {fd, stats()};
+  return {fd, stats(), quiet_};
 }
 
 }  // namespace topo::daemon

@@ -60,10 +60,14 @@ TEST(Carried, IsReadBack) {
   const Carried read = parse_carried(carried_text(carried));
   EXPECT_EQ(read.daemon_fd, 12);
   EXPECT_EQ(read.stats, carried.stats);
+  EXPECT_FALSE(read.quiet);
+  carried.quiet = true;
+  EXPECT_TRUE(parse_carried(carried_text(carried)).quiet);
+  EXPECT_EQ(parse_carried(carried_text(carried)).daemon_fd, 12);
 }
 
 TEST(Carried, AnUnreadableTextCarriesNothing) {
-  const std::string whole = carried_text({.daemon_fd = 12, .stats = with(3, 4)});
+  const std::string whole = carried_text({.daemon_fd = 12, .stats = with(3, 4), .quiet = false});
   for (const std::string& text : {std::string(), std::string("x"), std::string("12:"), std::string("12:03zz"),
                                   whole.substr(0, whole.size() - 1), "x" + whole}) {
     const Carried read = parse_carried(text);
