@@ -112,6 +112,8 @@ StatusMessage full_status() {
   status.home = types::Vector2(4.0, 5.0);
   status.duty = Duty::kAble;
   status.claim = Bid{{1.0 / 7.0, 2.0}, 10.0 / 3.0, false};
+  status.in_common_frame = true;
+  status.anchors = {{4'000'000'000U, 0, {1.0 / 3.0, 2.0, 3.0}}, {17, 300, {-5.0, 1e-9, -1.0}}};
   for (int i = 0; i < 30; ++i) status.bids.push_back({{i * 1.25, -i * 0.5}, 3.0 * i - 8.0, i % 2 == 0});
   for (int i = 0; i < 20; ++i) status.way_map.emplace_back(0.3 * i, 0.02 * i);
   return status;
@@ -127,6 +129,13 @@ TEST(StatusCodec, ClaimAndPoseAreExactTheRestToACentimetre) {
   EXPECT_EQ(read->start, status.start);
   EXPECT_EQ(read->home, status.home);
   EXPECT_EQ(read->duty, status.duty);
+  EXPECT_TRUE(read->in_common_frame);
+  ASSERT_EQ(read->anchors.size(), status.anchors.size());
+  for (std::size_t i = 0; i < status.anchors.size(); ++i) {
+    EXPECT_EQ(read->anchors[i].run, status.anchors[i].run);
+    EXPECT_EQ(read->anchors[i].sequence, status.anchors[i].sequence);
+    EXPECT_EQ(read->anchors[i].T_map_base, status.anchors[i].T_map_base);
+  }
   EXPECT_EQ(read->claim->p_map, status.claim->p_map);
   EXPECT_EQ(read->claim->cost_m, status.claim->cost_m);
   EXPECT_EQ(read->claim->essential, false);
@@ -143,7 +152,7 @@ TEST(StatusCodec, ClaimAndPoseAreExactTheRestToACentimetre) {
 TEST(StatusCodec, AsManyBidsAsThereIsRoomFor) {
   StatusMessage status = full_status();
   for (int i = 0; i < 1'000; ++i) status.bids.push_back({{i * 97.25, -i * 31.5}, 300.0 * i, true});
-  for (const std::size_t room : {std::size_t{120}, std::size_t{400}, kBodyBytesMax}) {
+  for (const std::size_t room : {std::size_t{220}, std::size_t{400}, kBodyBytesMax}) {
     const auto bytes = encode_status(status, room);
     EXPECT_LE(bytes.size(), room);
     const auto read = decode_status(3, bytes);
