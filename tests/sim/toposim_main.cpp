@@ -16,6 +16,7 @@
 #include "drivers/io/run_program.hpp"
 #include "tests/sim/devices/commands.hpp"
 #include "tests/sim/devices/sim_rig.hpp"
+#include "tests/sim/team_start.hpp"
 
 namespace {
 
@@ -128,7 +129,8 @@ void add_options(CLI::App& app, Options& o) {
                  "any, or standard: 10940, 10941 and 8101 for robot 0, ten more for each further robot")
       ->check(CLI::IsMember({"any", "standard"}))
       ->capture_default_str();
-  app.add_option("--start", o.starts, "start of a robot, m and rad; once a robot; else the world's")
+  app.add_option("--start", o.starts,
+                 "start of a robot, m and rad; once a robot; else the world's, or around the first")
       ->type_name("X Y THETA")
       ->check([](const std::string& text) {
         double value = 0.0;
@@ -233,6 +235,21 @@ types::Result<sim::RigConfig> rig_config(const Options& o) {
   return config;
 }
 
+/// Robots for which neither the command line nor the world has a start stand around the first.
+types::Status place_the_others(const sim::World& world, sim::RigConfig& config) {
+  const auto named = world.start_poses();
+  if (named.empty() || config.robots.size() <= named.size()) return {};
+  const bool all_given =
+      std::ranges::all_of(config.robots, [](const auto& robot) { return robot.start.has_value(); });
+  if (all_given) return {};
+  const sim::Se2 first = config.robots.front().start.value_or(named.front());
+  const auto starts = sim::team_starts(world, first, static_cast<int>(config.robots.size()));
+  if (!starts) return tl::unexpected(starts.error());
+  for (std::size_t i = 0; i < config.robots.size(); ++i)
+    if (!config.robots[i].start) config.robots[i].start = (*starts)[i];
+  return {};
+}
+
 json address_json(const sim::DeviceAddress& address) {
   if (!address.interface.empty())
     return {{"transport", "can"},
@@ -321,8 +338,9 @@ int run_simulation(const Options& o) {
     return kFailure;
   auto world = sim::World::load(o.world);
   if (!world.has_value()) return complain(world.error());
-  const auto config = rig_config(o);
+  auto config = rig_config(o);
   if (!config.has_value()) return complain(config.error());
+  if (auto placed = place_the_others(*world, *config); !placed) return complain(placed.error());
   auto rig = sim::SimRig::create(std::move(*world), *config);
   if (!rig.has_value()) return complain(rig.error());
   announce(**rig, o);

@@ -7,9 +7,9 @@
 
 #include <set>
 
-#include "tests/bench/topobench/explore/team_start.hpp"
 #include "tests/sim/area.hpp"
 #include "tests/sim/robot_model.hpp"
+#include "tests/sim/team_start.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::bench {
@@ -55,8 +55,8 @@ TEST(TableWorld, hasRoomForATeamAtEveryStart) {
     const auto start = start_of_seed(*world, poses, {1.0, 0.8, 0.0}, seed);
     ASSERT_TRUE(start.has_value()) << start.error().message;
     EXPECT_NE(poses.at(start->translation()), 0);
-    EXPECT_TRUE(has_room(*world, *start));
-    EXPECT_TRUE(team_starts(*world, *start, kStartTeam).has_value());
+    EXPECT_TRUE(sim::has_room(*world, *start));
+    EXPECT_TRUE(sim::team_starts(*world, *start, kStartTeam).has_value());
   }
 }
 

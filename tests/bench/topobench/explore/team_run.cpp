@@ -9,9 +9,9 @@
 
 #include "core/slam/map_builder.hpp"
 #include "tests/bench/topobench/explore/robot_run.hpp"
-#include "tests/bench/topobench/explore/team_start.hpp"
 #include "tests/bench/topobench/stopwatch.hpp"
 #include "tests/sim/simulation.hpp"
+#include "tests/sim/team_start.hpp"
 
 namespace topo::bench {
 namespace {
@@ -289,7 +289,7 @@ types::Result<std::unique_ptr<Member>> make_member(const Site& site, const TeamS
 
 types::Result<TeamResult> run_team(const std::shared_ptr<sim::World>& world, const TeamSetup& setup,
                                    const sim::Raster& visible, std::span<RunHooks* const> hooks) {
-  auto starts = team_starts(*world, setup.run.plant.start, setup.robots);
+  auto starts = sim::team_starts(*world, setup.run.plant.start, setup.robots);
   if (!starts) return tl::unexpected(starts.error());
   Site site{world, nullptr, std::move(*starts)};
   if (setup.run.fidelity == Fidelity::kFull) {

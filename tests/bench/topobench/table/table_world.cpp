@@ -13,11 +13,11 @@
 #include <sstream>
 
 #include "tests/bench/topobench/explore/explore_run.hpp"
-#include "tests/bench/topobench/explore/team_start.hpp"
 #include "tests/bench/topobench/table/fingerprint.hpp"
 #include "tests/sim/area.hpp"
 #include "tests/sim/random.hpp"
 #include "tests/sim/robot_model.hpp"
+#include "tests/sim/team_start.hpp"
 
 namespace topo::bench {
 namespace {
@@ -127,7 +127,7 @@ types::Result<sim::Se2> start_of_seed(const sim::World& world, const sim::Raster
     const types::Vector2 p = poses.center(static_cast<int>(cell % width), static_cast<int>(cell / width));
     const sim::Se2 start{to_thousandths(p.x()), to_thousandths(p.y()),
                          to_thousandths(random.uniform(-std::numbers::pi, std::numbers::pi))};
-    if (has_room(world, start) && team_starts(world, start, kStartTeam)) return start;
+    if (sim::has_room(world, start) && sim::team_starts(world, start, kStartTeam)) return start;
   }
   return fail(Errc::kInvalidInput, fmt::format("world '{}': found no start for seed {}, expected room for {} "
                                                "robots somewhere that one gets to from ({:.2f}, {:.2f})",
@@ -148,7 +148,7 @@ types::Result<TableWorld> load_table_world(const fs::path& file, int seeds, bool
     const auto start =
         start_of_seed(*world, poses, own, drawn ? static_cast<std::uint64_t>(seed) : std::uint64_t{1});
     if (!start) return tl::unexpected(start.error());
-    if (const auto room = team_starts(*world, *start, team); !room) return tl::unexpected(room.error());
+    if (const auto room = sim::team_starts(*world, *start, team); !room) return tl::unexpected(room.error());
     out.starts.push_back(*start);
   }
   return out;

@@ -1,27 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/bench/topobench/explore/team_start.hpp"
+#include "tests/sim/team_start.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/sim/robot_model.hpp"
 
-namespace topo::bench {
+namespace topo::sim {
 namespace {
 
-sim::World room(double width_m, double depth_m) {
+World room(double width_m, double depth_m) {
   const std::string text = fmt::format(
       "name = \"room\"\n[[start]]\nx_m = 1.0\ny_m = 0.8\n[[wall]]\n"
       "points_m = [[0.0, 0.0], [{0}, 0.0], [{0}, {1}], [0.0, {1}]]\nclosed = true\nthickness_m = 0.2\n",
       width_m, depth_m);
-  auto world = sim::World::from_scene_text(text, "room.toml");
+  auto world = World::from_scene_text(text, "room.toml");
   EXPECT_TRUE(world.has_value()) << (world ? "" : world.error().message);
   return std::move(*world);
 }
 
-void expect_fit(const sim::World& world, const std::vector<sim::Se2>& starts) {
-  const sim::RobotModel model = sim::RobotModel::p3dx();
+void expect_fit(const World& world, const std::vector<Se2>& starts) {
+  const RobotModel model = RobotModel::p3dx();
   for (std::size_t i = 0; i < starts.size(); ++i) {
     EXPECT_FALSE(world.touch(model.footprint(), starts[i], 0.0, 1.0).touching) << "robot " << i;
     for (std::size_t j = 0; j < i; ++j)
@@ -30,19 +30,19 @@ void expect_fit(const sim::World& world, const std::vector<sim::Se2>& starts) {
 }
 
 TEST(TeamStarts, areNearTheSpotWithRoomBetween) {
-  const sim::World world = room(9.0, 6.0);
-  const sim::Se2 spot{4.0, 3.0, 0.5};
+  const World world = room(9.0, 6.0);
+  const Se2 spot{4.0, 3.0, 0.5};
   const auto starts = team_starts(world, spot, 5);
   ASSERT_TRUE(starts.has_value()) << starts.error().message;
   ASSERT_EQ(starts->size(), 5U);
   EXPECT_EQ(starts->front(), spot);
   expect_fit(world, *starts);
-  for (const sim::Se2& start : *starts) EXPECT_LE((start.translation() - spot.translation()).norm(), 1.9);
+  for (const Se2& start : *starts) EXPECT_LE((start.translation() - spot.translation()).norm(), 1.9);
   EXPECT_LT((spot.inverse() * (*starts)[1]).x_m, -1.29) << "the second stands behind the first";
 }
 
 TEST(TeamStarts, areInALineInANarrowCorridor) {
-  const sim::World world = room(9.0, 1.6);
+  const World world = room(9.0, 1.6);
   const auto starts = team_starts(world, {1.0, 0.8, 0.0}, 3);
   ASSERT_TRUE(starts.has_value()) << starts.error().message;
   expect_fit(world, *starts);
@@ -50,7 +50,7 @@ TEST(TeamStarts, areInALineInANarrowCorridor) {
 }
 
 TEST(HasRoom, isAwayFromWalls) {
-  const sim::World world = room(9.0, 6.0);
+  const World world = room(9.0, 6.0);
   EXPECT_TRUE(has_room(world, {4.0, 3.0, 0.3}));
   EXPECT_FALSE(has_room(world, {4.0, 0.4, 0.0})) << "it fits, but could not turn to the wall and back";
   EXPECT_FALSE(has_room(world, {-1.0, 3.0, 0.0})) << "in no room at all";
@@ -64,4 +64,4 @@ TEST(TeamStarts, sayHowManyFoundRoom) {
 }
 
 }  // namespace
-}  // namespace topo::bench
+}  // namespace topo::sim
