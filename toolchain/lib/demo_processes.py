@@ -148,6 +148,6 @@ def configure(text, values):
         after = re.search(r"(?m)^\[", text[header.end():])
         end = header.end() + after.start() if after else len(text)
         body, line = text[header.end():end], '%s = %s' % (key, value if isinstance(value, int) else '"%s"' % value)
-        body, found = re.subn(r'(?m)^(?:# *)?%s = "[^"]*"' % re.escape(key), lambda _: line, body, count=1)
+        body, found = re.subn(r'(?m)^(?:# *)?%s = (?:"[^"]*"|\d+)' % re.escape(key), lambda _: line, body, count=1)
         text = text[:header.end()] + ("" if found else "\n" + line) + body + text[end:]
     return text
