@@ -75,7 +75,7 @@ class Composer {
     refill(due.wanted_bytes);
     add_orders();
     if (sender_.budget.bytes() >= 0.0) add_words();
-    push_own();
+    if (due.bytes == 0) push_own();  // what was lost goes first
     add_items(std::move(due), mates);
     std::vector<Datagram> datagrams = out_.take();
     sender_.budget.spend(copies() * out_.bytes());
