@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/motion/velocity_gate.hpp"
+#include "core/pipeline/control_params.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/plausibility/plausibility.hpp"
 #include "core/types/area_limits.hpp"
@@ -90,7 +91,7 @@ struct ControlOutput {
 /// Allocates in the constructor only.
 class ControlState {
  public:
-  explicit ControlState(const plausibility::PlausibilityParams& params = {});
+  explicit ControlState(const ControlParams& params = {});
   ~ControlState();
   ControlState(const ControlState&) = delete;
   ControlState& operator=(const ControlState&) = delete;

@@ -19,10 +19,11 @@ using std::chrono::milliseconds;
 
 /// The same scan again and again, in an empty place, and poses put where a test wants them: what
 /// core/plausibility is for is tested there.
-plausibility::PlausibilityParams trusting() {
-  plausibility::PlausibilityParams params;
-  params.picture.noiseless = params.picture.open_space = true;
-  params.motion.step_m = params.motion.step_rad = 1e6;
+ControlParams trusting() {
+  ControlParams params;
+  plausibility::PlausibilityParams& p = params.plausibility;
+  p.picture.noiseless = p.picture.open_space = true;
+  p.motion.step_m = p.motion.step_rad = 1e6;
   return params;
 }
 
