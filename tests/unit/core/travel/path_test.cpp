@@ -95,6 +95,18 @@ TEST(SmoothPath, IsNoLongerThanTheCellsAndGoesAlongWithTheMap) {
   }));
 }
 
+TEST(SmoothPath, HasPointsAsFarApartAsItsParametersSay) {
+  const grid::DenseMap map = cluttered_map({});
+  const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const auto route = grid::route_to(map, grid::travel_field(map, clearance, {10, 10}, {}), {100, 10});
+  ASSERT_FALSE(route.empty());
+  PathParams wide;
+  wide.spacing_m = 0.4;
+  const std::size_t usual = smooth_path(map, clearance, route, 0.6, {}).size();
+  const std::size_t fewer = smooth_path(map, clearance, route, 0.6, wide).size();
+  EXPECT_GT(usual, 3 * fewer);
+}
+
 TEST(NearestPoint, IsTheFirstNearestOfTheNextThreeMetres) {
   EXPECT_TRUE(rc::check([] {
     const auto any_m = [] { return 0.1 * *rc::gen::inRange(-30, 30); };
