@@ -7,9 +7,9 @@
 
 #include "core/types/stamp.hpp"
 
-// Parameters of core/motion. Where a value names no other source, it was chosen on the simulated scenes of
-// the unit tests (tests/unit/core/motion) and of the explorations in doc/results.md. What the base may do is
-// in types::RobotLimits.
+// Parameters of core/motion. Where a value names no other source, it is a choice that the simulated scenes of
+// the unit tests (tests/unit/core/motion) and the explorations in doc/results.md hold. What the base may do
+// is in types::RobotLimits.
 namespace topo::motion {
 
 /// Moving obstacles (giving_way.hpp).
@@ -20,10 +20,11 @@ struct GivingWayParams {
   double nearer_m = 0.01;      ///< an obstacle within the margin counts when it comes nearer by this
 };
 
-/// How old a front scan may be, by its arrival.
+/// How old a front scan may be, by its arrival: the longer of a time and so many of its periods (DESIGN
+/// "Threads").
 struct ScanAgeParams {
-  types::Duration age_max = std::chrono::milliseconds(150);  ///< DESIGN "Threads", or
-  double periods = 2.5;                                      ///< of the scanner, if that is longer
+  types::Duration age_max = std::chrono::milliseconds(150);
+  double periods = 2.5;
   double period_max_s = 0.2;  ///< longer than any scanner's: a wrong period must not extend the limit
 };
 
@@ -34,8 +35,7 @@ struct GateParams {
   double elapsed_max_s = 0.1;    ///< two periods: a late one must not cause a jump in speed
   double standstill_mps = 0.01;  ///< slower counts as standing
   double standstill_radps = 0.02;
-  double unnoticed_slip_s =
-      1.0;                  ///< a slip beside remembered obstacles: until the next match against the map
+  double unnoticed_slip_s = 1.0;  ///< until a match against the map shows that a wheel slipped in a turn
   double late_share = 0.8;  ///< of the speed from which normal braking suffices: above, the firmware's E_STOP
   double late_from_mps = 0.1;  ///< slower, a normal stop is as short
   /// Bound of a scan's age in alive_time_s(), by the first beam: older is a wrong stamp.
@@ -45,26 +45,27 @@ struct GateParams {
 
 /// The last metre that the robot drove (breadcrumb_path.hpp).
 struct BreadcrumbParams {
-  double length_m = 1.0;     ///< twice RecoveryRules::back_m
+  double length_m = 1.0;     ///< twice BackingParams::most_m
   double spacing_m = 0.02;   ///< of its points; the array holds length_m with this one
   double behind_rad = 0.35;  ///< farther aside than this, the path is not behind the robot
   double beside_m = 0.03;    ///< points nearer to the robot's axis are behind it whatever their bearing
   double jump_m = 0.25;      ///< between two poses: the odometry was reset
-  std::array<double, 3> aims_m{0.2, 0.15,
-                               0.1};  ///< distance of the point backed towards, the preferred first
-  double off_m = 0.1;                 ///< from the newest point: the robot is not on the path
+  /// Distances of the point backed towards, the preferred first.
+  std::array<double, 3> aims_m{0.2, 0.15, 0.1};
+  double off_m = 0.1;  ///< from the newest point: the robot is not on the path
 };
 
-/// How an arc is compared with others. Metres of progress along the path, and what counts as much.
+/// How an arc is compared with others: its score is its progress along the path in metres, and the weights
+/// say what counts as much as one metre.
 struct ArcScoreParams {
-  double speed_s = 0.5;     ///< per m/s
-  double end_off = 1.2;     ///< per metre between the arc's end and the path
-  double middle_off = 0.5;  ///< the same at its middle
-  double heading_m_per_rad = 0.25;
-  double change_m2 = 0.02;         ///< per 1/m of change of curvature: no swaying
-  double way_min_m = 0.25;         ///< length of an arc at least, at low speed
-  double beyond_m = 0.3;           ///< of the path, past the arc's length, in which its end's station lies
-  double pursuit_max_per_m = 4.0;  ///< curvature of the arc through the target point
+  double speed_s = 0.5;             ///< gain per m/s of its speed
+  double end_off = 1.2;             ///< loss per metre between its end and the path
+  double middle_off = 0.5;          ///< the same at its middle
+  double heading_m_per_rad = 0.25;  ///< loss per radian between its end's heading and the path's
+  double change_m2 = 0.02;          ///< loss per 1/m of change of curvature: no swaying
+  double way_min_m = 0.25;          ///< length of an arc at least, at low speed
+  double beyond_m = 0.3;            ///< of the path, past the arc's length, in which its end's station lies
+  double pursuit_max_per_m = 4.0;   ///< curvature of the arc through the target point
   /// The fan, in 1/m. Of two equal scores the first wins.
   std::array<double, 21> curvatures_per_m{0.0, 0.1,  -0.1, 0.22, -0.22, 0.36, -0.36, 0.55, -0.55, 0.8, -0.8,
                                           1.1, -1.1, 1.5,  -1.5, 2.0,   -2.0, 2.7,   -2.7, 3.6,   -3.6};
@@ -114,8 +115,8 @@ struct BackingParams {
   double slack_m = 0.05;  ///< less than most_m by this is enough
   double enough_m = 0.2;  ///< times the number of the try: the shortest distance that changes the view ahead
   double begun_m = 0.05;  ///< after this, it no longer turns the path behind itself
-  double straight_rad =
-      0.1;  ///< the tail of a P3-DX swings 2 cm aside: less than the margin kept on the way in
+  /// The tail of a P3-DX swings 2 cm aside: less than the margin kept on the way in.
+  double straight_rad = 0.1;
   double creep_mps = 0.03;  ///< slower: the path is used up
 };
 
@@ -124,8 +125,8 @@ struct EasingParams {
   double step_m = 0.08;     ///< times the number of the try
   double speed_mps = 0.05;  ///< at most
   double least_mps = 0.02;  ///< slower: the seen ground is used up
-  double seen_max_m =
-      0.15;  ///< what is asked of the seen ground: more than the robot rolls on without its host
+  /// Length of seen ground that is measured: more than the robot rolls on when the host fails while it eases.
+  double seen_max_m = 0.15;
 };
 
 /// Recovery from a blocked path (recovery.hpp).
@@ -151,8 +152,8 @@ struct RecoveryRules {
 struct YieldingParams {
   types::Duration patience = std::chrono::seconds(10);  ///< the other may wait as well
   types::Duration forgotten = std::chrono::seconds(3);  ///< not held up for this long: a new encounter
-  types::Duration go_first =
-      std::chrono::milliseconds(1500);  ///< after one on the right: it has right of way
+  /// Wait after one on the right, which has right of way.
+  types::Duration go_first = std::chrono::milliseconds(1500);
 };
 
 struct MotionParams {

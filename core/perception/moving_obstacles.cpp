@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/perception/look_match.hpp"
+#include "core/types/robot_limits.hpp"
 
 namespace topo::perception {
 
@@ -13,8 +14,8 @@ using types::Se2;
 using types::Vector2;
 
 Se2 pose_at(const types::Odometry& odometry, types::Stamp when) {
-  // A bound for stamps that are wrong: RobotLimits::status_age_max, past which the gate stops the robot.
-  constexpr double kMost_s = 0.3;
+  // A bound for stamps that are wrong: past the default of this age the gate stops the robot.
+  constexpr double kMost_s = types::to_seconds(types::RobotLimits{}.status_age_max);
   const double dt_s = std::clamp(types::to_seconds(when - odometry.stamp), -kMost_s, kMost_s);
   const double turn = odometry.twist.omega_radps * dt_s, way = odometry.twist.v_mps * dt_s;
   return odometry.T_odom_base.se2() * Se2{way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn};

@@ -13,7 +13,8 @@
 
 namespace topo::perception {
 
-/// Pose of the base at `when`, from the odometry and its twist; extrapolates by at most 0.3 s.
+/// Pose of the base at `when`, from the odometry and its twist; extrapolates by at most the default of
+/// RobotLimits::status_age_max.
 types::Se2 pose_at(const types::Odometry& odometry, types::Stamp when);
 
 /// Moving obstacles in the front scan: groups of hits are followed over half a second, with the robot's own

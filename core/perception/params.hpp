@@ -8,16 +8,15 @@
 #include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
-// Parameters of core/perception. Where a value names no other source, it was chosen on the simulated scenes
-// of the unit tests of the file that uses it (tests/unit/core/perception,
-// tests/unit/core/motion/moving_scene.hpp).
+// Parameters of core/perception. Where a value names no other source, it is a choice that the simulated
+// scenes of the unit tests hold (tests/unit/core/perception, tests/unit/core/motion/moving_scene.hpp).
 namespace topo::perception {
 
 /// Contact of a moving outline with points (footprint_sweep.hpp).
 struct ContactParams {
   double noise_m = 0.03;  ///< of a range: the UTM-30LX's catalogue accuracy from 0.1 to 10 m
-  double closing_share =
-      0.20;  ///< of a point's relative speed at which the gap closes: less is a motion along it
+  /// Of a point's relative speed, at which the gap closes: less is a motion along it.
+  double closing_share = 0.2;
 };
 
 /// An isolated hit between two surfaces at different distances (stop_zone.hpp).
@@ -32,8 +31,8 @@ struct StopZoneParams {
   /// To either side of straight ahead; DESIGN "Motion and safety". Within it a beam without a measurement is
   /// an obstacle. daemon/config accepts only mounts of the scanner that see all of it.
   double forward_sector_rad = 60.0 * types::kDegree_rad;
-  std::size_t bridged_beams =
-      3;  ///< a longer gap of invalid beams is an obstacle: 13 mm wide at 1 m with 0.25 degrees
+  /// A longer gap of invalid beams is an obstacle: 13 mm wide at 1 m with 0.25 degrees.
+  std::size_t bridged_beams = 3;
   /// Range of an obstacle nearer than the scanner measures, when its stated minimum is less than this.
   float least_range_m = 0.02F;
   /// Of an echo: a sweep of the transducers takes 320 ms.
@@ -57,8 +56,7 @@ struct BlindSpotParams {
   double mover_rim_m = 0.15;     ///< around a moving obstacle: a second leg beside the first
   double jump_m = 0.25;          ///< between two scans: the odometry was reset
   double jump_rad = 1.0;         ///< the same for a rotation
-  types::Duration kept =
-      std::chrono::seconds(60);  ///< a robot that is caught tries other moves first (motion::Recovery)
+  types::Duration kept = std::chrono::seconds(60);  ///< DESIGN "Motion and safety"
   SeenGroundParams ground;
 };
 
@@ -85,12 +83,12 @@ struct ScanGroupParams {
   /// Unevenness of a surface, and its least angle to the beams: below ten degrees it breaks up (Borges and
   /// Aldon 2004).
   double uneven_m = 0.09, grazing_rad = 0.17;
-  double radial_share =
-      0.8;  ///< of the extent, along the beams: a piece of such a surface, which has no real end
+  /// Of the extent, along the beams: more is a piece of such a surface, which has no real end.
+  double radial_share = 0.8;
   double behind_m = 0.12;    ///< farther by this much is behind
   double apart_m = 0.4;      ///< between two legs
-  double across_m = 0.9;     ///< greatest extent of a group: a person with bags, a robot
-  double range_max_m = 6.0;  ///< there a leg of 0.1 m has four hits with 0.25 degrees
+  double across_m = 0.9;     ///< greatest extent of a group: the diagonal of a P3-AT is 0.8 m
+  double range_max_m = 6.0;  ///< there a leg of 0.1 m has three hits with 0.25 degrees
   double end_m = 0.08;       ///< hits this near to the first or last one give the group's end
 };
 
@@ -149,8 +147,8 @@ struct SteadyFrameParams {
 
 /// Which echoes of the sonar are obstacles that the laser does not see (unseen_echoes.hpp).
 struct UnseenEchoParams {
-  double range_max_m = 1.2;   ///< farther echoes are left to the laser: the beam is 0.5 m wide there
-  double range_min_m = 0.15;  ///< nearer ones are ringing of the transducer
+  double range_max_m = 1.2;                                  ///< the beam, of 25 degrees, is 0.5 m wide there
+  double range_min_m = 0.15;                                 ///< nearer ones are ringing of the transducer
   types::Duration age_max = std::chrono::milliseconds(150);  ///< later the robot has moved on
   /// Within `age_max`, a faster turn makes an echo belong to another direction.
   double steady_radps = 0.3;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 
+#include "core/types/robot_limits.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::pipeline {
@@ -12,9 +13,9 @@ namespace topo::pipeline {
 /// Dead reckoning at the times of beams (odometry_buffer.hpp).
 struct OdometryBufferParams {
   types::Duration kept = std::chrono::seconds(3);  ///< longer than any scan waits
-  /// Past the newest sample the pose is extrapolated for so long; the gate stops a robot whose status is
-  /// older (RobotLimits::status_age_max).
-  types::Duration extrapolated_max = std::chrono::milliseconds(300);
+  /// Past the newest sample the pose is extrapolated for so long: the gate stops a robot whose status is
+  /// older.
+  types::Duration extrapolated_max = types::RobotLimits{}.status_age_max;
 };
 
 /// Drawing of corrected poses (map_drawing.hpp).

@@ -11,8 +11,8 @@ namespace topo::travel {
 
 /// The map for planning, from the mapper's grid (travel_map.hpp).
 struct TravelMapParams {
-  double gap_m =
-      0.15;  ///< unknown cells this far from free ones on both sides: beams of 0.25 degrees at 30 m
+  /// Unknown cells this far from free ones on both sides are free: the beam spacing of 0.25 degrees at 30 m.
+  double gap_m = 0.15;
   /// A cell with so many hits is occupied when one of so many observations is a hit: most beams pass through
   /// glass, or miss a thin obstacle. Weaker than grid::state_of, which decides what the map shows.
   unsigned faint_hits = 2, faint_one_in = 10;
@@ -32,8 +32,7 @@ struct PathParams {
 };
 
 /// By how much a route on the coarse map may exceed the cheapest one there and still be the cheapest on the
-/// fine map (far_route.hpp): no route of a search of the whole building was missed
-/// (tests/unit/core/travel/far_route_test.cpp).
+/// fine map (far_route.hpp). tests/unit/core/travel/far_route_test.cpp holds that no shorter route is missed.
 struct FarRouteParams {
   double factor = 1.05;
   double more_m = 1.5;
@@ -50,8 +49,7 @@ struct RouteMapParams {
   double aim_beside_m = 0.5;      ///< distance between a point and the cell that replaces it
   double target_beside_m = 0.25;  ///< the same for a target of the operator: less, since the place was chosen
   double tight_ahead_m = 1.2;     ///< length of route tested for a passage that the robot does not enter
-  double keyframe_gap_m =
-      0.8;  ///< between two keyframes of a driven way: beyond, the robot was carried or lost
+  double keyframe_gap_m = 0.8;    ///< between keyframes of a driven way: beyond, it was carried or lost
   TravelMapParams map;
   PathParams path;
   FarRouteParams far;

@@ -270,7 +270,7 @@ void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> w
   const auto open_m = static_cast<float>(rules.open_m), above_m = static_cast<float>(rules.above_m);
   const Vector2 robot = map.centre_of(here);
   // A line of cells without a gap, and no wider: beside the line the robot may touch an obstacle.
-  const double reach_m = 0.75 * map.resolution_m;  // between half a cell and its half diagonal
+  const double reach_m = 0.75 * map.resolution_m;
   const std::size_t stands = map.contains(here) ? map.index(here) : map.cells.size();
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
