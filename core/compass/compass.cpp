@@ -18,25 +18,9 @@ namespace {
 
 constexpr double kQuarterTurn = std::numbers::pi / 2.0;
 
-/// Minimum number of points: those of 1.5 m of wall. Fewer carry no information about a building.
-constexpr std::size_t kPointsMin = 30;
-
-/// Points for the coarse curve: its minimum is a degree wide and needs no more.
-constexpr std::size_t kCoarsePoints = 6000;
-
-/// Minima of the coarse curve that are evaluated with all points.
-constexpr std::size_t kDips = 3;
-
-/// Least depth of a minimum, in multiples of the jitter. The lowest of 90 values of noise is 2.5 sigma below
-/// their median.
-constexpr double kJitters = 6.0;
-
-/// Maximum number of half bins along the radius: a few distant points widen the bins instead.
+/// Maximum number of half bins along the radius: a few distant points widen the bins instead. Bounds
+/// the memory of a histogram.
 constexpr double kHalfBinsMax = 30000.0;
-
-/// Number of result angles over a quarter turn, 0.05 degrees apart: a few more points then leave the angle,
-/// and all data in its frame, unchanged.
-constexpr long kAnswers = 1800;
 
 /// Entropy as a function of the angle in radians.
 using Curve = std::function<double(double)>;
@@ -65,7 +49,8 @@ double jitter_of(const std::vector<double>& curve) {
 double dip_middle(const std::vector<double>& values, double lowest, double reach) {
   const double edge = std::min(values.front(), values.back());
   double middle = lowest;
-  for (int round = 0; round < 8; ++round) {
+  constexpr int kRounds = 8;  // numerical: the centre no longer moves
+  for (int round = 0; round < kRounds; ++round) {
     double sum = 0.0, moment = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double depth = std::max(0.0, edge - values[i]);
@@ -134,9 +119,10 @@ class Refinement {
 };
 
 /// The nearest result angle, in [0, pi/2).
-double answer_near(double angle_rad) {
-  const long nearest = std::lround(angle_rad / kQuarterTurn * kAnswers) % kAnswers;
-  return static_cast<double>(nearest < 0 ? nearest + kAnswers : nearest) * kQuarterTurn / kAnswers;
+double answer_near(double angle_rad, long answers) {
+  const auto all = static_cast<double>(answers);
+  const long nearest = std::lround(angle_rad / kQuarterTurn * all) % answers;
+  return static_cast<double>(nearest < 0 ? nearest + answers : nearest) * kQuarterTurn / all;
 }
 
 /// `few`: curve of the points for the coarse curve; `all`: curve of all points that count.
@@ -147,22 +133,22 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
   const auto lowest = std::min_element(compass.entropy.begin(), compass.entropy.end());
   const double median = median_of(compass.entropy), depth = median - *lowest;
   compass.confidence = median > 0.0 ? depth / median : 0.0;
-  if (compass.confidence < params.confidence_min || depth < kJitters * jitter_of(compass.entropy))
+  if (compass.confidence < params.confidence_min || depth < params.jitters_min * jitter_of(compass.entropy))
     return compass;
 
   std::vector<double> dips_rad;
-  for (const std::size_t dip : lowest_dips(compass.entropy, kDips)) {
+  for (const std::size_t dip : lowest_dips(compass.entropy, params.dips)) {
     dips_rad.push_back(static_cast<double>(dip) * kQuarterTurn / steps);
   }
   Refinement refinement(all, params);
-  compass.angle_rad = answer_near(refinement.refined(refinement.lowest_of(dips_rad)));
+  compass.angle_rad = answer_near(refinement.refined(refinement.lowest_of(dips_rad)), params.answers);
   return compass;
 }
 
 }  // namespace
 
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
-  if (points.size() < kPointsMin) return {};
+  if (points.size() < params.points_min) return {};
   const Extent x_m = extent_of(points, [](const types::Vector2&p) { return p.x(); }),
                y_m = extent_of(points, [](const types::Vector2&p) { return p.y(); });
   const types::Rectangle box{{x_m.low, y_m.low}, {x_m.high, y_m.high}};
@@ -177,7 +163,7 @@ Compass entropy_compass(std::span<const types::Vector2> points, const CompassPar
       return Projection(radius, angle_rad, cloud).entropy();
     };
   };
-  return compass_of(curve_of(std::min(most, kCoarsePoints)), curve_of(most), params);
+  return compass_of(curve_of(std::min(most, params.coarse_points)), curve_of(most), params);
 }
 
 }  // namespace topo::compass

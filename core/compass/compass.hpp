@@ -18,19 +18,29 @@ struct CompassParams {
   double fine_step_rad = 0.001745;   ///< 0.1 degree
   double confidence_min = 0.01;      ///< below: no dominant direction (cluttered floor plans have 0.02)
   std::size_t points_max = 20000;    ///< more are thinned evenly; at most UINT16_MAX
+  std::size_t points_min = 30;       ///< those of 1.5 m of wall: fewer carry no information about a building
+  std::size_t coarse_points = 6000;  ///< of the coarse curve: its minimum is a degree wide and needs no more
+  std::size_t dips = 3;              ///< minima of the coarse curve that are evaluated with all points
+  /// Least depth of a minimum, in multiples of the curve's jitter. The lowest of 90 values of noise is 2.5
+  /// sigma below their median.
+  double jitters_min = 6.0;
+  /// Result angles over a quarter turn, 0.05 degrees apart: a few more points then leave the angle, and all
+  /// data in its frame, unchanged.
+  long answers = 1800;
 };
 
 /// Dominant direction of a building (paper section II-A).
 struct Compass {
-  std::optional<double> angle_rad;  ///< in [0, pi/2), in steps of 0.05 deg; nullopt: no dominant direction
+  std::optional<double> angle_rad;  ///< in [0, pi/2), in steps of a quarter turn / CompassParams::answers;
+                                    ///< nullopt: no dominant direction
   double confidence = 0.0;          ///< depth of the minimum below the curve's median, relative: 0 to 1
   std::vector<double> entropy;      ///< of both projections, summed, per coarse step from 0 to pi/2
 };
 
 /// Minimises the entropy of the histogram of the points' projections, summed over two orthogonal projections,
 /// over orientation; refined below fine_step_rad. The order of the points does not matter. No direction for
-/// fewer than 30 points, or for a curve whose minimum is no deeper than its jitter explains. Coordinates must
-/// be finite.
+/// fewer than points_min points, or for a curve whose minimum is no deeper than its jitter explains.
+/// Coordinates must be finite.
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params = {});
 
 }  // namespace topo::compass

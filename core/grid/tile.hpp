@@ -22,7 +22,7 @@ struct CellCounts {
 
 /// Occupied when at least a quarter of the evidence is hits: beams that graze a thin wall pass through its
 /// cells. Hits and misses have the weights of log-odds of 1.1 and -0.37 (Thrun et al., section 9.2), without
-/// saturation.
+/// saturation. Not a parameter: it is what a map's cell means to every reader of its tiles.
 constexpr CellState state_of(const CellCounts& counts) {
   const unsigned hits = counts.hits, all = hits + counts.misses;
   if (all == 0) return CellState::kUnknown;

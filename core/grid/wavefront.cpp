@@ -340,7 +340,8 @@ class TravelSearch::Impl {
     constexpr std::uint32_t kLine = 64 / sizeof(float);
     for (std::uint32_t i = run.first; i < run.end; i += kLine) __builtin_prefetch(&values[i]);
   }
-  static constexpr std::uint32_t kAhead = 6;  ///< runs
+  /// Runs fetched before they are used, which hides the latency of memory. Changes no result.
+  static constexpr std::uint32_t kAhead = 6;
 
   const DenseMap* map_ = nullptr;
   std::span<const float> clearance_m_;

@@ -14,7 +14,7 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-constexpr double kJump_m = 0.25;
+constexpr double kRounding_m = 1e-3;  // numerical: of odometry in whole millimetres
 
 /// Angle from straight behind the robot to a point.
 double aside_rad(const Vector2& p_base) {
@@ -26,7 +26,7 @@ double aside_rad(const Vector2& p_base) {
 void BreadcrumbPath::push(const Vector2& p) {
   if (size_ == kCapacity) drop_oldest();
   points_[size_++] = p;
-  while (size_ > 2 && length_m() - (points_[1] - points_[0]).norm() >= kLength_m) drop_oldest();
+  while (size_ > 2 && length_m() - (points_[1] - points_[0]).norm() >= params_.length_m) drop_oldest();
 }
 
 void BreadcrumbPath::drop_oldest() {
@@ -36,7 +36,7 @@ void BreadcrumbPath::drop_oldest() {
 
 void BreadcrumbPath::update(const Se2& T_odom_base) {
   const Vector2 p = T_odom_base.translation();
-  if (size_ > 0 && !((p - pose_.translation()).norm() <= kJump_m)) size_ = 0;
+  if (size_ > 0 && !((p - pose_.translation()).norm() <= params_.jump_m)) size_ = 0;
   pose_ = T_odom_base;
   if (size_ == 0) {
     push(p);
@@ -45,11 +45,11 @@ void BreadcrumbPath::update(const Se2& T_odom_base) {
   const Vector2 step = p - points_[size_ - 1];
   const bool backwards = step.x() * std::cos(pose_.theta_rad) + step.y() * std::sin(pose_.theta_rad) < 0.0;
   if (!backwards) {
-    if (step.norm() >= kSpacing_m) push(p);
+    if (step.norm() >= params_.spacing_m) push(p);
     return;
   }
   while (size_ > 1 &&
-         (p - points_[size_ - 2]).norm() <= (points_[size_ - 1] - points_[size_ - 2]).norm() + 1e-3)
+         (p - points_[size_ - 2]).norm() <= (points_[size_ - 1] - points_[size_ - 2]).norm() + kRounding_m)
     --size_;
 }
 
@@ -61,11 +61,10 @@ double BreadcrumbPath::length_m() const {
 }
 
 double BreadcrumbPath::behind_m() const {
-  constexpr double kBeside_m = 0.03;
   double behind_m = 0.0;
   for (std::size_t i = size_; i > 0; --i) {
     const Vector2 p_base = pose_.inverse() * points_[i - 1];
-    if (std::abs(p_base.y()) > kBeside_m && std::abs(aside_rad(p_base)) > kBehind_rad) break;
+    if (std::abs(p_base.y()) > params_.beside_m && std::abs(aside_rad(p_base)) > params_.behind_rad) break;
     behind_m = std::max(behind_m, -p_base.x());
   }
   return behind_m;
@@ -81,26 +80,24 @@ Vector2 BreadcrumbPath::point_base(double away_m) const {
 /// The path has a corner where the robot turned on the spot: a nearer point may lie behind when a farther one
 /// does not.
 Vector2 BreadcrumbPath::target_base() const {
-  constexpr std::array kAims_m{0.2, 0.15, 0.1};
-  for (const double aim_m : kAims_m) {
+  for (const double aim_m : params_.aims_m) {
     Vector2 target = point_base(aim_m);
-    if (std::abs(aside_rad(target)) <= kBehind_rad) return target;
+    if (std::abs(aside_rad(target)) <= params_.behind_rad) return target;
   }
-  return point_base(kAims_m.front());
+  return point_base(params_.aims_m.front());
 }
 
 double BreadcrumbPath::turn_to_back_rad() const {
   if (size_ == 0) return 0.0;
   const Vector2 target = target_base();
-  return target.norm() < kSpacing_m ? 0.0 : aside_rad(target);
+  return target.norm() < params_.spacing_m ? 0.0 : aside_rad(target);
 }
 
 types::Twist2 BreadcrumbPath::back_twist(double speed_mps) const {
-  constexpr double kOff_m = 0.1;
   if (size_ < 2) return {};
   const Vector2 target = target_base();
-  if (target.norm() < kSpacing_m || std::abs(turn_to_back_rad()) > kBehind_rad) return {};
-  if ((points_[size_ - 1] - pose_.translation()).norm() > kOff_m) return {};
+  if (target.norm() < params_.spacing_m || std::abs(turn_to_back_rad()) > params_.behind_rad) return {};
+  if ((points_[size_ - 1] - pose_.translation()).norm() > params_.off_m) return {};
   return {-speed_mps, -speed_mps * 2.0 * target.y() / target.squaredNorm()};
 }
 

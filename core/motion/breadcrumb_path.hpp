@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/motion/params.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/transform.hpp"
 
@@ -16,12 +17,11 @@ namespace topo::motion {
 /// blind). Fixed size.
 class BreadcrumbPath {
  public:
-  static constexpr double kSpacing_m = 0.02;
-  static constexpr double kLength_m = 1.0;
-  static constexpr double kBehind_rad = 0.35;  ///< farther aside than this, the path is not behind the robot
+  explicit BreadcrumbPath(const BreadcrumbParams& params = {}) : params_(params) {}
+  [[nodiscard]] const BreadcrumbParams& params() const { return params_; }
 
-  /// Takes the newest pose. Forward motion extends the path, reverse motion consumes it. A jump of more than
-  /// a quarter of a metre (the base's odometry was reset) clears it.
+  /// Takes the newest pose. Forward motion extends the path, reverse motion consumes it. A jump (the base's
+  /// odometry was reset) clears it.
   void update(const types::Se2& T_odom_base);
   void clear() { size_ = 0; }
 
@@ -33,19 +33,21 @@ class BreadcrumbPath {
   [[nodiscard]] double behind_m() const;
 
   /// Twist backwards along the path with |v| = `speed_mps`; zero when no path is left, or when it does not
-  /// lie straight behind (within kBehind_rad and 0.1 m).
+  /// lie straight behind (within BreadcrumbParams::behind_rad and off_m).
   [[nodiscard]] types::Twist2 back_twist(double speed_mps) const;
   /// Angle by which the robot must turn so that the path lies straight behind, radians; 0 without a path.
   [[nodiscard]] double turn_to_back_rad() const;
 
  private:
-  static constexpr std::size_t kCapacity = static_cast<std::size_t>(kLength_m / kSpacing_m) + 2;
+  /// Size of the array: length_m with points spacing_m apart. Nearer points make the path shorter.
+  static constexpr std::size_t kCapacity = 52;
   /// The newest point of the path at that distance or farther; the path's end when there is none.
   [[nodiscard]] types::Vector2 point_base(double away_m) const;
   [[nodiscard]] types::Vector2 target_base() const;
   void push(const types::Vector2& p);
   void drop_oldest();
 
+  BreadcrumbParams params_;
   std::array<types::Vector2, kCapacity> points_{};  ///< oldest first
   std::size_t size_ = 0;
   types::Se2 pose_;

@@ -14,10 +14,7 @@ namespace {
 using types::Twist2;
 using types::Vector2;
 
-constexpr double kStep_s = 0.05;
-constexpr double kReserve = 0.8;     // of the deceleration: later periods must be able to keep to it as well
-constexpr double kUnsure_mps = 0.1;  // uncertainty of a velocity, and of a person's next motion
-constexpr double kClearFor_s = 1.0;
+constexpr double kStep_s = 0.05;  // of the integration: 3.5 cm at 0.7 m/s
 
 /// Poses of the base, step by step, when it drives on for a while and then brakes on the same arc.
 class Course {
@@ -42,7 +39,7 @@ class Course {
   }
 
  private:
-  static constexpr std::size_t kMostSteps = 128;
+  static constexpr std::size_t kMostSteps = 128;  // size of an array: 6.4 s
   struct Step {
     Vector2 at{0.0, 0.0};
     double cosine = 1.0, sine = 0.0;
@@ -62,27 +59,26 @@ class Course {
   std::size_t size_ = 0;
 };
 
-double braking_s(const Twist2& twist, const types::RobotLimits& l) {
-  return std::max(std::abs(twist.v_mps) / (kReserve * l.deceleration_mps2),
-                  std::abs(twist.omega_radps) / (kReserve * l.angular_acceleration_radps2));
+double braking_s(const Twist2& twist, const types::RobotLimits& l, double share) {
+  return std::max(std::abs(twist.v_mps) / (share * l.deceleration_mps2),
+                  std::abs(twist.omega_radps) / (share * l.angular_acceleration_radps2));
 }
 
 /// True when the obstacle and the robot can meet before the course ends.
 bool is_in_reach(const perception::MovingObstacle& one, const Course& course, double margin_m,
-                 const types::Footprint& footprint) {
-  const double closing_mps = one.velocity_mps.norm() + std::abs(course.twist().v_mps) + kUnsure_mps;
+                 const types::Footprint& footprint, const GivingWayParams& params) {
+  const double closing_mps = one.velocity_mps.norm() + std::abs(course.twist().v_mps) + params.unsure_mps;
   const double far_m = closing_mps * course.until_s() + margin_m + one.radius_m + types::reach_m(footprint);
   return one.centre.squaredNorm() < far_m * far_m;
 }
 
 bool is_clear(const Course& course, const perception::MovingObstacle& one, double margin_m,
-              const types::Footprint& footprint) {
-  constexpr double kNearer_m = 0.01;
-  if (!is_in_reach(one, course, margin_m, footprint)) return true;
-  const double now_m = perception::distance_m(one.centre, footprint) - one.radius_m - kNearer_m;
+              const types::Footprint& footprint, const GivingWayParams& params) {
+  if (!is_in_reach(one, course, margin_m, footprint, params)) return true;
+  const double now_m = perception::distance_m(one.centre, footprint) - one.radius_m - params.nearer_m;
   for (std::size_t i = 0; i < course.size(); ++i) {
     const double t_s = Course::at_s(i);
-    const double keep_m = std::min(margin_m + kUnsure_mps * t_s, now_m);
+    const double keep_m = std::min(margin_m + params.unsure_mps * t_s, now_m);
     const Vector2 then = course.seen(i, one.centre + t_s * one.velocity_mps);
     if (perception::distance_m(then, footprint) - one.radius_m < keep_m) return false;
   }
@@ -90,36 +86,40 @@ bool is_clear(const Course& course, const perception::MovingObstacle& one, doubl
 }
 
 bool is_clear(const Course& course, std::span<const perception::MovingObstacle> moving, double margin_m,
-              const types::Footprint& footprint) {
+              const types::Footprint& footprint, const GivingWayParams& params) {
   return std::all_of(moving.begin(), moving.end(), [&](const perception::MovingObstacle& one) {
-    return is_clear(course, one, margin_m, footprint);
+    return is_clear(course, one, margin_m, footprint, params);
   });
 }
 
 bool gives_way(const Twist2& twist, std::span<const perception::MovingObstacle> moving, double alive_s,
-               const types::RobotLimits& l) {
-  const double brakes_s = braking_s(twist, l), until_s = alive_s + brakes_s + kClearFor_s;
-  if (is_clear(Course(twist, alive_s, brakes_s, until_s), moving, l.margin_m, l.footprint)) return true;
-  return stands_in_time(twist, moving, alive_s, l.margin_m, l) &&
-         is_clear(Course(twist, until_s, 0.0, until_s), moving, l.margin_m, l.footprint);
+               const types::RobotLimits& l, const GivingWayParams& params) {
+  const double brakes_s = braking_s(twist, l, params.braking_share);
+  const double until_s = alive_s + brakes_s + params.clear_for_s;
+  if (is_clear(Course(twist, alive_s, brakes_s, until_s), moving, l.margin_m, l.footprint, params))
+    return true;
+  return stands_in_time(twist, moving, alive_s, l.margin_m, l, params) &&
+         is_clear(Course(twist, until_s, 0.0, until_s), moving, l.margin_m, l.footprint, params);
 }
 
 }  // namespace
 
 bool stands_in_time(const Twist2& twist, std::span<const perception::MovingObstacle> moving, double alive_s,
-                    double margin_m, const types::RobotLimits& limits) {
+                    double margin_m, const types::RobotLimits& limits, const GivingWayParams& params) {
   if (moving.empty()) return true;
-  const double brakes_s = braking_s(twist, limits);
-  return is_clear(Course(twist, alive_s, brakes_s, alive_s + brakes_s), moving, margin_m, limits.footprint);
+  const double brakes_s = braking_s(twist, limits, params.braking_share);
+  return is_clear(Course(twist, alive_s, brakes_s, alive_s + brakes_s), moving, margin_m, limits.footprint,
+                  params);
 }
 
 double giving_way_scale(const Twist2& twist, std::span<const perception::MovingObstacle> moving,
-                        double alive_s, const types::RobotLimits& limits) {
-  constexpr int kParts = 20;
+                        double alive_s, const types::RobotLimits& limits, const GivingWayParams& params) {
+  constexpr int kParts = 20;  // resolution of the search
   if (moving.empty()) return 1.0;
   for (int part = kParts; part > 0; --part) {
     const double scale = static_cast<double>(part) / kParts;
-    if (gives_way({scale * twist.v_mps, scale * twist.omega_radps}, moving, alive_s, limits)) return scale;
+    if (gives_way({scale * twist.v_mps, scale * twist.omega_radps}, moving, alive_s, limits, params))
+      return scale;
   }
   return 0.0;
 }

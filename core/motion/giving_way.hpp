@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "core/motion/params.hpp"
 #include "core/perception/moving_obstacle.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/transform.hpp"
@@ -14,11 +15,12 @@ namespace topo::motion {
 /// touches it, with `margin_m` between them, and more the farther ahead in time. An obstacle that is already
 /// nearer counts only when it comes nearer still. Contact after the robot has come to rest does not count.
 bool stands_in_time(const types::Twist2& twist, std::span<const perception::MovingObstacle> moving,
-                    double alive_s, double margin_m, const types::RobotLimits& limits);
+                    double alive_s, double margin_m, const types::RobotLimits& limits,
+                    const GivingWayParams& params);
 
 /// The largest scale of a twist, in twentieths, at which the robot stands in time and stays clear of moving
-/// obstacles for another second, standing or driving on. 0 when there is none.
+/// obstacles for GivingWayParams::clear_for_s, standing or driving on. 0 when there is none.
 double giving_way_scale(const types::Twist2& twist, std::span<const perception::MovingObstacle> moving,
-                        double alive_s, const types::RobotLimits& limits);
+                        double alive_s, const types::RobotLimits& limits, const GivingWayParams& params);
 
 }  // namespace topo::motion

@@ -14,13 +14,6 @@ using types::Se2;
 using types::Twist2;
 using types::Vector2;
 
-constexpr std::array kCurvatures{0.0, 0.1,  -0.1, 0.22, -0.22, 0.36, -0.36, 0.55, -0.55, 0.8, -0.8,
-                                 1.1, -1.1, 1.5,  -1.5, 2.0,   -2.0, 2.7,   -2.7, 3.6,   -3.6};
-constexpr double kBehind_m = 0.3, kAhead_m = 1.5;  // range of the search for the robot along the path
-constexpr double kSlow_mps = 0.3;
-constexpr double kStopToTurn = 0.1, kPerRadian = 0.3;  // cost of a turn, in units of the arcs' scores
-constexpr double kBlindSlack = 1.05;  // slower than the gate allows, so that it need not brake
-
 Se2 along(double curvature, double way_m) {
   const double half = 0.5 * curvature * way_m;
   const double chord = std::abs(half) < 1e-6 ? way_m : way_m * std::sin(half) / half;
@@ -46,8 +39,9 @@ double free_turn_rad(double sign, const FollowInput& in) {
   const Twist2 spin{0.0, sign};
   perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, l.turn_margin_m)));
   for (const Vector2& p : in.obstacles_base)
-    first.offer(
-        p, [&] { return perception::contact_time_with_margin_s(p, spin, l.footprint, l.turn_margin_m); });
+    first.offer(p, [&] {
+      return perception::contact_time_with_margin_s(p, spin, l.footprint, l.turn_margin_m, in.contact);
+    });
   return first.seconds();
 }
 
@@ -67,8 +61,8 @@ void PathFollower::take_path(const FollowInput& in) {
     path_number_ = in.path_number;
     has_path_ = true;
   }
-  const double from_m = fresh ? 0.0 : here_.s_m - kBehind_m;
-  here_ = station(in.T_odom_base.translation(), from_m, from_m + kAhead_m);
+  const double from_m = fresh ? 0.0 : here_.s_m - rules_.behind_m;
+  here_ = station(in.T_odom_base.translation(), from_m, from_m + rules_.ahead_m);
 }
 
 PathFollower::Station PathFollower::station(const Vector2& p, double from_m, double to_m) const {
@@ -82,7 +76,7 @@ PathFollower::Station PathFollower::station(const Vector2& p, double from_m, dou
     const double distance_m = (path_[i] + t * way - p).norm();
     if (distance_m < best.distance_m) best = {s_m_[i] + t * std::sqrt(length2), distance_m, 0.0};
   }
-  const Vector2 on = point_at(best.s_m + 0.15) - point_at(best.s_m - 0.15);
+  const Vector2 on = point_at(best.s_m + rules_.tangent_m) - point_at(best.s_m - rules_.tangent_m);
   best.heading_rad = std::atan2(on.y(), on.x());
   return best;
 }
@@ -102,12 +96,13 @@ double PathFollower::speed_on(double curvature, double margin_m, const FollowInp
   double v_mps = l.v_max_mps;
   if (curvature != 0.0)
     v_mps = std::min(v_mps, std::min(rules_.omega_max_radps, l.omega_max_radps) / std::abs(curvature));
-  const double blind_s = kBlindSlack * in.blind_s;
+  const double blind_s = rules_.blind_slack * in.blind_s;
   const double enough_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);
   const Twist2 arc{1.0, curvature};  // at 1 m/s, seconds are metres
   perception::FirstContact first(arc, types::reach_m(types::grown(l.footprint, margin_m)), enough_m);
   for (const Vector2& p : in.obstacles_base)
-    first.offer(p, [&] { return perception::contact_time_with_margin_s(p, arc, l.footprint, margin_m); });
+    first.offer(
+        p, [&] { return perception::contact_time_with_margin_s(p, arc, l.footprint, margin_m, in.contact); });
   return std::min(v_mps, stoppable_mps(first.seconds(), blind_s, l.deceleration_mps2));
 }
 
@@ -123,32 +118,37 @@ double PathFollower::slip_speed_mps(const FollowInput& in) const {
     free_m = first.seconds();
   }
   if (!std::isfinite(free_m)) return l.v_max_mps;
-  return std::max(l.v_beside_mps, stoppable_mps(free_m, kBlindSlack * in.alive_s, l.deceleration_mps2));
+  return std::max(l.v_beside_mps,
+                  stoppable_mps(free_m, rules_.blind_slack * in.alive_s, l.deceleration_mps2));
 }
 
 PathFollower::Arc PathFollower::rated(double curvature, double margin_m, double v_cap_mps,
                                       const FollowInput& in) const {
+  const ArcScoreParams& p = rules_.score;
   Arc arc{curvature, std::min(v_cap_mps, speed_on(curvature, margin_m, in)), -1e9};
   if (arc.v_mps < rules_.crawl_mps) return arc;
   const double v0 = std::max(0.0, in.twist.v_mps);
-  const double way = std::max(0.25, way_m(v0, arc.v_mps, in.limits->acceleration_mps2, rules_.horizon_s));
+  const double way =
+      std::max(p.way_min_m, way_m(v0, arc.v_mps, in.limits->acceleration_mps2, rules_.horizon_s));
   const auto there = [&](double part) { return in.T_odom_base * along(curvature, part * way); };
-  const double to_m = here_.s_m + way + 0.3;
+  const double to_m = here_.s_m + way + p.beyond_m;
   const Se2 middle = there(0.5), end = there(1.0);
-  const Station at_middle = station(middle.translation(), here_.s_m - kBehind_m, to_m);
-  const Station at_end = station(end.translation(), here_.s_m - kBehind_m, to_m);
+  const Station at_middle = station(middle.translation(), here_.s_m - rules_.behind_m, to_m);
+  const Station at_end = station(end.translation(), here_.s_m - rules_.behind_m, to_m);
   const double off_rad = std::abs(types::wrap_angle(end.theta_rad - at_end.heading_rad));
-  arc.score = (at_end.s_m - here_.s_m) + 0.5 * arc.v_mps - 1.2 * at_end.distance_m -
-              0.5 * at_middle.distance_m - 0.25 * off_rad - 0.02 * std::abs(curvature - last_curvature_);
+  arc.score = (at_end.s_m - here_.s_m) + p.speed_s * arc.v_mps - p.end_off * at_end.distance_m -
+              p.middle_off * at_middle.distance_m - p.heading_m_per_rad * off_rad -
+              p.change_m2 * std::abs(curvature - last_curvature_);
   return arc;
 }
 
 PathFollower::Arc PathFollower::best_with_margin(double margin_m, double v_cap_mps,
                                                  const FollowInput& in) const {
   const Vector2 ahead = in.T_odom_base.inverse() * point_at(here_.s_m + rules_.lookahead_m);
-  const double pursuit = std::clamp(2.0 * ahead.y() / std::max(0.01, ahead.squaredNorm()), -4.0, 4.0);
+  const double most = rules_.score.pursuit_max_per_m;
+  const double pursuit = std::clamp(2.0 * ahead.y() / std::max(0.01, ahead.squaredNorm()), -most, most);
   Arc best = rated(pursuit, margin_m, v_cap_mps, in);
-  for (const double curvature : kCurvatures) {
+  for (const double curvature : rules_.score.curvatures_per_m) {
     const Arc arc = rated(curvature, margin_m, v_cap_mps, in);
     if (arc.score > best.score) best = arc;
   }
@@ -159,25 +159,24 @@ PathFollower::Arc PathFollower::best_with_margin(double margin_m, double v_cap_m
 PathFollower::Arc PathFollower::best_arc(double v_cap_mps, const FollowInput& in) const {
   const double margin_m = in.limits->margin_m;
   const Arc roomy = best_with_margin(margin_m + rules_.extra_margin_m, v_cap_mps, in);
-  return roomy.v_mps < kSlow_mps && roomy.v_mps < v_cap_mps ? best_with_margin(margin_m, v_cap_mps, in)
-                                                            : roomy;
+  return roomy.v_mps < rules_.slow_mps && roomy.v_mps < v_cap_mps ? best_with_margin(margin_m, v_cap_mps, in)
+                                                                  : roomy;
 }
 
 /// Angle to turn before driving on, when that scores better than driving on at the current heading; 0
 /// otherwise. In a doorway the robot's heading must pass the jamb before it follows the path.
 double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
                                      const FollowInput& in) const {
-  constexpr std::array kTurns{0.25, -0.25, 0.5, -0.5, 0.75, -0.75};
-  constexpr double kSlowEnds_m = 1.2;  // a slow arc ends nearer than this
+  const FollowerTurnParams& params = rules_.turn;
   std::array<Vector2, kMaxObstacles> near, turned;
   std::size_t count = 0;
   for (const Vector2& p : in.obstacles_base)
-    if (p.squaredNorm() < kSlowEnds_m * kSlowEnds_m && count < near.size()) near[count++] = p;
+    if (p.squaredNorm() < params.slow_end_m * params.slow_end_m && count < near.size()) near[count++] = p;
   const double left_rad = free_turn_rad(1.0, in), right_rad = free_turn_rad(-1.0, in);
   double best_rad = 0.0, best_score = now.score;
   const auto offer = [&](double by_rad) {
     if (!(std::abs(by_rad) < (by_rad > 0.0 ? left_rad : right_rad))) return;
-    if (!(std::abs(turn_rad - by_rad) < rules_.turn_begin_rad)) return;
+    if (!(std::abs(turn_rad - by_rad) < params.begin_rad)) return;
     const Se2 turn{0.0, 0.0, by_rad};
     std::transform(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), turned.begin(),
                    [&](const Vector2& p) { return turn.inverse() * p; });
@@ -185,13 +184,14 @@ double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_c
     after.T_odom_base = in.T_odom_base * turn;
     after.obstacles_base = {turned.data(), count};
     after.twist = {};
-    const double score = best_arc(v_cap_mps, after).score - kStopToTurn - kPerRadian * std::abs(by_rad);
+    const double score =
+        best_arc(v_cap_mps, after).score - params.stop_cost_m - params.cost_m_per_rad * std::abs(by_rad);
     if (!(score > best_score)) return;
     best_score = score;
     best_rad = by_rad;
   };
-  if (std::abs(turn_rad) > rules_.turn_end_rad) offer(turn_rad);
-  for (const double by_rad : kTurns) offer(by_rad);
+  if (std::abs(turn_rad) > params.end_rad) offer(turn_rad);
+  for (const double by_rad : params.tried_rad) offer(by_rad);
   return best_rad;
 }
 
@@ -210,20 +210,22 @@ FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
     sign = -sign;
     way_rad = kTurn - way_rad;
   }
-  const double rate = std::sqrt(1.2 * l.angular_acceleration_radps2 * way_rad);
+  const double rate = std::sqrt(rules_.turn.braking * l.angular_acceleration_radps2 * way_rad);
   out.twist.omega_radps = sign * std::min(rate, l.omega_max_radps);
   return out;
 }
 
 FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInput& in) {
   const types::RobotLimits& l = *in.limits;
-  const double v_end_mps =
-      in.ends_at_goal ? std::max(0.06, std::sqrt(1.2 * l.deceleration_mps2 * rest_m)) : l.v_max_mps;
+  const ArrivalParams& p = rules_.arrival;
+  const double v_end_mps = in.ends_at_goal
+                               ? std::max(p.slowest_mps, std::sqrt(p.braking * l.deceleration_mps2 * rest_m))
+                               : l.v_max_mps;
   const double v_cap_mps = std::min(v_end_mps, slip_speed_mps(in));
   const Arc best = best_arc(v_cap_mps, in);
   FollowOutput out;
   out.turn_rad = turn_rad;
-  if (best.v_mps < std::min(kSlow_mps, v_cap_mps) - 0.01) {
+  if (best.v_mps < std::min(rules_.slow_mps, v_cap_mps) - rules_.turn.slower_mps) {
     const double by_rad = better_turn_rad(best, turn_rad, v_cap_mps, in);
     if (by_rad != 0.0) {
       turning_ = by_rad == turn_rad;
@@ -245,9 +247,10 @@ FollowOutput PathFollower::step(const FollowInput& in) {
   take_path(in);
   const double rest_m = s_m_[points_ - 1] - here_.s_m;
   const Vector2 end_base = in.T_odom_base.inverse() * path_[points_ - 1];
-  const bool at_end = rest_m < rules_.arrived_m && end_base.norm() < 3.0 * rules_.arrived_m;
-  const bool passed_end = rest_m < rules_.arrived_m && end_base.norm() < 0.25 && end_base.x() < 0.0;
-  if (at_end || passed_end || end_base.norm() < rules_.arrived_m) {
+  const ArrivalParams& p = rules_.arrival;
+  const bool at_end = rest_m < p.along_m && end_base.norm() < p.off_factor * p.along_m;
+  const bool passed_end = rest_m < p.along_m && end_base.norm() < p.passed_m && end_base.x() < 0.0;
+  if (at_end || passed_end || end_base.norm() < p.along_m) {
     out.arrived = in.ends_at_goal;
     turning_ = false;
     return out;
@@ -255,7 +258,7 @@ FollowOutput PathFollower::step(const FollowInput& in) {
   const Vector2 ahead =
       in.T_odom_base.inverse() * point_at(here_.s_m + std::max(rules_.lookahead_m, here_.distance_m));
   const double turn_rad = std::atan2(ahead.y(), ahead.x());
-  turning_ = std::abs(turn_rad) > (turning_ ? rules_.turn_end_rad : rules_.turn_begin_rad);
+  turning_ = std::abs(turn_rad) > (turning_ ? rules_.turn.end_rad : rules_.turn.begin_rad);
   return turning_ ? turn(turn_rad, in) : drive(turn_rad, rest_m, in);
 }
 

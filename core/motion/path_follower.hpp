@@ -6,22 +6,12 @@
 #include <cstdint>
 #include <span>
 
+#include "core/motion/params.hpp"
 #include "core/perception/blind_spot.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/transform.hpp"
 
 namespace topo::motion {
-
-struct FollowerRules {
-  double lookahead_m = 0.5;      ///< distance along the path of the target point
-  double turn_begin_rad = 0.9;   ///< greater heading error: turn on the spot
-  double turn_end_rad = 0.2;     ///< heading error that ends the turn
-  double horizon_s = 1.5;        ///< arcs are compared at this time
-  double extra_margin_m = 0.04;  ///< more than the gate keeps free, so that noise does not make it brake
-  double omega_max_radps = 1.0;  ///< while driving
-  double crawl_mps = 0.05;       ///< an arc that allows less counts as blocked
-  double arrived_m = 0.04;
-};
 
 struct FollowInput {
   types::Se2 T_odom_base;  ///< now
@@ -33,6 +23,7 @@ struct FollowInput {
   double blind_s = 0.0;                            ///< as the gate's blind_time_s()
   double alive_s = 0.0;                            ///< as the gate's alive_time_s()
   const types::RobotLimits* limits = nullptr;
+  perception::ContactParams contact{};
 };
 
 struct FollowOutput {
@@ -49,7 +40,7 @@ struct FollowOutput {
 /// jamb first. Allocates nothing.
 class PathFollower {
  public:
-  static constexpr std::size_t kMaxPoints = 256;
+  static constexpr std::size_t kMaxPoints = 256;  ///< at least Plan::kMaxPoints
   static constexpr std::size_t kMaxObstacles =
       512 + perception::BlindSpot::kMax;  ///< of a scan, and what is remembered
 

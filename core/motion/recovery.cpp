@@ -9,22 +9,7 @@
 namespace topo::motion {
 namespace {
 
-using std::chrono::milliseconds;
 using types::Stamp;
-
-constexpr types::Duration kBlink = milliseconds(300);    // shorter is noise
-constexpr types::Duration kRefused = milliseconds(700);  // then this motion is given up
-constexpr types::Duration kPhaseMax = std::chrono::seconds(8);
-constexpr types::Duration kTryMax = 3 * kPhaseMax;  // the rest of it is for kLeaving
-constexpr double kAligned_rad = 0.25;
-// The tail of a P3-DX swings 2 cm aside: less than the margin kept on the way in.
-constexpr double kStraightBehind_rad = 0.1;
-constexpr double kBackedSlack_m = 0.05;
-constexpr double kCreep_mps = 0.03;
-constexpr double kEase_mps = 0.05;
-constexpr double kEaseLeast_mps = 0.02;
-constexpr double kRoomAhead_m = 0.25;    // less is used up soon, with the robot nearer to the obstacle
-constexpr double kBackedEnough_m = 0.2;  // the shortest distance that changes the view of the path ahead
 
 Stamp since(bool is, Stamp before, Stamp now) {
   if (!is) return Stamp{};
@@ -40,8 +25,8 @@ double turned(double angle_rad, int sense) {
   return angle_rad + sense * kRound_rad;
 }
 
-types::Twist2 turn_twist(double angle_rad, const types::RobotLimits& limits) {
-  const double fastest = std::min(0.8, limits.omega_max_radps);
+types::Twist2 turn_twist(double angle_rad, const types::RobotLimits& limits, double omega_max_radps) {
+  const double fastest = std::min(omega_max_radps, limits.omega_max_radps);
   const double rate = std::sqrt(limits.angular_acceleration_radps2 * std::abs(angle_rad));
   return {0.0, std::copysign(std::min(fastest, rate), angle_rad)};
 }
@@ -88,35 +73,36 @@ void Recovery::note_progress(const RecoveryInput& in) {
 void Recovery::watch(const RecoveryInput& in) {
   blocked_ = since(in.blocked || in.touching, blocked_, in.now);
   note_progress(in);
-  const bool hopeless = in.touching && lasts(blocked_, in.now, kBlink);
+  const bool hopeless = in.touching && lasts(blocked_, in.now, rules_.blink);
   if (hopeless || lasts(progress_, in.now, rules_.no_progress) || lasts(blocked_, in.now, rules_.wait))
     begin(in);
   else
-    phase_ = lasts(blocked_, in.now, kBlink) ? RecoveryPhase::kWaiting : RecoveryPhase::kNone;
+    phase_ = lasts(blocked_, in.now, rules_.blink) ? RecoveryPhase::kWaiting : RecoveryPhase::kNone;
 }
 
 types::Twist2 Recovery::back_twist(const RecoveryInput& in) const {
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
-  if (backed_m >= rules_.back_m) return {};
+  if (backed_m >= rules_.back.most_m) return {};
   // If the host fails, the robot rolls on until the watchdog fires, and must still be on the breadcrumb path.
   // Near the path's end it creeps: two more centimetres may give it the clearance to turn.
   const double most_mps = in.blind_s > 0.0 ? in.trail->behind_m() / in.blind_s : HUGE_VAL;
-  if (most_mps <= kCreep_mps) return {};
+  if (most_mps <= rules_.back.creep_mps) return {};
   return in.trail->back_twist(std::min(most_mps, in.limits->v_reverse_max_mps));
 }
 
 /// The shorter turn may lack clearance when the other one, by which the robot arrived, does not.
 void Recovery::turn_other_way_when_refused(double angle_rad, const RecoveryInput& in) {
-  if (sense_ != 0 || !lasts(refused_, in.now, kRefused)) return;
+  if (sense_ != 0 || !lasts(refused_, in.now, rules_.refused)) return;
   sense_ = angle_rad > 0.0 ? -1 : 1;
   refused_ = Stamp{};
 }
 
 RecoveryOutput Recovery::back(const RecoveryInput& in) {
   const double backed_m = (in.T_odom_base.translation() - phase_at_).norm();
+  const BackingParams& p = rules_.back;
   refused_ = since(in.refused, refused_, in.now);
   // Each try backs off farther than the last: the path ahead looks different from farther away.
-  const double enough_m = std::min(kBackedEnough_m * tries_, rules_.back_m - kBackedSlack_m);
+  const double enough_m = std::min(p.enough_m * tries_, p.most_m - p.slack_m);
   const bool clear = !in.blocked && !in.touching && backed_m >= enough_m;
   if (clear) {
     enter(RecoveryPhase::kNone, in);
@@ -125,10 +111,11 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
   const double aside_rad = in.trail->turn_to_back_rad();
   // The robot has turned since: it first turns the breadcrumb path behind itself, or the tail would sweep
   // ground that it never covered.
-  bool aside = !in.touching && !backs_askew_ && backed_m < 0.05 &&
-               std::abs(aside_rad) > kStraightBehind_rad &&
-               in.trail->length_m() > kBackedEnough_m + in.limits->v_reverse_max_mps * in.blind_s;
-  if (aside && std::abs(aside_rad) <= BreadcrumbPath::kBehind_rad && lasts(refused_, in.now, kRefused)) {
+  bool aside = !in.touching && !backs_askew_ && backed_m < p.begun_m &&
+               std::abs(aside_rad) > p.straight_rad &&
+               in.trail->length_m() > p.enough_m + in.limits->v_reverse_max_mps * in.blind_s;
+  if (aside && std::abs(aside_rad) <= in.trail->params().behind_rad &&
+      lasts(refused_, in.now, rules_.refused)) {
     // No clearance even for this small turn, as in a doorway: back off at the current heading, as far as the
     // gate allows.
     backs_askew_ = true;
@@ -136,8 +123,9 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
     refused_ = Stamp{};
   }
   if (aside) turn_other_way_when_refused(aside_rad, in);
-  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
-  if (!over && aside) return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits)};
+  const bool over = lasts(since_, in.now, rules_.phase_max) || lasts(refused_, in.now, rules_.refused);
+  if (!over && aside)
+    return {phase_, turn_twist(turned(aside_rad, sense_), *in.limits, rules_.omega_max_radps)};
   const types::Twist2 twist = over ? types::Twist2{} : back_twist(in);
   if (twist != types::Twist2{}) return {phase_, twist, Backing::kAlongTrail};
   backed_m_ = backed_m;
@@ -148,17 +136,17 @@ RecoveryOutput Recovery::back(const RecoveryInput& in) {
 RecoveryOutput Recovery::turn(const RecoveryInput& in) {
   refused_ = since(in.refused, refused_, in.now);
   turn_other_way_when_refused(in.turn_rad, in);
-  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
-  const bool aligned = std::abs(in.turn_rad) < kAligned_rad;
-  if (over && !aligned && !in.touching && backed_m_ < kBackedEnough_m) {
+  const bool over = lasts(since_, in.now, rules_.phase_max) || lasts(refused_, in.now, rules_.refused);
+  const bool aligned = std::abs(in.turn_rad) < rules_.aligned_rad;
+  if (over && !aligned && !in.touching && backed_m_ < rules_.back.enough_m) {
     // The first try drives straight ahead where there is free space, because the scanner observes it. The
     // later tries ease back first, and drive straight ahead when that fails.
-    const bool on_first = tries_ == 1 && !eased_m_ && in.ahead_m >= kRoomAhead_m;
+    const bool on_first = tries_ == 1 && !eased_m_ && in.ahead_m >= rules_.room_ahead_m;
     if (!on_first && !eased_m_) {
       enter(RecoveryPhase::kEasing, in);
       return ease(in);
     }
-    if (on_first || *eased_m_ < rules_.ease_m * tries_) {
+    if (on_first || *eased_m_ < rules_.ease.step_m * tries_) {
       enter(RecoveryPhase::kLeaving, in);
       return leave(in);
     }
@@ -167,7 +155,7 @@ RecoveryOutput Recovery::turn(const RecoveryInput& in) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }
-  return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits)};
+  return {phase_, turn_twist(turned(in.turn_rad, sense_), *in.limits, rules_.omega_max_radps)};
 }
 
 /// A jamb between the front corners, nearer than the turning circle, holds a robot with free space behind it;
@@ -177,20 +165,20 @@ RecoveryOutput Recovery::ease(const RecoveryInput& in) {
   const double eased_m = (in.T_odom_base.translation() - phase_at_).norm();
   // If the host fails, the robot rolls on until the watchdog fires, and must still be over seen ground.
   const double most_mps = in.blind_s > 0.0 ? in.seen_behind_m / in.blind_s : HUGE_VAL;
-  const bool over = lasts(since_, in.now, kPhaseMax) || lasts(refused_, in.now, kRefused);
-  if (over || eased_m >= rules_.ease_m * tries_ || in.touching || most_mps < kEaseLeast_mps) {
+  const bool over = lasts(since_, in.now, rules_.phase_max) || lasts(refused_, in.now, rules_.refused);
+  if (over || eased_m >= rules_.ease.step_m * tries_ || in.touching || most_mps < rules_.ease.least_mps) {
     eased_m_ = eased_m;
     enter(RecoveryPhase::kTurning, in);
     return turn(in);
   }
-  return {phase_, {-std::min(most_mps, kEase_mps), 0.0}, Backing::kOverSeenGround};
+  return {phase_, {-std::min(most_mps, rules_.ease.speed_mps), 0.0}, Backing::kOverSeenGround};
 }
 
 RecoveryOutput Recovery::leave(const RecoveryInput& in) {
   refused_ = since(in.refused, refused_, in.now);
   const double left_m = (in.T_odom_base.translation() - phase_at_).norm();
-  if (in.touching || left_m >= rules_.leave_m || lasts(refused_, in.now, kRefused) ||
-      lasts(tried_, in.now, kTryMax)) {
+  if (in.touching || left_m >= rules_.leave_m || lasts(refused_, in.now, rules_.refused) ||
+      lasts(tried_, in.now, rules_.try_max)) {
     enter(RecoveryPhase::kNone, in);
     return {};
   }

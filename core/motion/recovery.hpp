@@ -6,6 +6,7 @@
 
 #include "core/motion/backing.hpp"
 #include "core/motion/breadcrumb_path.hpp"
+#include "core/motion/params.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/stamp.hpp"
 #include "core/types/transform.hpp"
@@ -22,28 +23,18 @@ enum class RecoveryPhase : std::uint8_t {
   kStuck,    ///< all tries failed; until the goal changes
 };
 
-struct RecoveryRules {
-  types::Duration wait = std::chrono::milliseconds(2500);
-  types::Duration no_progress = std::chrono::seconds(8);  ///< counts as blocked
-  double progress_m = 0.15;
-  double back_m = 0.5;       ///< at most, without the roll until the watchdog fires
-  double leave_m = 0.4;      ///< at most
-  double ease_m = 0.08;      ///< times the number of the try
-  int tries = 3;             ///< then stuck
-  double forgotten_m = 1.0;  ///< distance from the first try at which the tries begin anew
-};
-
 struct RecoveryInput {
   types::Stamp now{};
   std::uint64_t goal_id = 0;
   types::Se2 T_odom_base;
-  bool blocked = false;        ///< no arc is possible, or the gate let nothing through
-  bool touching = false;       ///< a bumper is pressed or a wheel stalls
-  bool refused = false;        ///< the gate let next to nothing of recovery's last motion through
-  double turn_rad = 0.0;       ///< from the heading to the continuation of the path
-  double blind_s = 0.0;        ///< how long the robot rolls on when the host fails
-  double ahead_m = 0.0;        ///< free distance straight ahead
-  double seen_behind_m = 0.0;  ///< straight back over ground observed recently, at most kSeenBehind_m
+  bool blocked = false;   ///< no arc is possible, or the gate let nothing through
+  bool touching = false;  ///< a bumper is pressed or a wheel stalls
+  bool refused = false;   ///< the gate let next to nothing of recovery's last motion through
+  double turn_rad = 0.0;  ///< from the heading to the continuation of the path
+  double blind_s = 0.0;   ///< how long the robot rolls on when the host fails
+  double ahead_m = 0.0;   ///< free distance straight ahead
+  double seen_behind_m =
+      0.0;  ///< straight back over ground observed recently, at most EasingParams::seen_max_m
   const BreadcrumbPath* trail = nullptr;
   const types::RobotLimits* limits = nullptr;
 };
@@ -59,9 +50,6 @@ struct RecoveryOutput {
 /// some tries report kStuck. Every other phase ends after a bounded time.
 class Recovery {
  public:
-  /// Greatest useful seen_behind_m: more than the robot rolls on when the host fails while it eases.
-  static constexpr double kSeenBehind_m = 0.15;
-
   explicit Recovery(const RecoveryRules& rules = {}) : rules_(rules) {}
   RecoveryOutput step(const RecoveryInput& input);
   /// Time without a task, or with motion impossible for another reason, is not counted as a lack of progress.

@@ -13,18 +13,12 @@
 namespace topo::motion {
 namespace {
 
-using std::chrono::milliseconds;
 using types::Duration;
 using types::Stamp;
 using types::Twist2;
 
-constexpr Duration kFutureMax = milliseconds(20);
-constexpr Duration kScanAgeMax = milliseconds(150);
-constexpr double kScanPeriods = 2.5;
-constexpr double kValidFractionMin = 0.5;
-constexpr double kElapsedMax_s = 0.1;     // a late period must not cause a jump in speed
-constexpr double kStandstill_mps = 0.01;  // slower counts as standing
-constexpr double kStandstill_radps = 0.02;
+// Tolerance: threads of one clock stamp what they hand over within their scheduling jitter.
+constexpr Duration kFutureMax = std::chrono::milliseconds(20);
 
 bool is_finite_twist(const Twist2& t) { return std::isfinite(t.v_mps) && std::isfinite(t.omega_radps); }
 
@@ -60,10 +54,12 @@ std::optional<GateReason> base_fault(const GateInput& in) {
 }
 
 std::optional<GateReason> scan_fault(const GateInput& in) {
-  if (in.front_scan == nullptr || is_stale(in.front_scan->arrival, in.now, scan_age_max(*in.front_scan)))
+  if (in.front_scan == nullptr ||
+      is_stale(in.front_scan->arrival, in.now, scan_age_max(*in.front_scan, in.params.scan)))
     return GateReason::kStaleScan;
   // Fails as well for a mount whose heading is not finite: it has no forward beams.
-  if (!(perception::forward_valid_fraction(*in.front_scan, in.T_base_laser) >= kValidFractionMin))
+  if (!(perception::forward_valid_fraction(*in.front_scan, in.T_base_laser, in.stop_zone) >=
+        in.params.valid_share_min))
     return GateReason::kBlindScan;
   const types::Se2& mount = in.T_base_laser;
   if (!std::isfinite(mount.x_m) || !std::isfinite(mount.y_m)) return GateReason::kBlindScan;
@@ -91,15 +87,15 @@ std::optional<GateReason> first_fault(const GateState& state, const GateInput& i
   return request_fault(in);
 }
 
-double elapsed_s(const GateState& state, Stamp now) {
+double elapsed_s(const GateState& state, Stamp now, double most_s) {
   if (state.last_stamp == Stamp{} || now <= state.last_stamp) return 0.0;
-  return std::min(types::to_seconds(now - state.last_stamp), kElapsedMax_s);
+  return std::min(types::to_seconds(now - state.last_stamp), most_s);
 }
 
 /// Stays on the requested arc from the start: rotation reaches its speed long before translation does, and a
 /// robot that begins an arc by turning on the spot turns into obstacles beside the arc.
 Twist2 ramped_twist(const GateState& state, const Twist2& wanted, const GateInput& in) {
-  const double dt_s = elapsed_s(state, in.now);
+  const double dt_s = elapsed_s(state, in.now, in.params.elapsed_max_s);
   const types::RobotLimits& l = in.limits;
   const double v_mps = ramped(state.last.v_mps, wanted.v_mps, l.acceleration_mps2, l.deceleration_mps2, dt_s);
   const double part = wanted.v_mps != 0.0 ? std::clamp(v_mps / wanted.v_mps, 0.0, 1.0) : 1.0;
@@ -120,10 +116,10 @@ double slip_scale(const Twist2& next, const GateInput& in) {
 /// coming nearer; behind, only the next match against the map shows it. The displacement until then must fit
 /// into the gap.
 double turn_slip_scale(const Twist2& next, const GateInput& in) {
-  constexpr double kUnnoticed_s = 1.0;
   const double turn_radps = std::abs(next.omega_radps);
-  if (!perception::is_on_the_spot(next) || turn_radps <= in.limits.omega_beside_radps) return 1.0;
-  const double aside_m = turn_radps * in.limits.slip_aside_m_per_rad * kUnnoticed_s;
+  if (!perception::is_on_the_spot(next, in.stop_zone) || turn_radps <= in.limits.omega_beside_radps)
+    return 1.0;
+  const double aside_m = turn_radps * in.limits.slip_aside_m_per_rad * in.params.unnoticed_slip_s;
   const double scale = perception::remembered_gap_m(in.limits, surroundings(in), aside_m) / aside_m;
   return std::max(scale, in.limits.omega_beside_radps / turn_radps);
 }
@@ -131,16 +127,15 @@ double turn_slip_scale(const Twist2& next, const GateInput& in) {
 /// True when an obstacle appeared nearer than the normal braking distance: the firmware's emergency stop
 /// brakes several times as hard.
 bool must_brake_hard(const GateInput& in) {
-  constexpr double kLate = 0.8;  // of the speed from which normal braking would suffice
-  constexpr double kDriven_mps = 0.1;
+  const GateParams& p = in.params;
   const Twist2& measured = in.base->odometry.twist;
-  if (!(measured.v_mps > kDriven_mps)) return false;
-  const Twist2 slower{kLate * measured.v_mps, kLate * measured.omega_radps};
-  if (!stands_in_time(slower, in.moving, alive_time_s(in), 0.0, in.limits)) return true;
+  if (!(measured.v_mps > p.late_from_mps)) return false;
+  const Twist2 slower{p.late_share * measured.v_mps, p.late_share * measured.omega_radps};
+  if (!stands_in_time(slower, in.moving, alive_time_s(in), 0.0, in.limits, p.giving_way)) return true;
   types::RobotLimits bare = in.limits;
   bare.margin_m = 0.0;
   const double free_s = perception::free_time_s(measured, bare, surroundings(in));
-  return stopping_scale(measured, free_s, alive_time_s(in), in.limits) < kLate;
+  return stopping_scale(measured, free_s, alive_time_s(in), in.limits) < p.late_share;
 }
 
 void decide_motion(const GateState& state, const GateInput& in, GateOutput& out) {
@@ -159,7 +154,8 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
   double scale = stopping_scale(next, free_s, blind_s, in.limits);
   scale = std::min({scale, slip_scale(next, in), turn_slip_scale(next, in)});
   // With a live daemon, as for obstacles that wheel slip may touch.
-  const double yielding = giving_way_scale(next, in.moving, alive_time_s(in), in.limits);
+  const double yielding =
+      giving_way_scale(next, in.moving, alive_time_s(in), in.limits, in.params.giving_way);
   const bool gives_way = yielding < scale;
   scale = std::min(scale, yielding);
   bool at_edge = false;
@@ -174,8 +170,8 @@ void decide_motion(const GateState& state, const GateInput& in, GateOutput& out)
     scale *= part;
   }
   const Twist2 safe{next.v_mps * scale, next.omega_radps * scale};
-  const bool creeps =
-      std::abs(safe.v_mps) < kStandstill_mps && std::abs(safe.omega_radps) < kStandstill_radps;
+  const bool creeps = std::abs(safe.v_mps) < in.params.standstill_mps &&
+                      std::abs(safe.omega_radps) < in.params.standstill_radps;
   if (scale < 1.0 && creeps) {
     out.reason = at_edge ? GateReason::kAreaLimit : gives_way ? GateReason::kGivesWay : GateReason::kBlocked;
     return;
@@ -193,18 +189,17 @@ bool is_stale(Stamp stamp, Stamp now, Duration age_max) {
   return stamp == Stamp{} || now - stamp > age_max || stamp - now > kFutureMax;
 }
 
-Duration scan_age_max(const types::Scan& scan) {
+Duration scan_age_max(const types::Scan& scan, const ScanAgeParams& params) {
   const double period_s = static_cast<double>(scan.geometry.period_s);
-  constexpr double kPeriodMax_s = 0.2;  // longer than any scanner's: a wrong period must not extend the limit
-  if (!(period_s > 0.0 && period_s <= kPeriodMax_s)) return kScanAgeMax;
-  return std::max(kScanAgeMax, types::from_seconds(kScanPeriods * period_s));
+  if (!(period_s > 0.0 && period_s <= params.period_max_s)) return params.age_max;
+  return std::max(params.age_max, types::from_seconds(params.periods * period_s));
 }
 
 double alive_time_s(const GateInput& in) {
   const types::Scan& scan = *in.front_scan;
   const Duration age = std::max(in.now - scan.first_beam, in.now - scan.arrival + scan.late);
   // A stamp of the first beam that is missing or in the future does not give the age.
-  const Duration bounded = std::clamp(age, Duration::zero(), Duration(std::chrono::seconds(1)));
+  const Duration bounded = std::clamp(age, Duration::zero(), in.params.first_beam_age_max);
   return types::to_seconds(bounded + std::max(in.limits.reaction, in.lag) + types::kBasePeriod);
 }
 
@@ -219,7 +214,8 @@ perception::Surroundings surroundings(const GateInput& in) {
           .sonar = in.base->sonar,
           .T_base_sonar = in.T_base_sonar,
           .now = in.now,
-          .backing_off = backs_along_trail(in)};
+          .backing_off = backs_along_trail(in),
+          .params = in.stop_zone};
 }
 
 bool is_finite(const types::BaseState& base) {

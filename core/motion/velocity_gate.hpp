@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/motion/backing.hpp"
+#include "core/motion/params.hpp"
 #include "core/perception/moving_obstacle.hpp"
 #include "core/perception/stop_zone.hpp"
 #include "core/plausibility/doubt.hpp"
@@ -35,7 +36,7 @@ enum class GateReason {
   kStall,
   kBumper,
   kStaleScan,
-  kBlindScan,    ///< fewer than half of the forward beams are valid
+  kBlindScan,    ///< too few of the forward beams are valid (GateParams::valid_share_min)
   kReverse,      ///< the rear is blind
   kAreaLimit,    ///< the edge of the allowed area is too near
   kNoPlace,      ///< there are area limits, and the robot's pose is unknown
@@ -75,6 +76,8 @@ struct GateInput {
   bool by_hand = false;
   const types::AreaLimits* area = nullptr;  ///< null or empty: none
   std::optional<types::Se2> T_map_base;     ///< now; needed when there are area limits
+  GateParams params;
+  perception::StopZoneParams stop_zone;
 };
 
 struct GateState {
@@ -97,8 +100,8 @@ GateOutput gate(GateState& state, const GateInput& input);
 /// True when older than `age_max`, never set (the zero stamp), or in the future by more than scheduling
 /// jitter.
 bool is_stale(types::Stamp stamp, types::Stamp now, types::Duration age_max);
-/// Maximum age by arrival: the greater of 150 ms and two and a half periods.
-types::Duration scan_age_max(const types::Scan& scan);
+/// Maximum age by arrival.
+types::Duration scan_age_max(const types::Scan& scan, const ScanAgeParams& params);
 /// Time for which the robot may continue at a twist after this period: until the firmware's watchdog fires,
 /// plus the age of the scan and the time until the wheels react. Needs input.front_scan.
 double blind_time_s(const GateInput& input);

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "core/motion/params.hpp"
 #include "core/perception/moving_obstacle.hpp"
 #include "core/types/stamp.hpp"
 
@@ -14,6 +15,7 @@ namespace topo::motion {
 /// the other on its right stands longer.
 class Yielding {
  public:
+  explicit Yielding(const YieldingParams& params = {}) : params_(params) {}
   /// Call once per period. `held_up`: a moving obstacle is in the way. `moving` is in base, nearest first.
   void update(types::Stamp now, bool held_up, std::span<const perception::MovingObstacle> moving);
   /// True while the robot waits for a moving obstacle and patience has not ended.
@@ -22,6 +24,7 @@ class Yielding {
   [[nodiscard]] bool lets_go_first() const { return lets_go_first_; }
 
  private:
+  YieldingParams params_;
   types::Stamp since_{}, last_{};  ///< first and last time held up; zero: never
   bool on_the_right_ = false;
   bool waits_ = false, lets_go_first_ = false;

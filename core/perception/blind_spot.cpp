@@ -15,14 +15,6 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-constexpr double kReach_m = 0.6;         // from the centre: more than any outline with its margin
-constexpr double kLeavesView_rad = 0.6;  // this near to its edge, a point may leave the view before the next
-                                         // scan
-constexpr double kSpacing_m = 0.02;      // between kept points
-constexpr double kMoverRim_m = 0.15;     // around a moving obstacle: a second leg beside the first
-constexpr double kJump_m = 0.25;         // between two scans: the odometry was reset
-constexpr double kJump_rad = 1.0;        // the same for a rotation
-
 /// Half of the scanner's field of view. A scanner that is mounted upside down has clockwise beams.
 double half_view_rad(const types::Scan& scan) {
   return 0.5 * std::abs(static_cast<double>(scan.geometry.angle_increment_rad)) * (scan.beams - 1);
@@ -48,14 +40,14 @@ bool tells(const types::Scan& scan, const Vector2& p_laser) {
   return types::is_hit(range_m) || range_m == types::kNoReturn;
 }
 
-bool goes_on(const Se2& before, const Se2& now) {
-  return types::distance_m(before, now) < kJump_m &&
-         std::abs(types::wrap_angle(now.theta_rad - before.theta_rad)) < kJump_rad;
+bool goes_on(const Se2& before, const Se2& now, const BlindSpotParams& params) {
+  return types::distance_m(before, now) < params.jump_m &&
+         std::abs(types::wrap_angle(now.theta_rad - before.theta_rad)) < params.jump_rad;
 }
 
-bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving) {
+bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving, double rim_m) {
   return std::any_of(moving.begin(), moving.end(), [&](const MovingObstacle& m) {
-    return (p_base - m.centre).norm() < m.radius_m + kMoverRim_m;
+    return (p_base - m.centre).norm() < m.radius_m + rim_m;
   });
 }
 
@@ -64,8 +56,8 @@ bool moves(const Vector2& p_base, std::span<const MovingObstacle> moving) {
 void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
   const Se2 T_laser_odom = T_odom_laser.inverse();
   const auto is_over = [&](const Seen& s) {
-    return (s.p_odom - T_odom_base_.translation()).squaredNorm() > kReach_m * kReach_m ||
-           scan.arrival - s.last > kKept || tells(scan, T_laser_odom * s.p_odom);
+    return (s.p_odom - T_odom_base_.translation()).squaredNorm() > params_.reach_m * params_.reach_m ||
+           scan.arrival - s.last > params_.kept || tells(scan, T_laser_odom * s.p_odom);
   };
   const auto end = std::remove_if(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(size_), is_over);
   size_ = static_cast<std::size_t>(end - seen_.begin());
@@ -75,7 +67,7 @@ void BlindSpot::forget(const types::Scan& scan, const Se2& T_odom_laser) {
 void BlindSpot::keep(const Vector2& p_odom, types::Stamp seen) {
   const auto end = seen_.begin() + static_cast<std::ptrdiff_t>(size_);
   const auto there = std::find_if(seen_.begin(), end, [&](const Seen& s) {
-    return (s.p_odom - p_odom).squaredNorm() < kSpacing_m * kSpacing_m;
+    return (s.p_odom - p_odom).squaredNorm() < params_.spacing_m * params_.spacing_m;
   });
   if (there != end) {
     there->last = seen;
@@ -94,19 +86,21 @@ void BlindSpot::update(const types::Scan& scan, const Se2& T_base_laser, std::sp
   if (scan.first_beam == scan_ || scan.beams == 0) return;
   scan_ = scan.first_beam;
   const Se2 T_odom_base = pose_at(odometry, scan.first_beam);
-  if (!goes_on(T_odom_base_, T_odom_base)) {
+  if (!goes_on(T_odom_base_, T_odom_base, params_)) {
     size_ = 0;
     ground_.clear();
   }
   T_odom_base_ = T_odom_base;
-  ground_.update(scan, T_base_laser, T_odom_base, outline);
+  ground_.update(scan, T_base_laser, T_odom_base, outline, params_.ground);
   forget(scan, T_odom_base * T_base_laser);
   const Se2 T_laser_base = T_base_laser.inverse();
-  const double leaves_rad = half_view_rad(scan) - kLeavesView_rad;
+  const double leaves_rad = half_view_rad(scan) - params_.leaves_view_rad;
   for (const ScanPoint& point : points) {
     const Vector2& p = point.p_base;
-    if (p.squaredNorm() > kReach_m * kReach_m || contains(outline, p)) continue;
-    if (std::abs(off_middle_rad(scan, T_laser_base * p)) < leaves_rad || moves(p, moving)) continue;
+    if (p.squaredNorm() > params_.reach_m * params_.reach_m || contains(outline, p)) continue;
+    if (std::abs(off_middle_rad(scan, T_laser_base * p)) < leaves_rad ||
+        moves(p, moving, params_.mover_rim_m))
+      continue;
     keep(T_odom_base * p, scan.arrival);
   }
 }

@@ -11,7 +11,7 @@ namespace {
 using types::Twist2;
 using types::Vector2;
 
-constexpr double kStraight_radps = 1e-6;
+constexpr double kStraight_radps = 1e-6;  // numerical: a slower turn is a straight line to the rounding
 
 double straight_contact_s(const Vector2& p, double v_mps, const types::Footprint& f) {
   if (std::abs(p.y()) > std::min(f.half_width_m, f.swing_radius_m) || v_mps == 0.0) return kNever_s;
@@ -47,7 +47,7 @@ class Arc {
   /// True when the point lies within or outside the ring that the footprint sweeps around the arc's centre,
   /// as most near points do.
   [[nodiscard]] bool is_off_the_ring() const {
-    constexpr double kRounding_m = 1e-6;
+    constexpr double kRounding_m = 1e-6;  // numerical: a rejected point must not touch
     const double centre_m = std::abs(radius_m_);
     const double end_m = std::max(footprint_.front_m, footprint_.rear_m);
     const double corner_m = std::sqrt(end_m * end_m + footprint_.half_width_m * footprint_.half_width_m);
@@ -125,10 +125,10 @@ bool approaches(const Vector2& p, const Twist2& twist, const types::Footprint& f
 
 /// Contact time for a point just within the outline, where noise puts a point next to the robot. A motion
 /// that does not approach the point may continue.
-double contact_time_at_rim_s(const Vector2& p, const Twist2& twist, const types::Footprint& f) {
-  constexpr double kNoise_m = 0.03;
-  constexpr double kNotAtAll = 1e-9;
-  const types::Footprint slim = types::grown(f, -kNoise_m);
+double contact_time_at_rim_s(const Vector2& p, const Twist2& twist, const types::Footprint& f,
+                             double noise_m) {
+  constexpr double kNotAtAll = 1e-9;  // numerical: zero, to the rounding
+  const types::Footprint slim = types::grown(f, -noise_m);
   if (contains(slim, p) || approaches(p, twist, slim, kNotAtAll)) return 0.0;
   return contact_time_s(p, twist, slim);
 }
@@ -151,12 +151,11 @@ double contact_time_s(const Vector2& p, const Twist2& twist, const types::Footpr
 }
 
 double contact_time_with_margin_s(const Vector2& p, const Twist2& twist, const types::Footprint& f,
-                                  double margin_m) {
+                                  double margin_m, const ContactParams& params) {
   const types::Footprint wide = types::grown(f, margin_m);
   if (!contains(wide, p)) return contact_time_s(p, twist, wide);
-  if (contains(f, p)) return contact_time_at_rim_s(p, twist, f);
-  constexpr double kClosing = 0.2;
-  return approaches(p, twist, f, kClosing) ? 0.0 : contact_time_s(p, twist, f);
+  if (contains(f, p)) return contact_time_at_rim_s(p, twist, f, params.noise_m);
+  return approaches(p, twist, f, params.closing_share) ? 0.0 : contact_time_s(p, twist, f);
 }
 
 }  // namespace topo::perception

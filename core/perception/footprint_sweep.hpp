@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/perception/params.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/transform.hpp"
 
@@ -19,7 +20,8 @@ double contact_time_s(const types::Vector2& p_base, const types::Twist2& twist,
 /// The same with a margin. A point already within the margin stops a motion towards it. For a motion along it
 /// or away from it, only contact with the footprint itself counts, so that a robot beside a wall can leave.
 double contact_time_with_margin_s(const types::Vector2& p_base, const types::Twist2& twist,
-                                  const types::Footprint& footprint, double margin_m);
+                                  const types::Footprint& footprint, double margin_m,
+                                  const ContactParams& params);
 
 /// First contact of one motion with any of many points. Most points are rejected by their distance: the
 /// robot's centre moves at |v|, so a point farther away than the path until the first known contact plus the
@@ -45,7 +47,7 @@ class FirstContact {
 
  private:
   void look_as_far_as_needed() {
-    constexpr double kRounding_m = 1e-6;
+    constexpr double kRounding_m = 1e-6;  // numerical: a rejected point must not touch
     const double way_m = speed_mps_ > 0.0 ? speed_mps_ * first_s_ : 0.0;
     const double far_m = reach_m_ + way_m + kRounding_m;
     square_m2_ = far_m * far_m;

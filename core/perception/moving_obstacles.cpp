@@ -6,30 +6,16 @@
 #include <cmath>
 
 #include "core/perception/look_match.hpp"
+#include "core/types/robot_limits.hpp"
 
 namespace topo::perception {
-namespace {
 
 using types::Se2;
 using types::Vector2;
 
-constexpr types::Duration kEvery = std::chrono::milliseconds(90);
-constexpr types::Duration kPause = std::chrono::milliseconds(450);
-constexpr double kCarried_m = 0.5;   // between sweeps: more than any wheel can drive
-constexpr double kExplained = 0.85;  // least fraction of beams that fit; below, the scanner's pose is unknown
-constexpr double kMoves_mps = 0.2, kMovesAgain_mps = 0.1, kStill_mps = 0.1;
-constexpr double kStill_s = 0.4;  // slow for this long: it stands
-constexpr double kGone_s = 0.5;   // unseen for this long: it is gone
-constexpr double kGoneStill_s = 0.25;
-constexpr double kCovered_m = 0.06, kCoveredAgain_m = 0.02;  // on top of noise: what a change of view shifts
-constexpr double kFastest_mps = 2.0;
-constexpr double kWindow_s = 0.55;
-constexpr double kBefore_s = 0.25;  // least age of the sweep that may have seen the location free
-
-}  // namespace
-
 Se2 pose_at(const types::Odometry& odometry, types::Stamp when) {
-  constexpr double kMost_s = 0.3;
+  // A bound for stamps that are wrong: past the default of this age the gate stops the robot.
+  constexpr double kMost_s = types::to_seconds(types::RobotLimits{}.status_age_max);
   const double dt_s = std::clamp(types::to_seconds(when - odometry.stamp), -kMost_s, kMost_s);
   const double turn = odometry.twist.omega_radps * dt_s, way = odometry.twist.v_mps * dt_s;
   return odometry.T_odom_base.se2() * Se2{way * std::cos(0.5 * turn), way * std::sin(0.5 * turn), turn};
@@ -89,8 +75,8 @@ void MovingObstacles::forget() {
 }
 
 bool MovingObstacles::continues(const ScanLook& next, const Se2& T_odom_laser) const {
-  if (count_ == 0 || next.stamp - look(0).stamp > kPause) return false;
-  return (T_odom_laser_.inverse() * T_odom_laser).translation().norm() < kCarried_m;
+  if (count_ == 0 || next.stamp - look(0).stamp > params_.sweeps.pause) return false;
+  return (T_odom_laser_.inverse() * T_odom_laser).translation().norm() < params_.sweeps.carried_m;
 }
 
 void MovingObstacles::begin(const Se2& T_odom_laser) {
@@ -102,14 +88,16 @@ void MovingObstacles::begin(const Se2& T_odom_laser) {
 /// Pose of the scanner at the newest sweep: predicted from odometry, corrected by a match with static
 /// surroundings.
 void MovingObstacles::reckon(const Se2& T_odom_laser) {
-  const LookMatch match = match_looks(look(1), look(0), T_odom_laser_.inverse() * T_odom_laser);
-  trusted_ = match.explained >= kExplained;
+  const LookMatch match =
+      match_looks(look(1), look(0), T_odom_laser_.inverse() * T_odom_laser, params_.match);
+  trusted_ = match.explained >= params_.sweeps.explained_min;
   poses_[newest_] = pose(1) * match.T_before_now;
 }
 
 void MovingObstacles::update(const types::Scan& scan, const Se2& T_base_laser,
                              const types::Odometry& odometry) {
-  if (count_ > 0 && scan.first_beam - look(0).stamp < kEvery && scan.first_beam > look(0).stamp - kEvery)
+  const types::Duration every = params_.sweeps.every;
+  if (count_ > 0 && scan.first_beam - look(0).stamp < every && scan.first_beam > look(0).stamp - every)
     return;
   const std::size_t next = (newest_ + 1) % kLooks;
   if (!take_look(scan, odometry.twist.omega_radps, looks_[next])) return forget();
@@ -132,19 +120,22 @@ void MovingObstacles::update(const types::Scan& scan, const Se2& T_base_laser,
 /// The scanner's pose is unknown: positions before and after are not comparable.
 void MovingObstacles::doubt() {
   const auto end = tracks_.begin() + static_cast<std::ptrdiff_t>(tracked_);
-  const auto gone = [&](const Track& t) { return !t.moving || now_s() - t.newest().at_s > kGone_s; };
+  const auto gone = [&](const Track& t) {
+    return !t.moving || now_s() - t.newest().at_s > params_.tracks.gone_s;
+  };
   tracked_ = static_cast<std::size_t>(std::remove_if(tracks_.begin(), end, gone) - tracks_.begin());
 }
 
 void MovingObstacles::follow_groups() {
+  const TrackParams& p = params_.tracks;
   std::array<ScanGroup, kGroups> groups;
-  const std::size_t found = find_groups(look(0), groups);
+  const std::size_t found = find_groups(look(0), params_.groups, groups);
   std::array<bool, kGroups> taken{};
   const std::size_t known = tracked_;
   for (std::size_t t = 0; t < known; ++t) {
     Track& track = tracks_[t];
     const double since_s = now_s() - track.newest().at_s;
-    const double reach_m = 0.15 + (track.moving ? 0.5 * kFastest_mps : kFastest_mps) * since_s;
+    const double reach_m = p.search_m + (track.moving ? p.surprise * p.fastest_mps : p.fastest_mps) * since_s;
     std::size_t best = found;
     double best_m = reach_m;
     for (std::size_t g = 0; g < found; ++g) {
@@ -160,7 +151,7 @@ void MovingObstacles::follow_groups() {
   for (std::size_t g = 0; g < found; ++g)
     if (!taken[g]) begin_track(groups[g]);
   const auto gone = [&](const Track& track) {
-    return now_s() - track.newest().at_s > (track.has_moved ? kGone_s : kGoneStill_s);
+    return now_s() - track.newest().at_s > (track.has_moved ? p.gone_s : p.gone_still_s);
   };
   const auto end = tracks_.begin() + static_cast<std::ptrdiff_t>(tracked_);
   tracked_ = static_cast<std::size_t>(std::remove_if(tracks_.begin(), end, gone) - tracks_.begin());
@@ -183,7 +174,7 @@ void MovingObstacles::begin_track(const ScanGroup& group) {
 
 void MovingObstacles::follow(Track& track, const ScanGroup& group) {
   std::size_t begin = track.sightings == kLooks ? 1 : 0;
-  while (begin < track.sightings && now_s() - track.seen[begin].at_s > kWindow_s) ++begin;
+  while (begin < track.sightings && now_s() - track.seen[begin].at_s > params_.tracks.window_s) ++begin;
   std::copy(track.seen.begin() + static_cast<std::ptrdiff_t>(begin),
             track.seen.begin() + static_cast<std::ptrdiff_t>(track.sightings), track.seen.begin());
   track.sightings -= begin;
@@ -193,32 +184,33 @@ void MovingObstacles::follow(Track& track, const ScanGroup& group) {
 }
 
 void MovingObstacles::judge(Track& track, const ScanGroup& group) {
-  constexpr std::size_t kLeast = 3;
+  const TrackParams& p = params_.tracks;
   const Fit fit(track);
-  if (fit.sightings < kLeast) return;
+  if (fit.sightings < p.sightings_min) return;
   if (!track.moving && begins_to_move(track, fit, group)) {
     track.moving = track.has_moved = true;
     track.slow_since_s = now_s();
   }
   if (!track.moving) return;
   track.velocity_mps = fit.velocity_mps;
-  if (fit.velocity_mps.norm() > kStill_mps) track.slow_since_s = now_s();
-  track.moving = now_s() - track.slow_since_s < kStill_s;
+  if (fit.velocity_mps.norm() > p.still_mps) track.slow_since_s = now_s();
+  track.moving = now_s() - track.slow_since_s < p.still_s;
 }
 
 bool MovingObstacles::begins_to_move(const Track& track, const Fit& fit, const ScanGroup& group) const {
   const double speed_mps = fit.velocity_mps.norm(), covered_m = speed_mps * fit.span_s;
-  const double noise_m = (0.01 + 1.5 * look(0).step_rad) * group.centre.norm();
-  if (fit.off_m > 0.5 * noise_m + 0.03 + 0.15 * covered_m) return false;
-  if (track.has_moved) return speed_mps > kMovesAgain_mps && covered_m > kCoveredAgain_m + noise_m;
-  return speed_mps > kMoves_mps && covered_m > kCovered_m + noise_m && was_clear(group);
+  const BeginsToMoveParams& p = params_.begins;
+  const double noise_m = (p.noise_share + p.noise_beams * look(0).step_rad) * group.centre.norm();
+  if (fit.off_m > p.off_noise_share * noise_m + p.off_m + p.off_covered_share * covered_m) return false;
+  if (track.has_moved) return speed_mps > p.again_mps && covered_m > p.covered_again_m + noise_m;
+  return speed_mps > p.speed_mps && covered_m > p.covered_m + noise_m && was_clear(group);
 }
 
 /// True when the scanner recently saw through a part of the group's location.
 bool MovingObstacles::was_clear(const ScanGroup& group) const {
-  constexpr double kThrough_m = 0.1, kBeside_m = 0.03, kPart = 0.25;
+  const BeginsToMoveParams& params = params_.begins;
   std::size_t age = 1;
-  while (age + 1 < count_ && types::to_seconds(look(0).stamp - look(age).stamp) < kBefore_s) ++age;
+  while (age + 1 < count_ && types::to_seconds(look(0).stamp - look(age).stamp) < params.before_s) ++age;
   if (age >= count_) return false;
   const ScanLook& before = look(age);
   const Se2 T_before_now = pose(age).inverse() * pose(0);
@@ -226,9 +218,10 @@ bool MovingObstacles::was_clear(const ScanGroup& group) const {
   for_each_point(look(0), group, [&](const Vector2& p_now) {
     const Vector2 p = T_before_now * p_now;
     ++points;
-    if (before.clear_towards_m(p, kBeside_m) > p.norm() + kThrough_m) ++clear;
+    if (before.clear_towards_m(p, params.beside_m) > p.norm() + params.through_m) ++clear;
   });
-  return static_cast<double>(clear) >= std::max(2.0, kPart * static_cast<double>(points));
+  return static_cast<double>(clear) >=
+         std::max(params.clear_min, params.clear_share * static_cast<double>(points));
 }
 
 std::size_t MovingObstacles::around(const types::Odometry& odometry, types::Stamp when,

@@ -7,12 +7,14 @@
 #include <span>
 
 #include "core/perception/moving_obstacle.hpp"
+#include "core/perception/params.hpp"
 #include "core/perception/scan_groups.hpp"
 #include "core/types/base_state.hpp"
 
 namespace topo::perception {
 
-/// Pose of the base at `when`, from the odometry and its twist; extrapolates by at most 0.3 s.
+/// Pose of the base at `when`, from the odometry and its twist; extrapolates by at most the default of
+/// RobotLimits::status_age_max.
 types::Se2 pose_at(const types::Odometry& odometry, types::Stamp when);
 
 /// Moving obstacles in the front scan: groups of hits are followed over half a second, with the robot's own
@@ -22,13 +24,14 @@ types::Se2 pose_at(const types::Odometry& odometry, types::Stamp when);
 /// only the free end counts. A group that has moved once is accepted sooner the next time. It stops moving
 /// after standing for a while; unseen, it is extrapolated for half a second.
 ///
-/// Groups that are slower than 0.2 m/s at first, larger than 0.9 m, farther than 6 m or hidden on both sides
+/// Groups that are slow at first (BeginsToMoveParams), large, far (ScanGroupParams) or hidden on both sides
 /// count as standing. Fixed size: allocates nothing.
 class MovingObstacles {
  public:
-  static constexpr std::size_t kMax = 8;
+  static constexpr std::size_t kMax = 8;  ///< written: more do not fit around a robot
 
-  /// Processes the newest scan and odometry; uses a scan every tenth of a second and clears all tracks after
+  explicit MovingObstacles(const MovingObstacleParams& params = {}) : params_(params) {}
+  /// Processes the newest scan and odometry; uses a scan each SweepParams::every and clears all tracks after
   /// a pause or a jump of the odometry.
   void update(const types::Scan& scan, const types::Se2& T_base_laser, const types::Odometry& odometry);
   void forget();
@@ -38,6 +41,7 @@ class MovingObstacles {
                      std::span<MovingObstacle, kMax> out) const;
 
  private:
+  /// Sizes of arrays. Sweeps: those of TrackParams::window_s. Tracks and groups beyond are left out.
   static constexpr std::size_t kLooks = 6, kTracks = 32, kGroups = 48;
   /// Tracked point of a group.
   enum Anchor : std::size_t { kCentre, kBegin, kEnd, kAnchors };
@@ -78,6 +82,7 @@ class MovingObstacles {
   }
   [[nodiscard]] double now_s() const { return types::to_seconds(look(0).stamp - origin_); }
 
+  MovingObstacleParams params_;
   std::array<ScanLook, kLooks> looks_;
   std::array<types::Se2, kLooks> poses_;  ///< of the scanner at each sweep
   std::size_t newest_ = 0, count_ = 0;    ///< of the sweeps

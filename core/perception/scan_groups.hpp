@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "core/perception/params.hpp"
 #include "core/perception/scan_look.hpp"
 
 namespace topo::perception {
@@ -11,20 +12,18 @@ namespace topo::perception {
 /// Small object that stands free of its background: a person's legs, a robot, a chair.
 struct ScanGroup {
   types::Vector2 centre{0.0, 0.0};                ///< mean of its hits, in the sweep's frame
-  types::Vector2 begin{0.0, 0.0}, end{0.0, 0.0};  ///< mean of the hits within 8 cm of the first, of the last
+  types::Vector2 begin{0.0, 0.0}, end{0.0, 0.0};  ///< mean of the hits near the first, near the last
   bool begins_freely = false, ends_freely = false;
   double radius_m = 0.0;            ///< of the circle about the centre that holds its hits
   double farthest_m = 0.0;          ///< hits beyond this are background
   std::size_t first = 0, last = 0;  ///< beams; background between the legs is among them
 };
 
-inline constexpr double kGroupAcross_m = 0.9;  ///< greatest extent of a group
-
-/// Finds groups within 6 m by range jumps; legs up to 0.4 m apart are one group. An end is not free when a
+/// Finds groups by range jumps; legs near each other are one group. An end is not free when a
 /// nearer object hides it, when it continues in another surface or when the scan cuts it off: as the robot
 /// drives, the edge of a shadow moves over static surfaces. Groups without a free end are left out. Returns
 /// how many were written.
-std::size_t find_groups(const ScanLook& look, std::span<ScanGroup> out);
+std::size_t find_groups(const ScanLook& look, const ScanGroupParams& params, std::span<ScanGroup> out);
 
 /// Calls visit(point) for a group's hits.
 template <class Visit>

@@ -15,9 +15,7 @@ namespace {
 using types::Se2;
 using types::Vector2;
 
-constexpr double kBeam_m = 0.7;    // of a beam: half of the square is left for the robot's earlier positions
-constexpr double kStep_m = 0.03;   // less than a cell, so that none is skipped
-constexpr std::size_t kBeams = 4;  // one beam of so many is used: 1.2 cm apart at kBeam_m
+constexpr double kStep_m = 0.03;  // of the raster: less than a cell, so that none is skipped
 
 std::int32_t cell(double at_m, double cell_m) { return static_cast<std::int32_t>(std::floor(at_m / cell_m)); }
 
@@ -50,7 +48,7 @@ bool SeenGround::is_seen(const Vector2& p_odom, types::Stamp since) const {
 }
 
 void SeenGround::update(const types::Scan& scan, const Se2& T_base_laser, const Se2& T_odom_base,
-                        const types::Footprint& outline) {
+                        const types::Footprint& outline, const SeenGroundParams& params) {
   // Only cells that lie completely within the outline: the rest of a cell at its edge has not been seen.
   const types::Footprint within = types::grown(outline, -std::numbers::sqrt2 * kCell_m);
   holds_all_over(within, [&](const Vector2& p) {
@@ -61,8 +59,8 @@ void SeenGround::update(const types::Scan& scan, const Se2& T_base_laser, const 
   types::BeamDirections direction(scan.geometry, T_odom_laser.theta_rad);
   for (std::size_t i = 0; i < scan.beams; ++i, direction.advance()) {
     const float range_m = scan.range_m[i];
-    if (i % kBeams != 0 || !(types::is_hit(range_m) || range_m == types::kNoReturn)) continue;
-    const double until_m = std::min(kBeam_m, static_cast<double>(range_m) - kCell_m);
+    if (i % params.beam_stride != 0 || !(types::is_hit(range_m) || range_m == types::kNoReturn)) continue;
+    const double until_m = std::min(params.beam_m, static_cast<double>(range_m) - kCell_m);
     for (double at_m = 0.0; at_m <= until_m; at_m += kStep_m)
       see(T_odom_laser.translation() + at_m * direction.now(), scan.arrival);
   }

@@ -8,17 +8,13 @@
 namespace topo::perception {
 namespace {
 
-constexpr double kMatchNoise_m = 0.02, kMatchNoise_rad = 0.02;
-constexpr double kHalfTrack_m = 0.18;
-constexpr double kLoss = 0.6;  // of a wheel's travel is lost to slip (as RobotLimits::slip_curvature_per_m)
-
 /// True when wheel slip or a wrong wheel size can explain the correction. A loss on both wheels displaces the
 /// robot's centre by its length; a loss on one wheel turns the robot by its length over the track. A turn on
 /// the spot rolls the wheels as well.
-bool is_drift(const types::Se2& by, const types::Se2& way) {
-  const double lost_m = kLoss * (way.translation().norm() + kHalfTrack_m * std::abs(way.theta_rad));
-  return by.translation().norm() <= kMatchNoise_m + lost_m &&
-         std::abs(by.theta_rad) <= kMatchNoise_rad + 0.5 * lost_m / kHalfTrack_m;
+bool is_drift(const types::Se2& by, const types::Se2& way, const SteadyFrameParams& p) {
+  const double lost_m = p.slip_share * (way.translation().norm() + p.half_track_m * std::abs(way.theta_rad));
+  return by.translation().norm() <= p.match_noise_m + lost_m &&
+         std::abs(by.theta_rad) <= p.match_noise_rad + 0.5 * lost_m / p.half_track_m;
 }
 
 }  // namespace
@@ -32,7 +28,8 @@ void SteadyFrame::update(const types::Transform2<types::Map, types::Odom>& T_map
     // The correction in the robot's frame: far from the origin a small turn of odom is a large displacement.
     const types::Se2 by = (*T_map_odom_ * T_odom_base).inverse() * (now * T_odom_base);
     const types::Se2 way = T_odom_base_.inverse() * T_odom_base;
-    if (is_drift(by, way)) T_steady_odom_ = T_steady_odom_ * T_odom_base * by * T_odom_base.inverse();
+    if (is_drift(by, way, params_))
+      T_steady_odom_ = T_steady_odom_ * T_odom_base * by * T_odom_base.inverse();
   }
   T_map_odom_ = now;
   T_odom_base_ = T_odom_base;

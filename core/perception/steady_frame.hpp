@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/perception/params.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/transform.hpp"
@@ -17,6 +18,7 @@ namespace topo::perception {
 /// under a standing robot is not followed.
 class SteadyFrame {
  public:
+  explicit SteadyFrame(const SteadyFrameParams& params = {}) : params_(params) {}
   /// `T_map_odom`: current pose of odom in map. `bends`: how often the map was bent. `odometry` is of about
   /// the same time.
   void update(const types::Transform2<types::Map, types::Odom>& T_map_odom, std::uint32_t bends,
@@ -27,6 +29,7 @@ class SteadyFrame {
   [[nodiscard]] types::Odometry steady(const types::Odometry& odometry) const;
 
  private:
+  SteadyFrameParams params_;
   types::Se2 T_steady_odom_;
   std::optional<types::Se2> T_map_odom_;
   types::Se2 T_odom_base_;  ///< at the last update

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "core/perception/params.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/scan.hpp"
@@ -11,13 +12,10 @@
 
 namespace topo::perception {
 
-/// Beams within this angle of the robot's x axis are the forward sector.
-inline constexpr double kForwardSector_rad = 1.0471975511965976;  // 60 degrees
-
 /// Obstacle point of a beam, or of a gap between beams.
 struct ScanPoint {
   types::Vector2 p_base{0.0, 0.0};
-  bool forward = false;     ///< in the forward sector
+  bool forward = false;     ///< within StopZoneParams::forward_sector_rad of the robot's x axis
   bool remembered = false;  ///< currently out of the scanner's view (BlindSpot)
 };
 
@@ -35,27 +33,30 @@ struct Surroundings {
   /// The robot backs off from a touch: points of the scan and the sonar in the front half of the outline are
   /// left behind and do not count.
   bool backing_off = false;
+  StopZoneParams params{};
 };
 
 /// Fraction, 0 to 1, of the beams that the forward sector should have at the scan's angle increment which
 /// measured a distance or nothing within range. A direction without a beam counts as not seen, so that a
 /// scanner that does not look ahead is blind; 0 for an increment or a mount that is not finite. Below one
 /// half the gate stops the robot (DESIGN "Motion and safety").
-double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_laser);
+double forward_valid_fraction(const types::Scan& scan, const types::Se2& T_base_laser,
+                              const StopZoneParams& params);
 
 /// Writes the obstacle points of a scan as free_time_s() uses them, still including the robot's own outline.
 /// `out` has space for one point per beam. Returns how many were written. One pass over the scan.
-std::size_t scan_points(const types::Scan& scan, const types::Se2& T_base_laser, std::span<ScanPoint> out);
+std::size_t scan_points(const types::Scan& scan, const types::Se2& T_base_laser, const StopZoneParams& params,
+                        std::span<ScanPoint> out);
 
 /// Seconds for which the robot can continue at `twist` until its footprint with the margin meets an obstacle.
 /// Zero for a twist that is not finite, kNever_s when nothing is in the way.
 ///
 /// Beams of the forward sector that are too near are obstacles at the sensor's minimum range, and so are gaps
-/// of invalid beams. A gap of up to three beams (13 mm wide at 1 m with 0.25 degrees) takes the nearer
-/// neighbour's range instead: single dropouts are common and would stop the robot at every scan.
+/// of invalid beams. A gap of up to StopZoneParams::bridged_beams takes the nearer neighbour's range instead:
+/// single dropouts are common and would stop the robot at every scan.
 ///
-/// An isolated hit beyond 0.7 m, with both neighbours more than 0.15 m away from it, is a mixed pixel at an
-/// edge and does not count: at 0.7 m three beams hit any object of 1 cm.
+/// An isolated hit, with both neighbours at another distance (MixedPixelParams), is a mixed pixel at an edge
+/// and does not count.
 double free_time_s(const types::Twist2& twist, const types::RobotLimits& limits, const Surroundings& around);
 
 /// The same without margin for the two arcs to which a slipping wheel may lead while the robot drives
@@ -64,7 +65,7 @@ double slip_free_time_s(const types::Twist2& twist, const types::RobotLimits& li
                         const Surroundings& around);
 
 /// True when a twist counts as a turn on the spot, which keeps turn_margin_m only.
-bool is_on_the_spot(const types::Twist2& twist);
+bool is_on_the_spot(const types::Twist2& twist, const StopZoneParams& params);
 
 /// Distance from the current outline to the nearest point that is only remembered, metres; `far_m` when none
 /// is nearer.

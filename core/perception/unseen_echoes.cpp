@@ -14,24 +14,19 @@ namespace {
 
 using types::Vector2;
 
-constexpr types::Duration kEchoAgeMax = std::chrono::milliseconds(150);  // later the robot has moved on
-constexpr double kHalfCone_rad = 0.30;    // the beam's 12.5 degrees and the error of the pose
-constexpr double kLooksAhead_rad = 1.75;  // the laser's 135 degrees less the whole cone
-constexpr double kBehindEcho_m = 0.30;    // a laser point up to here explains the echo
-constexpr double kNearest_m = 0.15;       // nearer echoes are ringing
-
-bool is_usable(const types::SonarReading& echo, const Surroundings& around, double range_max_m) {
+bool is_usable(const types::SonarReading& echo, const Surroundings& around, const UnseenEchoParams& params) {
   const types::Duration age = around.now - echo.stamp;
   const double range_m = static_cast<double>(echo.range_m);
-  return echo.stamp != types::Stamp{} && age >= types::Duration::zero() && age <= kEchoAgeMax &&
-         range_m > kNearest_m && range_m < range_max_m;
+  return echo.stamp != types::Stamp{} && age >= types::Duration::zero() && age <= params.age_max &&
+         range_m > params.range_min_m && range_m < params.range_max_m;
 }
 
-/// Region in which a laser point explains the echo, in the sonar's frame: the beam's cone up to kBehindEcho_m
-/// behind the echo.
+/// Region in which a laser point explains the echo, in the sonar's frame: the beam's cone up to
+/// UnseenEchoParams::behind_m behind the echo.
 class Cone {
  public:
-  explicit Cone(double range_m) : reach_m_(range_m + kBehindEcho_m), tan_(std::tan(kHalfCone_rad)) {}
+  Cone(double range_m, const UnseenEchoParams& params)
+      : reach_m_(range_m + params.behind_m), tan_(std::tan(params.half_cone_rad)) {}
   [[nodiscard]] bool has(const Vector2& p_sonar) const {
     return p_sonar.x() > 0.0 && std::abs(p_sonar.y()) <= tan_ * p_sonar.x() &&
            p_sonar.squaredNorm() <= reach_m_ * reach_m_;
@@ -42,7 +37,7 @@ class Cone {
   }
   /// True when a point is in that triangle, to within a tolerance.
   [[nodiscard]] bool is_around(const Vector2& p_sonar) const {
-    constexpr double kNearly_m = 1e-3;
+    constexpr double kNearly_m = 1e-3;  // numerical: no beam that meets the cone is left out
     return p_sonar.x() > -kNearly_m && p_sonar.x() < reach_m_ + kNearly_m &&
            std::abs(p_sonar.y()) < tan_ * p_sonar.x() + 2.0 * kNearly_m;
   }
@@ -86,10 +81,11 @@ Beams beams_towards(const Cone& cone, const types::Se2& T_sonar_laser, const typ
           static_cast<std::size_t>(std::ceil(beam(high_rad + step_rad)))};
 }
 
-bool laser_explains(const Surroundings& around, const types::Se2& T_base_sonar, double range_m) {
+bool laser_explains(const Surroundings& around, const types::Se2& T_base_sonar, double range_m,
+                    const UnseenEchoParams& params) {
   const types::Se2 T_sonar_laser = T_base_sonar.inverse() * around.T_base_laser;
   const types::Scan& scan = *around.front_scan;
-  const Cone cone(range_m);
+  const Cone cone(range_m, params);
   const Beams beams = beams_towards(cone, T_sonar_laser, scan);
   types::BeamDirections direction(scan.geometry, T_sonar_laser.theta_rad, beams.begin);
   for (std::size_t i = beams.begin; i < beams.end; ++i, direction.advance()) {
@@ -102,16 +98,17 @@ bool laser_explains(const Surroundings& around, const types::Se2& T_base_sonar, 
 
 }  // namespace
 
-std::size_t unseen_echoes(const Surroundings& around, double range_max_m, std::span<Vector2> out) {
+std::size_t unseen_echoes(const Surroundings& around, const UnseenEchoParams& params,
+                          std::span<Vector2> out) {
   std::size_t count = 0;
   if (around.front_scan == nullptr) return count;
   const std::size_t known = std::min(around.sonar.size(), around.T_base_sonar.size());
   for (std::size_t i = 0; i < known && count < out.size(); ++i) {
     const types::Se2& T_base_sonar = around.T_base_sonar[i];
-    if (std::abs(types::wrap_angle(T_base_sonar.theta_rad)) > kLooksAhead_rad) continue;
-    if (!is_usable(around.sonar[i], around, range_max_m)) continue;
+    if (std::abs(types::wrap_angle(T_base_sonar.theta_rad)) > params.looks_ahead_rad) continue;
+    if (!is_usable(around.sonar[i], around, params)) continue;
     const double range_m = static_cast<double>(around.sonar[i].range_m);
-    if (laser_explains(around, T_base_sonar, range_m)) continue;
+    if (laser_explains(around, T_base_sonar, range_m, params)) continue;
     out[count++] = T_base_sonar * Vector2(range_m, 0.0);
   }
   return count;

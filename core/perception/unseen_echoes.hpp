@@ -9,9 +9,11 @@
 
 namespace topo::perception {
 
-/// Sonar echoes nearer than `range_max_m` that no laser hit explains: glass, and obstacles lower than the
-/// laser's plane. Writes points on the transducers' axes, in base. Uses only recent echoes, of transducers
-/// that point into the laser's field of view. Returns how many were written to `out`. Allocates nothing.
-std::size_t unseen_echoes(const Surroundings& around, double range_max_m, std::span<types::Vector2> out);
+/// Sonar echoes nearer than UnseenEchoParams::range_max_m that no laser hit explains: glass, and obstacles
+/// lower than the laser's plane. Writes points on the transducers' axes, in base. Uses only recent echoes, of
+/// transducers that point into the laser's field of view. Returns how many were written to `out`. Allocates
+/// nothing.
+std::size_t unseen_echoes(const Surroundings& around, const UnseenEchoParams& params,
+                          std::span<types::Vector2> out);
 
 }  // namespace topo::perception

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/motion/recovery.hpp"
 #include "core/perception/stop_zone.hpp"
 #include "core/perception/unseen_echoes.hpp"
 #include "core/types/invariant.hpp"
@@ -19,6 +18,15 @@ using types::Se2;
 bool has_state(const ControlInput& in) { return in.state != nullptr && motion::is_finite(*in.state); }
 
 }  // namespace
+
+ControlSenses::ControlSenses(const perception::PerceptionParams& perception,
+                             const motion::MotionParams& motion)
+    : stop_zone_(perception.stop_zone),
+      gate_(motion.gate),
+      steady_frame_(perception.steady_frame),
+      breadcrumbs_(motion.breadcrumbs),
+      blind_spot_(perception.blind_spot),
+      tracker_(perception.moving) {}
 
 motion::GateInput ControlSenses::perceive(const ControlSetup& setup, const ControlInput& in) {
   motion::GateInput g;
@@ -38,6 +46,8 @@ motion::GateInput ControlSenses::perceive(const ControlSetup& setup, const Contr
   g.firmware_watchdog = in.firmware_watchdog;
   g.limits = setup.limits;
   g.area = &setup.area;
+  g.params = gate_;
+  g.stop_zone = stop_zone_;
   return g;
 }
 
@@ -75,7 +85,8 @@ std::span<const perception::ScanPoint> ControlSenses::points(
   if (in.front == nullptr) return {};
   constexpr std::size_t kSeen = perception::BlindSpot::kMax;
   const std::span<perception::ScanPoint> all(points_);
-  const std::size_t seen = perception::scan_points(*in.front, setup.T_base_laser, all.subspan(kSeen));
+  const std::size_t seen =
+      perception::scan_points(*in.front, setup.T_base_laser, stop_zone_, all.subspan(kSeen));
   if (!has_state(in)) return all.subspan(kSeen, seen);
   const types::Odometry odometry = steady_frame_.steady(in.state->odometry);
   blind_spot_.update(*in.front, setup.T_base_laser, all.subspan(kSeen, seen), moving_now,
@@ -87,19 +98,16 @@ std::span<const perception::ScanPoint> ControlSenses::points(
   return all.subspan(kSeen - kept, kept + seen);
 }
 
-double ControlSenses::seen_behind_m(const motion::GateInput& gate_in) const {
+double ControlSenses::seen_behind_m(const motion::GateInput& gate_in, double most_m) const {
   const Se2 T_odom_base = perception::pose_at(steady_frame_.steady(gate_in.base->odometry), gate_in.now);
-  return blind_spot_.seen_behind_m(T_odom_base, gate_in.limits.footprint, gate_in.now,
-                                   motion::Recovery::kSeenBehind_m);
+  return blind_spot_.seen_behind_m(T_odom_base, gate_in.limits.footprint, gate_in.now, most_m);
 }
 
-void report_unseen(const motion::GateInput& gate_in, ControlReport& report) {
-  constexpr double kRange_m = 1.2;
-  // An echo is up to 150 ms old: in a faster turn it belongs to another direction.
-  constexpr double kSteady_radps = 0.3;
-  if (std::abs(gate_in.base->odometry.twist.omega_radps) > kSteady_radps) return;
+void report_unseen(const motion::GateInput& gate_in, const perception::UnseenEchoParams& params,
+                   ControlReport& report) {
+  if (std::abs(gate_in.base->odometry.twist.omega_radps) > params.steady_radps) return;
   const std::size_t count =
-      perception::unseen_echoes(motion::surroundings(gate_in), kRange_m, report.unseen_odom);
+      perception::unseen_echoes(motion::surroundings(gate_in), params, report.unseen_odom);
   for (std::size_t i = 0; i < count; ++i)
     report.unseen_odom[i] = report.odometry.T_odom_base.se2() * report.unseen_odom[i];
   report.unseen = static_cast<std::uint8_t>(count);

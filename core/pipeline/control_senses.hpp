@@ -20,14 +20,16 @@ namespace topo::pipeline {
 /// field of view, moving obstacles, and the breadcrumb path. Allocates nothing. One thread.
 class ControlSenses {
  public:
+  explicit ControlSenses(const perception::PerceptionParams& perception = {},
+                         const motion::MotionParams& motion = {});
   /// The gate's complete input for this period, without a request. The spans are valid until the next call.
   motion::GateInput perceive(const ControlSetup& setup, const ControlInput& in);
 
   /// The last metre that the robot drove.
   [[nodiscard]] const motion::BreadcrumbPath& breadcrumbs() const { return breadcrumbs_; }
   /// Length straight behind the robot where the ground was observed free, metres, at most
-  /// Recovery::kSeenBehind_m.
-  [[nodiscard]] double seen_behind_m(const motion::GateInput& gate_in) const;
+  /// `most_m`.
+  [[nodiscard]] double seen_behind_m(const motion::GateInput& gate_in, double most_m) const;
 
  private:
   void follow_drift(const std::optional<types::Se2>& T_map_base, const ControlInput& in);
@@ -38,6 +40,8 @@ class ControlSenses {
       const ControlSetup& setup, const ControlInput& in,
       std::span<const perception::MovingObstacle> moving_now);
 
+  perception::StopZoneParams stop_zone_;
+  motion::GateParams gate_;
   perception::SteadyFrame steady_frame_;  // of the breadcrumb path and of the blind spot
   std::uint64_t steady_plan_ = 0;         // the last plan that corrected it
   motion::BreadcrumbPath breadcrumbs_;
@@ -54,6 +58,7 @@ class ControlSenses {
 std::optional<types::Se2> place_by_plan(const ControlSetup& setup, const ControlInput& in);
 
 /// Writes into the report what only sonar detects.
-void report_unseen(const motion::GateInput& gate_in, ControlReport& report);
+void report_unseen(const motion::GateInput& gate_in, const perception::UnseenEchoParams& params,
+                   ControlReport& report);
 
 }  // namespace topo::pipeline

@@ -15,9 +15,6 @@ namespace {
 using types::Stamp;
 using types::Twist2;
 
-constexpr types::Duration kMotorsLinger = std::chrono::seconds(10);  // delay before unused motors are
-                                                                     // switched off
-
 /// Middle of the end of the outline that touches something.
 types::Vector2 touched_end(const types::BaseState& b, const types::Footprint& outline) {
   const bool behind = b.bumpers_rear != 0 && b.bumpers_front == 0;
@@ -63,7 +60,7 @@ bool is_by_hand(const ControlSetup& setup, const ControlInput& in) {
 }
 
 void report_base(const ControlSetup& setup, const ControlInput& in, const motion::GateInput& gate_in,
-                 ControlReport& report) {
+                 const perception::UnseenEchoParams& params, ControlReport& report) {
   if (in.state == nullptr) return;
   const types::BaseState& base = *in.state;
   report.odometry = base.odometry;
@@ -71,14 +68,19 @@ void report_base(const ControlSetup& setup, const ControlInput& in, const motion
       !motion::is_stale(base.arrival, in.now, setup.limits.status_age_max) && motion::is_finite(base);
   report.battery_v = base.battery_v;
   report.state_of_charge = base.state_of_charge;
-  report_unseen(gate_in, report);
+  report_unseen(gate_in, params, report);
 }
 
 }  // namespace
 
 struct ControlState::Impl {
-  Impl(const plausibility::PlausibilityParams& params, bool disobeyed) : plausibility(params, disobeyed) {}
+  Impl(const ControlParams& p, bool disobeyed)
+      : params(p),
+        plausibility(p.plausibility, disobeyed),
+        senses(p.perception, p.motion),
+        following(p.following, p.motion) {}
 
+  ControlParams params;
   plausibility::Plausibility plausibility;
   ControlSenses senses;
   PlanFollowing following;
@@ -89,7 +91,7 @@ struct ControlState::Impl {
   Stamp wanted_at{};  ///< when motion was last requested; zero: never, or not since an e-stop
 };
 
-ControlState::ControlState(const plausibility::PlausibilityParams& params, bool disobeyed)
+ControlState::ControlState(const ControlParams& params, bool disobeyed)
     : impl_(std::make_unique<Impl>(params, disobeyed)) {}
 ControlState::~ControlState() = default;
 
@@ -114,7 +116,8 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   gate_in.request.twist = wish.twist;
   gate_in.backing = wish.backing;
   gate_in.by_hand = wish.mode == ControlMode::kTeleop;
-  gate_in.request.enable_motors = wanted_at != Stamp{} && input.now - wanted_at <= kMotorsLinger;
+  gate_in.request.enable_motors =
+      wanted_at != Stamp{} && input.now - wanted_at <= memory.params.motors_linger;
   const motion::GateOutput out = motion::gate(memory.gate, gate_in);
   if (memory.gate.estop_latched) {  // the motors then need a new request
     wanted_at = {};
@@ -139,7 +142,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   report.recoveries = memory.following.recoveries();
   report.touches = memory.touches.count;
   report.touched_odom = memory.touches.at_odom;
-  report_base(setup, input, gate_in, report);
+  report_base(setup, input, gate_in, memory.params.perception.unseen_echoes, report);
   return result;
 }
 

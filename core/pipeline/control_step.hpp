@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/motion/velocity_gate.hpp"
+#include "core/pipeline/control_params.hpp"
 #include "core/pipeline/plan.hpp"
 #include "core/plausibility/plausibility.hpp"
 #include "core/types/area_limits.hpp"
@@ -93,7 +94,7 @@ struct ControlOutput {
 class ControlState {
  public:
   /// `disobeyed`: ControlSetup::disobeyed.
-  explicit ControlState(const plausibility::PlausibilityParams& params = {}, bool disobeyed = false);
+  explicit ControlState(const ControlParams& params = {}, bool disobeyed = false);
   ~ControlState();
   ControlState(const ControlState&) = delete;
   ControlState& operator=(const ControlState&) = delete;

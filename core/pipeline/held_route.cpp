@@ -56,9 +56,10 @@ bool holds(const HeldRoute& route, const exploration::Intent& intent, const expl
   if (route.newest.is_bent(*in.map, hold.correction_m, hold.correction_rad)) return false;
   const Vector2 here = place.here();
   if ((route.points.back() - here).norm() <= params.explore.pursuit.goal_reached_m) return false;
-  const std::size_t from = travel::nearest_point(route.points, here);
+  const travel::PathParams& path = params.route_map.path;
+  const std::size_t from = travel::nearest_point(route.points, here, path);
   if ((route.points[from] - here).norm() > hold.off_route_m) return false;
-  const std::size_t near_points = std::min(route.points.size() - from, travel::kNearPoints);
+  const std::size_t near_points = std::min(route.points.size() - from, path.near_points);
   const std::span<const Vector2> ahead = std::span(route.points).subspan(from, near_points);
   const double closed_m = params.travel.radius_m - map.map().resolution_m;
   return std::none_of(seen_now.begin(), seen_now.end(), [&](const Vector2& obstacle) {
@@ -67,8 +68,8 @@ bool holds(const HeldRoute& route, const exploration::Intent& intent, const expl
   });
 }
 
-HeldRoute trimmed(HeldRoute route, const Vector2& here) {
-  const auto passed = static_cast<std::ptrdiff_t>(travel::nearest_point(route.points, here));
+HeldRoute trimmed(HeldRoute route, const Vector2& here, const travel::PathParams& path) {
+  const auto passed = static_cast<std::ptrdiff_t>(travel::nearest_point(route.points, here, path));
   route.points.erase(route.points.begin(), route.points.begin() + passed);
   return route;
 }

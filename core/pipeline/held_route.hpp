@@ -28,6 +28,6 @@ bool holds(const HeldRoute& route, const exploration::Intent& intent, const expl
            std::span<const types::Vector2> seen_now, const PlannerParams& params);
 
 /// Without the part behind the robot.
-HeldRoute trimmed(HeldRoute route, const types::Vector2& here);
+HeldRoute trimmed(HeldRoute route, const types::Vector2& here, const travel::PathParams& path);
 
 }  // namespace topo::pipeline

@@ -10,14 +10,6 @@
 namespace topo::pipeline {
 namespace {
 
-/// Number of beams and columns redrawn with each scan: a correction of half an hour of data is shown after
-/// some seconds.
-constexpr std::size_t kRedrawnAScan = 6000;
-/// The small displacements that a correction leaves are drawn when no other correction has come for a while:
-/// one keyframe with each scan, since nothing waits for them.
-constexpr types::Duration kSettleAfter = std::chrono::seconds(5);
-constexpr std::size_t kSettledAScan = 1;
-
 std::vector<types::KeyframePose> stations(const slam::Mapper& mapper, std::span<const std::size_t> way) {
   std::vector<types::KeyframePose> out;
   out.reserve(way.size());
@@ -37,11 +29,11 @@ void MapDrawing::correct(const slam::Mapper& mapper, slam::GraphSolution solutio
 void MapDrawing::redraw(const slam::Mapper& mapper, types::Stamp placed) {
   if (correction_) {
     const auto keyframes = mapper.keyframes().first(correction_->poses.size());
-    correction_->drawn = builder_.prepare(keyframes, correction_->poses, kRedrawnAScan);
+    correction_->drawn = builder_.prepare(keyframes, correction_->poses, params_.redrawn_a_scan);
     return;
   }
-  if (is_settled_ || placed - corrected_ < kSettleAfter) return;
-  is_settled_ = builder_.settle(mapper.keyframes(), mapper.poses(), kSettledAScan);
+  if (is_settled_ || placed - corrected_ < params_.settle_after) return;
+  is_settled_ = builder_.settle(mapper.keyframes(), mapper.poses(), params_.settled_a_scan);
   has_settled_ = is_settled_;
 }
 

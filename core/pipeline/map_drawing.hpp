@@ -9,6 +9,7 @@
 
 #include "core/grid/occupancy_grid.hpp"
 #include "core/pipeline/map_snapshot.hpp"
+#include "core/pipeline/mapping_params.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/map_builder.hpp"
 #include "core/slam/mapper.hpp"
@@ -19,7 +20,8 @@ namespace topo::pipeline {
 /// scan; poses and map change together, at a keyframe boundary.
 class MapDrawing {
  public:
-  explicit MapDrawing(const slam::MapperParams& params) : builder_(params.grid) {}
+  MapDrawing(const slam::MapperParams& mapper, const DrawingParams& params)
+      : params_(params), builder_(mapper.grid) {}
 
   /// Draws all keyframes at their present poses, at once.
   void update(const slam::Mapper& mapper) { builder_.update(mapper.keyframes(), mapper.poses()); }
@@ -50,6 +52,7 @@ class MapDrawing {
     bool drawn = false;             ///< all of them
   };
 
+  DrawingParams params_;
   slam::MapBuilder builder_;
   std::optional<Correction> correction_;
   bool is_settled_ = true;                        // in the shown map every keyframe is in its place, to the

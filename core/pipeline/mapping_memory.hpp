@@ -28,11 +28,13 @@ struct MappingNews {
 };
 
 struct MappingState::Impl {
-  Impl(const slam::MapperParams& given, const slam::Origin& origin, const types::Se2& start)
+  Impl(const slam::MapperParams& given, const slam::Origin& origin, const types::Se2& start,
+       const MappingStepParams& of_step)
       : params(given),
-        pairing(given.odometry_wait_s),
+        step(of_step),
+        pairing(given.odometry_wait_s, of_step),
         mapper(given, origin, start),
-        drawing(given),
+        drawing(given, of_step.drawing),
         columns(given.coronal) {}
 
   void run(MappingOutput& output, bool flush);
@@ -44,6 +46,7 @@ struct MappingState::Impl {
   }
 
   slam::MapperParams params;
+  MappingStepParams step;
   ScanPairing pairing;
   slam::Mapper mapper;
   MapDrawing drawing;

@@ -7,11 +7,12 @@
 namespace topo::pipeline {
 
 MappingState::MappingState(const slam::MapperParams& params, const slam::Origin& origin,
-                           const types::Se2& start)
-    : impl_(std::make_unique<Impl>(params, origin, start)) {}
+                           const types::Se2& start, const MappingStepParams& step)
+    : impl_(std::make_unique<Impl>(params, origin, start, step)) {}
 MappingState::MappingState(const slam::MapperParams& params, const slam::Session& session,
-                           const slam::Arrival& arrival, const slam::Origin& origin)
-    : MappingState(params, origin) {
+                           const slam::Arrival& arrival, const slam::Origin& origin,
+                           const MappingStepParams& step)
+    : MappingState(params, origin, {}, step) {
   impl_->mapper.resume(session, arrival);
   impl_->cloud = arrival.cloud;
   impl_->placed = arrival.cloud.stamp;

@@ -7,12 +7,6 @@
 #include "core/pipeline/mapping_memory.hpp"
 
 namespace topo::pipeline {
-namespace {
-
-constexpr types::Duration kNewsWait = std::chrono::seconds(1);  // each change costs an analysis
-constexpr std::size_t kMateQueries = 2;  // limit for team-mates' keyframes at one keyframe boundary
-
-}  // namespace
 
 void MappingState::Impl::run(MappingOutput& output, bool flush) {
   // Heights first: a keyframe takes the columns collected until then.
@@ -29,7 +23,8 @@ void MappingState::Impl::place(const PairedScan& paired, MappingOutput& output) 
   output.matches.push_back(mapper.add(cloud, paired.last, columns));
   drawing.redraw(mapper, placed);
   // A standing robot makes no keyframes, but its map grows with the data of team-mates and is corrected.
-  if (output.matches.back().keyframe || (has_news() && placed - drawn >= kNewsWait)) pass_boundary(output);
+  if (output.matches.back().keyframe || (has_news() && placed - drawn >= step.news_wait))
+    pass_boundary(output);
 }
 
 void MappingState::Impl::join_news(MappingOutput& output) {
@@ -45,7 +40,7 @@ void MappingState::Impl::pass_boundary(MappingOutput& output) {
   news.has_mates_answer = false;
   if (has_news()) join_news(output);
   if (auto query = mapper.take_second_query()) output.loop_queries.push_back(std::move(*query));
-  for (slam::LoopQuery& query : mapper.take_mate_queries(kMateQueries))
+  for (slam::LoopQuery& query : mapper.take_mate_queries(step.mate_queries_max))
     output.loop_queries.push_back(std::move(query));
   if (auto query = mapper.take_alignment_query()) output.alignment_query = std::move(query);
   drawn = placed;

@@ -9,6 +9,7 @@
 
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/mapping_losses.hpp"
+#include "core/pipeline/mapping_params.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/slam/mapper.hpp"
 #include "core/types/base_state.hpp"
@@ -43,10 +44,10 @@ class MappingState {
  public:
   /// `start`: the robot's pose in the map at its first scan.
   explicit MappingState(const slam::MapperParams& params, const slam::Origin& origin = {},
-                        const types::Se2& start = {});
+                        const types::Se2& start = {}, const MappingStepParams& step = {});
   /// Resumes a validated session at the pose where a scan was found in its map. Draws the whole map.
   MappingState(const slam::MapperParams& params, const slam::Session& session, const slam::Arrival& arrival,
-               const slam::Origin& origin = {});
+               const slam::Origin& origin = {}, const MappingStepParams& step = {});
   ~MappingState();
   MappingState(const MappingState&) = delete;
   MappingState& operator=(const MappingState&) = delete;
@@ -64,11 +65,12 @@ class MappingState {
   void offer(const slam::Alignment& alignment);
   /// Takes the answer to a graph query. The map is redrawn with the new poses beside the published one, a
   /// part with every scan; poses and map change together, at the first keyframe boundary after that, or after
-  /// a second without one.
+  /// MappingStepParams::news_wait without one.
   void offer(slam::GraphSolution solution);
 
   /// Take observations and relations of team-mates (Mapper::join), and the robot's own relations to them
-  /// (Mapper::relate); both are used at the next keyframe boundary, or after a second without one.
+  /// (Mapper::relate); both are used at the next keyframe boundary, or after
+  /// news_wait without one.
   void join(std::span<const slam::KeyframePtr> keyframes, std::span<const slam::FoundRelation> relations);
   void relate(const slam::RelationKey& key, const slam::Relation& relation);
 

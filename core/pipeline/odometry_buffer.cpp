@@ -10,7 +10,7 @@ namespace topo::pipeline {
 void OdometryBuffer::add(const types::Odometry& odometry) {
   if (!samples_.empty() && odometry.stamp <= samples_.back().stamp) return;
   samples_.push_back(odometry);
-  while (samples_.front().stamp + kKeep < odometry.stamp) samples_.pop_front();
+  while (samples_.front().stamp + params_.kept < odometry.stamp) samples_.pop_front();
 }
 
 std::optional<types::Se2> OdometryBuffer::at(types::Stamp stamp) const {
@@ -20,7 +20,7 @@ std::optional<types::Se2> OdometryBuffer::at(types::Stamp stamp) const {
   if (after == samples_.begin()) return after->T_odom_base.se2();
   if (after == samples_.end()) {
     const types::Odometry& last = samples_.back();
-    const double dt = types::to_seconds(std::min(stamp - last.stamp, kCarryOn));
+    const double dt = types::to_seconds(std::min(stamp - last.stamp, params_.extrapolated_max));
     return last.T_odom_base.se2() * types::Se2{last.twist.v_mps * dt, 0.0, last.twist.omega_radps * dt};
   }
   const types::Odometry& before = *std::prev(after);

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 
+#include "core/pipeline/mapping_params.hpp"
 #include "core/types/base_state.hpp"
 
 namespace topo::pipeline {
@@ -12,6 +13,7 @@ namespace topo::pipeline {
 /// The last seconds of dead reckoning, for queries at any time within them.
 class OdometryBuffer {
  public:
+  explicit OdometryBuffer(const OdometryBufferParams& params = {}) : params_(params) {}
   /// Ignores samples that are not newer than the last one.
   void add(const types::Odometry& odometry);
 
@@ -20,12 +22,12 @@ class OdometryBuffer {
   [[nodiscard]] bool covers(types::Stamp stamp) const { return !empty() && samples_.back().stamp >= stamp; }
 
   /// Pose of base_link in odom: interpolated between samples; after the last sample extrapolated with its
-  /// twist for at most `kCarryOn`; before the first sample equal to it. Nothing when empty.
+  /// twist for at most OdometryBufferParams::extrapolated_max; before the first sample equal to it. Nothing
+  /// when empty.
   [[nodiscard]] std::optional<types::Se2> at(types::Stamp stamp) const;
 
  private:
-  static constexpr types::Duration kKeep = std::chrono::seconds(3);
-  static constexpr types::Duration kCarryOn = std::chrono::milliseconds(300);
+  OdometryBufferParams params_;
   std::deque<types::Odometry> samples_;
 };
 

@@ -63,7 +63,8 @@ std::vector<Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,
                               std::span<const Vector2> going_at, const PlannerParams& params) {
   if (in.front == nullptr || in.now - in.front->arrival > params.live_age_max) return {};
   std::vector<Vector2> points =
-      travel::confirmed_points(*in.front, place.pose() * params.T_base_laser, params.route_map.live_range_m);
+      travel::confirmed_points(*in.front, place.pose() * params.T_base_laser, params.route_map.live_range_m,
+                               params.route_map.live_step_m);
   if (!going_at.empty()) std::erase_if(points, [&](const Vector2& p) { return is_going_mate(going_at, p); });
   return points;
 }

@@ -16,11 +16,6 @@ using motion::RecoveryPhase;
 using types::Se2;
 using types::Twist2;
 
-constexpr double kObstacleReach_m = 2.8;  // more than the free path needed at 0.7 m/s
-constexpr double kObstacleSpacing_m = 0.03;
-constexpr double kSameEnd_m = 0.2;  // between the ends of two paths to the same goal
-const motion::BreadcrumbPath kNoBreadcrumbs;
-
 /// True for reasons that lie in the surroundings, not in the robot's state.
 bool is_in_the_way(GateReason reason) {
   return reason == GateReason::kBlocked || reason == GateReason::kAreaLimit;
@@ -33,18 +28,17 @@ bool lets_move(GateReason reason) {
 }
 
 /// True when a moving obstacle is the only reason to stop, or is close to a robot without a free path.
-bool is_held_up(bool blocked, GateReason last, std::span<const perception::MovingObstacle> moving) {
-  constexpr double kBeside_m = 1.5;
+bool is_held_up(bool blocked, GateReason last, std::span<const perception::MovingObstacle> moving,
+                double beside_m) {
   if (last == GateReason::kGivesWay) return true;
-  return (blocked || is_in_the_way(last)) && !moving.empty() && moving.front().centre.norm() < kBeside_m;
+  return (blocked || is_in_the_way(last)) && !moving.empty() && moving.front().centre.norm() < beside_m;
 }
 
 /// True when motion is denied. A turn that slows down more and more towards a corner takes time and leads
 /// nowhere.
-bool lets_nothing_through(const Granted& last) {
-  constexpr double kTurns_radps = 0.3, kHardly_radps = 0.08;
-  const bool turns = last.wished.v_mps == 0.0 && std::abs(last.wished.omega_radps) > kTurns_radps;
-  return !lets_move(last.reason) || (turns && std::abs(last.given.omega_radps) < kHardly_radps);
+bool lets_nothing_through(const Granted& last, const PlanFollowingParams& params) {
+  const bool turns = last.wished.v_mps == 0.0 && std::abs(last.wished.omega_radps) > params.turns_radps;
+  return !lets_move(last.reason) || (turns && std::abs(last.given.omega_radps) < params.hardly_radps);
 }
 
 ControlMode mode_of(RecoveryPhase phase) {
@@ -71,9 +65,9 @@ const types::Vector2& end_of(const Plan& plan) {
 }
 
 /// The arrival; cleared when the plan no longer ends there.
-Arrival kept(Arrival arrival, const Plan& plan) {
+Arrival kept(Arrival arrival, const Plan& plan, double same_end_m) {
   arrival.arrived = arrival.arrived && arrival.goal == plan.goal_id && plan.path_ends_at_goal &&
-                    (end_of(plan) - arrival.at_odom).norm() < kSameEnd_m;
+                    (end_of(plan) - arrival.at_odom).norm() < same_end_m;
   return arrival;
 }
 
@@ -92,6 +86,14 @@ double ahead_m(const motion::GateInput& gate_in) {
 
 }  // namespace
 
+PlanFollowing::PlanFollowing(const PlanFollowingParams& params, const motion::MotionParams& motion)
+    : params_(params),
+      seen_behind_max_m_(motion.recovery.ease.seen_max_m),
+      follower_(motion.follower),
+      recovery_(motion.recovery),
+      yielding_(motion.yielding),
+      no_breadcrumbs_(motion.breadcrumbs) {}
+
 bool is_touching(const types::BaseState& b) {
   return b.bumpers_front != 0 || b.bumpers_rear != 0 || b.stall_left || b.stall_right;
 }
@@ -104,8 +106,9 @@ void PlanFollowing::rest(types::Stamp now) {
 
 motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base,
                                         const motion::GateInput& gate_in, const Twist2& given) {
-  const std::size_t count = perception::collect_obstacles(gate_in.limits, motion::surroundings(gate_in),
-                                                          kObstacleReach_m, kObstacleSpacing_m, obstacles_);
+  const std::size_t count =
+      perception::collect_obstacles(gate_in.limits, motion::surroundings(gate_in), params_.obstacle_reach_m,
+                                    params_.obstacle_spacing_m, obstacles_);
   motion::FollowInput f;
   f.T_odom_base = T_odom_base;
   f.twist = given;
@@ -118,6 +121,7 @@ motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base
   types::RobotLimits limits = gate_in.limits;
   limits.v_max_mps = std::min(limits.v_max_mps, plan.v_max_mps);
   f.limits = &limits;
+  f.contact = gate_in.stop_zone.contact;
   return follower_.step(f);
 }
 
@@ -130,13 +134,14 @@ motion::RecoveryOutput PlanFollowing::rescue(const Plan& plan, const motion::Fol
   r.T_odom_base = T_odom_base;
   r.blocked = out.blocked || (!recovering_ && is_in_the_way(last.reason));
   r.touching = is_touching(*gate_in.base);
-  r.refused = recovering_ && lets_nothing_through(last);
+  r.refused = recovering_ && lets_nothing_through(last, params_);
   r.turn_rad = out.turn_rad;
   r.blind_s = motion::blind_time_s(gate_in);
   // Only a recovery needs these values.
   r.ahead_m = recovering_ ? ahead_m(gate_in) : 0.0;
-  r.seen_behind_m = recovering_ && !plan.mate_behind ? senses.seen_behind_m(gate_in) : 0.0;
-  r.trail = plan.mate_behind ? &kNoBreadcrumbs : &senses.breadcrumbs();
+  r.seen_behind_m =
+      recovering_ && !plan.mate_behind ? senses.seen_behind_m(gate_in, seen_behind_max_m_) : 0.0;
+  r.trail = plan.mate_behind ? &no_breadcrumbs_ : &senses.breadcrumbs();
   r.limits = &gate_in.limits;
   return recovery_.step(r);
 }
@@ -144,7 +149,7 @@ motion::RecoveryOutput PlanFollowing::rescue(const Plan& plan, const motion::Fol
 Wish PlanFollowing::follow(const Plan& plan, const motion::GateInput& gate_in, const ControlSenses& senses,
                            const Granted& last) {
   Wish wish{ControlMode::kFollowing, {}, true};
-  arrival_ = kept(arrival_, plan);
+  arrival_ = kept(arrival_, plan, params_.same_end_m);
   if (arrival_.arrived) {
     recovery_.pause(gate_in.now);
     return {ControlMode::kArrived, {}, false};
@@ -155,7 +160,8 @@ Wish PlanFollowing::follow(const Plan& plan, const motion::GateInput& gate_in, c
   }
   const Se2 T_odom_base = perception::pose_at(gate_in.base->odometry, gate_in.now);
   const motion::FollowOutput out = way(plan, T_odom_base, gate_in, last.given);
-  yielding_.update(gate_in.now, is_held_up(out.blocked, last.reason, gate_in.moving), gate_in.moving);
+  yielding_.update(gate_in.now, is_held_up(out.blocked, last.reason, gate_in.moving, params_.beside_m),
+                   gate_in.moving);
   if (!recovering_ && !out.arrived && (yielding_.waits() || yielding_.lets_go_first())) {
     recovery_.pause(gate_in.now);
     wish.mode = ControlMode::kWaiting;

@@ -8,6 +8,7 @@
 #include "core/motion/path_follower.hpp"
 #include "core/motion/recovery.hpp"
 #include "core/motion/yielding.hpp"
+#include "core/pipeline/control_params.hpp"
 #include "core/pipeline/control_senses.hpp"
 #include "core/pipeline/wish.hpp"
 
@@ -23,6 +24,7 @@ struct Arrival {
 /// Follows plans, waits for moving obstacles, and recovers when stuck. Allocates nothing. One thread.
 class PlanFollowing {
  public:
+  explicit PlanFollowing(const PlanFollowingParams& params = {}, const motion::MotionParams& motion = {});
   /// The wish for this period. `last`: result of the previous wish.
   Wish follow(const Plan& plan, const motion::GateInput& gate_in, const ControlSenses& senses,
               const Granted& last);
@@ -38,12 +40,16 @@ class PlanFollowing {
                                               const types::Se2& T_odom_base, const motion::GateInput& gate_in,
                                               const ControlSenses& senses, const Granted& last);
 
+  PlanFollowingParams params_;
+  double seen_behind_max_m_ = 0.0;  // EasingParams::seen_max_m
   motion::PathFollower follower_;
   motion::Recovery recovery_;
   motion::Yielding yielding_;
   std::array<types::Vector2, motion::PathFollower::kMaxObstacles> obstacles_{};
   bool recovering_ = false;  // the last period's motion was that of the recovery
   Arrival arrival_;
+  motion::BreadcrumbPath
+      no_breadcrumbs_;  // always empty: in place of the robot's when a team-mate is behind it
 };
 
 /// True when a bumper is pressed or a wheel stalls.

@@ -109,7 +109,7 @@ Planned planned(Planned before, const PlanningInput& in, const Whereabouts& plac
   if (std::exchange(intent.is_outdated, false)) route.decided = {};
   std::vector<Vector2> seen = seen_now(in, place, team.going_at, params);
   if (!paused && holds(route, intent, team, place, in, caches.map, battery_low, seen, params)) {
-    route = trimmed(std::move(route), place.here());
+    route = trimmed(std::move(route), place.here(), params.route_map.path);
     return before;
   }
   return rethink(std::move(before), in, place, team, battery_low, std::move(seen), caches, params);

@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace topo::pipeline {
-namespace {
-
-constexpr std::size_t kWaiting = 16;  // limit of scans that wait for odometry: 0.4 s at 40 Hz
-
-}  // namespace
 
 types::Stamp end_of(const types::Scan& scan) {
   return scan.first_beam + types::from_seconds(static_cast<double>(scan.geometry.time_increment_s) *
@@ -26,7 +21,7 @@ void ScanPairing::push(std::deque<types::Scan>& waiting, const types::Scan& scan
     ++losses_.without_odometry;
     return;
   }
-  if (waiting.size() == kWaiting) {
+  if (waiting.size() == scans_max_) {
     ++losses_.queue_full;
     waiting.pop_front();
   }

@@ -25,7 +25,8 @@ types::Stamp end_of(const types::Scan& scan);
 /// or until `wait_s` of scan time has passed.
 class ScanPairing {
  public:
-  explicit ScanPairing(double wait_s) : wait_s_(wait_s) {}
+  explicit ScanPairing(double wait_s, const MappingStepParams& params = {})
+      : wait_s_(wait_s), scans_max_(params.scans_waiting_max), odometry_(params.odometry) {}
 
   void add(std::span<const types::Odometry> samples);
   /// Scans of one scanner in order; the oldest is dropped and counted when too many wait.
@@ -44,6 +45,7 @@ class ScanPairing {
   [[nodiscard]] std::optional<PairedScan> next(std::deque<types::Scan>& waiting, bool flush);
 
   double wait_s_;
+  std::size_t scans_max_;  // of one scanner
   OdometryBuffer odometry_;
   std::deque<types::Scan> front_, coronal_;
   types::Stamp newest_{};  // end of the newest scan, either scanner

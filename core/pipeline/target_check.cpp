@@ -22,7 +22,7 @@ types::Status check_target(const analysis::Analysis& analysis, const PlannerPara
   }
   const std::vector<float> clearance_m = analysis::clearance_of(analysis);
   const grid::TravelField field = grid::travel_field(map, clearance_m, map.cell_at(from), params.travel);
-  if (!grid::nearest_to_stay_at(map, field, cell, 0.25))
+  if (!grid::nearest_to_stay_at(map, field, cell, params.route_map.target_beside_m))
     return types::fail(Errc::kInvalidInput, "no way that is wide enough for the robot leads to the target");
   return {};
 }

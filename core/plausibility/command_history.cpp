@@ -8,8 +8,6 @@
 namespace topo::plausibility {
 namespace {
 
-constexpr double kElapsedMax_s = 0.2;  ///< a late period must not count as a long ramp
-
 double ramped(double last, double wanted, double faster, double slower, double dt_s) {
   const bool slows = std::abs(wanted) < std::abs(last) || wanted * last < 0.0;
   const double step = (slows ? slower : faster) * dt_s;
@@ -20,7 +18,7 @@ double ramped(double last, double wanted, double faster, double slower, double d
 
 void CommandHistory::add(types::Stamp now, const types::Twist2& commanded, const types::DriveLimits& limits) {
   const Entry last = count_ > 0 ? entries_[newest_] : Entry{now, {}, {}};
-  const double dt_s = std::clamp(types::to_seconds(now - last.stamp), 0.0, kElapsedMax_s);
+  const double dt_s = std::clamp(types::to_seconds(now - last.stamp), 0.0, params_.elapsed_max_s);
   const types::Twist2 followed{
       ramped(last.followed.v_mps, commanded.v_mps, limits.acceleration_mps2, limits.deceleration_mps2, dt_s),
       ramped(last.followed.omega_radps, commanded.omega_radps, limits.angular_acceleration_radps2,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/plausibility/params.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/stamp.hpp"
 #include "core/types/transform.hpp"
@@ -15,7 +16,9 @@ namespace topo::plausibility {
 /// with the believed accelerations. A value; allocates nothing.
 class CommandHistory {
  public:
-  static constexpr std::size_t kMax = 64;  ///< 3.2 s at 50 ms
+  static constexpr std::size_t kMax = 64;  ///< size of an array: 3.2 s at 50 ms
+
+  explicit CommandHistory(const CommandHistoryParams& params = {}) : params_(params) {}
 
   void add(types::Stamp now, const types::Twist2& commanded, const types::DriveLimits& limits);
 
@@ -30,6 +33,7 @@ class CommandHistory {
     types::Twist2 commanded, followed;
   };
   [[nodiscard]] const Entry* find(types::Stamp time) const;
+  CommandHistoryParams params_;
   std::array<Entry, kMax> entries_{};
   std::size_t newest_ = 0;
   std::size_t count_ = 0;

@@ -8,20 +8,19 @@
 namespace topo::plausibility {
 namespace {
 
-constexpr double kArm_m = 0.2;  ///< turns a rotation into the speed of a wheel
 constexpr types::Duration kPast = Obedience::kLagStep * static_cast<int>(Obedience::kLags - 1);
 
 bool is_outside(double speed, const SpeedBounds& bounds, double tolerance) {
   return speed > bounds.high + tolerance || speed < bounds.low - tolerance;
 }
 
-double wheel_mps(const types::Twist2& twist) { return twist.v_mps + kArm_m * twist.omega_radps; }
+double wheel_mps(const types::Twist2& twist, double arm_m) { return twist.v_mps + arm_m * twist.omega_radps; }
 
 /// Greatest change of the expected speed within the time that a lag may have.
-double change_mps(const CommandHistory& commands, types::Stamp now) {
+double change_mps(const CommandHistory& commands, types::Stamp now, double arm_m) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (types::Stamp t = now - kPast; t <= now; t += Obedience::kLagStep) {
-    const double speed = wheel_mps(commands.followed_at(t));
+    const double speed = wheel_mps(commands.followed_at(t), arm_m);
     low = std::min(low, speed);
     high = std::max(high, speed);
   }
@@ -56,10 +55,12 @@ bool Obedience::creeps(const types::Twist2& measured) {
 bool Obedience::measure_lag(const CommandHistory& commands, const types::BaseState& state) {
   const types::Stamp now = state.odometry.stamp;
   // Motors that were just switched on begin late, and the commands before do not count.
-  if (now - motors_on_ < kPast || change_mps(commands, now) < params_.informative_mps) return false;
-  const double measured = wheel_mps(state.odometry.twist);
+  if (now - motors_on_ < kPast || change_mps(commands, now, params_.arm_m) < params_.informative_mps)
+    return false;
+  const double measured = wheel_mps(state.odometry.twist, params_.arm_m);
   for (std::size_t i = 0; i < kLags; ++i) {
-    const double expected = wheel_mps(commands.followed_at(now - kLagStep * static_cast<int>(i)));
+    const double expected =
+        wheel_mps(commands.followed_at(now - kLagStep * static_cast<int>(i)), params_.arm_m);
     error_[i] = params_.lag_forgetting * error_[i] + (measured - expected) * (measured - expected);
   }
   weight_ = params_.lag_forgetting * weight_ + 1.0;

@@ -33,8 +33,9 @@ struct ObedienceOpinion {
 /// blocked, which control notices.
 class Obedience {
  public:
-  static constexpr types::Duration kLagStep = std::chrono::milliseconds(50);
-  static constexpr std::size_t kLags = 41;  ///< up to 2 s
+  /// Grid of the lags: the control period, in which commands change, up to 2 s. Size of an array.
+  static constexpr types::Duration kLagStep = types::kBasePeriod;
+  static constexpr std::size_t kLags = 41;
 
   explicit Obedience(const ObedienceParams& params = {}) : params_(params) {}
 

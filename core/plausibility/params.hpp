@@ -8,6 +8,20 @@
 
 namespace topo::plausibility {
 
+/// What a base that follows its commands at once would do (command_history.hpp).
+struct CommandHistoryParams {
+  double elapsed_max_s = 0.2;  ///< four periods: a later one must not count as a long ramp
+};
+
+/// Measured deceleration (braking.hpp).
+struct BrakingParams {
+  double top_mps = 0.3;  ///< slower stops are over within a few statuses
+  /// Of the speed at which a stop began: between these two it is measured.
+  double fast_share = 0.8, slow_share = 0.2;
+  double forget = 0.2;      ///< weight of a better stop: one bad stop counts at once
+  double weak_share = 0.8;  ///< of the believed deceleration: less is weak
+};
+
 /// Commanded against measured speed.
 struct ObedienceParams {
   /// Longest lag of a base that is driven: the control loop assumes RobotLimits::reaction, 100 ms, and the
@@ -27,6 +41,7 @@ struct ObedienceParams {
   double lag_forgetting = 0.97;  ///< weight of the past, per informative status
   double lag_error_mps = 0.03;   ///< error of the best admissible lag from which a longer one is believed,
   double lag_gain = 0.5;         ///< when its squared error is at most this share
+  double arm_m = 0.2;            ///< turns a rotation into the speed of a wheel: half of a track, about
 };
 
 /// Reported motion against the model.
@@ -60,7 +75,17 @@ struct PictureParams {
   types::Duration covered_for = std::chrono::seconds(1);
 };
 
+/// Which robot counts as standing, and which as newly connected.
+struct StandingParams {
+  double v_mps = 0.02, omega_radps = 0.05;  ///< slower counts as standing
+  /// A base that was silent for longer has a new connection: five status cycles end one.
+  types::Duration silence = std::chrono::milliseconds(500);
+};
+
 struct PlausibilityParams {
+  CommandHistoryParams commands;
+  BrakingParams braking;
+  StandingParams standing;
   ObedienceParams obedience;
   MotionParams motion;
   MatchParams match;

@@ -10,28 +10,29 @@
 namespace topo::plausibility {
 namespace {
 
-constexpr double kStands_mps = 0.02, kStands_radps = 0.05;
-/// A base that was silent this long has a new connection: five status cycles end one.
-constexpr types::Duration kNewConnection = std::chrono::milliseconds(500);
-
 constexpr std::size_t at(Doubt doubt) { return static_cast<std::size_t>(doubt); }
 
-bool stands(const types::BaseState* base) {
-  return base == nullptr || (std::abs(base->odometry.twist.v_mps) < kStands_mps &&
-                             std::abs(base->odometry.twist.omega_radps) < kStands_radps);
+bool stands(const types::BaseState* base, const StandingParams& params) {
+  return base == nullptr || (std::abs(base->odometry.twist.v_mps) < params.v_mps &&
+                             std::abs(base->odometry.twist.omega_radps) < params.omega_radps);
 }
 
 }  // namespace
 
 Plausibility::Plausibility(const PlausibilityParams& params, bool disobeyed)
-    : params_(params), obedience_(params.obedience), match_(params.match), picture_(params.picture) {
+    : params_(params),
+      commands_(params.commands),
+      obedience_(params.obedience),
+      match_(params.match),
+      picture_(params.picture),
+      braking_(params.braking) {
   held_[at(Doubt::kDisobeys)].latched = disobeyed;
 }
 
 void Plausibility::judge_status(const Evidence& evidence) {
   const types::BaseState& base = *evidence.base;
   if (base.arrival == last_status_) return;
-  const bool anew = last_status_ != types::Stamp{} && base.arrival - last_status_ > kNewConnection;
+  const bool anew = last_status_ != types::Stamp{} && base.arrival - last_status_ > params_.standing.silence;
   if (anew) obedience_.reset();
   const bool first = anew || last_status_ == types::Stamp{};
   last_status_ = heard_ = base.arrival;
@@ -109,7 +110,7 @@ Opinion Plausibility::judge(const Evidence& evidence) {
   if (heard_ == types::Stamp{}) heard_ = evidence.now;
   if (evidence.base_released) release();
   const DoubtSet now = causes(evidence);
-  const bool standing = stands(evidence.base);
+  const bool standing = stands(evidence.base, params_.standing);
   for (std::size_t doubt = 0; doubt < kDoubts; ++doubt) hold(doubt, now.test(doubt), standing, evidence);
   if (evidence.cleared && standing) obedience_.reset();
   if (present_.test(at(Doubt::kAnswersLate)) && !now.test(at(Doubt::kAnswersLate))) obedience_.measure_anew();

@@ -13,11 +13,6 @@ using grid::CellIndex;
 using grid::CellState;
 using grid::DenseMap;
 
-// Margin by which a route on the coarse map may exceed the cheapest one there and still be the cheapest on
-// the fine map.
-constexpr double kShare = 1.05;
-constexpr double kMore_m = 1.5;
-
 /// Binary logarithm of the ratio of the cell widths.
 int doublings(const DenseMap& map, const DenseMap& coarse) {
   return static_cast<int>(std::lround(std::log2(coarse.resolution_m / map.resolution_m)));
@@ -74,12 +69,13 @@ void take_part(const DenseMap& map, std::span<const float> clearance_m, const De
 
 std::vector<CellIndex> FarRoute::find(const DenseMap& map, std::span<const float> clearance_m,
                                       const CoarseMap& coarse, const grid::TravelField& coarse_field,
-                                      CellIndex start, CellIndex target, const grid::TravelRules& rules) {
+                                      CellIndex start, CellIndex target, const grid::TravelRules& rules,
+                                      const FarRouteParams& params) {
   const CellIndex goal = coarse.map.cell_at(map.centre_of(target));
   const float cost_m = coarse_field.cost_m[coarse.map.index(goal)];
   if (std::isinf(cost_m)) return {};
   search_.begin(coarse.map, coarse.clearance_m, goal, rules, back_);
-  const double most_m = kShare * static_cast<double>(cost_m) + kMore_m;
+  const double most_m = params.factor * static_cast<double>(cost_m) + params.more_m;
   search_.settle(most_m);
   take_part(map, clearance_m, coarse.map,
             passage(coarse.map, coarse_field, back_, static_cast<float>(most_m)), corridor_);

@@ -7,6 +7,7 @@
 
 #include "core/grid/wavefront.hpp"
 #include "core/travel/coarse_map.hpp"
+#include "core/travel/params.hpp"
 
 namespace topo::travel {
 
@@ -22,7 +23,7 @@ class FarRoute {
   std::vector<grid::CellIndex> find(const grid::DenseMap& map, std::span<const float> clearance_m,
                                     const CoarseMap& coarse, const grid::TravelField& coarse_field,
                                     grid::CellIndex start, grid::CellIndex target,
-                                    const grid::TravelRules& rules);
+                                    const grid::TravelRules& rules, const FarRouteParams& params);
 
  private:
   grid::TravelSearch search_;

@@ -27,7 +27,7 @@ double free_area_m2(const grid::DenseMap& map) {
 void RouteMap::take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways) {
   if (revision == revision_ && !map_.cells.empty()) return;
   revision_ = revision;
-  map_ = prepare_map(grid, ways, area_, rules_.radius_m);
+  map_ = prepare_map(grid, ways, area_, rules_.radius_m, params_.map);
   clearance_.take(map_);
   known_m2_ = free_area_m2(map_);
 }
@@ -44,11 +44,12 @@ void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, co
     for (const std::vector<types::KeyframePose>& way : ways.mates)
       keep_trail_open(map_, way, start, rules, travel_clearance_m_);
   };
-  keep_ways_open({rules_.radius_m});
+  const double gap_m = params_.keyframe_gap_m;
+  keep_ways_open({rules_.radius_m, 0.0, HUGE_VAL, gap_m});
   lower_clearance(map_, overlays.seen_now, rules_.preferred_m, travel_clearance_m_);
   // Noise must not close the path by which the robot came; the safety gate stops it before real obstacles
   // there.
-  keep_ways_open({rules_.tight_m, rules_.tight_m - params_.live_noise_m, params_.live_range_m});
+  keep_ways_open({rules_.tight_m, rules_.tight_m - params_.live_noise_m, params_.live_range_m, gap_m});
   // An obstacle at which the robot got stuck also closes its own path: otherwise the same route would be
   // taken forever.
   lower_clearance(map_, overlays.stuck_on, rules_.preferred_m, travel_clearance_m_);
@@ -96,8 +97,8 @@ std::vector<grid::CellIndex> RouteMap::cells_to(grid::CellIndex target) {
   search_.settle(params_.near_m);
   if (static_cast<double>(field_.cost_m[map_.index(target)]) >= search_.settled_m()) {
     const CoarseMap& wide = coarse();
-    std::vector<grid::CellIndex> cells =
-        far_route_.find(map_, travel_clearance_m_, wide, coarse_field_, field_.start, target, rules_);
+    std::vector<grid::CellIndex> cells = far_route_.find(map_, travel_clearance_m_, wide, coarse_field_,
+                                                         field_.start, target, rules_, params_.far);
     if (!cells.empty()) return cells;
     search_.settle(HUGE_VAL);
   }
@@ -105,7 +106,7 @@ std::vector<grid::CellIndex> RouteMap::cells_to(grid::CellIndex target) {
 }
 
 std::vector<Vector2> RouteMap::route_to(grid::CellIndex target) {
-  return smooth_path(map_, travel_clearance_m_, cells_to(target), rules_.preferred_m);
+  return smooth_path(map_, travel_clearance_m_, cells_to(target), rules_.preferred_m, params_.path);
 }
 
 std::optional<grid::CellIndex> RouteMap::reachable_cell(const Vector2& p_map) {
@@ -120,7 +121,7 @@ std::optional<Vector2> RouteMap::tight_ahead(std::span<const Vector2> route, con
   if (route.empty()) return narrowest;
   auto least_m = static_cast<float>(rules_.radius_m);
   double along_m = 0.0;
-  for (std::size_t i = nearest_point(route, here) + 1; i < route.size(); ++i) {
+  for (std::size_t i = nearest_point(route, here, params_.path) + 1; i < route.size(); ++i) {
     along_m += (route[i] - route[i - 1]).norm();
     if (along_m >= params_.tight_ahead_m) break;
     const grid::CellIndex cell = map_.cell_at(route[i]);

@@ -195,7 +195,7 @@ void free_trail(DenseMap& map, const grid::OccupancyGrid& grid, const Vector2& c
   });
 }
 
-void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid) {
+void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid, const TravelMapParams& params) {
   constexpr int kSide = grid::Tile::kSide;
   grid.tiles().for_each([&](patricia::Key key, const grid::TileRef& tile) {
     const auto corner = patricia::cell_of(key);
@@ -203,7 +203,7 @@ void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid) {
     for (int i = 0; i < kSide * kSide; ++i) {
       const grid::CellCounts& counts = cells[static_cast<std::size_t>(i)];
       const unsigned hits = counts.hits, all = hits + counts.misses;
-      if (hits < 2 || 10 * hits < all) continue;
+      if (hits < params.faint_hits || params.faint_one_in * hits < all) continue;
       const CellIndex cell{corner.x * kSide + i % kSide, corner.y * kSide + i / kSide};
       if (map.contains(cell)) map.cells[map.index(cell)] = CellState::kOccupied;
     }
@@ -216,20 +216,17 @@ void apply_limits(DenseMap& map, const types::AreaLimits& limits) {
 }
 
 DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways, const types::AreaLimits& limits,
-                     double route_radius_m) {
-  constexpr double kReach_m = 0.15;  // on each side: the beam spacing of 0.25 degrees at 30 m
-  const int reach = static_cast<int>(std::lround(kReach_m / grid.resolution_m()));
+                     double route_radius_m, const TravelMapParams& params) {
+  const int reach = static_cast<int>(std::lround(params.gap_m / grid.resolution_m()));
   const int disc = static_cast<int>(std::ceil(route_radius_m / grid.resolution_m())) + 1;
   DenseMap map = grid::dense_map(grid, std::max(2 * reach, disc));
-  occupy_faint(map, grid);
+  occupy_faint(map, grid, params);
   close_gaps(map, reach);
-  constexpr double kInner =
-      0.7;  // share of the route's disc that the robot's outline covers in every heading
   const auto free_way = [&](std::span<const types::KeyframePose> way) {
     for (const types::KeyframePose& keyframe : way) {
       const Vector2 centre = keyframe.T_map_base.se2().translation();
       free_disc(map, centre, route_radius_m);
-      free_trail(map, grid, centre, kInner * route_radius_m);
+      free_trail(map, grid, centre, params.inner_share * route_radius_m);
     }
   };
   free_way(ways.own);
@@ -239,12 +236,11 @@ DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways, co
 }
 
 std::vector<Vector2> confirmed_points(const types::Scan& scan, const types::Se2& T_map_laser,
-                                      double range_max_m) {
-  constexpr float kStep_m = 0.1F;
+                                      double range_max_m, float step_m) {
   std::vector<Vector2> points;
   const auto confirmed = [&](std::size_t i, std::size_t neighbour) {
     return types::is_hit(scan.range_m[neighbour]) &&
-           std::abs(scan.range_m[neighbour] - scan.range_m[i]) < kStep_m;
+           std::abs(scan.range_m[neighbour] - scan.range_m[i]) < step_m;
   };
   types::BeamDirections direction(scan.geometry, T_map_laser.theta_rad);
   for (std::size_t i = 1; i + 1 < scan.beams; ++i) {
@@ -271,7 +267,6 @@ void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, do
 
 void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> way, CellIndex here,
                      const TrailRules& rules, std::vector<float>& clearance_m) {
-  constexpr double kGap_m = 0.8;  // spacing of two keyframes; beyond it the robot was carried or lost
   const auto open_m = static_cast<float>(rules.open_m), above_m = static_cast<float>(rules.above_m);
   const Vector2 robot = map.centre_of(here);
   // A line of cells without a gap, and no wider: beside the line the robot may touch an obstacle.
@@ -280,7 +275,7 @@ void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> w
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
     const double length_m = (b - a).norm();
-    if (length_m > kGap_m || (b - robot).norm() > rules.within_m) continue;
+    if (length_m > rules.gap_m || (b - robot).norm() > rules.within_m) continue;
     const int steps = static_cast<int>(std::ceil(length_m / map.resolution_m)) + 1;
     for (int k = 0; k <= steps; ++k) {
       for_each_around(

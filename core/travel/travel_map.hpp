@@ -7,6 +7,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/grid/occupancy_grid.hpp"
+#include "core/travel/params.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/keyframe_pose.hpp"
 #include "core/types/scan.hpp"
@@ -23,10 +24,9 @@ void close_gaps(grid::DenseMap& map, int reach);
 /// and never covers the floor under the robot. The array's border stays unknown.
 void free_disc(grid::DenseMap& map, const types::Vector2& centre, double radius_m);
 
-/// Sets cells with at least two hits to occupied when a tenth of their observations are hits: most beams pass
-/// through glass, or miss a thin obstacle. Weak evidence is enough for driving, while the map itself needs
-/// more (grid::state_of).
-void occupy_faint(grid::DenseMap& map, const grid::OccupancyGrid& grid);
+/// Sets cells with faint evidence (TravelMapParams) to occupied. It is enough for driving, while the map
+/// itself needs more (grid::state_of).
+void occupy_faint(grid::DenseMap& map, const grid::OccupancyGrid& grid, const TravelMapParams& params);
 
 /// Sets cells around a position of the robot to free when only weak evidence occupies them.
 void free_trail(grid::DenseMap& map, const grid::OccupancyGrid& grid, const types::Vector2& centre,
@@ -45,12 +45,13 @@ struct DrivenWays {
 /// Applies all steps to a generation of the map. `route_radius_m` is the radius that a route keeps free
 /// around the robot's centre (grid::TravelRules::radius_m: the swing radius and a margin).
 grid::DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways,
-                           const types::AreaLimits& limits, double route_radius_m);
+                           const types::AreaLimits& limits, double route_radius_m,
+                           const TravelMapParams& params);
 
-/// End points of a scan within `range_max_m`, in map, that both neighbouring beams confirm: a lone point is
-/// often a mixed pixel.
+/// End points of a scan within `range_max_m`, in map, that both neighbouring beams confirm to within
+/// `step_m`: a lone point is often a mixed pixel.
 std::vector<types::Vector2> confirmed_points(const types::Scan& scan, const types::Se2& T_map_laser,
-                                             double range_max_m);
+                                             double range_max_m, float step_m);
 
 /// Adds points to a clearance map as obstacles, up to `reach_m` around each. Clearance never grows.
 void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> obstacles, double reach_m,
@@ -61,6 +62,7 @@ struct TrailRules {
   double open_m = 0.0;         ///< minimum clearance on the path
   double above_m = 0.0;        ///< only where the clearance without this rule is at least this
   double within_m = HUGE_VAL;  ///< distance from the robot
+  double gap_m = RouteMapParams{}.keyframe_gap_m;  ///< between two keyframes, at most
 };
 
 /// Keeps the path of a robot passable, so that the robot can return despite suspected obstacles. Applies

@@ -67,7 +67,7 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   auto base = connectors("base", c.base.address);
   if (!base) return tl::unexpected(base.error());
   w.base_.worker = std::make_unique<BaseWorker>(
-      hand_overs, setup_at_start(c), c.plausibility,
+      hand_overs, setup_at_start(c), control_params(c),
       std::make_unique<pioneer::Connection>(connection_config(c), std::move(*base)), w.base_.vitals);
   auto front = connectors("front", c.front.address);
   if (!front) return tl::unexpected(front.error());

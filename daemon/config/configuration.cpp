@@ -63,6 +63,12 @@ pipeline::ControlSetup control_setup(const Configuration& configuration) {
   return setup;
 }
 
+pipeline::ControlParams control_params(const Configuration& configuration) {
+  pipeline::ControlParams params;
+  params.plausibility = configuration.plausibility;
+  return params;
+}
+
 types::Footprint footprint(const Configuration& configuration) {
   const types::ModelSize model = model_size(configuration.robot.model);
   const RobotConfig& robot = configuration.robot;

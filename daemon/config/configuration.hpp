@@ -154,6 +154,9 @@ struct Configuration {
 /// Setup of the base thread: the robot's limits, its hull, its scanner's pose and the area.
 [[nodiscard]] pipeline::ControlSetup control_setup(const Configuration& configuration);
 
+/// Parameters of the base thread's step, with what may be configured of them.
+[[nodiscard]] pipeline::ControlParams control_params(const Configuration& configuration);
+
 /// The robot's hull: the configured one, or the model's.
 [[nodiscard]] types::Footprint footprint(const Configuration& configuration);
 

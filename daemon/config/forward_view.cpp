@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/perception/stop_zone.hpp"
+#include "core/perception/params.hpp"
 #include "core/types/se2.hpp"
 
 namespace topo::daemon {
 namespace {
 
-constexpr double kNeeded_rad = 2.0 * perception::kForwardSector_rad;
+constexpr double kSector_rad = perception::StopZoneParams{}.forward_sector_rad;
+constexpr double kNeeded_rad = 2.0 * kSector_rad;
 constexpr double kRounding_rad = 1e-6;
 
 double degrees(double angle_rad) { return angle_rad / types::kDegree_rad; }
@@ -27,8 +28,8 @@ double seen_of_forward_sector_rad(double yaw_rad, double field_of_view_rad) {
   double seen_rad = 0.0;
   // A view turned backwards reaches the sector from both sides, over the turn's end.
   for (const double turn_rad : {-kTurn_rad, 0.0, kTurn_rad}) {
-    const double from_rad = std::max(centre_rad + turn_rad - half_rad, -perception::kForwardSector_rad);
-    const double to_rad = std::min(centre_rad + turn_rad + half_rad, perception::kForwardSector_rad);
+    const double from_rad = std::max(centre_rad + turn_rad - half_rad, -kSector_rad);
+    const double to_rad = std::min(centre_rad + turn_rad + half_rad, kSector_rad);
     seen_rad += std::max(to_rad - from_rad, 0.0);
   }
   return std::min(seen_rad, kNeeded_rad);
@@ -37,15 +38,14 @@ double seen_of_forward_sector_rad(double yaw_rad, double field_of_view_rad) {
 std::string forward_view_fault(double yaw_rad) {
   const double seen_rad = seen_of_forward_sector_rad(yaw_rad);
   if (seen_rad >= kNeeded_rad - kRounding_rad) return {};
-  const double most_rad = 0.5 * kFieldOfView_rad - perception::kForwardSector_rad;
+  const double most_rad = 0.5 * kFieldOfView_rad - kSector_rad;
   const double printed_rad = std::floor(most_rad * 1e3) * 1e-3;  // rounded down: what is printed is accepted
   return fmt::format(
       "found {} ({:.0f} degrees): a scanner with {:.0f} degrees of view (UTM-30LX) then sees {:.0f} of the "
       "{:.0f} degrees ahead that braking needs ({:.0f} to either side), and the robot would drive blind; "
       "expected -{:.3f} to {:.3f} ({:.0f} degrees either way)",
       yaw_rad, degrees(yaw_rad), degrees(kFieldOfView_rad), std::floor(degrees(seen_rad + kRounding_rad)),
-      degrees(kNeeded_rad), degrees(perception::kForwardSector_rad), printed_rad, printed_rad,
-      degrees(most_rad));
+      degrees(kNeeded_rad), degrees(kSector_rad), printed_rad, printed_rad, degrees(most_rad));
 }
 
 }  // namespace topo::daemon

@@ -12,9 +12,9 @@ namespace topo::daemon {
 /// by the gate, scan by scan (perception::forward_valid_fraction).
 inline constexpr double kFieldOfView_rad = 1.5 * std::numbers::pi;
 
-/// Angle of the forward sector (perception::kForwardSector_rad to either side of straight ahead) that a
-/// scanner sees whose zero beam is turned by `yaw_rad` and whose view is `field_of_view_rad` wide, in
-/// radians. Precondition: both are finite, the view is at most one turn.
+/// Angle of the forward sector (perception::StopZoneParams::forward_sector_rad to either side of straight
+/// ahead) that a scanner sees whose zero beam is turned by `yaw_rad` and whose view is `field_of_view_rad`
+/// wide, in radians. Precondition: both are finite, the view is at most one turn.
 [[nodiscard]] double seen_of_forward_sector_rad(double yaw_rad, double field_of_view_rad = kFieldOfView_rad);
 
 /// Empty when a front scanner mounted at `yaw_rad` sees the whole forward sector; otherwise the fault: the

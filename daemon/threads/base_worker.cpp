@@ -11,13 +11,13 @@
 
 namespace topo::daemon {
 BaseWorker::BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
-                       const plausibility::PlausibilityParams& plausibility,
-                       std::unique_ptr<pioneer::Connection> connection, Vitals& vitals)
+                       const pipeline::ControlParams& params, std::unique_ptr<pioneer::Connection> connection,
+                       Vitals& vitals)
     : hand_overs_(hand_overs),
       connection_(std::move(connection)),
       vitals_(vitals),
       setup_(setup),
-      control_(plausibility, setup.disobeyed) {
+      control_(params, setup.disobeyed) {
   connection_->set_silence(setup.disobeyed);  // before its first byte
 }
 

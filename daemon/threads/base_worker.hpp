@@ -20,8 +20,8 @@ class BaseWorker final : public Worker {
   static constexpr types::Duration kCloseTime = std::chrono::milliseconds(800);
 
   BaseWorker(HandOvers& hand_overs, const pipeline::ControlSetup& setup,
-             const plausibility::PlausibilityParams& plausibility,
-             std::unique_ptr<pioneer::Connection> connection, Vitals& vitals);
+             const pipeline::ControlParams& params, std::unique_ptr<pioneer::Connection> connection,
+             Vitals& vitals);
 
   /// The thread's body: runs until hand_overs.ending.devices_closing, then closes the connection in order.
   void run() noexcept override;

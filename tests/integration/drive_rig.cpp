@@ -69,7 +69,7 @@ std::vector<Vector2> way_in(const sim::World& world, const Vector2& from, const 
   const grid::TravelRules rules;
   const grid::TravelField field = grid::travel_field(map, clearance, map.cell_at(from), rules);
   const auto route = grid::route_to(map, field, map.cell_at(to));
-  return travel::smooth_path(map, clearance, route, rules.preferred_m);
+  return travel::smooth_path(map, clearance, route, rules.preferred_m, {});
 }
 
 void DriveRig::Sink::on_sweep(std::size_t laser, const sim::Sweep& sweep) {

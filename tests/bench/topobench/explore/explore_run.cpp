@@ -93,7 +93,7 @@ RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidel
   mind.planner = daemon::planner_params(configuration);
   if (fidelity == Fidelity::kPlan) {
     mind.planner.coarse_analysis = true;
-    mind.plausibility.picture.noiseless = true;  // the sparse scanner has no noise
+    mind.control_params.plausibility.picture.noiseless = true;  // the sparse scanner has no noise
     mind.planner.hold.quiet_decision_holds = kSparseQuietDecision;
   }
   mind.control = daemon::control_setup(configuration);

@@ -5,7 +5,7 @@
 namespace topo::bench {
 
 RobotMind::RobotMind(const MindSetup& setup, std::unique_ptr<MapSource> source)
-    : setup_(setup), source_(std::move(source)), control_(setup.plausibility), planning_(setup.planner) {}
+    : setup_(setup), source_(std::move(source)), control_(setup.control_params), planning_(setup.planner) {}
 
 void RobotMind::take(const Readings& readings, const Readings& for_map) {
   source_->take(for_map);

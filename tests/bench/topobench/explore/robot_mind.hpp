@@ -19,7 +19,7 @@ struct MindSetup {
   pipeline::ControlSetup control;
   std::vector<types::Se2> T_base_sonar;
   types::Duration firmware_watchdog = std::chrono::milliseconds(2000);
-  plausibility::PlausibilityParams plausibility;
+  pipeline::ControlParams control_params;
 };
 
 /// The daemon's threads in lock-step: the same pure steps, fed with readings, and nothing that knows the

@@ -56,7 +56,7 @@ TEST(BreadcrumbPath, LeadsBackToTheCornerWhereTheRobotTurnedOnTheSpot) {
   for (double x = -1.0; x <= 0.0; x += 0.01) trail.update({x, 0.0, 0.0});
   for (double y = 0.0; y <= 0.12; y += 0.01) trail.update({0.0, y, 1.5708});
   EXPECT_NEAR(trail.behind_m(), 0.12, 0.01);
-  EXPECT_NEAR(trail.turn_to_back_rad(), 0.0, BreadcrumbPath::kBehind_rad);
+  EXPECT_NEAR(trail.turn_to_back_rad(), 0.0, BreadcrumbParams{}.behind_rad);
   const types::Twist2 back = trail.back_twist(0.1);
   EXPECT_EQ(back.v_mps, -0.1);
   EXPECT_LT(std::abs(back.omega_radps), 0.05);
@@ -91,12 +91,12 @@ TEST(BreadcrumbPath, IsNoLongerThanTheWayAndAMetre) {
       trail.update(pose);
       RC_ASSERT(trail.length_m() <= driven_m + 1e-9);
       // The oldest point is up to two steps of a drive farther than that.
-      if (!went_back) RC_ASSERT(trail.length_m() <= BreadcrumbPath::kLength_m + 0.07);
+      if (!went_back) RC_ASSERT(trail.length_m() <= BreadcrumbParams{}.length_m + 0.07);
       RC_ASSERT(trail.behind_m() <= trail.length_m() + 1e-9);
       RC_ASSERT(trail.behind_m() >= 0.0);
       const types::Twist2 back = trail.back_twist(0.07);
       RC_ASSERT((back.v_mps == -0.07 || back == types::Twist2{}));
-      if (back.v_mps != 0.0) RC_ASSERT(std::abs(trail.turn_to_back_rad()) <= BreadcrumbPath::kBehind_rad);
+      if (back.v_mps != 0.0) RC_ASSERT(std::abs(trail.turn_to_back_rad()) <= BreadcrumbParams{}.behind_rad);
     }
     trail.clear();
     RC_ASSERT(trail.length_m() == 0.0);

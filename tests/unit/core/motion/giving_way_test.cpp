@@ -24,11 +24,11 @@ types::RobotLimits p3dx() {
 }
 
 double scale(const Twist2& twist, const perception::MovingObstacle& one) {
-  return giving_way_scale(twist, std::array{one}, kAlive_s, p3dx());
+  return giving_way_scale(twist, std::array{one}, kAlive_s, p3dx(), {});
 }
 
 TEST(GivingWay, NothingMovesNothingSlows) {
-  EXPECT_EQ(giving_way_scale({0.7, 0.0}, {}, kAlive_s, p3dx()), 1.0);
+  EXPECT_EQ(giving_way_scale({0.7, 0.0}, {}, kAlive_s, p3dx(), {}), 1.0);
 }
 
 TEST(GivingWay, WhatCrossesFarAheadOrBehindOrGoesAwayIsNoReason) {
@@ -60,7 +60,7 @@ TEST(GivingWay, WhatItLetsThroughStandsInTime) {
     const double s = scale(t, one);
     RC_ASSERT(s >= 0.0 && s <= 1.0);
     const Twist2 given{s * t.v_mps, s * t.omega_radps};
-    RC_ASSERT(s == 0.0 || stands_in_time(given, std::array{one}, kAlive_s, p3dx().margin_m, p3dx()));
+    RC_ASSERT(s == 0.0 || stands_in_time(given, std::array{one}, kAlive_s, p3dx().margin_m, p3dx(), {}));
   }));
 }
 
@@ -82,8 +82,8 @@ TEST(GivingWay, TheMirroredEncounterSlowsAsMuch) {
       one.velocity_mps.y() *= -1.0;
     }
     const Twist2 t{uniform(-0.1, 0.7), uniform(-1.0, 1.0)}, other{t.v_mps, -t.omega_radps};
-    RC_ASSERT(giving_way_scale(t, movers, kAlive_s, p3dx()) ==
-              giving_way_scale(other, mirrored, kAlive_s, p3dx()));
+    RC_ASSERT(giving_way_scale(t, movers, kAlive_s, p3dx(), {}) ==
+              giving_way_scale(other, mirrored, kAlive_s, p3dx(), {}));
   }));
 }
 
@@ -91,18 +91,19 @@ TEST(GivingWay, MoreThatMovesOrALargerMarginLetsNoMoreThrough) {
   EXPECT_TRUE(rc::check([] {
     auto movers = any_movers(2);
     const Twist2 t{uniform(-0.1, 0.7), uniform(-1.0, 1.0)};
-    const double scale_before = giving_way_scale(t, movers, kAlive_s, p3dx()), margin_m = uniform(0.0, 0.2);
-    const bool stands = stands_in_time(t, movers, kAlive_s, margin_m, p3dx());
-    if (!stands) RC_ASSERT(!stands_in_time(t, movers, kAlive_s, margin_m + uniform(0.0, 0.2), p3dx()));
+    const double scale_before = giving_way_scale(t, movers, kAlive_s, p3dx(), {}),
+                 margin_m = uniform(0.0, 0.2);
+    const bool stands = stands_in_time(t, movers, kAlive_s, margin_m, p3dx(), {});
+    if (!stands) RC_ASSERT(!stands_in_time(t, movers, kAlive_s, margin_m + uniform(0.0, 0.2), p3dx(), {}));
     for (const perception::MovingObstacle& one : any_movers(2)) movers.push_back(one);
-    RC_ASSERT(giving_way_scale(t, movers, kAlive_s, p3dx()) <= scale_before);
-    if (!stands) RC_ASSERT(!stands_in_time(t, movers, kAlive_s, margin_m, p3dx()));
+    RC_ASSERT(giving_way_scale(t, movers, kAlive_s, p3dx(), {}) <= scale_before);
+    if (!stands) RC_ASSERT(!stands_in_time(t, movers, kAlive_s, margin_m, p3dx(), {}));
   }));
 }
 
 TEST(GivingWay, TheScaleIsInTwentieths) {
   EXPECT_TRUE(rc::check([] {
-    const double parts = 20.0 * giving_way_scale({0.7, 0.3}, any_movers(3), kAlive_s, p3dx());
+    const double parts = 20.0 * giving_way_scale({0.7, 0.3}, any_movers(3), kAlive_s, p3dx(), {});
     RC_ASSERT(std::abs(parts - std::round(parts)) < 1e-9);
     RC_ASSERT((parts >= 0.0 && parts <= 20.0));
   }));
@@ -112,14 +113,14 @@ TEST(GivingWay, TheScaleIsInTwentieths) {
 TEST(GivingWay, StandsInTimeWhereItsBrakesSuffice) {
   const perception::MovingObstacle one{{1.0, 0.0}, {0.0, 0.0}, 0.1};
   const auto stands = [&](double v_mps, double alive_s) {
-    return stands_in_time({v_mps, 0.0}, std::array{one}, alive_s, 0.05, p3dx());
+    return stands_in_time({v_mps, 0.0}, std::array{one}, alive_s, 0.05, p3dx(), {});
   };
   EXPECT_TRUE(stands(0.1, 0.2));
   EXPECT_TRUE(stands(0.5, 0.2)) << "0.1 m and 0.31 m of braking";
   EXPECT_FALSE(stands(0.5, 1.0));
   EXPECT_FALSE(stands(1.0, 0.2));
   EXPECT_TRUE(stands(-1.0, 0.2));
-  EXPECT_TRUE(stands_in_time({1.0, 0.0}, {}, 5.0, 0.05, p3dx()));
+  EXPECT_TRUE(stands_in_time({1.0, 0.0}, {}, 5.0, 0.05, p3dx(), {}));
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ struct CaughtRobot : StuckRobot {
     const std::uint32_t begun = recovery.begun();
     for (int i = 0; i < 2000; ++i) {
       const types::Se2 before = in.T_odom_base;
-      in.seen_behind_m = std::clamp(seen_to_m + before.x_m, 0.0, Recovery::kSeenBehind_m);
+      in.seen_behind_m = std::clamp(seen_to_m + before.x_m, 0.0, EasingParams{}.seen_max_m);
       in.ahead_m = std::max(0.0, ahead_to_m - before.x_m);
       const RecoveryOutput out = step();
       EXPECT_EQ(out.backing == Backing::kOverSeenGround, out.phase == RecoveryPhase::kEasing);

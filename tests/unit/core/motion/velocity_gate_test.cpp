@@ -196,12 +196,12 @@ TEST(VelocityGate, StampsAreStaleWhenOldMissingOrFromTheFuture) {
 
 TEST(VelocityGate, AScanMayBeTwoAndAHalfPeriodsOld) {
   auto scan = empty_scan(Stamp{});
-  EXPECT_EQ(scan_age_max(*scan), milliseconds(150));
+  EXPECT_EQ(scan_age_max(*scan, {}), milliseconds(150));
   scan->geometry.period_s = 0.1F;
-  EXPECT_NEAR(types::to_seconds(scan_age_max(*scan)), 0.25, 1e-6);
+  EXPECT_NEAR(types::to_seconds(scan_age_max(*scan, {})), 0.25, 1e-6);
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -1.0F, 1e9F}) {
     scan->geometry.period_s = bad;
-    EXPECT_EQ(scan_age_max(*scan), milliseconds(150));
+    EXPECT_EQ(scan_age_max(*scan, {}), milliseconds(150));
   }
 }
 

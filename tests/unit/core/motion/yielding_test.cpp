@@ -40,6 +40,19 @@ TEST(Yielding, WaitsWhileSomethingPassesButNotForEver) {
   EXPECT_TRUE(w.yielding.waits()) << "the next one";
 }
 
+TEST(Yielding, WaitsAsLongAsItsParametersSay) {
+  YieldingParams params;
+  params.patience = std::chrono::seconds(2);
+  Yielding brief(params);
+  const types::Stamp start = types::stamp_from_seconds(10.0);
+  brief.update(start, true, {});
+  EXPECT_TRUE(brief.waits());
+  brief.update(start + params.patience, true, {});
+  EXPECT_TRUE(brief.waits());
+  brief.update(start + params.patience + std::chrono::milliseconds(50), true, {});
+  EXPECT_FALSE(brief.waits());
+}
+
 TEST(Yielding, WhoHasTheOtherOnItsRightLetsItGoFirst) {
   Waiter left, right;
   left.hold_up(0.5, 20);

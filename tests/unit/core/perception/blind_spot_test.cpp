@@ -61,7 +61,7 @@ struct Passage {
     }
     if (blinded) scan->range_m.fill(types::kInvalid);
     std::vector<ScanPoint> points(scan->beams);
-    points.resize(scan_points(*scan, T_base_laser, points));
+    points.resize(scan_points(*scan, T_base_laser, {}, points));
     types::Odometry odometry;
     odometry.stamp = now;
     odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(pose);
@@ -190,7 +190,7 @@ TEST(BlindSpot, KnowsNoGroundFromBeforeItForgot) {
     return passage.blind_spot.seen_behind_m(pose, passage.outline, passage.now, 0.1);
   };
   EXPECT_EQ(seen_m({0.9, 0.0, 1.5}), 0.1);
-  passage.now += BlindSpot::kKept - std::chrono::seconds(5);
+  passage.now += BlindSpotParams{}.kept - std::chrono::seconds(5);
   EXPECT_EQ(seen_m({0.9, 0.0, 1.5}), 0.1);
   passage.now += std::chrono::seconds(6);
   EXPECT_LT(seen_m({0.9, 0.0, 1.5}), 0.03);
@@ -276,7 +276,7 @@ TEST(BlindSpot, TheFollowerHasRoomForItBesideAFullScan) {
   std::vector<ScanPoint> points(BlindSpot::kMax + scan->beams);
   for (std::size_t i = 0; i < BlindSpot::kMax; ++i)
     points[i].p_base = {-0.5, 0.04 * static_cast<double>(i % 20) - 0.4};
-  (void)scan_points(*scan, {}, std::span(points).subspan(BlindSpot::kMax));
+  (void)scan_points(*scan, {}, {}, std::span(points).subspan(BlindSpot::kMax));
   Surroundings around;
   around.front_scan = scan.get();
   around.points = points;

@@ -63,11 +63,11 @@ TEST(FootprintSweep, AgreesWithSmallStepsOnAnyArc) {
 
 TEST(FootprintSweep, TheMarginStopsAMotionTowardsButNotAlong) {
   const Vector2 beside{0.0, 0.27};
-  EXPECT_EQ(contact_time_with_margin_s(beside, {0.5, 0.0}, kRobot, 0.05), kNever_s);
+  EXPECT_EQ(contact_time_with_margin_s(beside, {0.5, 0.0}, kRobot, 0.05, {}), kNever_s);
   const Vector2 ahead{0.22, 0.0};
-  EXPECT_EQ(contact_time_with_margin_s(ahead, {0.5, 0.0}, kRobot, 0.05), 0.0);
-  EXPECT_EQ(contact_time_with_margin_s(ahead, {-0.5, 0.0}, kRobot, 0.05), kNever_s);
-  EXPECT_NEAR(contact_time_with_margin_s({1.25, 0.0}, {0.5, 0.0}, kRobot, 0.05), 2.0, 1e-9);
+  EXPECT_EQ(contact_time_with_margin_s(ahead, {0.5, 0.0}, kRobot, 0.05, {}), 0.0);
+  EXPECT_EQ(contact_time_with_margin_s(ahead, {-0.5, 0.0}, kRobot, 0.05, {}), kNever_s);
+  EXPECT_NEAR(contact_time_with_margin_s({1.25, 0.0}, {0.5, 0.0}, kRobot, 0.05, {}), 2.0, 1e-9);
 }
 
 types::Footprint any_outline() {
@@ -111,10 +111,11 @@ TEST(FootprintSweep, AMirroredMotionMeetsTheMirroredPointThen) {
     const Twist2 t{uniform(-1.0, 1.0), uniform(-2.0, 2.0)};
     const double margin_m = uniform(0.0, 0.1);
     const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-6 && a != b; };
-    const double at_s = contact_time_s(p, t, f), kept_s = contact_time_with_margin_s(p, t, f, margin_m);
+    const double at_s = contact_time_s(p, t, f), kept_s = contact_time_with_margin_s(p, t, f, margin_m, {});
     const Vector2 aside{p.x(), -p.y()}, behind{-p.x(), p.y()};
     RC_ASSERT(!differs(at_s, contact_time_s(aside, {t.v_mps, -t.omega_radps}, f)));
-    RC_ASSERT(!differs(kept_s, contact_time_with_margin_s(aside, {t.v_mps, -t.omega_radps}, f, margin_m)));
+    RC_ASSERT(
+        !differs(kept_s, contact_time_with_margin_s(aside, {t.v_mps, -t.omega_radps}, f, margin_m, {})));
     RC_ASSERT(!differs(at_s, contact_time_s(behind, {-t.v_mps, -t.omega_radps}, back)));
   }));
 }
@@ -126,7 +127,7 @@ TEST(FootprintSweep, TwiceAsFastItMeetsInHalfTheTime) {
     const Twist2 t{uniform(-1.0, 1.0), uniform(-2.0, 2.0)}, twice{2.0 * t.v_mps, 2.0 * t.omega_radps};
     RC_ASSERT(contact_time_s(p, twice, f) == 0.5 * contact_time_s(p, t, f));
     // At the rim, where noise puts points, only motion towards a point counts.
-    if (!contains(f, p)) RC_ASSERT(contact_time_with_margin_s(p, t, f, 0.0) == contact_time_s(p, t, f));
+    if (!contains(f, p)) RC_ASSERT(contact_time_with_margin_s(p, t, f, 0.0, {}) == contact_time_s(p, t, f));
   }));
 }
 
@@ -138,8 +139,8 @@ TEST(FootprintSweep, AWiderMarginIsMetNoLater) {
     const double narrow_m = uniform(0.0, 0.1), wide_m = narrow_m + uniform(0.0, 0.1);
     // Within a margin, only motion towards the point counts.
     if (contains(types::grown(f, wide_m), p)) return;
-    const double narrow_s = contact_time_with_margin_s(p, t, f, narrow_m);
-    RC_ASSERT(contact_time_with_margin_s(p, t, f, wide_m) <= narrow_s + 1e-9);
+    const double narrow_s = contact_time_with_margin_s(p, t, f, narrow_m, {});
+    RC_ASSERT(contact_time_with_margin_s(p, t, f, wide_m, {}) <= narrow_s + 1e-9);
   }));
 }
 
@@ -156,7 +157,7 @@ TEST(FirstContact, IsThatOfAllPointsThoughItLooksAtFew) {
     double expected_s = until_s;
     for (int i = 0; i < 60; ++i) {
       const Vector2 p{uniform(-3.0, 3.0), uniform(-3.0, 3.0)};
-      const double at_s = contact_time_with_margin_s(p, t, f, margin_m);
+      const double at_s = contact_time_with_margin_s(p, t, f, margin_m, {});
       expected_s = std::min(expected_s, at_s);
       ++offered;
       first.offer(p, [&] { return ++looked_at, at_s; });

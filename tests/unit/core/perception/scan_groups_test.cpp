@@ -32,7 +32,7 @@ struct View {
   }
   std::size_t find() {
     EXPECT_TRUE(take_look(*scan, 0.0, *look));
-    return find_groups(*look, groups);
+    return find_groups(*look, {}, groups);
   }
 };
 
@@ -133,7 +133,7 @@ TEST(ScanGroups, HoldTheirHitsWithinTheirCircle) {
         RC_ASSERT(p.norm() <= group.farthest_m + 1e-6);
       });
       RC_ASSERT(std::abs(farthest_m - group.radius_m) < 1e-12);
-      RC_ASSERT(group.radius_m <= kGroupAcross_m);
+      RC_ASSERT(group.radius_m <= ScanGroupParams{}.across_m);
     }
   }));
 }

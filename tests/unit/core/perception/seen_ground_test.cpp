@@ -26,7 +26,7 @@ struct Looker {
     now += std::chrono::milliseconds(50);
     const auto scan = empty_scan(now);
     scan->range_m.fill(range_m);
-    ground.update(*scan, kLaser, pose, kOutline);
+    ground.update(*scan, kLaser, pose, kOutline, {});
   }
   [[nodiscard]] double behind_m(const Se2& pose, types::Duration ago = std::chrono::minutes(1)) const {
     return ground.behind_m(pose, kOutline, now - ago, kFar_m);

@@ -136,11 +136,11 @@ TEST_F(StopZone, RearSonarGuardsTheWayBack) {
 }
 
 TEST_F(StopZone, CountsValidBeamsOfTheForwardSectorOnly) {
-  EXPECT_EQ(forward_valid_fraction(*scan, mount), 1.0);
+  EXPECT_EQ(forward_valid_fraction(*scan, mount, {}), 1.0);
   for (std::size_t i = kAhead; i < 1081; ++i) scan->range_m[i] = types::kInvalid;
-  EXPECT_NEAR(forward_valid_fraction(*scan, mount), 0.5, 0.01);
+  EXPECT_NEAR(forward_valid_fraction(*scan, mount, {}), 0.5, 0.01);
   scan->beams = 0;
-  EXPECT_EQ(forward_valid_fraction(*scan, mount), 0.0);
+  EXPECT_EQ(forward_valid_fraction(*scan, mount, {}), 0.0);
 }
 
 /// What a room full of things looks like: mostly distances outside of the robot, and nothing. In one of four,
@@ -172,7 +172,7 @@ TEST_F(StopZone, PointsTakenOnceAnswerAsTheScanDoes) {
     sonar[0] = {kNow, static_cast<float>(*rc::gen::inRange(10, 600)) * 0.01F};
     mount.theta_rad = *rc::gen::inRange(-30, 31) * 0.01;
     std::vector<ScanPoint> points(scan->beams);
-    points.resize(scan_points(*scan, mount, points));
+    points.resize(scan_points(*scan, mount, {}, points));
     Surroundings walked{
         .front_scan = scan.get(), .T_base_laser = mount, .sonar = sonar, .T_base_sonar = poses, .now = kNow};
     walked.backing_off = *rc::gen::arbitrary<bool>();
@@ -214,7 +214,7 @@ TEST_F(StopZone, SlipLeadsToTheNearerOfTwoArcs) {
     measure_anything(*scan);
     const types::Twist2 twist = any_twist();
     std::vector<ScanPoint> points(scan->beams);
-    points.resize(scan_points(*scan, mount, points));
+    points.resize(scan_points(*scan, mount, {}, points));
     double expected_s = kNever_s;
     for (const ScanPoint& point : points) {
       if (!point.forward && contains(limits.footprint, point.p_base)) continue;
@@ -237,7 +237,7 @@ TEST_F(StopZone, CollectedObstaclesAreInReachAndThinned) {
     const double reach_m = *rc::gen::inRange(1, 40) * 0.1, spacing_m = *rc::gen::inRange(0, 20) * 0.01;
     const Surroundings around = scan_alone();
     std::vector<ScanPoint> points(scan->beams);
-    points.resize(scan_points(*scan, mount, points));
+    points.resize(scan_points(*scan, mount, {}, points));
     std::vector<types::Vector2> expected, out(*rc::gen::element<std::size_t>(0, 7, 2000));
     for (const ScanPoint& point : points) {
       if (expected.size() == out.size() || point.p_base.norm() >= reach_m) continue;
@@ -297,15 +297,15 @@ TEST(FreeDistance, IsThatOfTheCentre) {
   EXPECT_EQ(free_distance_m({0.0, 1.0}, 3.0), kNever_s);
   EXPECT_EQ(free_distance_m({0.0, 1.0}, 0.0), 0.0);
   EXPECT_EQ(free_distance_m({0.5, 0.0}, kNever_s), kNever_s);
-  EXPECT_TRUE(is_on_the_spot({0.009, 0.0}));
-  EXPECT_TRUE(is_on_the_spot({-0.009, 1.0}));
-  EXPECT_FALSE(is_on_the_spot({0.011, 1.0}));
-  EXPECT_FALSE(is_on_the_spot({-0.011, 1.0}));
+  EXPECT_TRUE(is_on_the_spot({0.009, 0.0}, {}));
+  EXPECT_TRUE(is_on_the_spot({-0.009, 1.0}, {}));
+  EXPECT_FALSE(is_on_the_spot({0.011, 1.0}, {}));
+  EXPECT_FALSE(is_on_the_spot({-0.011, 1.0}, {}));
 }
 
 TEST_F(StopZone, DirectionsWithoutABeamAreNotSeen) {
   const auto fraction_at = [&](double yaw_deg) {
-    return forward_valid_fraction(*scan, {0.1, 0.0, yaw_deg * types::kDegree_rad});
+    return forward_valid_fraction(*scan, {0.1, 0.0, yaw_deg * types::kDegree_rad}, {});
   };
   // The view of 270 degrees contains the forward sector up to a turn of 75 degrees.
   for (const double yaw_deg : {-75.0, -30.0, 0.1, 74.9})
@@ -321,7 +321,7 @@ TEST_F(StopZone, AScanWithoutAStepBetweenBeamsSeesNothing) {
   for (const float step_rad : {0.0F, std::nanf(""), HUGE_VALF}) {
     scan->geometry.angle_min_rad = 0.0F;
     scan->geometry.angle_increment_rad = step_rad;
-    EXPECT_EQ(forward_valid_fraction(*scan, mount), 0.0) << step_rad;
+    EXPECT_EQ(forward_valid_fraction(*scan, mount, {}), 0.0) << step_rad;
   }
 }
 
@@ -330,7 +330,7 @@ TEST_F(StopZone, CoarseAndDenseScansAreSeenWhole) {
     scan->beams = static_cast<std::uint16_t>(beams);
     scan->geometry.angle_min_rad = -std::numbers::pi_v<float> / 2.0F;
     scan->geometry.angle_increment_rad = std::numbers::pi_v<float> / static_cast<float>(beams - 1);
-    EXPECT_EQ(forward_valid_fraction(*scan, mount), 1.0) << beams;
+    EXPECT_EQ(forward_valid_fraction(*scan, mount, {}), 1.0) << beams;
   }
 }
 

@@ -28,7 +28,11 @@ struct Robot {
     around.T_base_sonar = T_base_sonar;
     for (auto& echo : sonar) echo = {around.now - std::chrono::milliseconds(50), 5.0F};
   }
-  std::size_t count() { return unseen_echoes(around, 1.5, out); }
+  std::size_t count() {
+    UnseenEchoParams params;
+    params.range_max_m = 1.5;
+    return unseen_echoes(around, params, out);
+  }
   types::Scan scan;
   std::array<types::SonarReading, 2> sonar;
   std::array<types::Se2, 2> T_base_sonar{types::Se2{0.17, 0.0, 0.0}, types::Se2{0.07, 0.136, 1.5708}};

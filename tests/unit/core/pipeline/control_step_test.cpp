@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "core/pipeline/control_evidence.hpp"
@@ -19,10 +20,11 @@ using std::chrono::milliseconds;
 
 /// The same scan again and again, in an empty place, and poses put where a test wants them: what
 /// core/plausibility is for is tested there.
-plausibility::PlausibilityParams trusting() {
-  plausibility::PlausibilityParams params;
-  params.picture.noiseless = params.picture.open_space = true;
-  params.motion.step_m = params.motion.step_rad = 1e6;
+ControlParams trusting() {
+  ControlParams params;
+  plausibility::PlausibilityParams& p = params.plausibility;
+  p.picture.noiseless = p.picture.open_space = true;
+  p.motion.step_m = p.motion.step_rad = 1e6;
   return params;
 }
 
@@ -109,6 +111,49 @@ TEST_F(ControlStepTest, EstopLatchesUntilClearedAndThenWantsANewCommand) {
   EXPECT_EQ(decision.command.twist, types::Twist2{});
   keep_asking = true;
   EXPECT_GT(run(10).command.twist.v_mps, 0.0);
+}
+
+TEST_F(ControlStepTest, ItsParametersReachTheGate) {
+  const auto reason_with = [this](auto&& change) {
+    ControlParams params = trusting();
+    change(params);
+    ControlState fresh(params);
+    drive.stamp = input.now;
+    return control_step(fresh, setup, input).report.reason;
+  };
+  run(1);
+  EXPECT_NE(reason_with([](ControlParams&) {}), GateReason::kBlindScan);
+  EXPECT_EQ(reason_with([](ControlParams& p) { p.motion.gate.valid_share_min = 1.1; }),
+            GateReason::kBlindScan);
+  // Beams of 2.5 degrees to either side alone are valid: enough for a sector of two.
+  scan->range_m.fill(std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < 20; ++i) scan->range_m[530 + i] = 10.0F;
+  EXPECT_EQ(reason_with([](ControlParams&) {}), GateReason::kBlindScan);
+  EXPECT_NE(reason_with([](ControlParams& p) {
+              p.perception.stop_zone.forward_sector_rad = 2.0 * types::kDegree_rad;
+            }),
+            GateReason::kBlindScan);
+}
+
+TEST_F(ControlStepTest, MotorsStayOnAsLongAsTheParameterSays) {
+  const auto enabled_after = [this](types::Duration linger, int periods) {
+    ControlParams params = trusting();
+    params.motors_linger = linger;
+    ControlState fresh(params);
+    drive.stamp = input.now;
+    (void)control_step(fresh, setup, input);
+    drive.stamp = {};
+    ControlOutput out;
+    for (int i = 0; i < periods; ++i) {
+      now += milliseconds(50);
+      input.now = state.arrival = scan->arrival = scan->first_beam = now;
+      out = control_step(fresh, setup, input);
+    }
+    return out.command.enable_motors;
+  };
+  run(1);
+  EXPECT_TRUE(enabled_after(milliseconds(200), 4));
+  EXPECT_FALSE(enabled_after(milliseconds(200), 5));
 }
 
 TEST_F(ControlStepTest, WhateverIsStaleOrMissingStops) {

@@ -34,6 +34,19 @@ TEST(OdometryBuffer, CarriesOnForALittleWhile) {
   EXPECT_NEAR(buffer.at(Stamp{milliseconds(9000)})->x_m, 1.15, 1e-9) << "not for ever";
 }
 
+TEST(OdometryBuffer, CarriesOnAsLongAsItsParametersSay) {
+  OdometryBufferParams params;
+  params.extrapolated_max = milliseconds(100);
+  OdometryBuffer usual, brief(params);
+  usual.add(sample(1000, 0.0, 1.0));
+  brief.add(sample(1000, 0.0, 1.0));
+  const Stamp later{milliseconds(1200)};
+  ASSERT_TRUE(usual.at(later).has_value());
+  ASSERT_TRUE(brief.at(later).has_value());
+  EXPECT_NEAR(usual.at(later)->x_m, 0.2, 1e-9);
+  EXPECT_NEAR(brief.at(later)->x_m, 0.1, 1e-9);
+}
+
 TEST(OdometryBuffer, RefusesWhatIsNotNewer) {
   OdometryBuffer buffer;
   buffer.add(sample(200, 2.0));

@@ -75,5 +75,14 @@ TEST(ScanPairing, OfTooManyTheOldestIsDroppedAndCounted) {
   EXPECT_EQ(paired->scan.first_beam, at(0.001));
 }
 
+TEST(ScanPairing, KeepsAsManyAsItsParametersSay) {
+  MappingStepParams params;
+  params.scans_waiting_max = 2;
+  ScanPairing pairing(kWait_s, params);
+  add(pairing, 0.0);
+  for (int i = 0; i < 5; ++i) pairing.add_front(*scan_at(0.001 * i));
+  EXPECT_EQ(pairing.losses().queue_full, 3U);
+}
+
 }  // namespace
 }  // namespace topo::pipeline

@@ -64,7 +64,7 @@ TEST(FarRoute, isAsShortAsThatOfASearchOfTheWholeBuilding) {
         grid::travel_field(coarse.map, coarse.clearance_m, coarse.map.cell_at(fine.map.centre_of(start)), {});
     const grid::TravelField whole = grid::travel_field(fine.map, fine.clearance_m, start, {});
     FarRoute far;
-    const auto route = far.find(fine.map, fine.clearance_m, coarse, coarse_field, start, target, {});
+    const auto route = far.find(fine.map, fine.clearance_m, coarse, coarse_field, start, target, {}, {});
     const auto best = grid::route_to(fine.map, whole, target);
     RC_ASSERT(route.empty() == best.empty());
     if (best.empty()) return;
@@ -95,7 +95,7 @@ TEST(FarRoute, doesNotLeadThroughATightDoorBesideAWideOne) {
     const auto coarse_field = grid::travel_field(coarse.map, coarse.clearance_m,
                                                  coarse.map.cell_at(fine.map.centre_of(start)), rules);
     FarRoute far;
-    const auto route = far.find(fine.map, fine.clearance_m, coarse, coarse_field, start, target, rules);
+    const auto route = far.find(fine.map, fine.clearance_m, coarse, coarse_field, start, target, rules, {});
     for (const CellIndex& cell : route) EXPECT_TRUE(cell.x != wall_x || cell.y >= 220) << wall_x;
   }
 }
@@ -108,7 +108,7 @@ TEST(FarRoute, isNoneWhereTheCoarseMapHasNone) {
   const CoarseMap coarse = coarser(fine.map, fine.clearance_m, 2);
   const auto coarse_field = grid::travel_field(coarse.map, coarse.clearance_m, {5, 7}, {});
   FarRoute far;
-  EXPECT_TRUE(far.find(fine.map, fine.clearance_m, coarse, coarse_field, {20, 30}, {80, 30}, {}).empty());
+  EXPECT_TRUE(far.find(fine.map, fine.clearance_m, coarse, coarse_field, {20, 30}, {80, 30}, {}, {}).empty());
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(SmoothPath, aStraightWayIsStraight) {
   const grid::DenseMap map = cluttered_map({});
   const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
   const auto field = grid::travel_field(map, clearance, {20, 20}, {});
-  const auto path = smooth_path(map, clearance, grid::route_to(map, field, {100, 60}), 0.6);
+  const auto path = smooth_path(map, clearance, grid::route_to(map, field, {100, 60}), 0.6, {});
   ASSERT_GT(path.size(), 2U);
   double length_m = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) length_m += (path[i] - path[i - 1]).norm();
@@ -51,7 +51,7 @@ TEST(SmoothPath, keepsItsEndsItsSpacingAndTheRobotsWidth) {
     const auto field = grid::travel_field(map, clearance, start, rules);
     const auto route = grid::route_to(map, field, goal);
     if (route.empty()) return;
-    const auto path = smooth_path(map, clearance, route, rules.preferred_m);
+    const auto path = smooth_path(map, clearance, route, rules.preferred_m, {});
     RC_ASSERT((path.front() - map.centre_of(start)).norm() < 1e-9);
     RC_ASSERT((path.back() - map.centre_of(goal)).norm() < 1e-9);
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -65,10 +65,10 @@ TEST(SmoothPath, keepsItsEndsItsSpacingAndTheRobotsWidth) {
 TEST(SmoothPath, OfNoCellAndOfOneIsThatCell) {
   const grid::DenseMap map = cluttered_map({});
   const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-  EXPECT_TRUE(smooth_path(map, clearance, {}, 0.6).empty());
+  EXPECT_TRUE(smooth_path(map, clearance, {}, 0.6, {}).empty());
   const std::vector<grid::CellIndex> one{{30, 40}}, two{{30, 40}, {31, 41}};
-  EXPECT_EQ(smooth_path(map, clearance, one, 0.6), std::vector<Vector2>{map.centre_of({30, 40})});
-  EXPECT_EQ(smooth_path(map, clearance, two, 0.6),
+  EXPECT_EQ(smooth_path(map, clearance, one, 0.6, {}), std::vector<Vector2>{map.centre_of({30, 40})});
+  EXPECT_EQ(smooth_path(map, clearance, two, 0.6, {}),
             (std::vector<Vector2>{map.centre_of({30, 40}), map.centre_of({31, 41})}));
 }
 
@@ -80,7 +80,7 @@ TEST(SmoothPath, IsNoLongerThanTheCellsAndGoesAlongWithTheMap) {
     const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
     auto route = grid::route_to(map, grid::travel_field(map, clearance, {10, 10}, {}), {108, 60});
     if (route.empty()) return;
-    const auto path = smooth_path(map, clearance, route, 0.72);
+    const auto path = smooth_path(map, clearance, route, 0.72, {});
     double path_m = 0.0, route_m = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i) path_m += (path[i] - path[i - 1]).norm();
     for (std::size_t i = 1; i < route.size(); ++i)
@@ -89,10 +89,22 @@ TEST(SmoothPath, IsNoLongerThanTheCellsAndGoesAlongWithTheMap) {
     // A whole number of 64 cells on, the numbers are others by rounding only.
     map.box = {{64, -128}, {map.box.max.x + 64, map.box.max.y - 128}};
     for (grid::CellIndex& cell : route) cell = {cell.x + 64, cell.y - 128};
-    const auto moved = smooth_path(map, clearance, route, 0.72);
+    const auto moved = smooth_path(map, clearance, route, 0.72, {});
     RC_ASSERT((moved.front() - path.front() - Vector2(3.2, -6.4)).norm() < 1e-9);
     RC_ASSERT((moved.back() - path.back() - Vector2(3.2, -6.4)).norm() < 1e-9);
   }));
+}
+
+TEST(SmoothPath, HasPointsAsFarApartAsItsParametersSay) {
+  const grid::DenseMap map = cluttered_map({});
+  const auto clearance = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+  const auto route = grid::route_to(map, grid::travel_field(map, clearance, {10, 10}, {}), {100, 10});
+  ASSERT_FALSE(route.empty());
+  PathParams wide;
+  wide.spacing_m = 0.4;
+  const std::size_t usual = smooth_path(map, clearance, route, 0.6, {}).size();
+  const std::size_t fewer = smooth_path(map, clearance, route, 0.6, wide).size();
+  EXPECT_GT(usual, 3 * fewer);
 }
 
 TEST(NearestPoint, IsTheFirstNearestOfTheNextThreeMetres) {
@@ -101,15 +113,15 @@ TEST(NearestPoint, IsTheFirstNearestOfTheNextThreeMetres) {
     std::vector<Vector2> path(*rc::gen::inRange<std::size_t>(0, 60));
     for (Vector2& p : path) p = {any_m(), any_m()};
     const Vector2 here{any_m(), any_m()};
-    const std::size_t nearest = nearest_point(path, here);
+    const std::size_t nearest = nearest_point(path, here, {});
     RC_ASSERT(nearest <= path.size());
-    for (std::size_t i = 0; i < std::min(path.size(), kNearPoints); ++i) {
+    for (std::size_t i = 0; i < std::min(path.size(), PathParams{}.near_points); ++i) {
       RC_ASSERT((path[nearest] - here).squaredNorm() <= (path[i] - here).squaredNorm());
       if (i < nearest) RC_ASSERT((path[i] - here).squaredNorm() > (path[nearest] - here).squaredNorm());
     }
-    RC_ASSERT((nearest < kNearPoints || nearest == 0));
+    RC_ASSERT((nearest < PathParams{}.near_points || nearest == 0));
   }));
-  EXPECT_EQ(nearest_point({}, {1.0, 1.0}), 0U);
+  EXPECT_EQ(nearest_point({}, {1.0, 1.0}, {}), 0U);
 }
 
 }  // namespace

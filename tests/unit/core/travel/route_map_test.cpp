@@ -138,7 +138,7 @@ TEST(RouteMap, RoutesLeadFromTheRobotToEachCellThatCanBeReached) {
     if (best.empty()) return;
     RC_ASSERT((route.front() - map.map().centre_of(start)).norm() < 1e-9);
     RC_ASSERT((route.back() - map.map().centre_of(target)).norm() < 1e-9);
-    const auto shortest = smooth_path(map.map(), map.clearance_m(), best, hall.rules.preferred_m);
+    const auto shortest = smooth_path(map.map(), map.clearance_m(), best, hall.rules.preferred_m, {});
     RC_ASSERT(length_m(route) <= 1.05 * length_m(shortest) + 0.2);
     if (whole.cost_m[map.map().index(target)] < 6.0F) RC_ASSERT(route == shortest);
   }));

@@ -101,7 +101,7 @@ TEST(OccupyFaint, aTenthAndTwiceAtLeast) {
   counted.put({3, 0}, 20, 20);  // half
   counted.put({4, 0}, 0, 30);
   counted.put({40, 0}, 9, 0);  // outside the map
-  occupy_faint(map, counted.grid());
+  occupy_faint(map, counted.grid(), {});
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"#..#.."}));
 }
 
@@ -113,7 +113,7 @@ TEST(PrepareMap, theDiscAtTheMapsEdgeIsFreeTheBorderIsNot) {
   const std::vector<types::KeyframePose> way = {
       {types::Stamp{}, types::Transform2<types::Map, types::Base>(0.8, 0.0, 0.0)}};
   constexpr double kRoute_m = 0.95;
-  const grid::DenseMap map = prepare_map(counted.grid(), {way, {}}, {}, kRoute_m);
+  const grid::DenseMap map = prepare_map(counted.grid(), {way, {}}, {}, kRoute_m, {});
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const double away_m = (map.centre_of(map.cell(i)) - types::Vector2(0.8, 0.0)).norm();
     if (map.is_on_border(map.cell(i))) {
@@ -336,7 +336,7 @@ TEST(ConfirmedPoints, LieWhereTheBeamsEndWhereverTheLaserIs) {
       if (!types::is_hit(scan.range_m[i]) || range_m > most_m || !fits(i - 1) || !fits(i + 1)) continue;
       expected.push_back(at * types::Vector2(range_m * std::cos(angle), range_m * std::sin(angle)));
     }
-    const auto points = confirmed_points(scan, at, most_m);
+    const auto points = confirmed_points(scan, at, most_m, RouteMapParams{}.live_step_m);
     RC_ASSERT(points.size() == expected.size());
     for (std::size_t i = 0; i < points.size(); ++i) RC_ASSERT((points[i] - expected[i]).norm() < 1e-5);
   }));
@@ -348,7 +348,7 @@ TEST(ConfirmedPoints, loneEchoesAreNoObstacles) {
   scan.geometry.angle_min_rad = -0.04F;
   scan.geometry.angle_increment_rad = 0.01F;
   scan.range_m = {2.0F, 2.0F, 2.0F, 1.0F, 2.0F, 2.0F, types::kInvalid, 2.0F, 9.0F};
-  const auto points = confirmed_points(scan, {0.0, 0.0, 0.0}, 5.0);
+  const auto points = confirmed_points(scan, {0.0, 0.0, 0.0}, 5.0, RouteMapParams{}.live_step_m);
   ASSERT_EQ(points.size(), 1U);
   EXPECT_NEAR(points.front().norm(), 2.0, 1e-6);
 }

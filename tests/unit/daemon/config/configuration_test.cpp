@@ -14,6 +14,15 @@ double route_disc_m(RobotModel model, double margin_m) {
   return planner_params(configuration).travel.radius_m;
 }
 
+TEST(Configuration, WhatIsConfiguredOfPlausibilityReachesControl) {
+  Configuration configuration;
+  configuration.plausibility.picture.open_space = true;
+  configuration.plausibility.strikes = 5;
+  const pipeline::ControlParams params = control_params(configuration);
+  EXPECT_TRUE(params.plausibility.picture.open_space);
+  EXPECT_EQ(params.plausibility.strikes, 5);
+}
+
 TEST(Configuration, RoutesHaveRoomToTurnOnTheSpot) {
   EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3dx, 0.05), 0.267 + 0.03);
   EXPECT_DOUBLE_EQ(route_disc_m(RobotModel::kP3dx, 0.02), 0.267 + 0.02);

@@ -46,8 +46,9 @@ RC_GTEST_PROP(ForwardView, AgreesWithTheGatesShareOfBeams, ()) {
   scan->geometry.angle_increment_rad = static_cast<float>(0.25 * kDegree_rad);
   scan->geometry.angle_min_rad = static_cast<float>(-135.0 * kDegree_rad);
   scan->range_m.fill(types::kNoReturn);
-  const double share = perception::forward_valid_fraction(*scan, {0.0, 0.0, yaw_rad});
-  const double seen = seen_of_forward_sector_rad(yaw_rad) / (2.0 * perception::kForwardSector_rad);
+  const double share = perception::forward_valid_fraction(*scan, {0.0, 0.0, yaw_rad}, {});
+  const double seen =
+      seen_of_forward_sector_rad(yaw_rad) / (2.0 * perception::StopZoneParams{}.forward_sector_rad);
   RC_ASSERT(std::abs(share - seen) < 3.0 / 480.0);
 }
 
