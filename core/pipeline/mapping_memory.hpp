@@ -33,7 +33,7 @@ struct MappingState::Impl {
         pairing(given.odometry_wait_s),
         mapper(given, origin, start),
         drawing(given),
-        columns(given.coronal) {}
+        columns(given.coronal, given.columns) {}
 
   void run(MappingOutput& output, bool flush);
   void place(const PairedScan& paired, MappingOutput& output);

@@ -14,19 +14,21 @@
 namespace topo::goals {
 namespace {
 
-TEST(OpeningChance, IsEvenForTwoMetresAtNineAndAHalf) { EXPECT_NEAR(chance_to_lead_on(2.0, 9.5), 0.5, 0.01); }
+TEST(OpeningChance, IsEvenForTwoMetresAtNineAndAHalf) {
+  EXPECT_NEAR(chance_to_lead_on(2.0, 9.5, {}), 0.5, 0.01);
+}
 
 TEST(OpeningChance, GrowsWithWidthAndWithTheWayFromThePaths) {
-  EXPECT_GT(chance_to_lead_on(2.0, 5.0), chance_to_lead_on(1.0, 5.0));
-  EXPECT_GT(chance_to_lead_on(1.0, 5.0), chance_to_lead_on(1.0, 2.0));
-  EXPECT_LT(chance_to_lead_on(0.9, 1.0), 0.05) << "the shadow of something that a robot passed";
+  EXPECT_GT(chance_to_lead_on(2.0, 5.0, {}), chance_to_lead_on(1.0, 5.0, {}));
+  EXPECT_GT(chance_to_lead_on(1.0, 5.0, {}), chance_to_lead_on(1.0, 2.0, {}));
+  EXPECT_LT(chance_to_lead_on(0.9, 1.0, {}), 0.05) << "the shadow of something that a robot passed";
 }
 
 TEST(OpeningChance, IsOneOfManyWhereNobodyWasAtAll) {
-  const double chance = chance_to_lead_on(1.0, HUGE_VAL);
+  const double chance = chance_to_lead_on(1.0, HUGE_VAL, {});
   EXPECT_GT(chance, 0.3);
   EXPECT_LT(chance, 1.0);
-  EXPECT_EQ(chance, chance_to_lead_on(1.0, 50.0));
+  EXPECT_EQ(chance, chance_to_lead_on(1.0, 50.0, {}));
 }
 
 TEST(OpeningChance, TheNearestPoseOfAnyPathCounts) {
@@ -37,7 +39,7 @@ TEST(OpeningChance, TheNearestPoseOfAnyPathCounts) {
 }
 
 double odds(double opening_m, double from_paths_m) {
-  const double chance = chance_to_lead_on(opening_m, from_paths_m);
+  const double chance = chance_to_lead_on(opening_m, from_paths_m, {});
   return chance / (1.0 - chance);
 }
 
@@ -55,10 +57,10 @@ TEST(OpeningChance, IsAProbabilityThatNeverFalls) {
   EXPECT_TRUE(rc::check([] {
     const double opening_m = 0.05 * *rc::gen::inRange(0, 200), far_m = 0.01 * *rc::gen::inRange(0, 3000);
     const double more_m = 0.01 * *rc::gen::inRange(0, 500);
-    const double chance = chance_to_lead_on(opening_m, far_m);
+    const double chance = chance_to_lead_on(opening_m, far_m, {});
     RC_ASSERT(chance >= 0.0 && chance < 1.0);
-    RC_ASSERT(chance_to_lead_on(opening_m + more_m, far_m) >= chance);
-    RC_ASSERT(chance_to_lead_on(opening_m, far_m + more_m) >= chance);
+    RC_ASSERT(chance_to_lead_on(opening_m + more_m, far_m, {}) >= chance);
+    RC_ASSERT(chance_to_lead_on(opening_m, far_m + more_m, {}) >= chance);
   }));
 }
 

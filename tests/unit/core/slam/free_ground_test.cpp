@@ -27,7 +27,7 @@ struct LookedThrough {
     return ground.contradiction(map, std::vector<Point>{Point(x, y)}, {});
   }
   SurfelMap map{0.35};
-  FreeGround ground{Point(-5.0F, -5.0F), 10.0};
+  FreeGround ground{Point(-5.0F, -5.0F), 10.0, {}};
 };
 
 TEST(FreeGround, WhatStandsWhereRaysPassedContradicts) {
@@ -110,7 +110,7 @@ TEST(SeenThrough, IsTheRoomAndNotWhatLiesBehindItsWalls) {
     keyframes.push_back(std::move(keyframe));
     map.add(view.surfels, pose);
   }
-  const FreeGround ground = seen_through(keyframes, poses, map);
+  const FreeGround ground = seen_through(keyframes, poses, map, {});
   const auto share = [&](float from, float to) {
     std::vector<Point> points;
     for (float x = -to; x <= to; x += 0.1F) {
@@ -122,7 +122,7 @@ TEST(SeenThrough, IsTheRoomAndNotWhatLiesBehindItsWalls) {
   EXPECT_GT(share(0.0F, 1.2F), 0.95) << "the middle was looked through from three places";
   EXPECT_EQ(share(1.85F, 2.1F), 0.0) << "the walls are where they are";
   EXPECT_EQ(share(2.2F, 4.5F), 0.0) << "nobody has seen what is outside";
-  EXPECT_EQ(seen_through({}, {}, map).contradiction(map, std::vector<Point>{Point::Zero()}, {}), 0.0);
+  EXPECT_EQ(seen_through({}, {}, map, {}).contradiction(map, std::vector<Point>{Point::Zero()}, {}), 0.0);
 }
 
 }  // namespace
