@@ -9,7 +9,7 @@
 
 #include "core/exploration/strategy.hpp"
 #include "core/exploration/sweep_params.hpp"
-#include "core/team/right_of_way.hpp"
+#include "core/team/right_of_way_params.hpp"
 #include "core/types/stamp.hpp"
 
 // Parameters of exploration, which was developed on the sixteen public floor plans of doc/results.md: a value

@@ -2,29 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 
 #include "core/grid/wavefront.hpp"
+#include "core/team/right_of_way_params.hpp"
 #include "core/team/status_message.hpp"
 
 // Two robots that meet where only one can pass: which of them gives way is decided from their messages alone,
 // so that both come to the same decision.
 namespace topo::team {
-
-/// No source is recorded for the values that name none.
-struct RightOfWayParams {
-  double near_m = 3.0;  ///< team-mates further away are ignored
-  double room_m = 0.9;  ///< between the centres of two robots that pass each other: two discs plus a margin
-  /// Sum of: two swing radii (0.53 m), both robots braking from 0.65 m/s (0.72), and closing at twice that
-  /// speed for a planning period and the delays of the scanner and the base (0.65).
-  double beside_m = 2.0;
-  double abreast_m = 0.3;         ///< a smaller offset ahead or behind counts as abreast
-  double speed_mps = 0.7;         ///< assumed of a team-mate since its last message
-  std::int32_t stride_cells = 4;  ///< between the cells that are checked, along each axis
-  double detour_ratio = 2.0;  ///< greatest cost of the way aside, with inflation, over the distance searched
-};
 
 /// True when the robot must drive slowly because of a moving team-mate whose message is `age_s` old. Two
 /// robots see each other where they were: space that is free when it is checked may be occupied on arrival.
