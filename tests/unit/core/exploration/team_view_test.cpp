@@ -68,6 +68,18 @@ TEST(TeamView, TheBeginningOfARouteIsThinnedOutAndSixMetresLong) {
   }));
 }
 
+TEST(TeamView, TheBeginningIsAsLongAsTheParameterSays) {
+  std::vector<Vector2> route;
+  for (int k = 0; k <= 100; ++k) route.emplace_back(0.1 * k, 0.0);
+  TeamViewParams params;
+  params.way_m = 2.05;
+  params.way_spacing_m = 0.95;
+  const std::vector<Vector2> way = beginning_of(route, params);
+  ASSERT_EQ(way.size(), 3U);
+  EXPECT_NEAR(way[1].x(), 1.0, 1e-9);
+  EXPECT_NEAR(way[2].x(), 2.0, 1e-9);
+}
+
 TEST(TeamView, OfNoRouteThereIsNoBeginning) { EXPECT_TRUE(beginning_of({}, {}).empty()); }
 
 TEST(TeamView, AGoalOfTheTeamIsAtItsOpeningAndAGapWhereOneStands) {

@@ -53,6 +53,12 @@ TEST(OpeningChance, OddsGrowAsTheWidthAndThePowerOfTheDistance) {
   }));
 }
 
+TEST(OpeningChance, IsEvenWhereTheParameterPutsIt) {
+  const ChanceParams linear{.far_m = 12.0, .near_m = 0.0, .power = 1.0, .even_at = 20.0};
+  EXPECT_DOUBLE_EQ(chance_to_lead_on(2.0, 10.0, linear), 0.5);
+  EXPECT_DOUBLE_EQ(chance_to_lead_on(2.0, 90.0, linear), 1.2 / 2.2) << "as far as 12 m";
+}
+
 TEST(OpeningChance, IsAProbabilityThatNeverFalls) {
   EXPECT_TRUE(rc::check([] {
     const double opening_m = 0.05 * *rc::gen::inRange(0, 200), far_m = 0.01 * *rc::gen::inRange(0, 3000);

@@ -45,6 +45,20 @@ TEST(FreeGround, AFewRaysMayBeNoiseAndManyAreNot) {
     EXPECT_EQ(LookedThrough(rays).at(1.5F, 0.05F), 1.0) << rays;
 }
 
+TEST(FreeGround, AsManyRaysAsTheParameterSaysAreEnough) {
+  const SurfelMap map{0.35};
+  for (const int rays_min : {1, 2, 5}) {
+    FreeGroundParams params;
+    params.rays_min = rays_min;
+    FreeGround ground(Point(-5.0F, -5.0F), 10.0, params);
+    for (int rays = 1; rays <= 6; ++rays) {
+      ground.add_ray(Point(0.0F, 0.05F), Point(3.0F, 0.05F));
+      const double share = ground.contradiction(map, std::vector<Point>{Point(1.5F, 0.05F)}, {});
+      EXPECT_EQ(share, rays >= rays_min ? 1.0 : 0.0) << rays << " of " << rays_min;
+    }
+  }
+}
+
 TEST(FreeGround, ASurfaceThatIsNearExplainsAPoint) {
   const LookedThrough seen(5, {{Point(1.55F, 0.05F), Point(-1.0F, 0.0F), true}});
   EXPECT_EQ(seen.at(1.5F, 0.05F), 0.0);

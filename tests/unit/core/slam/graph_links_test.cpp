@@ -32,6 +32,14 @@ TEST(GraphLinks, TakesTheShorterWayEitherWayRound) {
   EXPECT_NEAR(links.distances_m(4, 0)[2], 4.0, 0.2);
 }
 
+TEST(GraphLinks, TurnsOnTheSpotMakeAWayLonger) {
+  for (const double turn_m : {0.0, 0.05, 0.5}) {
+    GraphLinks links{turn_m};
+    for (const Edge& e : {edge(0, 1, 3.0), edge(1, 2, 0.0), edge(2, 3, 0.0)}) links.add(e);
+    EXPECT_DOUBLE_EQ(links.distances_m(4, 0)[3], 3.0 + 3.0 * turn_m);
+  }
+}
+
 TEST(GraphLinks, NoWayLeadsToWhatNothingTies) {
   GraphLinks links{GraphParams{}.turn_on_spot_m};
   links.add(edge(0, 1, 1.0));
