@@ -19,7 +19,7 @@ double cells_apart(const grid::CellIndex& a, const grid::CellIndex& b) {
 
 void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, const grid::DenseMap& map,
                            std::span<const float> clearance_m, const grid::TravelRules& rules) {
-  constexpr double kFarther = 1.25;  // growth of the search; any value gives the same costs
+  constexpr double kFarther = 1.25;  // growth of the bound of a search that ends when all goals are settled
   double straight_m = params_.reach_m;
   for (const std::size_t goal : to)
     straight_m = std::max(straight_m, (map.centre_of(cells_[goal]) - map.centre_of(cells_[from])).norm());

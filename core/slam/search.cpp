@@ -152,7 +152,7 @@ class Kernel {
   }
 
  private:
-  static constexpr std::size_t kEntries = 2048;
+  static constexpr std::size_t kEntries = 2048;  ///< finer than the steps of the table's values, 1 / 255
   std::array<std::uint8_t, kEntries> table_{};
   float per_entry_;
 };
