@@ -56,11 +56,10 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
     clearance_m = own_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
   finished(Stage::kFurniture);
 
-  a.skeleton = places::skeletonise(open, clearance_m, places::erode(open, clearance_m));
+  a.skeleton = places::skeletonise(open, clearance_m, places::erode(open, clearance_m), params.skeleton);
   finished(Stage::kSkeleton);
 
-  const places::FirstLabels first =
-      places::first_labels(open, clearance_m, a.skeleton, params.places.piece_m);
+  const places::FirstLabels first = places::first_labels(open, clearance_m, a.skeleton, params.places.first);
   finished(Stage::kLabels);
 
   a.places = places::reduce_labels(open, clearance_m, first, a.walls, compass_rad, params.places);

@@ -20,6 +20,7 @@ struct AnalysisParams {
   bool wall_store = true;  ///< false, an ablation: walls from occupied cells, as without a coronal scanner
   compass::CompassParams compass;
   walls::WallParams walls;
+  places::SkeletonParams skeleton;
   places::PlaceParams places;
   goals::GoalParams goals;
 };

@@ -22,7 +22,7 @@ struct Decision {
 
 /// The latest decisions of a mission, oldest first, and counts over the whole mission.
 struct DecisionLog {
-  static constexpr std::size_t kKept = 64;
+  static constexpr std::size_t kKept = 64;  ///< bounds the memory, and what an operator reads
 
   void note(types::Stamp now, const types::Vector2& p_map, std::string text) {
     if (decisions.size() == kKept) decisions.erase(decisions.begin());

@@ -23,20 +23,23 @@ void DeferredGoals::visit(const types::Vector2& p_map, std::optional<types::Stam
 
 void DeferredGoals::note(DeferredGoal goal) {
   const auto same = std::find_if(list_.begin(), list_.end(), [&](const DeferredGoal& g) {
-    return (g.p_map - goal.p_map).norm() <= kSame_m;
+    return (g.p_map - goal.p_map).norm() <= params_.same_m;
   });
-  if (same == list_.end()) {
-    list_.push_back(std::move(goal));
-    return;
+  const bool is_new = same == list_.end();
+  if (!is_new) {
+    goal.p_map = same->p_map;
+    goal.times = same->times + 1;
   }
-  goal.p_map = same->p_map;
-  goal.times = same->times + 1;
-  *same = std::move(goal);
+  goal.forbidden = goal.forbidden || goal.times >= params_.times_max;
+  if (is_new)
+    list_.push_back(std::move(goal));
+  else
+    *same = std::move(goal);
 }
 
 bool DeferredGoals::hold(const types::Vector2& p_map, types::Stamp now) const {
   return std::any_of(list_.begin(), list_.end(), [&](const DeferredGoal& g) {
-    return (g.p_map - p_map).norm() <= kSame_m && is_held(g, now);
+    return (g.p_map - p_map).norm() <= params_.same_m && is_held(g, now);
   });
 }
 

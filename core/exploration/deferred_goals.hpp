@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/exploration/params.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
@@ -18,18 +19,18 @@ struct DeferredGoal {
   int times = 0;  ///< how often it was deferred
   std::string why;
   bool visited = false;    ///< a robot was there: what is still open is not visible from there
-  bool forbidden = false;  ///< until clear()
+  bool forbidden = false;  ///< until clear(): after the last visit, or when deferred too often
 
-  static constexpr int kTimesMax = 2;
   /// True when the goal never comes back, whatever `until` is.
-  [[nodiscard]] bool is_for_good() const { return forbidden || times >= kTimesMax; }
+  [[nodiscard]] bool is_for_good() const { return forbidden; }
 };
 
 /// Deferred goals: those given up, and those visited. Each comes back after a while, or when no other goal is
-/// left; after the second time it does not come back.
+/// left; deferred often enough (DeferralParams::times_max) it does not come back.
 class DeferredGoals {
  public:
-  static constexpr double kSame_m = 0.8;  ///< goals within this distance are one goal
+  DeferredGoals() = default;
+  explicit DeferredGoals(const DeferralParams& params) : params_(params) {}
 
   void give_up(const types::Vector2& p_map, types::Stamp until, std::string why);
   /// Without a stamp the goal never comes back: "Once a robot has visited what seemed to be an attractive
@@ -48,6 +49,7 @@ class DeferredGoals {
  private:
   void note(DeferredGoal goal);
 
+  DeferralParams params_;
   std::vector<DeferredGoal> list_;
 };
 

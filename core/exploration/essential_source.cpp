@@ -12,11 +12,11 @@ Reachable reachable(std::span<const ProposedGoal> goals, const Situation& situat
                     const ExplorationParams& params) {
   Reachable found;
   const Reach reach{map.map(), map.clearance_m(), map.field(), map.rules().radius_m};
-  found.candidates =
-      candidates_of(goals, reach, deferred, situation.T_map_base, situation.now, found.cut_off);
+  found.candidates = candidates_of(goals, reach, deferred, situation.T_map_base, situation.now,
+                                   params.candidate, found.cut_off);
   if (row_of(params.strategy).rule == team::Rule::kAlone) return found;
   std::erase_if(found.candidates, [&](const Candidate& c) {
-    return mate_was_at(situation.team.roster, situation.now, c.goal.p_map, DeferredGoals::kSame_m);
+    return mate_was_at(situation.team.roster, situation.now, c.goal.p_map, params.deferral.same_m);
   });
   return found;
 }

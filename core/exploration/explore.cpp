@@ -180,7 +180,9 @@ Intent explore(const Situation& situation, Searches searches, const ExplorationP
     intent.phase = next(std::move(intent.phase), event::GoalFound{});
     intent.pursuit = without_goal(std::move(intent.pursuit));
   }
-  const Candidate* present = intent.pursuit.goal ? successor_of(*intent.pursuit.goal, candidates) : nullptr;
+  const Candidate* present =
+      intent.pursuit.goal ? successor_of(*intent.pursuit.goal, candidates, params.candidate.successor_m)
+                          : nullptr;
   Choice choice = choose(candidates, present, intent.offer.claimed_m, situation, searches, params);
   intent.offer.bids = std::move(choice.bids);
   if (intent.pursuit.goal && present == nullptr) {

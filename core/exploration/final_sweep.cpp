@@ -8,13 +8,6 @@
 namespace topo::exploration {
 namespace {
 
-constexpr types::Duration kStillTrue = std::chrono::seconds(30);
-constexpr double kSameLook_m = 0.5;
-
-bool is_same_opening(const types::Vector2& a, const types::Vector2& b) {
-  return (a - b).norm() < kSameLook_m;
-}
-
 /// Several openings may share one viewpoint: the centre of one cell.
 bool is_same_stand(const types::Vector2& a, const types::Vector2& b) {
   constexpr double kRounding_m = 1e-3;
@@ -99,17 +92,17 @@ std::optional<exploration::Viewpoint> FinalSweep::viewpoint_into(const goals::Fr
 }
 
 void FinalSweep::find(const LookedAt& in, types::Stamp now, types::Duration again) {
-  const auto& [map, revision, known_m2, field, walls] = in;
+  const auto& [map, revision, known_m2, field, walls, pocket_reach_m] = in;
   if (!open_.empty() && !sweeps_since_) sweeps_since_ = now;  // viewpoints left by an interrupted sweep
   if (!open_.empty() || is_over(now) || revision == asked_ || now - asked_at_ < again) return;
   asked_ = revision;
   asked_at_ = now;
-  std::erase_if(answers_, [&](const Answer& a) { return now - a.given >= kStillTrue; });
+  std::erase_if(answers_, [&](const Answer& a) { return now - a.given >= params_.still_true; });
   double promise_m2 = 0.0;
   for (const goals::Frontier& frontier : goals::find_frontiers(map, params_.opening_min_m)) {
     if (was_offered(frontier.centroid)) continue;
     // Costs a fiftieth of the search for a viewpoint, and most frontiers are rims of pockets.
-    if (goals::unknown_behind_m2(map, frontier) < params_.gain_min_m2) continue;
+    if (goals::unknown_behind_m2(map, frontier, pocket_reach_m) < params_.gain_min_m2) continue;
     const auto look = viewpoint_into(frontier, in, now);
     if (!look || look->gain_m2 < params_.gain_min_m2) continue;
     goals::Goal goal;

@@ -21,6 +21,7 @@ struct LookedAt {
   double known_m2 = 0.0;  ///< free area of the map
   const grid::TravelField& field;
   std::span<const types::Segment> walls;
+  double pocket_reach_m = 0.0;  ///< CandidateParams
 };
 
 /// The final sweep of an exploration that has to be complete. When no other goal is reachable, cluttered
@@ -35,7 +36,7 @@ class FinalSweep {
   void begin(types::Stamp now);
   /// Searches for viewpoints. Does nothing when some are left, the time is over, this revision of the map was
   /// searched, or the last search was less than `again` ago. Costs a tenth of a millisecond for every
-  /// frontier without a result of the last half minute.
+  /// frontier without a result that is still true.
   void find(const LookedAt& in, types::Stamp now, types::Duration again);
   /// Other goals have come up: open viewpoints stay open, and the time of the sweep stops.
   void interrupt(types::Stamp now);
@@ -73,6 +74,9 @@ class FinalSweep {
   };
   [[nodiscard]] std::optional<exploration::Viewpoint> viewpoint_into(const goals::Frontier& frontier,
                                                                      const LookedAt& in, types::Stamp now);
+  [[nodiscard]] bool is_same_opening(const types::Vector2& a, const types::Vector2& b) const {
+    return (a - b).norm() < params_.same_opening_m;
+  }
   [[nodiscard]] bool was_offered(const types::Vector2& opening) const;
 
   FinalSweepParams params_;

@@ -19,8 +19,9 @@ std::uint16_t place_at(const analysis::Analysis& analysis, const types::Vector2&
 
 std::vector<ProposedGoal> goals_at(std::span<const goals::Frontier> frontiers, Source source,
                                    double behind_min_m2, const Situation& situation,
-                                   const travel::RouteMap& map) {
-  std::vector<goals::Goal> openings = frontier_goals(map.map(), map.field(), frontiers, behind_min_m2);
+                                   const travel::RouteMap& map, const CandidateParams& params) {
+  std::vector<goals::Goal> openings =
+      frontier_goals(map.map(), map.field(), frontiers, params, behind_min_m2);
   for (goals::Goal& opening : openings) opening.place = place_at(situation.analysis, opening.p_map);
   return proposed_by(source, openings);
 }
@@ -42,15 +43,16 @@ Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<c
     if (!is_beside(frontier.centroid, beside, &goals::Goal::opening, params.tour.same_opening_m))
       others.push_back(frontier);
   }
-  Reachable gaps = reachable(goals_at(others, Source::kGap, params.tour.pocket_m2, situation, map), situation,
-                             map, deferred, params);
+  Reachable gaps =
+      reachable(goals_at(others, Source::kGap, params.tour.pocket_m2, situation, map, params.candidate),
+                situation, map, deferred, params);
   std::erase_if(gaps.candidates, [&](const Candidate& gap) {
     return is_beside(gap.goal.p_map, beside, &goals::Goal::p_map, params.tour.same_stand_m);
   });
   for (Candidate& gap : gaps.candidates) {
     if (!std::isinf(gap.goal.behind_m2)) continue;
     const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, situation.paths);
-    gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m);
+    gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m, situation.essential.chance);
   }
   return gaps;
 }
@@ -69,8 +71,8 @@ Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const 
                               travel::RouteMap& map, const DeferredGoals& deferred,
                               const ExplorationParams& params) {
   map.settle(HUGE_VAL);
-  return reachable(goals_at(frontiers, Source::kFrontier, 0.0, situation, map), situation, map, deferred,
-                   params);
+  return reachable(goals_at(frontiers, Source::kFrontier, 0.0, situation, map, params.candidate), situation,
+                   map, deferred, params);
 }
 
 }  // namespace topo::exploration

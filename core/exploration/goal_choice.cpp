@@ -11,28 +11,17 @@
 #include "core/grid/nearest_reachable.hpp"
 
 namespace topo::exploration {
-namespace {
-
-constexpr double kGoalReach_m = 0.6;      // search radius for a goal whose own cell is closed by an obstacle
-constexpr double kUnseenWay_m = 3.0;      // from a goal to the end of the known route, at most
-constexpr double kFrontierReach_m = 1.0;  // a frontier is visible from this distance
-constexpr double kSuccessor_m = 2.5;      // largest displacement of a goal from one map to the next
-
-constexpr double kTurnCost_m_per_rad = 1.0;  // to stop, turn on the spot and accelerate again
-constexpr double kBeginning_m = 1.0;         // stretch of a route that defines its initial direction
-
-}  // namespace
 
 double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
-                  const types::Se2& T_map_base) {
+                  const types::Se2& T_map_base, const CandidateParams& params) {
   const double way_m = static_cast<double>(field.cost_m[map.index(cell)]);
   const std::vector<grid::CellIndex> route = grid::route_to(map, field, cell);
   if (route.size() < 2) return way_m;
-  const auto beginning = static_cast<std::size_t>(std::lround(kBeginning_m / map.resolution_m));
+  const auto beginning = static_cast<std::size_t>(std::lround(params.beginning_m / map.resolution_m));
   const types::Vector2 ahead =
       map.centre_of(route[std::min(beginning, route.size() - 1)]) - map.centre_of(route.front());
   const double turn_rad = types::wrap_angle(std::atan2(ahead.y(), ahead.x()) - T_map_base.theta_rad);
-  return way_m + kTurnCost_m_per_rad * std::abs(turn_rad);
+  return way_m + params.turn_m_per_rad * std::abs(turn_rad);
 }
 
 std::vector<ProposedGoal> proposed_by(Source source, std::span<const goals::Goal> goals) {
@@ -43,31 +32,32 @@ std::vector<ProposedGoal> proposed_by(Source source, std::span<const goals::Goal
 
 std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const Reach& reach,
                                      const DeferredGoals& deferred, const types::Se2& T_map_base,
-                                     types::Stamp now, bool& cut_off) {
+                                     types::Stamp now, const CandidateParams& params, bool& cut_off) {
   const auto& [map, clearance_m, field, radius_m] = reach;
   std::vector<Candidate> candidates;
   for (const auto& [goal, id] : goals) {
     if (deferred.hold(goal.p_map, now)) continue;
     const grid::CellIndex at = map.cell_at(goal.p_map);
-    auto cell = grid::nearest_to_stay_at(map, field, at, kGoalReach_m);
+    auto cell = grid::nearest_to_stay_at(map, field, at, params.cell_reach_m);
     if (!cell && goal.side != goals::Side::kNone)
-      cell = grid::end_of_way(map, clearance_m, field, at, radius_m, kUnseenWay_m);
+      cell = grid::end_of_way(map, clearance_m, field, at, radius_m, params.unseen_way_m);
     if (!cell) {
       cut_off = true;
       continue;
     }
-    candidates.push_back({goal, id, *cell, way_cost_m(map, field, *cell, T_map_base)});
+    candidates.push_back({goal, id, *cell, way_cost_m(map, field, *cell, T_map_base, params)});
   }
   return candidates;
 }
 
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        std::span<const goals::Frontier> frontiers, double behind_min_m2) {
+                                        std::span<const goals::Frontier> frontiers,
+                                        const CandidateParams& params, double behind_min_m2) {
   std::vector<goals::Goal> found;
   for (const goals::Frontier& frontier : frontiers) {
-    const double behind_m2 = goals::unknown_behind_m2(map, frontier);
+    const double behind_m2 = goals::unknown_behind_m2(map, frontier, params.pocket_reach_m);
     if (behind_m2 < behind_min_m2) continue;
-    const auto cell = goals::approach_cell(map, frontier, field, kFrontierReach_m);
+    const auto cell = goals::approach_cell(map, frontier, field, params.frontier_reach_m);
     if (!cell) continue;
     goals::Goal goal;
     goal.p_map = map.centre_of(*cell);
@@ -79,9 +69,10 @@ std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::T
   return found;
 }
 
-const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates) {
+const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates,
+                              double successor_m) {
   const Candidate* best = nullptr;
-  double best_m = kSuccessor_m;
+  double best_m = successor_m;
   for (const Candidate& c : candidates) {
     const double moved_m =
         std::min((c.goal.p_map - goal.p_map).norm(), (c.goal.opening - goal.opening).norm());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/exploration/deferred_goals.hpp"
+#include "core/exploration/params.hpp"
 #include "core/goals/frontiers.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/wavefront.hpp"
@@ -49,7 +50,7 @@ struct Candidate {
 /// Cost of going to a cell: the route, and the turn into it from the robot's heading. A paused search must
 /// have settled the cell.
 double way_cost_m(const grid::DenseMap& map, const grid::TravelField& field, grid::CellIndex cell,
-                  const types::Se2& T_map_base);
+                  const types::Se2& T_map_base, const CandidateParams& params);
 
 /// What a robot can reach, by the map and by the present obstacles.
 struct Reach {
@@ -64,16 +65,18 @@ struct Reach {
 /// goal is left out because no route leads there now.
 std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const Reach& reach,
                                      const DeferredGoals& deferred, const types::Se2& T_map_base,
-                                     types::Stamp now, bool& cut_off);
+                                     types::Stamp now, const CandidateParams& params, bool& cut_off);
 
 /// Frontiers that a robot can reach, with at least this much unknown space behind them, as goals: the gaps
 /// beside essential goals, and all goals of the baselines.
 std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
                                         std::span<const goals::Frontier> frontiers,
-                                        double behind_min_m2 = 0.0);
+                                        const CandidateParams& params, double behind_min_m2 = 0.0);
 
 /// The candidate that succeeds a present goal: goals recede as the map grows (paper section III).
-const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates);
+/// `successor_m`: CandidateParams.
+const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates,
+                              double successor_m);
 
 /// Weighed cost of a candidate: for the successor of the present goal, `switch_gain` times its cost.
 double weighed_cost_m(const Candidate& candidate, const Candidate* present, double switch_gain);

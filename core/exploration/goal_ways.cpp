@@ -11,10 +11,6 @@
 namespace topo::exploration {
 namespace {
 
-constexpr double kReach_m = 0.6;   // to the nearest reachable cell: goals are near walls
-constexpr double kBeside_m = 1.0;  // within this distance the costs of one cell approximate those of another
-constexpr std::size_t kSearches = 3;
-
 double cells_apart(const grid::CellIndex& a, const grid::CellIndex& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
@@ -23,8 +19,8 @@ double cells_apart(const grid::CellIndex& a, const grid::CellIndex& b) {
 
 void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, const grid::DenseMap& map,
                            std::span<const float> clearance_m, const grid::TravelRules& rules) {
-  constexpr double kFarther = 1.25;
-  double straight_m = kReach_m;
+  constexpr double kFarther = 1.25;  // growth of the bound of a search that ends when all goals are settled
+  double straight_m = params_.reach_m;
   for (const std::size_t goal : to)
     straight_m = std::max(straight_m, (map.centre_of(cells_[goal]) - map.centre_of(cells_[from])).norm());
   search_.begin(map, clearance_m, cells_[from], rules, field_);
@@ -39,7 +35,7 @@ void GoalWays::search_from(std::size_t from, std::span<const std::size_t> to, co
   }
   const std::size_t n = cells_.size();
   for (const std::size_t goal : to) {
-    const auto cell = grid::nearest_reachable(map, field_, cells_[goal], kReach_m);
+    const auto cell = grid::nearest_reachable(map, field_, cells_[goal], params_.reach_m);
     const double cost_m = cell ? static_cast<double>(field_.cost_m[map.index(*cell)]) : HUGE_VAL;
     cost_m_[from * n + goal] = cost_m_[goal * n + from] = cost_m;
   }
@@ -58,7 +54,8 @@ void GoalWays::take_over(std::span<const grid::CellIndex> cells, double cell_m) 
                                           [&](const grid::CellIndex& a, const grid::CellIndex& b) {
                                             return cells_apart(cells_[i], a) < cells_apart(cells_[i], b);
                                           });
-    const bool is_near = nearest != old_cells.end() && cell_m * cells_apart(cells_[i], *nearest) <= kBeside_m;
+    const bool is_near =
+        nearest != old_cells.end() && cell_m * cells_apart(cells_[i], *nearest) <= params_.beside_m;
     old.push_back(is_near ? static_cast<std::size_t>(nearest - old_cells.begin()) : old_n);
     is_searched_[i] = is_near && *nearest == cells_[i] && was_searched[old[i]];
   }
@@ -77,7 +74,7 @@ std::vector<std::size_t> GoalWays::to_search() {
   std::vector<std::size_t> chosen;
   const std::size_t n = cells_.size();
   if (n > 0 && is_searched_[++turn_ % n]) chosen.push_back(turn_ % n);
-  while (chosen.size() < kSearches) {
+  while (chosen.size() < params_.searches) {
     std::size_t farthest = n;
     double farthest_cells = -1.0;
     for (std::size_t i = 0; i < n; ++i) {

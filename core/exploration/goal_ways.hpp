@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/exploration/params.hpp"
 #include "core/grid/wavefront.hpp"
 
 namespace topo::exploration {
@@ -16,8 +17,10 @@ namespace topo::exploration {
 /// estimated from earlier costs beside them and from routes through searched goals.
 class GoalWays {
  public:
+  explicit GoalWays(const GoalWaysParams& params = {}) : params_(params) {}
+
   /// Updates the costs to `cells` on this map; the other arguments are those of travel_field. Costs at most
-  /// three searches of the map, each as far as the other cells.
+  /// GoalWaysParams::searches of the map, each as far as the other cells.
   void update(const grid::DenseMap& map, std::span<const float> clearance_m, const grid::TravelRules& rules,
               std::span<const grid::CellIndex> cells);
 
@@ -38,6 +41,7 @@ class GoalWays {
   void search_from(std::size_t from, std::span<const std::size_t> to, const grid::DenseMap& map,
                    std::span<const float> clearance_m, const grid::TravelRules& rules);
 
+  GoalWaysParams params_;
   std::vector<grid::CellIndex> cells_;
   std::vector<double> cost_m_;     ///< cells times cells, symmetric
   std::vector<bool> is_searched_;  ///< its routes were searched and are not estimates

@@ -88,11 +88,12 @@ Destination destination(const Situation& situation, travel::RouteMap& map, const
   const team::StatusMessage* passing = nullptr;
   if (situation.now >= offer.ignore_passing_until) {
     const std::vector<Vector2> way =
-        pursuit.has_target ? beginning_of(situation.route) : std::vector<Vector2>{};
-    passing = who_has_to_pass(situation.team, situation.T_map_base, way, situation.now);
+        pursuit.has_target ? beginning_of(situation.route, params.team_view) : std::vector<Vector2>{};
+    passing = who_has_to_pass(situation.team, situation.T_map_base, way, situation.now, params.team_view);
   }
-  const auto home =
-      team::choose_home(self, situation.team.roster.heard(situation.now), present, passing, cost_m);
+  const team::Roster& roster = situation.team.roster;
+  const auto home = team::choose_home(self, roster.heard(situation.now), present, passing, cost_m,
+                                      roster.params().at_start_m);
   return {home, present, home ? home->p_map : situation.start};
 }
 

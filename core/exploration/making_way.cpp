@@ -18,8 +18,9 @@ bool moves_up_for(const team::StatusMessage& mate, const Situation& situation, c
   if (!is_homing(intent.phase) || situation.mission.order != Order::kExplore) return false;
   team::StatusMessage self;
   self.T_map_base = situation.T_map_base;
-  return mate.home && intent.offer.home && team::is_at_home(self, *intent.offer.home) &&
-         !team::is_at_home(mate, {mate.robot, *mate.home});
+  const double at_start_m = situation.team.roster.params().at_start_m;
+  return mate.home && intent.offer.home && team::is_at_home(self, *intent.offer.home, at_start_m) &&
+         !team::is_at_home(mate, {mate.robot, *mate.home}, at_start_m);
 }
 
 const team::StatusMessage* find_mate(std::span<const team::StatusMessage* const> heard, std::uint16_t robot) {
@@ -52,9 +53,9 @@ Intent give_way(const Situation& situation, Searches searches, const Exploration
   if (!std::holds_alternative<MakingWay>(intent.phase)) {
     if (situation.now < intent.offer.ignore_passing_until) return intent;
     const std::vector<Vector2> way =
-        intent.pursuit.has_target ? beginning_of(situation.route) : std::vector<Vector2>{};
+        intent.pursuit.has_target ? beginning_of(situation.route, params.team_view) : std::vector<Vector2>{};
     const team::StatusMessage* mate =
-        who_has_to_pass(situation.team, situation.T_map_base, way, situation.now);
+        who_has_to_pass(situation.team, situation.T_map_base, way, situation.now, params.team_view);
     if (mate == nullptr || moves_up_for(*mate, situation, intent)) return intent;
     intent = begin(*mate, situation, std::move(intent));
   }
@@ -62,13 +63,13 @@ Intent give_way(const Situation& situation, Searches searches, const Exploration
   const team::StatusMessage* mate = find_mate(heard, passage.mate);
   const bool timed_out = situation.now - passage.since > making_way.at_most;
   if (timed_out) intent.offer.ignore_passing_until = situation.now + making_way.at_most;
-  const team::RightOfWayParams limits;
+  const team::RightOfWayParams& limits = params.team_view.right_of_way;
   const auto in_the_way = [&](const Vector2& p) { return (p - passage.asked_at).norm() < limits.room_m; };
   if (mate == nullptr || timed_out || std::none_of(mate->way_map.begin(), mate->way_map.end(), in_the_way))
     return end(passage, std::move(intent));
   travel::RouteMap& map = searches.map;
-  map.settle(2.0 * making_way.search_m);
-  const auto cell = team::room_beside(map.map(), map.field(), *mate, heard, making_way.search_m);
+  map.settle(limits.detour_ratio * making_way.search_m);
+  const auto cell = team::room_beside(map.map(), map.field(), *mate, heard, making_way.search_m, limits);
   Pursuit& pursuit = intent.pursuit;
   pursuit.has_target = cell && (map.map().centre_of(*cell) - situation.here()).norm() > making_way.reached_m;
   if (pursuit.has_target) pursuit.target = *cell;

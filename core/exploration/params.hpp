@@ -9,8 +9,11 @@
 
 #include "core/exploration/strategy.hpp"
 #include "core/exploration/sweep_params.hpp"
+#include "core/team/right_of_way_params.hpp"
 #include "core/types/stamp.hpp"
 
+// Parameters of exploration, which was developed on the sixteen public floor plans of doc/results.md: a value
+// comes from there unless its comment names another source.
 namespace topo::exploration {
 
 enum class Finish : std::uint8_t {
@@ -19,8 +22,39 @@ enum class Finish : std::uint8_t {
 };
 std::string_view to_text(Finish finish);
 
-/// The order in which a robot visits its goals (core/exploration/tour.hpp). Fitted on sixteen public floor
-/// plans (doc/results.md).
+/// From a goal to the cell from which the robot attends to it, and the cost of that (goal_choice.hpp).
+struct CandidateParams {
+  double cell_reach_m = 0.6;      ///< to a reachable cell, when the goal's own is closed by an obstacle
+  double unseen_way_m = 3.0;      ///< from a goal to the end of the known route, at most
+  double frontier_reach_m = 1.0;  ///< a frontier is visible from this distance
+  double successor_m = 2.5;       ///< largest displacement of a goal from one map to the next
+  double turn_m_per_rad = 1.0;    ///< cost to stop, turn on the spot and accelerate again
+  double beginning_m = 1.0;       ///< stretch of a route that defines its initial direction
+  double pocket_reach_m = 1.2;    ///< unknown space behind a frontier that ends within this is a pocket
+};
+
+/// Costs between goals, from one decision to the next (goal_ways.hpp).
+struct GoalWaysParams {
+  double reach_m = 0.6;      ///< to the nearest reachable cell: goals are near walls
+  double beside_m = 1.0;     ///< within this distance the costs of one cell approximate those of another
+  std::size_t searches = 3;  ///< of the map at each update: bounds its time
+};
+
+/// Goals that were given up or visited (deferred_goals.hpp).
+struct DeferralParams {
+  double same_m = 0.8;  ///< goals within this distance are one goal
+  int times_max = 2;    ///< a goal deferred this often does not come back
+};
+
+/// Team-mates as seen by one robot (team_view.hpp).
+struct TeamViewParams {
+  double way_m = 6.0;          ///< length of the route in a status message
+  double way_spacing_m = 0.3;  ///< of its points: less than the width of a robot
+  double behind_m = 1.5;       ///< half a metre of backing off, and the length of two robots
+  team::RightOfWayParams right_of_way;
+};
+
+/// The order in which a robot visits its goals (core/exploration/tour.hpp).
 struct TourParams {
   double length_share = 0.2;    ///< see tour_cost_m
   double leads_on_m2 = 10.0;    ///< expected area behind an opening that certainly leads on
@@ -37,6 +71,7 @@ struct TourParams {
                                 ///< own
   double exact_m = 6.0;         ///< costs of goals beyond this are those of the coarse map
   double far_reach_m = 0.6;     ///< between a goal's cell and the coarse cell that represents it
+  GoalWaysParams ways;
 };
 
 /// When a goal counts as visited, and when it is given up.
@@ -50,6 +85,7 @@ struct PursuitParams {
   types::Duration standstill = std::chrono::seconds(25);
   types::Duration goal_time_max = std::chrono::seconds(240);
   double blocked_ahead_m = 0.45;  ///< from the robot's centre to the obstacle at which it got stuck
+  double mate_ahead_m = 0.9;      ///< the same to the centre of a team-mate
 };
 
 /// When an exploration has ended.
@@ -88,12 +124,15 @@ struct ExplorationParams {
   bool k_means = true;           ///< false, an ablation: a team assigns single goals, not clusters of goals
   double frontier_min_m = 0.75;  ///< narrower frontiers are no goals
   double switch_gain = 0.8;      ///< another goal must cost less than this share of the present one's
+  CandidateParams candidate;
   TourParams tour;
+  DeferralParams deferral;
   FinalSweepParams final_sweep;  ///< Finish::kComplete
   PursuitParams pursuit;
   EndingParams ending;
   HomingParams homing;
   MakingWayParams making_way;
+  TeamViewParams team_view;
 };
 
 }  // namespace topo::exploration

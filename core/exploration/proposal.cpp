@@ -13,7 +13,7 @@ namespace {
 
 /// Candidates beyond the settled part of the fine search get the costs of the coarse map.
 void estimate_far_ones(std::vector<Candidate>& candidates, const types::Se2& T_map_base,
-                       travel::RouteMap& map, double reach_m) {
+                       travel::RouteMap& map, const ExplorationParams& params) {
   struct FarOne {
     Candidate* candidate;
     std::optional<grid::CellIndex> coarse_cell;
@@ -28,15 +28,16 @@ void estimate_far_ones(std::vector<Candidate>& candidates, const types::Se2& T_m
   const grid::TravelField& coarse_field = map.coarse_field();
   for (FarOne& one : far) {
     const grid::CellIndex beside = coarse.map.cell_at(map.map().centre_of(one.candidate->cell));
-    one.coarse_cell = grid::nearest_reachable(coarse.map, coarse_field, beside, reach_m);
+    one.coarse_cell = grid::nearest_reachable(coarse.map, coarse_field, beside, params.tour.far_reach_m);
   }
   // When one of them has a route on the fine map only, the costs of all come from that map.
   const bool has_all =
       std::all_of(far.begin(), far.end(), [](const FarOne& one) { return one.coarse_cell.has_value(); });
   if (!has_all) map.settle(HUGE_VAL);
   for (const auto& [candidate, coarse_cell] : far)
-    candidate->cost_m = has_all ? way_cost_m(coarse.map, coarse_field, *coarse_cell, T_map_base)
-                                : way_cost_m(map.map(), map.field(), candidate->cell, T_map_base);
+    candidate->cost_m =
+        has_all ? way_cost_m(coarse.map, coarse_field, *coarse_cell, T_map_base, params.candidate)
+                : way_cost_m(map.map(), map.field(), candidate->cell, T_map_base, params.candidate);
 }
 
 Proposal propose_frontiers(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
@@ -80,11 +81,11 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
     sweep.meanwhile = false;
   }
   if (sweeps) {
-    const Reachable viewpoints = viewpoint_candidates(sweep.sweep, situation, map);
+    const Reachable viewpoints = viewpoint_candidates(sweep.sweep, situation, map, params.candidate);
     append(found.candidates, viewpoints.candidates);
     found.cut_off = found.cut_off || viewpoints.cut_off;
   }
-  estimate_far_ones(found.candidates, situation.T_map_base, map, params.tour.far_reach_m);
+  estimate_far_ones(found.candidates, situation.T_map_base, map, params);
   proposal.candidates = std::move(found.candidates);
   proposal.cut_off = found.cut_off;
   proposal.sweep = std::move(sweep);

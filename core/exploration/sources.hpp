@@ -51,7 +51,7 @@ SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_o
                  const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params);
 /// The open viewpoints of a sweep.
 Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
-                               const travel::RouteMap& map);
+                               const travel::RouteMap& map, const CandidateParams& params);
 
 /// True when a final sweep follows an exploration.
 bool has_final_sweep(const ExplorationParams& params);

@@ -11,6 +11,8 @@ namespace {
 using std::chrono::milliseconds;
 using team::Rule;
 
+// StrategyRow::analysis_period: eight periods of planning, and a longer one where places are for display
+// only.
 constexpr milliseconds kOften{3200}, kSeldom{5000};
 constexpr std::array<StrategyRow, 5> kStrategies{{
     {Strategy::kTopometric, "topometric", true, Rule::kClusters, Rule::kNoClusters, kOften},

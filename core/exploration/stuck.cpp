@@ -9,7 +9,9 @@ using types::Vector2;
 Intent block_ahead(const Situation& situation, const travel::RouteMap& map, const PursuitParams& params,
                    Intent intent) {
   const types::Se2& T_map_base = situation.T_map_base;
-  if (is_going_mate(situation.team.going_at, T_map_base * Vector2(2.0 * params.blocked_ahead_m, 0.0)))
+  const TeamView& team = situation.team;
+  if (is_going_mate(team.going_at, T_map_base * Vector2(params.mate_ahead_m, 0.0),
+                    team.roster.params().mate_radius_m))
     return intent;
   if (const auto tight = map.tight_ahead(situation.route, situation.here()))
     intent.obstacles.close_passage(*tight);

@@ -19,13 +19,14 @@ SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_o
   const bool coordinated = row_of(params.strategy).rule != team::Rule::kAlone;
   const bool is_awaited = !coordinated || !mates_have_goals(roster, situation.now);
   const EndingParams& ending = params.ending;
-  state.sweep.find({map.map(), map.revision(), map.known_m2(), map.field(), situation.analysis.walls},
+  state.sweep.find({map.map(), map.revision(), map.known_m2(), map.field(), situation.analysis.walls,
+                    params.candidate.pocket_reach_m},
                    situation.now, is_awaited ? ending.sweep_again : ending.sweep_again_meanwhile);
   return state;
 }
 
 Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
-                               const travel::RouteMap& map) {
+                               const travel::RouteMap& map, const CandidateParams& params) {
   const std::vector<goals::Goal> goals = sweep.goals();
   const std::vector<std::uint64_t> numbers = sweep.numbers();
   std::vector<ProposedGoal> viewpoints;
@@ -35,7 +36,7 @@ Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situati
   Reachable found;
   const Reach reach{map.map(), map.clearance_m(), map.field(), map.rules().radius_m};
   found.candidates =
-      candidates_of(viewpoints, reach, DeferredGoals{}, situation.T_map_base, {}, found.cut_off);
+      candidates_of(viewpoints, reach, DeferredGoals{}, situation.T_map_base, {}, params, found.cut_off);
   const auto dropped = std::erase_if(found.candidates, [&](const Candidate& c) {
     return (map.map().centre_of(c.cell) - c.goal.p_map).norm() > sweep.reached_m();
   });

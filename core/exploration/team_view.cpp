@@ -7,19 +7,12 @@
 #include "core/team/right_of_way.hpp"
 
 namespace topo::exploration {
-namespace {
 
 using types::Vector2;
 
-constexpr double kWay_m = 6.0;         // length of the route in a status message
-constexpr double kWaySpacing_m = 0.3;  // less than the width of a robot
-constexpr double kBehind_m = 1.5;      // half a metre of backing off, and the length of two robots
-
-}  // namespace
-
-bool is_going_mate(std::span<const Vector2> going_at, const Vector2& p_map) {
+bool is_going_mate(std::span<const Vector2> going_at, const Vector2& p_map, double mate_radius_m) {
   return std::any_of(going_at.begin(), going_at.end(),
-                     [&](const Vector2& mate) { return (mate - p_map).norm() <= team::kMateRadius_m; });
+                     [&](const Vector2& mate) { return (mate - p_map).norm() <= mate_radius_m; });
 }
 
 Claims claims_of_mates(const team::Roster& roster, types::Stamp now) {
@@ -56,43 +49,47 @@ const Vector2& place_for_team(const goals::Goal& goal) {
   return goal.side != goals::Side::kNone ? goal.opening : goal.p_map;
 }
 
-std::vector<Vector2> beginning_of(std::span<const Vector2> route) {
+std::vector<Vector2> beginning_of(std::span<const Vector2> route, const TeamViewParams& params) {
   std::vector<Vector2> way;
   double gone_m = 0.0, next_m = 0.0;
-  for (std::size_t i = 0; i < route.size() && gone_m <= kWay_m; ++i) {
+  for (std::size_t i = 0; i < route.size() && gone_m <= params.way_m; ++i) {
     if (i > 0) gone_m += (route[i] - route[i - 1]).norm();
     if (gone_m < next_m) continue;
     way.push_back(route[i]);
-    next_m = gone_m + kWaySpacing_m;
+    next_m = gone_m + params.way_spacing_m;
   }
   return way;
 }
 
-bool slows_for_mate(const TeamView& team, const types::Se2& T_map_base, types::Stamp now) {
+bool slows_for_mate(const TeamView& team, const types::Se2& T_map_base, types::Stamp now,
+                    const TeamViewParams& params) {
   team::StatusMessage self;
   self.robot = team.robot;
   self.T_map_base = T_map_base;
   const auto heard = team.roster.heard(now);
   return std::any_of(heard.begin(), heard.end(), [&](const team::StatusMessage* mate) {
-    return team::slows_for(self, *mate, types::to_seconds(team.roster.age_of(*mate, now)));
+    return team::slows_for(self, *mate, types::to_seconds(team.roster.age_of(*mate, now)),
+                           params.right_of_way);
   });
 }
 
-bool is_mate_behind(const TeamView& team, const types::Se2& T_map_base, types::Stamp now) {
+bool is_mate_behind(const TeamView& team, const types::Se2& T_map_base, types::Stamp now,
+                    const TeamViewParams& params) {
   const auto heard = team.roster.heard(now);
   return std::any_of(heard.begin(), heard.end(), [&](const team::StatusMessage* mate) {
     const Vector2 at = T_map_base.inverse() * mate->T_map_base.translation();
-    return at.x() < 0.0 && at.norm() <= kBehind_m;
+    return at.x() < 0.0 && at.norm() <= params.behind_m;
   });
 }
 
 const team::StatusMessage* who_has_to_pass(const TeamView& team, const types::Se2& T_map_base,
-                                           std::span<const Vector2> way, types::Stamp now) {
+                                           std::span<const Vector2> way, types::Stamp now,
+                                           const TeamViewParams& params) {
   team::StatusMessage self;
   self.robot = team.robot;
   self.T_map_base = T_map_base;
   self.way_map.assign(way.begin(), way.end());
-  return team::who_needs_room(self, team.roster.heard(now));
+  return team::who_needs_room(self, team.roster.heard(now), params.right_of_way);
 }
 
 }  // namespace topo::exploration

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/exploration/params.hpp"
 #include "core/goals/goal.hpp"
 #include "core/team/roster.hpp"
 #include "core/team/status_message.hpp"
@@ -27,7 +28,9 @@ struct TeamView {
 };
 
 /// True when a point is on a team-mate that will move on. One that stays is an obstacle like any other.
-bool is_going_mate(std::span<const types::Vector2> going_at, const types::Vector2& p_map);
+/// `mate_radius_m`: RosterParams.
+bool is_going_mate(std::span<const types::Vector2> going_at, const types::Vector2& p_map,
+                   double mate_radius_m);
 
 /// Robots whose claims count, and the claimed goals.
 using Claims = std::vector<std::pair<std::uint16_t, std::optional<types::Vector2>>>;
@@ -45,16 +48,19 @@ bool mate_was_at(const team::Roster& roster, types::Stamp now, const types::Vect
 const types::Vector2& place_for_team(const goals::Goal& goal);
 
 /// The next metres of a route, thinned out for status messages.
-std::vector<types::Vector2> beginning_of(std::span<const types::Vector2> route);
+std::vector<types::Vector2> beginning_of(std::span<const types::Vector2> route, const TeamViewParams& params);
 
 /// True when the robot has to slow down for a moving team-mate (core/team/right_of_way.hpp).
-bool slows_for_mate(const TeamView& team, const types::Se2& T_map_base, types::Stamp now);
+bool slows_for_mate(const TeamView& team, const types::Se2& T_map_base, types::Stamp now,
+                    const TeamViewParams& params);
 /// True when backing off would lead towards a team-mate: the rear has no sensor, and the path behind is
 /// occupied.
-bool is_mate_behind(const TeamView& team, const types::Se2& T_map_base, types::Stamp now);
+bool is_mate_behind(const TeamView& team, const types::Se2& T_map_base, types::Stamp now,
+                    const TeamViewParams& params);
 /// The team-mate to which this robot has to give way; null when there is none. `way`: the next metres of this
 /// robot's route.
 const team::StatusMessage* who_has_to_pass(const TeamView& team, const types::Se2& T_map_base,
-                                           std::span<const types::Vector2> way, types::Stamp now);
+                                           std::span<const types::Vector2> way, types::Stamp now,
+                                           const TeamViewParams& params);
 
 }  // namespace topo::exploration

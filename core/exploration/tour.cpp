@@ -9,7 +9,7 @@ namespace topo::exploration {
 namespace {
 
 constexpr double kLeastGain_m = 1e-6;  // a smaller gain is rounding, and the search would not end
-constexpr std::size_t kPieceMax = 3;
+constexpr std::size_t kPieceMax = 3;   // as in the method (Or 1976): longer pieces cost time and gain little
 
 Tour by_nearest(const TourGoals& goals, std::optional<std::size_t> first) {
   Tour tour(goals.count);

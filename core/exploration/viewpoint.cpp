@@ -19,12 +19,10 @@ using grid::CellState;
 using grid::DenseMap;
 using types::Vector2;
 
-constexpr std::size_t kSources = 8;  // limit of the unknown cells to observe
+// Sizes of tables of directions: at the reach of a viewpoint, neighbouring rays are at most three cells
+// apart.
 constexpr std::size_t kSourceRays = 180;
 constexpr std::size_t kRobotRays = 270;
-constexpr int kRim = 2;  // in cells: largest distance of an unknown cell beside a frontier from free space
-constexpr double kNearlyAll = 0.7;  // share of the sources that the best cell sees
-constexpr int kLeast = 2;           // least number of sources: a single one is seen by chance
 
 /// A value for each cell of a box.
 template <class T>
@@ -71,7 +69,8 @@ void cast_ray(CellIndex from, const Vector2& direction, int steps, Meet meet) {
 }
 
 /// Unknown cells beside a frontier, sampled evenly.
-std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier& frontier) {
+std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier& frontier,
+                                      std::size_t sources_max) {
   std::vector<CellIndex> all;
   for (const std::uint32_t i : frontier.cells) {
     const CellIndex c = map.cell(i);
@@ -86,9 +85,10 @@ std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier
   const auto key = [](const CellIndex& c) { return std::pair(c.y, c.x); };
   std::ranges::sort(all, {}, key);
   all.erase(std::unique(all.begin(), all.end()), all.end());
-  if (all.size() <= kSources) return all;
+  if (all.size() <= sources_max) return all;
   std::vector<CellIndex> some;
-  for (std::size_t k = 0; k < kSources; ++k) some.push_back(all[(2 * k + 1) * all.size() / (2 * kSources)]);
+  for (std::size_t k = 0; k < sources_max; ++k)
+    some.push_back(all[(2 * k + 1) * all.size() / (2 * sources_max)]);
   return some;
 }
 
@@ -96,13 +96,17 @@ std::vector<CellIndex> unknown_beside(const DenseMap& map, const goals::Frontier
 /// metres the rays of one source are that far apart.
 class Sights {
  public:
-  Sights(const DenseMap& map, const CellBox& around, int steps)
-      : map_(map), around_(around), blocks_({block_of(around.min), block_of(around.max)}), steps_(steps) {}
+  Sights(const DenseMap& map, const CellBox& around, int steps, const ViewpointParams& params)
+      : map_(map),
+        around_(around),
+        blocks_({block_of(around.min), block_of(around.max)}),
+        params_(params),
+        steps_(steps) {}
 
   void add(CellIndex source) {
     ++number_;
     for (const Vector2& direction : directions<kSourceRays>()) {
-      int rim = kRim;
+      int rim = params_.rim_cells;
       cast_ray(source, direction, steps_, [&](CellIndex c) {
         Block* block = blocks_.find(block_of(c));
         const CellState state = map_.state(c);
@@ -118,12 +122,12 @@ class Sights {
 
   /// Of the reachable cells that see nearly the largest number of sources, the one nearest to `centre`.
   std::optional<CellIndex> best(const grid::TravelField& field, const Vector2& centre) {
-    int most = kLeast;
+    int most = params_.sources_min;
     std::vector<std::pair<CellIndex, int>> reached;
     for (std::int32_t y = around_.min.y; y <= around_.max.y; ++y) {
       for (std::int32_t x = around_.min.x; x <= around_.max.x; ++x) {
         const int sources = blocks_.find(block_of({x, y}))->sources;
-        if (sources < kLeast || !field.can_stay_at(map_.index({x, y}))) continue;
+        if (sources < params_.sources_min || !field.can_stay_at(map_.index({x, y}))) continue;
         reached.emplace_back(CellIndex{x, y}, sources);
         most = std::max(most, sources);
       }
@@ -132,7 +136,7 @@ class Sights {
     double nearest_m2 = HUGE_VAL;
     for (const auto& [cell, sources] : reached) {
       const double away_m2 = (map_.centre_of(cell) - centre).squaredNorm();
-      if (sources < kNearlyAll * most || away_m2 >= nearest_m2) continue;
+      if (sources < params_.nearly_all * most || away_m2 >= nearest_m2) continue;
       nearest = cell;
       nearest_m2 = away_m2;
     }
@@ -148,6 +152,7 @@ class Sights {
   const DenseMap& map_;
   CellBox around_;
   Window<Block> blocks_;
+  const ViewpointParams& params_;
   int steps_, number_ = 0;
 };
 
@@ -212,8 +217,8 @@ std::optional<Viewpoint> find_viewpoint(const DenseMap& map, const goals::Fronti
   for (const std::uint32_t i : frontier.cells) around.extend(map.cell(i));
   around.min = {std::max(around.min.x - reach, map.box.min.x), std::max(around.min.y - reach, map.box.min.y)};
   around.max = {std::min(around.max.x + reach, map.box.max.x), std::min(around.max.y + reach, map.box.max.y)};
-  Sights sights(map, around, reach);
-  for (const CellIndex& source : unknown_beside(map, frontier)) sights.add(source);
+  Sights sights(map, around, reach, params);
+  for (const CellIndex& source : unknown_beside(map, frontier, params.sources_max)) sights.add(source);
   const auto from = sights.best(field, frontier.centroid);
   if (!from) return std::nullopt;
   const CellIndex centre = map.cell_at(frontier.centroid);

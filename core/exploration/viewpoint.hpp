@@ -22,7 +22,7 @@ struct Viewpoint {
 /// free cells, and nearly the largest number of such cells, the one nearest to the frontier's centroid.
 /// `walls`, in map: unknown space behind them, and behind their continuation, does not count. Nothing when
 /// hardly any unknown space is visible from anywhere. Does not depend on the order of the walls. Costs at
-/// most 1710 rays, and the cells around the frontier.
+/// most 180 rays for each of sources_max cells and 270 more, and the cells around the frontier.
 std::optional<Viewpoint> find_viewpoint(const grid::DenseMap& map, const goals::Frontier& frontier,
                                         const grid::TravelField& field, std::span<const types::Segment> walls,
                                         const ViewpointParams& params = {});

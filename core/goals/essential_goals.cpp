@@ -38,17 +38,17 @@ Candidate candidate_of(const GoalInput& input, const Opening& opening, const Goa
   goal.verdict = is_visited(goal, input.visited, params) ? Verdict::kVisited : Verdict::kUnlikely;
   if (goal.verdict == Verdict::kVisited) return {goal, std::nullopt};
   const double from_paths_m = distance_from_paths_m(goal.opening, input.visited);
-  goal.chance = chance_to_lead_on(opening.width_m, from_paths_m);
+  goal.chance = chance_to_lead_on(opening.width_m, from_paths_m, params.chance);
   return {goal, Prospect{goal.p_map, *stand, goal.chance}};
 }
 
 /// The candidate of a side without an opening: rejected, with the reason, to explain why there is no goal.
-Goal closed_side(const GoalInput& input, std::uint16_t place, Side side) {
+Goal closed_side(const GoalInput& input, std::uint16_t place, Side side, const GoalParams& params) {
   Goal goal;
   goal.opening = goal.p_map = side_midpoint(input.places, place, side);
   goal.place = place;
   goal.side = side;
-  goal.verdict = faces_another_place(input, place, side) ? Verdict::kInternal : Verdict::kNoOpening;
+  goal.verdict = faces_another_place(input, place, side, params) ? Verdict::kInternal : Verdict::kNoOpening;
   return goal;
 }
 
@@ -64,7 +64,7 @@ std::vector<Candidate> candidates(const GoalInput& input, const GoalParams& para
       const auto first = opening;
       for (; opening != openings.end() && opening->place == place && opening->side == side; ++opening)
         all.push_back(candidate_of(input, *opening, params, nodes));
-      if (first == opening) all.push_back({closed_side(input, place, side), std::nullopt});
+      if (first == opening) all.push_back({closed_side(input, place, side, params), std::nullopt});
     }
   }
   return all;

@@ -12,17 +12,32 @@
 
 namespace topo::goals {
 
+/// The chance that an opening leads onto a large area (opening_chance.hpp). Fitted to the openings of partial
+/// maps of the sixteen plans of doc/results.md; fits to halves of them agree.
+struct ChanceParams {
+  double far_m = 12.0;    ///< a greater distance from all paths makes no difference
+  double near_m = 0.5;    ///< added to that distance: the odds are positive on a path, too
+  double power = 1.5;     ///< of the sum
+  double even_at = 63.0;  ///< odds of 1: 2 m wide at 9.5 m
+};
+
+/// Filters and cover of the essential goals. Where no source is given, chosen on the same plans.
 struct GoalParams {
-  double robot_radius_m = 0.297;  ///< as grid::TravelRules::radius_m
-  double opening_min_m = 0.75;    ///< a narrower frontier is not an opening
-  double clear_m = 0.45;          ///< clearance at which steering up the distance field ends
-  double node_reach_m = 1.0;      ///< a free skeleton node within this distance becomes the goal
-  double in_sight_m = 3.0;        ///< a goal serves the openings within this distance that are in its sight
-  double worth_min = 0.28;        ///< minimum sum of the chances of the openings that a goal serves
-  double visited_radius_m = 1.0;  ///< of the pose-history filter (paper section II-E)
-  double room_reach_m = 6.0;      ///< maximum distance from an opening to its goal, through free space
-  double behind_m = 2.4;          ///< minimum depth of the unknown space behind an opening
-  double behind_m2 = 4.0;         ///< minimum area of that space; no room worth exploring is smaller
+  double robot_radius_m = 0.297;   ///< as grid::TravelRules::radius_m
+  double opening_min_m = 0.75;     ///< a narrower frontier is not an opening
+  double clear_m = 0.45;           ///< clearance at which steering up the distance field ends
+  double node_reach_m = 1.0;       ///< a free skeleton node within this distance becomes the goal
+  double in_sight_m = 3.0;         ///< a goal serves the openings within this distance that are in its sight
+  double worth_min = 0.28;         ///< minimum sum of the chances of the openings that a goal serves
+  double internal_reach_m = 0.5;   ///< another place this near to the middle of a side lies beyond that side
+  double visited_radius_m = 1.0;   ///< of the pose-history filter (paper section II-E)
+  double wide_ratio = 2.0;         ///< an opening of this multiple of opening_min_m is wide: for it
+  double wide_travel_ratio = 1.2;  ///< the paths must cover this multiple of that radius
+  double axis_step_m = 0.3;        ///< between viewpoints on the skeleton's axis
+  double room_reach_m = 6.0;       ///< maximum distance from an opening to its goal, through free space
+  double behind_m = 2.4;           ///< minimum depth of the unknown space behind an opening
+  double behind_m2 = 4.0;          ///< minimum area of that space; no room worth exploring is smaller
+  ChanceParams chance;
 };
 
 /// Input of the filters. The spans are borrowed for the call.

@@ -33,11 +33,11 @@ types::Vector2 outward(Side side) {
 
 }  // namespace
 
-bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side) {
-  constexpr double kReachM = 0.5;
+bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side, const GoalParams& params) {
+  const double reach_m = params.internal_reach_m;
   const types::Vector2 middle = side_midpoint(input.places, place, side);
   const types::Vector2 out = CompassFrame(input.places.compass_rad).to_map(outward(side));
-  for (double d = -kReachM; d <= kReachM; d += input.map.resolution_m) {
+  for (double d = -reach_m; d <= reach_m; d += input.map.resolution_m) {
     const grid::CellIndex cell = input.map.cell_at(middle + d * out);
     if (!input.map.contains(cell)) continue;
     const std::uint16_t label = input.places.labels[input.map.index(cell)];
@@ -48,7 +48,7 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side)
 
 bool is_visited(const Goal& goal, std::span<const std::vector<types::Vector2>> visited,
                 const GoalParams& params) {
-  const bool wide = goal.opening_m >= 2.0 * params.opening_min_m;
+  const bool wide = goal.opening_m >= params.wide_ratio * params.opening_min_m;
   double travelled_m = 0.0;
   for (const std::vector<types::Vector2>& way : visited) {
     bool was_near = false;
@@ -59,7 +59,7 @@ bool is_visited(const Goal& goal, std::span<const std::vector<types::Vector2>> v
       was_near = near;
     }
   }
-  return travelled_m >= 1.2 * params.visited_radius_m;
+  return travelled_m >= params.wide_travel_ratio * params.visited_radius_m;
 }
 
 }  // namespace topo::goals

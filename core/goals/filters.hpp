@@ -13,17 +13,18 @@
 
 namespace topo::goals {
 
-/// Filter of internal boundaries: true when another place lies within half a metre of the middle of this
-/// side, along its normal.
-bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side);
+/// Filter of internal boundaries: true when another place lies within internal_reach_m of the middle of
+/// this side, along its normal.
+bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side, const GoalParams& params);
 
 /// True when all cells on the straight line between the centres of two cells are free.
 bool sees(const grid::DenseMap& map, grid::CellIndex a, grid::CellIndex b);
 
-/// Pose-history filter: true when a robot has been at the goal. For an opening narrower than twice
-/// opening_min_m one pose within visited_radius_m is enough (paper: partial views through openings that a
-/// robot cannot enter). For a wider one the paths (one per robot) must cover 1.2 times that radius within it:
-/// a start with unknown space in the scanner's blind sector behind the robot must not count as a visit.
+/// Pose-history filter: true when a robot has been at the goal. For an opening that is not wide
+/// (wide_ratio) one pose within visited_radius_m is enough (paper: partial views through openings that a
+/// robot cannot enter). For a wider one the paths (one per robot) must cover wide_travel_ratio times that
+/// radius within it: a start with unknown space in the scanner's blind sector behind the robot must not count
+/// as a visit.
 bool is_visited(const Goal& goal, std::span<const std::vector<types::Vector2>> visited,
                 const GoalParams& params);
 

@@ -185,11 +185,10 @@ std::optional<CellIndex> approach_cell(const DenseMap& map, const Frontier& fron
   return std::nullopt;
 }
 
-double unknown_behind_m2(const DenseMap& map, const Frontier& frontier) {
+double unknown_behind_m2(const DenseMap& map, const Frontier& frontier, double reach_m) {
   if (frontier.cells.empty()) return 0.0;
   const CellIndex centre = map.cell(middle_of(map, frontier.cells));
-  constexpr double kReachM = 1.2;
-  const int reach = static_cast<int>(std::lround(kReachM / map.resolution_m));
+  const int reach = static_cast<int>(std::lround(reach_m / map.resolution_m));
   const int side = 2 * reach + 1;
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0);
   std::vector<CellIndex> open;

@@ -29,9 +29,9 @@ std::vector<Frontier> find_frontiers(const grid::DenseMap& map, double width_min
 /// ring.
 std::uint32_t middle_of(const grid::DenseMap& map, std::span<const std::uint32_t> cells);
 
-/// Area of the unknown space behind a frontier, m2, within a square of 1.2 m around the middle of its cells;
-/// HUGE_VAL when the space extends beyond. Cost: the cells of that square.
-double unknown_behind_m2(const grid::DenseMap& map, const Frontier& frontier);
+/// Area of the unknown space behind a frontier, m2, within `reach_m` of the middle of its cells along each
+/// axis; HUGE_VAL when the space extends beyond. Cost: the cells of that square.
+double unknown_behind_m2(const grid::DenseMap& map, const Frontier& frontier, double reach_m);
 
 /// The cell from which to visit a frontier: of the cells that the field reaches, the one with the fewest
 /// steps over free cells to the frontier's cells, and of several the one nearest to the frontier's centroid;

@@ -7,11 +7,9 @@
 
 namespace topo::goals {
 
-double chance_to_lead_on(double opening_m, double from_paths_m) {
-  constexpr double kFarM = 12.0;    // a greater distance makes no difference
-  constexpr double kNearM = 0.5;    // offset: the odds are positive on a path, too
-  constexpr double kEvenAt = 63.0;  // odds of 1: 2 m wide at 9.5 m
-  const double odds = opening_m * std::pow(std::min(from_paths_m, kFarM) + kNearM, 1.5) / kEvenAt;
+double chance_to_lead_on(double opening_m, double from_paths_m, const ChanceParams& params) {
+  const double away_m = std::min(from_paths_m, params.far_m) + params.near_m;
+  const double odds = opening_m * std::pow(away_m, params.power) / params.even_at;
   return odds / (1.0 + odds);
 }
 

@@ -56,12 +56,12 @@ class Stands {
 
 std::vector<StandingPlace> standing_places(const GoalInput& input, std::span<const Prospect> prospects,
                                            const GoalParams& params) {
-  constexpr double kStepM = 0.3;  // along the axis
   const Stands stands(input.map, prospects, params.in_sight_m);
   std::vector<StandingPlace> places;
   for (std::uint32_t k = 0; k < prospects.size(); ++k)
     places.push_back(stands.place_at(prospects[k].p_map, k));
-  const auto step = static_cast<std::size_t>(std::max(1L, std::lround(kStepM / input.map.resolution_m)));
+  const auto step =
+      static_cast<std::size_t>(std::max(1L, std::lround(params.axis_step_m / input.map.resolution_m)));
   const std::vector<std::uint32_t>& axis = input.skeleton.axis;
   for (std::size_t k = 0; k < axis.size(); k += step) {
     if (static_cast<double>(input.clearance_m[axis[k]]) < params.robot_radius_m) continue;

@@ -104,7 +104,7 @@ bool sees(const grid::DenseMap& map, CellIndex a, CellIndex b) {
 
 std::optional<CellIndex> nearest_room(const GoalInput& input, std::span<const std::uint32_t> opening,
                                       const GoalParams& params) {
-  constexpr double kMostlyM = 1.0;  // mostly sufficient: avoids the wide window
+  constexpr double kMostlyM = 1.0;  // mostly sufficient: saves the time of clearing the wide window
   if (const auto room = nearest_room_within(input, opening, kMostlyM, params)) return room;
   return nearest_room_within(input, opening, params.room_reach_m, params);
 }

@@ -23,11 +23,13 @@ bool has_changed(const HeldRoute& route, const Vector2& goal, const MapSnapshot&
 
 /// True when a team-mate needs to pass, and the robot does not stand aside yet.
 bool has_to_give_way(const exploration::Intent& intent, const exploration::TeamView& team,
-                     const Whereabouts& place, std::span<const Vector2> route, types::Stamp now) {
+                     const Whereabouts& place, std::span<const Vector2> route, types::Stamp now,
+                     const exploration::TeamViewParams& params) {
   if (std::holds_alternative<exploration::MakingWay>(intent.phase) || now < intent.offer.ignore_passing_until)
     return false;
-  const auto way = intent.pursuit.has_target ? exploration::beginning_of(route) : std::vector<Vector2>{};
-  return exploration::who_has_to_pass(team, place.pose(), way, now) != nullptr;
+  const auto way =
+      intent.pursuit.has_target ? exploration::beginning_of(route, params) : std::vector<Vector2>{};
+  return exploration::who_has_to_pass(team, place.pose(), way, now, params) != nullptr;
 }
 
 bool is_in_the_way(std::span<const Vector2> ahead, const Vector2& obstacle, double closed_m) {
@@ -50,7 +52,7 @@ bool holds(const HeldRoute& route, const exploration::Intent& intent, const expl
        !exploration::are_same_claims(exploration::claims_of_mates(team.roster, in.now), route.claims)))
     return false;
   if (battery_low && !exploration::is_homing(intent.phase)) return false;
-  if (has_to_give_way(intent, team, place, route.points, in.now)) return false;
+  if (has_to_give_way(intent, team, place, route.points, in.now, params.explore.team_view)) return false;
   if (exploration::is_seeking_contact(intent.phase) && !intent.contact.lost_at(in.now)) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;
   if (route.newest.is_bent(*in.map, hold.correction_m, hold.correction_rad)) return false;

@@ -35,7 +35,7 @@ struct MappingState::Impl {
         pairing(given.odometry_wait_s, of_step),
         mapper(given, origin, start),
         drawing(given, of_step.drawing),
-        columns(given.coronal) {}
+        columns(given.coronal, given.columns) {}
 
   void run(MappingOutput& output, bool flush);
   void place(const PairedScan& paired, MappingOutput& output);

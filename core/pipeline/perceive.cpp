@@ -43,16 +43,17 @@ Battery watched(Battery battery, const ControlReport& control, const types::Batt
 }
 
 Intent felt(Intent intent, const PlanningInput& in, const Whereabouts& place,
-            std::span<const Vector2> going_at, bool touched) {
+            std::span<const Vector2> going_at, bool touched, const PlannerParams& params) {
+  const double mate_radius_m = params.roster.mate_radius_m;
   const types::Se2 T_map_odom = place.T_map_odom.se2();
   const ControlReport& control = *in.control;
   intent.obstacles.expire(in.now);
   for (std::size_t i = 0; i < std::min<std::size_t>(control.unseen, control.unseen_odom.size()); ++i) {
     const Vector2 p_map = T_map_odom * control.unseen_odom[i];
-    if (!is_going_mate(going_at, p_map)) intent.obstacles.note_echo(p_map, in.now);
+    if (!is_going_mate(going_at, p_map, mate_radius_m)) intent.obstacles.note_echo(p_map, in.now);
   }
   const Vector2 p_map = T_map_odom * control.touched_odom;
-  if (!touched || is_going_mate(going_at, p_map)) return intent;
+  if (!touched || is_going_mate(going_at, p_map, mate_radius_m)) return intent;
   intent.obstacles.note_touch(p_map, in.now);
   intent.log.note(in.now, p_map, "touched something here");
   intent.is_outdated = true;
@@ -65,7 +66,9 @@ std::vector<Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,
   std::vector<Vector2> points =
       travel::confirmed_points(*in.front, place.pose() * params.T_base_laser, params.route_map.live_range_m,
                                params.route_map.live_step_m);
-  if (!going_at.empty()) std::erase_if(points, [&](const Vector2& p) { return is_going_mate(going_at, p); });
+  const double radius_m = params.roster.mate_radius_m;
+  if (!going_at.empty())
+    std::erase_if(points, [&](const Vector2& p) { return is_going_mate(going_at, p, radius_m); });
   return points;
 }
 

@@ -27,7 +27,7 @@ Battery watched(Battery battery, const ControlReport& control, const types::Batt
 
 /// Adds the echoes of this period, and a touch, to the intent's memory of obstacles.
 exploration::Intent felt(exploration::Intent intent, const PlanningInput& in, const Whereabouts& place,
-                         std::span<const types::Vector2> going_at, bool touched);
+                         std::span<const types::Vector2> going_at, bool touched, const PlannerParams& params);
 
 /// Points of the front scanner within a few metres, without team-mates, in map.
 std::vector<types::Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,

@@ -52,7 +52,8 @@ struct Memory {
 
 /// Searches and working memory: results equal those of new objects.
 struct Caches {
-  explicit Caches(const PlannerParams& params) : map(params.travel, params.area, params.route_map) {}
+  explicit Caches(const PlannerParams& params)
+      : map(params.travel, params.area, params.route_map), ways(params.explore.tour.ways) {}
 
   travel::RouteMap map;
   exploration::GoalWays ways;

@@ -44,8 +44,9 @@ Plan make_plan(std::uint64_t sequence, const PlanningInput& in, const Intent& in
   const bool stands = has_ended(intent.phase) || is_paused(intent.phase);
   if (stands || !intent.pursuit.has_target || route.size() < 2) return plan;
   plan.moving = true;
-  if (slows_for_mate(team, place.pose(), in.now)) plan.v_max_mps = params.v_beside_mate_mps;
-  plan.mate_behind = is_mate_behind(team, place.pose(), in.now);
+  if (slows_for_mate(team, place.pose(), in.now, params.explore.team_view))
+    plan.v_max_mps = params.v_beside_mate_mps;
+  plan.mate_behind = is_mate_behind(team, place.pose(), in.now, params.explore.team_view);
   put_path(route, place.T_map_odom, plan);
   return plan;
 }
@@ -77,7 +78,7 @@ std::unique_ptr<PlanningReport> make_report(const PlanningInput& in, const Inten
 }
 
 team::StatusMessage make_message(const PlanningInput& in, const Intent& intent, const Whereabouts& place,
-                                 std::span<const types::Vector2> route) {
+                                 std::span<const types::Vector2> route, const PlannerParams& params) {
   const Phase& phase = intent.phase;
   team::StatusMessage message;
   message.robot = in.team.robot;
@@ -85,7 +86,7 @@ team::StatusMessage make_message(const PlanningInput& in, const Intent& intent, 
   message.start = place.T_map_start.se2().translation();
   if (is_homing(phase) && intent.offer.home) message.home = intent.offer.home->p_map;
   message.duty = duty_of(in, phase, place);
-  if (intent.pursuit.has_target) message.way_map = exploration::beginning_of(route);
+  if (intent.pursuit.has_target) message.way_map = exploration::beginning_of(route, params.explore.team_view);
   message.visited = intent.deferred.visited(in.now);
   message.looked = intent.sweep.sweep.looked();
   // An unable robot keeps its claim: team-mates decide by the duration of that state (roster.hpp).

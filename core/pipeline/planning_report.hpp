@@ -24,6 +24,7 @@ std::unique_ptr<PlanningReport> make_report(const PlanningInput& in, const explo
                                             const Whereabouts& place, std::span<const types::Vector2> route);
 
 team::StatusMessage make_message(const PlanningInput& in, const exploration::Intent& intent,
-                                 const Whereabouts& place, std::span<const types::Vector2> route);
+                                 const Whereabouts& place, std::span<const types::Vector2> route,
+                                 const PlannerParams& params);
 
 }  // namespace topo::pipeline

@@ -23,6 +23,7 @@ exploration::Intent standing(exploration::Intent intent, types::Stamp now) {
 Memory first_memory(const PlannerParams& params) {
   Memory memory;
   memory.team.roster = team::Roster(params.roster);
+  memory.intent.deferred = exploration::DeferredGoals(params.explore.deferral);
   memory.intent.sweep.sweep = exploration::FinalSweep(params.explore.final_sweep);
   memory.intent.contact = team::LastContact(params.contact_lost_s);
   memory.intent.obstacles = travel::ObstacleMemory(params.obstacles);
@@ -69,7 +70,7 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& in) {
     plan.intent = standing(std::move(plan.intent), in.now);
   } else {
     battery = watched(battery, *in.control, params.battery, in.now);
-    plan.intent = felt(std::move(plan.intent), in, place, mates.going_at, touched);
+    plan.intent = felt(std::move(plan.intent), in, place, mates.going_at, touched, params);
     plan = planned(std::move(plan), in, place, team, battery.low, caches, params);
   }
 
@@ -81,7 +82,7 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& in) {
   report->known_m2 = caches.map.known_m2();
   report->analysis = plan.analysed.analysis;
   out.report = std::move(report);
-  out.message = make_message(in, plan.intent, place, plan.route.points);
+  out.message = make_message(in, plan.intent, place, plan.route.points, params);
   out.message.sequence = sequence;
   state.impl_->memory = {sequence,
                          in.mission.number,

@@ -40,9 +40,9 @@ Analysed analysed(Analysed before, const Intent& intent, bool has_mates, const P
   const bool coarse = params.coarse_analysis;
   travel::CoarseMap wide =
       coarse ? travel::coarser(map.map(), map.clearance_m()) : travel::CoarseMap{map.map(), {}};
-  analysis::AnalysisInput input{map.revision(), std::move(wide.map),
-                                coarse ? wide.clearance_m : map.clearance_m(),
-                                walls::wall_points(in.map->walls), driven_paths(*in.map)};
+  analysis::AnalysisInput input{
+      map.revision(), std::move(wide.map), coarse ? wide.clearance_m : map.clearance_m(),
+      walls::wall_points(in.map->walls, params.analysis.walls.heights), driven_paths(*in.map)};
   analysis::Analysis made = analysis::analyse(std::move(input), params.analysis);
   made.coarse_m = std::move(wide.clearance_m);
   now.analysis = std::make_shared<const analysis::Analysis>(std::move(made));

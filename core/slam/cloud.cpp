@@ -10,9 +10,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr std::size_t kNeighbours = 3;  ///< on either side, regardless of the distance between the beams
-constexpr float kFlat = 0.2F;           ///< maximum ratio of the scatter across to the scatter along a line
-
 /// True when hits i and i + 1 are neighbours on one surface.
 bool connected(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   const float gap = (cloud.points[i + 1] - cloud.points[i]).norm();
@@ -21,8 +18,8 @@ bool connected(const Cloud& cloud, std::size_t i, const CloudParams& params) {
                         static_cast<float>(params.break_floor_m));
 }
 
-/// First and last index of the run of connected hits around i within the radius; up to kNeighbours connected
-/// hits on each side belong to it regardless of their distance.
+/// First and last index of the run of connected hits around i within the radius; up to neighbours_min
+/// connected hits on each side belong to it regardless of their distance.
 struct Run {
   std::size_t first, last;
 };
@@ -31,12 +28,12 @@ Run neighbours(const Cloud& cloud, std::size_t i, const CloudParams& params) {
   Run run{i, i};
   while (run.first > 0 && connected(cloud, run.first - 1, params)) {
     const float d = (cloud.points[run.first - 1] - cloud.points[i]).norm();
-    if (d > radius && i - run.first >= kNeighbours) break;
+    if (d > radius && i - run.first >= params.neighbours_min) break;
     --run.first;
   }
   while (run.last + 1 < cloud.points.size() && connected(cloud, run.last, params)) {
     const float d = (cloud.points[run.last + 1] - cloud.points[i]).norm();
-    if (d > radius && run.last - i >= kNeighbours) break;
+    if (d > radius && run.last - i >= params.neighbours_min) break;
     ++run.last;
   }
   return run;
@@ -45,16 +42,15 @@ Run neighbours(const Cloud& cloud, std::size_t i, const CloudParams& params) {
 /// The angle by which noise along the beam turns the fitted line. The noise adds variance * u u^T to the
 /// scatter (u: direction of the beam). Where the beam is oblique to the line, this is not across the line and
 /// turns the larger eigenvector towards u. The variance is estimated from the scatter across the line.
-float noise_tilt(const Point& along, const Point& beam, float small, float large) {
-  constexpr float kGrazing = 0.15F;  // sine of the angle to the surface; below it the noise is not observable
+float noise_tilt(const Point& along, const Point& beam, float small, float large, const CloudParams& params) {
   const Point u = beam.normalized();
   const float u_along = along.dot(u), u_across = -along.y() * u.x() + along.x() * u.y();
-  if (std::abs(u_across) < kGrazing || large <= 0.0F) return 0.0F;
+  if (std::abs(u_across) < static_cast<float>(params.grazing_sin) || large <= 0.0F) return 0.0F;
   return std::atan(small * u_along / (u_across * large));
 }
 
 /// Line fit by the smaller eigenvector of the points' scatter.
-Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
+Surfel fit(const Cloud& cloud, const Run& run, std::size_t i, const CloudParams& params) {
   const auto count = static_cast<float>(run.last - run.first + 1);
   Point mean = Point::Zero();
   for (std::size_t k = run.first; k <= run.last; ++k) mean += cloud.points[k];
@@ -72,11 +68,11 @@ Surfel fit(const Cloud& cloud, const Run& run, std::size_t i) {
   const Point& p = cloud.points[i];
   const float direction = 0.5F * std::atan2(2.0F * xy, xx - yy);  // of the larger eigenvector
   const float tilt =
-      noise_tilt(Point(std::cos(direction), std::sin(direction)), p - cloud.sensor, small, large);
+      noise_tilt(Point(std::cos(direction), std::sin(direction)), p - cloud.sensor, small, large, params);
   Surfel surfel;
   surfel.normal = Point(-std::sin(direction - tilt), std::cos(direction - tilt));
   if (surfel.normal.dot(cloud.sensor - p) < 0.0F) surfel.normal = -surfel.normal;
-  surfel.planar = count >= 3.0F && small < kFlat * large;
+  surfel.planar = count >= 3.0F && small < static_cast<float>(params.flat_ratio) * large;
   // The measured point, projected onto the fitted line: averages the noise across the surface and keeps the
   // position along it.
   surfel.position = surfel.planar ? Point(p - surfel.normal.dot(p - mean) * surfel.normal) : p;
@@ -103,13 +99,14 @@ class Thinning {
 /// True for the hit of a beam that met an edge and measured a range between the edge and the background: a
 /// single reading between two surfaces (veiling points; Tuley, Vandapel and Hebert 2005). A wall at a grazing
 /// angle also has jumps from beam to beam, but of nearly equal size.
-bool is_mixed(std::span<const float> range_m, std::size_t i, float jump_m) {
+bool is_mixed(std::span<const float> range_m, std::size_t i, const CloudParams& params) {
   if (i < 2 || i + 2 >= range_m.size()) return false;
+  const auto jump_m = static_cast<float>(params.mixed_jump_m), ratio = static_cast<float>(params.mixed_ratio);
   const float before = range_m[i] - range_m[i - 1], after = range_m[i + 1] - range_m[i];
   // False also when a neighbouring beam has no range.
   if (!(before * after > 0.0F) || !(std::abs(before) > jump_m) || !(std::abs(after) > jump_m)) return false;
-  return std::abs(range_m[i - 1] - range_m[i - 2]) < 0.5F * std::abs(before) &&
-         std::abs(range_m[i + 2] - range_m[i + 1]) < 0.5F * std::abs(after);
+  return std::abs(range_m[i - 1] - range_m[i - 2]) < ratio * std::abs(before) &&
+         std::abs(range_m[i + 2] - range_m[i + 1]) < ratio * std::abs(after);
 }
 
 }  // namespace
@@ -142,7 +139,7 @@ void make_cloud(const types::Scan& scan, const types::Se2& T_base_laser, const S
   for (std::size_t i = 0; i < scan.beams; ++i) {
     const float r = scan.range_m[i];
     if (types::is_hit(r) && r >= scan.geometry.range_min_m && r < range_max &&
-        !is_mixed(ranges_m, i, static_cast<float>(params.mixed_jump_m))) {
+        !is_mixed(ranges_m, i, params)) {
       const double range = static_cast<double>(r);
       cloud.points.emplace_back(static_cast<float>(x + range * c), static_cast<float>(y + range * s));
       cloud.spacing_m.push_back(r * std::abs(scan.geometry.angle_increment_rad));
@@ -176,7 +173,7 @@ std::vector<Surfel> make_surfels(const Cloud& cloud, const CloudParams& params) 
     // A hit without neighbours is noise or on a wall at a grazing angle: its position on the surface is
     // unknown.
     if (run.last - run.first < 2) continue;
-    surfels.push_back(fit(cloud, run, i));
+    surfels.push_back(fit(cloud, run, i, params));
   }
   return surfels;
 }

@@ -16,7 +16,7 @@ namespace topo::slam {
 class FreeGround {
  public:
   /// A square window, given by its lower left corner and width.
-  FreeGround(const Point& origin, double width_m);
+  FreeGround(const Point& origin, double width_m, const FreeGroundParams& params);
 
   /// Marks a ray up to a short distance before its end.
   void add_ray(const Point& from, const Point& to);
@@ -28,6 +28,7 @@ class FreeGround {
  private:
   /// Index of a point's cell; the number of cells when the point is outside.
   [[nodiscard]] std::size_t at(const Point& p) const;
+  FreeGroundParams params_;
   Point origin_;
   std::size_t side_;
   std::vector<std::uint8_t> passed_;  ///< number of rays, up to 255
@@ -35,6 +36,6 @@ class FreeGround {
 
 /// The ground crossed by the rays of keyframes at their poses, within the window of a map.
 FreeGround seen_through(std::span<const KeyframePtr> keyframes, std::span<const types::Se2> poses,
-                        const SurfelMap& map);
+                        const SurfelMap& map, const FreeGroundParams& params);
 
 }  // namespace topo::slam

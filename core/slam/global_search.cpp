@@ -11,8 +11,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kReach_m = 10.0;  ///< an angle step moves a point at this range by one cell
-
 /// Maximum number of stored blocks: many more than the blocks that one peak excludes, so that the better half
 /// of them contains all peaks that are requested.
 constexpr std::size_t kPromisingMax = 1U << 16U;
@@ -44,7 +42,7 @@ class MapSearcher {
     count_ = used.size();
     floor_ = least_ = units(wanted.score_min);
     const double cell = levels_.pyramid().cell_m();
-    rotations_ = static_cast<int>(std::ceil(2.0 * std::numbers::pi * kReach_m / cell));
+    rotations_ = static_cast<int>(std::ceil(2.0 * std::numbers::pi * params.angle_reach_m / cell));
     cells_.reserve(count_ * static_cast<std::size_t>(rotations_));
     for (int r = 0; r < rotations_; ++r) rotate(used, angle_of(r));
   }

@@ -64,7 +64,8 @@ struct PeakSearch {
 };
 
 /// The best poses of the points over the standing room and all directions, best first, by branch and bound
-/// over blocks of squares: exact on the likelihood's cells and on angle steps of one cell at 10 m. Each is
+/// over blocks of squares: exact on the likelihood's cells and on angle steps of one cell at
+/// SearchParams::angle_reach_m. Each is
 /// the best pose that is apart from all poses before it.
 std::vector<SearchHit> search_everywhere(const PlaceLevels& levels, const StandingRoom& room,
                                          std::span<const Point> points, const PeakSearch& wanted,

@@ -9,14 +9,9 @@
 #include <queue>
 
 namespace topo::slam {
-namespace {
-
-constexpr double kTurnOnTheSpot_m = 0.05;  ///< added to the length of every link, for turns on the spot
-
-}  // namespace
 
 void GraphLinks::add(const Edge& edge) {
-  const double length = std::hypot(edge.T_from_to.x_m, edge.T_from_to.y_m) + kTurnOnTheSpot_m;
+  const double length = std::hypot(edge.T_from_to.x_m, edge.T_from_to.y_m) + turn_on_spot_m_;
   at_.resize(std::max({at_.size(), edge.from + 1, edge.to + 1}));
   at_[edge.from].emplace_back(edge.to, length);
   at_[edge.to].emplace_back(edge.from, length);

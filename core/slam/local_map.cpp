@@ -8,12 +8,6 @@
 #include <utility>
 
 namespace topo::slam {
-namespace {
-
-constexpr double kHalfWidth_m = 32.0;  ///< beyond the scanner's reach
-constexpr double kRecentre_m = 6.0;    ///< of the robot from the map's centre
-
-}  // namespace
 
 bool is_apart(const types::Se2& a, const types::Se2& b, double apart_m, double apart_rad) {
   return distance_m(a, b) > apart_m || std::abs(types::wrap_angle(b.theta_rad - a.theta_rad)) > apart_rad;
@@ -24,8 +18,8 @@ void LocalMap::extend(const MapGraph& graph, const types::Se2& here) {
   const auto own = graph.own();
   const std::size_t held = own.size() - window_first_;
   // Dropping one keyframe means building the map again; therefore several are dropped at once.
-  if (own.size() == 1 || (p - centre_).norm() > static_cast<float>(kRecentre_m) ||
-      held > static_cast<std::size_t>(2 * params_.window_travel_m / params_.travel_m)) {
+  if (own.size() == 1 || (p - centre_).norm() > static_cast<float>(params_.recentre_m) ||
+      held > static_cast<std::size_t>(params_.window_overfull * params_.window_travel_m / params_.travel_m)) {
     rebuild(graph, here);
   } else {
     surfels_.add(graph.keyframes()[own.back()]->surfels, graph.poses()[own.back()]);
@@ -37,7 +31,7 @@ void LocalMap::rebuild(const MapGraph& graph, const types::Se2& here) {
   const auto poses = graph.poses();
   const auto keyframes = graph.keyframes();
   centre_ = here.translation().cast<float>();
-  surfels_.reset(centre_, kHalfWidth_m);
+  surfels_.reset(centre_, params_.half_width_m);
   double travelled_m = 0.0;
   window_first_ = own.size() - 1;
   while (window_first_ > 0 && (travelled_m < params_.window_travel_m ||
@@ -66,7 +60,7 @@ FreeGround LocalMap::ground(const MapGraph& graph) const {
     keyframes.push_back(graph.keyframes()[node]);
     poses.push_back(graph.poses()[node]);
   }
-  return seen_through(keyframes, poses, surfels_);
+  return seen_through(keyframes, poses, surfels_, free_ground_);
 }
 
 bool LocalMap::has_enough_alike(const MapGraph& graph, const types::Se2& here) const {

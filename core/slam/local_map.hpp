@@ -17,7 +17,9 @@ namespace topo::slam {
 /// place. Team-mates' keyframes stay out: the frame of what the robot saw itself is certain.
 class LocalMap {
  public:
-  LocalMap(const KeyframeParams& params, double reach_m) : params_(params), surfels_(reach_m) {}
+  /// `reach_m`: RefineParams.
+  LocalMap(const KeyframeParams& params, const FreeGroundParams& free_ground, double reach_m)
+      : params_(params), free_ground_(free_ground), surfels_(reach_m) {}
 
   /// Adds the newest keyframe of the own path; `here`: the robot.
   void extend(const MapGraph& graph, const types::Se2& here);
@@ -34,6 +36,7 @@ class LocalMap {
 
  private:
   KeyframeParams params_;
+  FreeGroundParams free_ground_;
   SurfelMap surfels_;
   std::size_t window_first_ = 0;  ///< place on the own path
   Point centre_ = Point::Zero();

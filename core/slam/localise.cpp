@@ -13,8 +13,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kMargin_m = 2.0;  ///< around the range of a scan
-
 LocaliseRefusal gate(const Match& match, const LocaliseParams& params) {
   const bool fits = match.overlap >= params.overlap_min && match.response >= params.response_min;
   return fits ? LocaliseRefusal::kNone : LocaliseRefusal::kNothingFits;
@@ -30,11 +28,11 @@ Localisation localise_near(const Session& session, const Cloud& cloud, const typ
   select_points(cloud, mapper.cloud, points);
   float reach = 1.0F;
   for (const Point& p : points) reach = std::max(reach, p.norm());
-  const SurfelMap map =
-      thinned_map(session, guess.translation(), static_cast<double>(reach) + params.window.half_m + kMargin_m,
-                  mapper.refine.reach_m);
+  const SurfelMap map = thinned_map(session, guess.translation(),
+                                    static_cast<double>(reach) + params.window.half_m + params.margin_m,
+                                    mapper.refine.reach_m, params.whole.thin_m);
   const LikelihoodPyramid pyramid(map, mapper.search);
-  const auto hit = search(pyramid, points, guess, params.window, 0.2, mapper.search);
+  const auto hit = search(pyramid, points, guess, params.window, params.score_min, mapper.search);
   Prior prior{guess, Eigen::Matrix3d::Zero()};
   const double trans = 1.0 / (params.guess_sigma_m * params.guess_sigma_m);
   prior.information.diagonal() << trans, trans, 1.0 / (params.guess_sigma_rad * params.guess_sigma_rad);
@@ -48,7 +46,7 @@ Localisation localise_anywhere(const Session& session, const Cloud& cloud, const
   Localisation out;
   if (session.keyframes.empty()) return out;
   out.refusal = LocaliseRefusal::kTooLarge;
-  const auto map = WholeMap::of(session, params.whole, mapper.refine);
+  const auto map = WholeMap::of(session, params.whole, mapper.refine, mapper.free_ground);
   if (!map) return out;
   std::vector<Point> points;
   select_points(cloud, mapper.cloud, points);

@@ -17,6 +17,8 @@ struct LocaliseParams {
   SearchWindow window{1.5, 0.6};  ///< around a given pose
   double guess_sigma_m = 0.5;     ///< of a given pose, where the scan is degenerate: along a bare corridor
   double guess_sigma_rad = 0.2;
+  double score_min = 0.2;      ///< minimum likelihood of a pose near the given one that is refined
+  double margin_m = 2.0;       ///< of the map around the reach of the scan and the window
   double response_min = 0.55;  ///< share of the points that fit; a building may change slightly overnight
   double overlap_min = 0.60;
   double rival_ratio = 0.90;  ///< minimum evidence relative to the best of a rival place: ambiguous

@@ -53,7 +53,7 @@ std::vector<LoopRun> find_loop_runs(std::span<const types::Se2> poses, std::span
     const double d = distance_m(poses[way[i]], poses[node]);
     const SearchWindow window = window_for(distances_m[way[i]], params);
     if (d > params.radius_m + window.half_m) continue;
-    const bool next = !open || i > previous + 3;
+    const bool next = !open || i > previous + params.run_gap;
     open = true;
     previous = i;
     if (next) runs.emplace_back();

@@ -14,33 +14,31 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kWide_m = 1.0;        ///< a window this wide requires a higher response
-constexpr double kWideSearch_m = 0.6;  ///< from here on a plain refinement could reach a wrong local minimum
-
-double reach_of(const Keyframe& keyframe) {
+double reach_of(const Keyframe& keyframe, double reach_max_m) {
   float reach2 = 1.0F;
   for (const Point& p : keyframe.match_points) reach2 = std::max(reach2, p.squaredNorm());
-  return std::min(20.0, static_cast<double>(std::sqrt(reach2)));
+  return std::min(reach_max_m, static_cast<double>(std::sqrt(reach2)));
 }
 
 /// True when enough of the scan fits. A scan that sees much that the other visit did not can only fit in the
 /// remaining part: a lower response is then sufficient if hardly any point contradicts the place.
 bool fits(const Match& match, const LoopQuery& query, const LoopGroup& group, const SurfelMap& map) {
-  const LoopParams& params = query.params.loop;
-  const bool wide = group.window.half_m > kWide_m;
+  const LoopGateParams& params = query.params.loop.gate;
+  const bool wide = group.window.half_m > params.wide_m;
   if (match.response >= (wide ? params.response_min_wide : params.response_min)) return true;
-  if (group.window.half_m < kWideSearch_m) return false;  // no drift to correct: the fit must be exact
+  if (group.window.half_m < query.params.loop.match.search_from_m)
+    return false;  // no drift to correct: the fit must be exact
   if (match.response < params.response_unopposed || match.fit() < params.fit_unopposed) return false;
   const auto& points = query.keyframe->match_points;
   const double share_max = std::max(params.contradiction_max,
                                     (params.contradicting_points + 0.5) / static_cast<double>(points.size()));
-  return seen_through(group.keyframes, group.poses, map).contradiction(map, points, match.T_map_base) <=
-         share_max;
+  const FreeGround ground = seen_through(group.keyframes, group.poses, map, query.params.free_ground);
+  return ground.contradiction(map, points, match.T_map_base) <= share_max;
 }
 
 LoopRejection gate(const Match& match, const LoopCandidate& candidate, const LoopQuery& query,
                    const LoopGroup& group, const SurfelMap& map) {
-  const LoopParams& params = query.params.loop;
+  const LoopGateParams& params = query.params.loop.gate;
   if (match.overlap < params.overlap_min) return LoopRejection::kLowOverlap;
   if (match.degenerate) return LoopRejection::kDegenerate;
   if (candidate.second_peak > params.peak_ratio_max) return LoopRejection::kAmbiguous;
@@ -50,14 +48,16 @@ LoopRejection gate(const Match& match, const LoopCandidate& candidate, const Loo
 /// Start pose for the refinement: the best peak of the search in a wide window, the estimate in a narrow one.
 std::optional<types::Se2> start_pose(const LoopQuery& query, const LoopGroup& group, const SurfelMap& map,
                                      LoopCandidate& candidate) {
-  if (group.window.half_m < kWideSearch_m) return query.pose;
+  const LoopParams& params = query.params.loop;
+  if (group.window.half_m < params.match.search_from_m) return query.pose;
   const LikelihoodPyramid pyramid(map, query.params.search);
   const auto& points = query.keyframe->match_points;
-  const auto best = search(pyramid, points, query.pose, group.window, 0.35, query.params.search);
+  const auto best =
+      search(pyramid, points, query.pose, group.window, params.match.score_min, query.params.search);
   if (!best) return std::nullopt;
   const auto second =
-      search(pyramid, points, query.pose, group.window, query.params.loop.peak_ratio_max * best->score,
-             query.params.search, Exclusion{best->T_map_base, 0.6, 0.3});
+      search(pyramid, points, query.pose, group.window, params.gate.peak_ratio_max * best->score,
+             query.params.search, Exclusion{best->T_map_base, params.match.apart_m, params.match.apart_rad});
   candidate.second_peak = second ? second->score / best->score : 0.0;
   return best->T_map_base;
 }
@@ -69,7 +69,9 @@ LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
   candidate.edge.to = query.node;
   candidate.edge.robust = true;
   SurfelMap map(params.refine.reach_m);
-  map.reset(query.pose.translation().cast<float>(), reach_of(*query.keyframe) + group.window.half_m + 1.0);
+  const LoopMatchParams& limits = params.loop.match;
+  map.reset(query.pose.translation().cast<float>(),
+            reach_of(*query.keyframe, limits.reach_max_m) + group.window.half_m + limits.margin_m);
   for (std::size_t i = 0; i < group.keyframes.size(); ++i)
     map.add(group.keyframes[i]->surfels, group.poses[i]);
   const auto start = start_pose(query, group, map, candidate);
@@ -85,7 +87,7 @@ LoopCandidate match_group(const LoopQuery& query, const LoopGroup& group) {
                        params.graph.loop_rot_floor_rad);
   // Far outside the window: the refinement has diverged.
   const types::Se2 off = query.pose.inverse() * match.T_map_base;
-  if (std::hypot(off.x_m, off.y_m) > 1.5 * group.window.half_m + 0.3)
+  if (std::hypot(off.x_m, off.y_m) > limits.diverged_ratio * group.window.half_m + limits.diverged_m)
     candidate.rejection = LoopRejection::kNoMatch;
   return candidate;
 }

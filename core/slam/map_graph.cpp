@@ -10,19 +10,15 @@
 #include "core/types/invariant.hpp"
 
 namespace topo::slam {
-namespace {
-
-/// Keyframes on either side of a tied one count as tied.
-constexpr std::size_t kTiedReach = 3;
-constexpr double kTension_chi2 = 1.0;  ///< a greater error is solved for at once
-
-}  // namespace
 
 MapGraph::MapGraph(std::uint16_t robot, const LoopParams& loop, const GraphParams& graph)
     : robot_(robot),
       obeyed_m_(0.5 * loop.search_floor_m),
       obeyed_rad_(0.5 * loop.search_floor_rad),
-      match_sigma_m_(2.0 * graph.loop_trans_floor_m) {}
+      match_sigma_m_(graph.match_sigma_floors * graph.loop_trans_floor_m),
+      tension_chi2_(graph.tension_chi2),
+      tied_reach_(loop.tied_reach),
+      links_(graph.turn_on_spot_m) {}
 
 std::size_t MapGraph::add_node(KeyframePtr keyframe, const types::Se2& pose) {
   const std::size_t node = keyframes_.size();
@@ -79,7 +75,7 @@ std::optional<std::size_t> MapGraph::node_of(const KeyframeId& id) const {
 
 bool MapGraph::is_own(std::size_t node) const { return std::binary_search(own_.begin(), own_.end(), node); }
 
-bool MapGraph::is_tense(const Edge& edge) const { return edge_chi2(edge, poses_) > kTension_chi2; }
+bool MapGraph::is_tense(const Edge& edge) const { return edge_chi2(edge, poses_) > tension_chi2_; }
 
 bool MapGraph::is_far_off(const Edge& edge) const {
   const Eigen::Vector3d error = edge_error(edge, poses_[edge.from], poses_[edge.to]);
@@ -95,8 +91,8 @@ bool MapGraph::is_as_certain_as_a_match(const Edge& edge) const {
 bool MapGraph::is_tied_to_own(std::size_t mates_node) const {
   const std::vector<std::size_t>& path = mates_.at(keyframes_[mates_node]->id.origin());
   const auto place = static_cast<std::size_t>(std::find(path.begin(), path.end(), mates_node) - path.begin());
-  const std::size_t first = place > kTiedReach ? place - kTiedReach : 0;
-  const std::size_t last = std::min(place + kTiedReach, path.size() - 1);
+  const std::size_t first = place > tied_reach_ ? place - tied_reach_ : 0;
+  const std::size_t last = std::min(place + tied_reach_, path.size() - 1);
   for (std::size_t k = first; k <= last; ++k) {
     if (tied_.contains(path[k])) return true;
   }

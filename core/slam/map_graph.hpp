@@ -70,6 +70,8 @@ class MapGraph {
   std::uint16_t robot_;
   double obeyed_m_, obeyed_rad_;  ///< the narrowest search for closures covers twice as much
   double match_sigma_m_;          ///< a scan match is at least as certain
+  double tension_chi2_;
+  std::size_t tied_reach_;
   std::vector<KeyframePtr> keyframes_;
   std::vector<types::Se2> poses_;  ///< of base_link, in map
   std::vector<Edge> edges_;

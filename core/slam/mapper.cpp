@@ -10,19 +10,13 @@
 #include "core/slam/make_keyframe.hpp"
 
 namespace topo::slam {
-namespace {
-
-constexpr double kNeighbour_m = 10.0;     ///< resumed: old keyframes this near help to track at first
-constexpr int kClosuresBeforeSolve = 10;  ///< closures that agree with the graph wait for others
-
-}  // namespace
 
 Mapper::Mapper(const MapperParams& params, const Origin& origin, const types::Se2& start)
     : params_(params),
       origin_(origin),
       start_(start),
       graph_(origin.robot, params.loop, params.graph),
-      local_map_(params.keyframe, params.refine.reach_m),
+      local_map_(params.keyframe, params.free_ground, params.refine.reach_m),
       open_questions_(0.5 * params.loop.search_floor_m, 0.5 * params.loop.search_floor_rad,
                       static_cast<std::size_t>(params.loop.group_half)) {}
 
@@ -48,7 +42,7 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double d = distance_m(poses[i], here);
     if (d < distance_m(poses[edge.from], here)) edge.from = i;
-    if (d < kNeighbour_m) neighbours.push_back(i);
+    if (d < params_.keyframe.resumed_m) neighbours.push_back(i);
   }
   edge.T_from_to = poses[edge.from].inverse() * here;
   edge.information = edge_information(arrival.information, here.theta_rad, params_.graph.loop_trans_floor_m,
@@ -231,7 +225,7 @@ bool Mapper::has_something_new() const {
   int closures = 0;
   for (const Edge& edge : graph_.edges().subspan(solving_.asked)) {
     closures += edge.robust ? 1 : 0;
-    if (closures >= kClosuresBeforeSolve || graph_.is_tense(edge)) return true;
+    if (closures >= params_.graph.closures_before_solve || graph_.is_tense(edge)) return true;
   }
   return false;
 }

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+
 #include "core/types/transform.hpp"
+#include "core/walls/column_params.hpp"
 #include "core/walls/coronal_mount.hpp"
 
+// Parameters of mapping: one set for all robots and buildings. A value that names no source was chosen
+// while the logs of doc/results.md, section "Mapping", were at hand.
 namespace topo::slam {
 
 /// Uncertainty of odometry between two scans, as standard deviations (Thrun et al., Probabilistic Robotics,
@@ -17,6 +22,8 @@ struct MotionNoise {
   double rot_floor_rad = 0.02;
   double speed_max_mps = 3.0;  ///< a greater speed means that odometry was reset,
   double jump_min_m = 1.0;     ///< if the jump also exceeds this: stamps are not exact
+  /// The motion between the two scans before, continued, has this multiple of the standard deviations above.
+  double continued_sigmas = 3.0;
 };
 
 /// Scan to cloud: selection of points.
@@ -27,7 +34,11 @@ struct CloudParams {
   double normal_radius_m = 0.25;  ///< neighbourhood of a surfel's line fit
   double break_factor = 3.0;  ///< neighbours further apart than this many beam spacings are not one surface
   double break_floor_m = 0.20;
-  double mixed_jump_m = 0.10;  ///< a single reading this far from the surfaces before and behind is mixed
+  double mixed_jump_m = 0.10;  ///< a single reading this far from the surfaces before and behind is mixed,
+  double mixed_ratio = 0.5;    ///< if the next jump on either side is smaller than this share of it
+  std::size_t neighbours_min = 3;  ///< of a surfel on either side, whatever the distance between the beams
+  double flat_ratio = 0.2;         ///< greatest ratio of the scatter across to the scatter along a line
+  double grazing_sin = 0.15;       ///< sine of the angle to a surface below which the noise is not observable
 };
 
 /// Iterated closest point-to-line refinement.
@@ -40,14 +51,30 @@ struct RefineParams {
   double converged_m = 2e-4;
   double converged_rad = 1e-4;
   double degenerate_ratio = 0.02;  ///< minimum ratio of least to greatest translational information
+  double point_weight = 0.25;  ///< of a surfel without a line, in each direction, relative to one on a line
 };
 
 /// Correlative search (Olson 2009) as branch and bound over a max pyramid (Hess et al. 2016).
 struct SearchParams {
   double cell_m = 0.05;
   double kernel_sigma_m = 0.10;
-  int points_max = 120;  ///< every n-th point, n rounded down: fewer than twice as many
-  int depth = 5;         ///< the coarsest node is 2^depth cells wide
+  int points_max = 120;               ///< every n-th point, n rounded down: fewer than twice as many
+  int depth = 5;                      ///< the coarsest node is 2^depth cells wide
+  double kernel_sigmas = 2.5;         ///< half width of a surfel's likelihood, in kernel_sigma_m
+  double angle_reach_m = 10.0;        ///< an angle step moves a point at this range, or nearer, by one cell,
+  double angle_step_min_rad = 0.004;  ///< and is at least this: about a beam of a UTM-30LX
+};
+
+/// Search for the place of a scan that odometry does not explain: of a robot that was turned by hand, or
+/// whose wheels slipped.
+struct TurnedParams {
+  double half_width_m = 0.6;         ///< of the search over all headings for a lost robot
+  double score_min = 0.35;           ///< minimum likelihood of a pose that is refined
+  double response_min = 0.60;        ///< minimum response of the result
+  double apart_rad = 0.3;            ///< nearer headings are one peak
+  double peak_ratio = 0.90;          ///< maximum score of the second peak relative to the best
+  double contradiction_min = 0.05;   ///< minimum share of the scan that contradicts odometry,
+  double contradiction_ratio = 2.0;  ///< and least ratio of it to the share that contradicts the result
 };
 
 struct TrackParams {
@@ -58,11 +85,10 @@ struct TrackParams {
   double search_floor_rad = 0.25;
   double search_max_m = 3.0;  ///< limits of the search after a long time without a match: bound its cost
   double search_max_rad = 1.2;
-  double search_ways = 2.0;         ///< possible odometry error relative to the distance since the last scan
-  double turned_m = 0.6;            ///< half width of the search over all headings for a lost robot
-  double turned_response = 0.60;    ///< minimum response of its result,
-  double turned_peak_ratio = 0.90;  ///< maximum score of the second peak relative to the best,
-  double turned_contradiction_min = 0.05;  ///< and minimum share of the scan that contradicts odometry
+  double search_ways = 2.0;        ///< possible odometry error relative to the distance since the last scan
+  double search_score_min = 0.2;   ///< minimum likelihood of a pose near the prior that is refined
+  double search_better_by = 0.05;  ///< by this response a pose found must exceed that of the refinement
+  TurnedParams turned;
 };
 
 struct KeyframeParams {
@@ -78,6 +104,44 @@ struct KeyframeParams {
   /// When the share of invalid beams falls by this much since the last keyframe, a new keyframe is due even
   /// for a standing robot: a team-mate that blocked the view then has gone.
   double unveiled_share = 0.03;
+  double window_overfull = 2.0;  ///< the window is built anew at this multiple of the keyframes on its path
+  double half_width_m = 32.0;    ///< of the map for tracking: beyond the reach of a UTM-30LX, 30 m
+  double recentre_m = 6.0;       ///< the map is built anew when the robot is this far from its centre
+  double resumed_m = 10.0;       ///< after a resumption, old keyframes this near help to track at first
+};
+
+/// Ground that the rays of keyframes crossed (free_ground.hpp).
+struct FreeGroundParams {
+  float cell_m = 0.15F;
+  float short_m = 0.40F;       ///< before its end a ray grazes the surface
+  float near_m = 0.20F;        ///< a surface within this distance explains a point
+  int rays_min = 3;            ///< fewer rays may be noise
+  std::size_t ray_stride = 2;  ///< every n-th ray is used: neighbouring rays cross the same ground
+};
+
+/// Search and refinement of one candidate for a closure.
+struct LoopMatchParams {
+  double search_from_m = 0.6;  ///< window from which on a plain refinement could reach a wrong local minimum
+  double score_min = 0.35;     ///< minimum likelihood of the best pose of the search
+  double apart_m = 0.6;        ///< nearer poses are one peak
+  double apart_rad = 0.3;
+  double reach_max_m = 20.0;    ///< of the scan: bounds the map that it is matched with
+  double margin_m = 1.0;        ///< of that map around reach and window
+  double diverged_ratio = 1.5;  ///< a refinement further away than this multiple of the window,
+  double diverged_m = 0.3;      ///< plus this, has diverged
+};
+
+/// Acceptance of a closure.
+struct LoopGateParams {
+  double response_min = 0.60;        ///< narrow search
+  double response_min_wide = 0.70;   ///< search wider than
+  double wide_m = 1.0;               ///< this
+  double peak_ratio_max = 0.80;      ///< second peak relative to the best; above it the place is ambiguous
+  double overlap_min = 0.45;         ///< share of points with a surfel in reach
+  double response_unopposed = 0.45;  ///< minimum response where drift has accumulated and nothing contradicts
+  double fit_unopposed = 0.80;       ///< in that case: minimum share that fits of the points with a surfel,
+  double contradiction_max = 0.02;   ///< and maximum share of all points on ground that was seen to be free,
+  int contradicting_points = 2;      ///< or this many points: in a small scan a stray one is a large share
 };
 
 struct LoopParams {
@@ -88,17 +152,13 @@ struct LoopParams {
   double search_max_m = 6.0;
   double search_floor_rad = 0.10;
   double search_max_rad = 0.60;
-  double chain_gap_m = 12.0;         ///< path length from which a keyframe belongs to "another visit"
-  int group_half = 8;                ///< keyframes on either side of the nearest one in a group
-  int groups_max = 2;                ///< groups per keyframe, separately for the own path and team-mates
-  double response_min = 0.60;        ///< narrow search
-  double response_min_wide = 0.70;   ///< search wider than 1 m
-  double peak_ratio_max = 0.80;      ///< second peak relative to the best; above it the place is ambiguous
-  double overlap_min = 0.45;         ///< share of points with a surfel in reach
-  double response_unopposed = 0.45;  ///< minimum response where drift has accumulated and nothing contradicts
-  double fit_unopposed = 0.80;       ///< in that case: minimum share that fits of the points with a surfel,
-  double contradiction_max = 0.02;   ///< and maximum share of all points on ground that was seen to be free,
-  int contradicting_points = 2;      ///< or this many points: in a small scan a stray one is a large share
+  double chain_gap_m = 12.0;   ///< path length from which a keyframe belongs to "another visit"
+  int group_half = 8;          ///< keyframes on either side of the nearest one in a group
+  int groups_max = 2;          ///< groups per keyframe, separately for the own path and team-mates
+  std::size_t run_gap = 3;     ///< keyframes between two that are near, at most, in one group
+  std::size_t tied_reach = 3;  ///< on a team-mate's path, keyframes on either side of a tied one are tied
+  LoopMatchParams match;
+  LoopGateParams gate;
 };
 
 struct GraphParams {
@@ -110,6 +170,16 @@ struct GraphParams {
   double odometry_rot_floor_rad = 0.003;
   double loop_trans_floor_m = 0.03;
   double loop_rot_floor_rad = 0.008;
+  double match_sigma_floors = 2.0;  ///< an edge as certain as this multiple of loop_trans_floor_m is a match
+  int closures_before_solve = 10;   ///< closures that agree with the graph wait for so many,
+  double tension_chi2 = 1.0;        ///< while one with a greater squared error is solved for at once
+  double turn_on_spot_m = 0.05;     ///< added to the length of an edge: drift grows in turns on the spot, too
+};
+
+/// When the map of a team-mate that nothing ties to this one is searched in it (team_alignment.hpp).
+struct TeamMapParams {
+  std::size_t keyframes_min = 50;  ///< of the team-mate: fewer have no places that agree
+  double growth = 1.2;             ///< of both maps together, before they are searched again
 };
 
 struct GridParams {
@@ -121,6 +191,7 @@ struct GridParams {
 struct MapperParams {
   types::Se2 T_base_laser;  ///< front laser
   walls::CoronalMount coronal;
+  walls::ColumnParams columns;
   double odometry_wait_s = 0.15;  ///< time that a scan waits for later odometry
   MotionNoise motion;
   CloudParams cloud;
@@ -130,6 +201,8 @@ struct MapperParams {
   KeyframeParams keyframe;
   LoopParams loop;
   GraphParams graph;
+  FreeGroundParams free_ground;
+  TeamMapParams team;
   GridParams grid;
 };
 

@@ -53,7 +53,7 @@ class Solver {
 
  private:
   static constexpr double kDampingMin = 1e-7;  ///< below it a plain Gauss-Newton step is used
-  static constexpr double kDampingMax = 1e8;
+  static constexpr double kDampingMax = 1e8;   ///< above it a step is too short to change the poses
 
   void build() {
     factor_.set_zero();

@@ -63,8 +63,8 @@ Sums linearise(const SurfelMap& map, std::span<const Point> points, const Point&
     if (surfel->planar) {
       accumulate(sums, r, nx, ny, ny * ax - nx * ay, weight);
     } else {
-      accumulate(sums, dx, 1.0, 0.0, -ay, 0.25 * weight);
-      accumulate(sums, dy, 0.0, 1.0, ax, 0.25 * weight);
+      accumulate(sums, dx, 1.0, 0.0, -ay, params.point_weight * weight);
+      accumulate(sums, dy, 0.0, 1.0, ax, params.point_weight * weight);
     }
   }
   sums.information(1, 0) = sums.information(0, 1);

@@ -40,7 +40,9 @@ class WindowSearcher {
       reach = std::max(reach, points[i].norm());
     }
     count_ = std::max<std::size_t>(1, used.size());
-    const double step = std::max(pyramid.cell_m() / std::min(10.0, static_cast<double>(reach)), 0.004);
+    const double step =
+        std::max(pyramid.cell_m() / std::min(params.angle_reach_m, static_cast<double>(reach)),
+                 params.angle_step_min_rad);
     const int steps = static_cast<int>(std::ceil(window.half_rad / step));
     for (int k = -steps; k <= steps; ++k) rotations_.push_back(rotate(used, centre.theta_rad + k * step));
   }
@@ -150,7 +152,7 @@ class Kernel {
   }
 
  private:
-  static constexpr std::size_t kEntries = 2048;
+  static constexpr std::size_t kEntries = 2048;  ///< finer than the steps of the table's values, 1 / 255
   std::array<std::uint8_t, kEntries> table_{};
   float per_entry_;
 };
@@ -161,7 +163,7 @@ LikelihoodPyramid::LikelihoodPyramid(const SurfelMap& map, const SearchParams& p
     : cell_m_(params.cell_m),
       origin_(map.origin()),
       width_(static_cast<int>(std::ceil(map.width_m() / params.cell_m))) {
-  const int reach = static_cast<int>(std::ceil(2.5 * params.kernel_sigma_m / cell_m_));
+  const int reach = static_cast<int>(std::ceil(params.kernel_sigmas * params.kernel_sigma_m / cell_m_));
   levels_.resize(static_cast<std::size_t>(params.depth) + 1);
   draw(map.surfels(), reach, params.kernel_sigma_m);
   for (std::size_t h = 1; h < levels_.size(); ++h) coarsen(h);

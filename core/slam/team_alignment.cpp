@@ -13,8 +13,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kPatchThin_m = 0.08;  ///< cell size; one point of a patch per cell
-
 /// Several successive keyframes of a team-mate merged into one scan, in the axes of the middle one.
 struct Patch {
   std::size_t middle = 0;  ///< index in the team-mate's session
@@ -31,15 +29,14 @@ struct Hypothesis {
   types::Se2 T_own_mates;
 };
 
-std::uint64_t cell_of(const Point& p) {
-  const auto part = [](float v) {
-    return static_cast<std::uint32_t>(
-        static_cast<std::int32_t>(std::floor(static_cast<double>(v) / kPatchThin_m)));
+std::uint64_t cell_of(const Point& p, double cell_m) {
+  const auto part = [cell_m](float v) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(static_cast<double>(v) / cell_m)));
   };
   return static_cast<std::uint64_t>(part(p.x())) << 32U | part(p.y());
 }
 
-Patch make_patch(const Session& mates, std::size_t first, std::size_t last) {
+Patch make_patch(const Session& mates, std::size_t first, std::size_t last, double cell_m) {
   Patch patch;
   patch.middle = first + (last - first) / 2;
   patch.pose = mates.poses[patch.middle];
@@ -49,7 +46,7 @@ Patch make_patch(const Session& mates, std::size_t first, std::size_t last) {
     const types::Se2 T_middle_i = patch.pose.inverse() * mates.poses[i];
     for (const Point& point : mates.keyframes[i]->match_points) {
       const Point p = (T_middle_i * types::Vector2(point.cast<double>())).cast<float>();
-      if (seen.insert(cell_of(p)).second) patch.points.push_back(p);
+      if (seen.insert(cell_of(p, cell_m)).second) patch.points.push_back(p);
     }
   }
   return patch;
@@ -58,17 +55,17 @@ Patch make_patch(const Session& mates, std::size_t first, std::size_t last) {
 /// Patches distributed evenly over the session; none spans two origins.
 std::vector<Patch> make_patches(const Session& mates, const AlignmentParams& params) {
   std::vector<std::pair<std::size_t, std::size_t>> runs;
-  const std::size_t length = 2 * params.patch_half + 1;
+  const std::size_t length = 2 * params.patch.half + 1;
   for (std::size_t first = 0; first + length <= mates.keyframes.size(); first += length) {
     const std::size_t last = first + length - 1;
     if (mates.keyframes[first]->id.origin() == mates.keyframes[last]->id.origin())
       runs.emplace_back(first, last);
   }
   std::vector<Patch> patches;
-  const std::size_t count = std::min(runs.size(), params.patches_max);
+  const std::size_t count = std::min(runs.size(), params.patch.count_max);
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [first, last] = runs[k * runs.size() / count];
-    patches.push_back(make_patch(mates, first, last));
+    patches.push_back(make_patch(mates, first, last, params.patch.cell_m));
   }
   return patches;
 }
@@ -79,12 +76,12 @@ void find(Patch& patch, const WholeMap& map, const AlignmentParams& params) {
   const double best = peaks.empty() ? 0.0 : peaks.front().evidence;
   const auto rivals = std::count_if(peaks.begin(), peaks.end(), [&](const Peak& peak) {
     return apart(peak.match.T_map_base, peaks.front().match.T_map_base, params.whole) &&
-           peak.evidence >= params.rival_ratio * best;
+           peak.evidence >= params.patch.rival_ratio * best;
   });
   std::erase_if(peaks, [&](const Peak& peak) {
-    return peak.evidence < params.rival_ratio * best || peak.match.degenerate ||
-           peak.match.overlap < params.overlap_min || peak.match.response < params.response_min ||
-           map.contradiction(patch.points, peak.match.T_map_base) > params.contradiction_max;
+    return peak.evidence < params.patch.rival_ratio * best || peak.match.degenerate ||
+           peak.match.overlap < params.patch.overlap_min || peak.match.response < params.patch.response_min ||
+           map.contradiction(patch.points, peak.match.T_map_base) > params.patch.contradiction_max;
   });
   patch.clear = rivals == 0 && !peaks.empty() && peaks.front().evidence >= best;
   patch.peaks = std::move(peaks);
@@ -170,7 +167,8 @@ int count_against(const std::vector<Patch>& patches, const std::vector<Hypothesi
     if (agrees) continue;
     const Patch& patch = patches[i];
     const Peak there = map.at(patch.points, patch.sensor, agreeing.front().T_own_mates * patch.pose);
-    against += map.contradiction(patch.points, there.match.T_map_base) > params.contradiction_max ? 1 : 0;
+    against +=
+        map.contradiction(patch.points, there.match.T_map_base) > params.patch.contradiction_max ? 1 : 0;
   }
   return against;
 }
@@ -195,15 +193,15 @@ std::pair<RelationKey, Relation> closure_of(const Hypothesis& found, const Patch
   return {{from, query.mates.keyframes[patch.middle]->id}, relation};
 }
 
-/// At least half of the team-mate's patches must support the alignment: in a building with similar rooms a
-/// handful of patches agree on a wrong one, and a wrong join is never undone.
+/// A share of the team-mate's patches must support the alignment: in a building with similar rooms a handful
+/// of patches agree on a wrong one, and a wrong join is never undone.
 AlignmentRefusal judge(const Alignment& alignment, std::size_t patches, const AlignmentParams& params) {
   if (alignment.agreeing < params.agreeing_min || alignment.clear < params.clear_min ||
-      2 * static_cast<std::size_t>(alignment.agreeing) < patches)
+      alignment.agreeing < params.agreeing_share * static_cast<double>(patches))
     return AlignmentRefusal::kTooFew;
-  if (2 * alignment.rival > alignment.agreeing) return AlignmentRefusal::kAmbiguous;
+  if (alignment.rival > params.rival_share * alignment.agreeing) return AlignmentRefusal::kAmbiguous;
   if (alignment.spread_m < params.spread_min_m) return AlignmentRefusal::kTooNear;
-  if (2 * alignment.against > alignment.agreeing) return AlignmentRefusal::kContradicted;
+  if (alignment.against > params.against_share * alignment.agreeing) return AlignmentRefusal::kContradicted;
   return AlignmentRefusal::kNone;
 }
 
@@ -212,7 +210,7 @@ AlignmentRefusal judge(const Alignment& alignment, std::size_t patches, const Al
 Alignment align_maps(const AlignmentQuery& query, const AlignmentParams& params) {
   Alignment out;
   if (query.mates.keyframes.empty()) return out;
-  const auto map = WholeMap::of(query.own, params.whole, query.params.refine);
+  const auto map = WholeMap::of(query.own, params.whole, query.params.refine, query.params.free_ground);
   if (!map) return out;
   std::vector<Patch> patches = make_patches(query.mates, params);
   for (Patch& patch : patches) find(patch, *map, params);

@@ -7,12 +7,6 @@
 #include <vector>
 
 namespace topo::slam {
-namespace {
-
-constexpr std::size_t kAlignFrom = 50;  ///< keyframes of a team-mate: fewer have no places that agree
-constexpr double kAlignGrowth = 1.2;    ///< of both maps together before the next query about them
-
-}  // namespace
 
 /// One call of join(): relations that may enter the graph now, odometry before closures, because the first
 /// relation that reaches a keyframe gives its pose.
@@ -93,7 +87,8 @@ std::optional<AlignmentQuery> TeamIntake::take_alignment_query(const MapGraph& g
   for (const auto& [origin, ids] : waiting) {
     const std::size_t size = ids.size() + graph.keyframes().size();
     std::size_t& asked_at = aligned_at_[origin];
-    if (ids.size() < kAlignFrom || static_cast<double>(size) < kAlignGrowth * static_cast<double>(asked_at))
+    if (ids.size() < params.team.keyframes_min ||
+        static_cast<double>(size) < params.team.growth * static_cast<double>(asked_at))
       continue;
     asked_at = size;
     return AlignmentQuery{graph.session(), unplaced_.tied_to(ids.front(), params.graph), params};

@@ -14,12 +14,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kNearScore = 0.2;        ///< likelihood from which a place near the prior is refined
-constexpr double kTurnedScore = 0.35;     ///< the same for a heading of a robot that is lost
-constexpr double kTurnedApart_rad = 0.3;  ///< nearer headings are one
-constexpr double kSearchResponse = 0.05;  ///< by which a found pose must be better to be preferred
-constexpr double kContinuedVariance = 9.0;
-
 /// One search for a scan that does not fit where it is expected.
 class ScanSearch {
  public:
@@ -60,15 +54,17 @@ bool is_within(const SearchWindow& window, const types::Se2& off) {
 /// and then the whole motion at once, which scans have been matched for meanwhile.
 Match ScanSearch::near(const Prior& prior, const Prior& continued, Match match) const {
   const SurfelMap& map = map_.surfels;
-  const SearchWindow window = window_around(prior, params_.track);
-  if (const auto hit = search(pyramid_, scan_.points, prior.T_map_base, window, kNearScore, params_.search)) {
+  const TrackParams& track = params_.track;
+  const SearchWindow window = window_around(prior, track);
+  if (const auto hit =
+          search(pyramid_, scan_.points, prior.T_map_base, window, track.search_score_min, params_.search)) {
     const Match other = refine(map, scan_.points, scan_.sensor, hit->T_map_base, prior, params_.refine);
-    if (other.response > match.response + kSearchResponse) match = other;
+    if (other.response > match.response + track.search_better_by) match = other;
   }
   if (!is_within(window, prior.T_map_base.inverse() * continued.T_map_base)) {
     const Match other =
         refine(map, scan_.points, scan_.sensor, continued.T_map_base, continued, params_.refine);
-    if (is_good(other, params_.track) && other.response > match.response + kSearchResponse) match = other;
+    if (is_good(other, track) && other.response > match.response + track.search_better_by) match = other;
   }
   return match;
 }
@@ -77,20 +73,21 @@ Match ScanSearch::near(const Prior& prior, const Prior& continued, Match match) 
 /// places fit (a corridor in both directions), and where it leads to unknown ground: there nothing can fit,
 /// and a fit elsewhere is chance.
 std::optional<Match> ScanSearch::elsewhere(const types::Se2& predicted, const SearchWindow& window) const {
-  const TrackParams& track = params_.track;
-  const auto hit = search(pyramid_, scan_.points, predicted, window, kTurnedScore, params_.search);
+  const TurnedParams& turned = params_.track.turned;
+  const auto hit = search(pyramid_, scan_.points, predicted, window, turned.score_min, params_.search);
   if (!hit) return std::nullopt;
-  const Exclusion found{hit->T_map_base, track.turned_m, kTurnedApart_rad};
-  if (search(pyramid_, scan_.points, predicted, window, track.turned_peak_ratio * hit->score, params_.search,
+  const Exclusion found{hit->T_map_base, turned.half_width_m, turned.apart_rad};
+  if (search(pyramid_, scan_.points, predicted, window, turned.peak_ratio * hit->score, params_.search,
              found))
     return std::nullopt;
   const Match match =
       refine(map_.surfels, scan_.points, scan_.sensor, hit->T_map_base, std::nullopt, params_.refine);
-  if (match.response < track.turned_response || match.degenerate) return std::nullopt;
+  if (match.response < turned.response_min || match.degenerate) return std::nullopt;
   const FreeGround ground = map_.ground();
   const double as_predicted = ground.contradiction(map_.surfels, scan_.points, predicted);
-  if (as_predicted < track.turned_contradiction_min ||
-      2.0 * ground.contradiction(map_.surfels, scan_.points, match.T_map_base) > as_predicted)
+  if (as_predicted < turned.contradiction_min ||
+      turned.contradiction_ratio * ground.contradiction(map_.surfels, scan_.points, match.T_map_base) >
+          as_predicted)
     return std::nullopt;
   return match;
 }
@@ -108,7 +105,8 @@ Prior continued(const TrackedMotion& last, double seconds, const MotionNoise& no
   const double times =
       last.previous_last_s > 0.0 ? std::clamp(seconds / last.previous_last_s, 0.0, 1.0) : 0.0;
   const types::Se2 motion = types::interpolate({}, last.T_previous_last, times);
-  return {last.T_map_base * motion, motion_information(motion, noise) / kContinuedVariance};
+  return {last.T_map_base * motion,
+          motion_information(motion, noise) / (noise.continued_sigmas * noise.continued_sigmas)};
 }
 
 Tracked track(const TrackingMap& map, const TrackedPoints& scan, const TrackedMotion& last,
@@ -119,7 +117,7 @@ Tracked track(const TrackingMap& map, const TrackedPoints& scan, const TrackedMo
   const SearchWindow near = window_around(prior, limits);
   const double astray_m = limits.search_ways * distance_m(last.T_map_base, predicted);
   const auto is_doubtful = [&] {
-    return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned_response);
+    return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned.response_min);
   };
   if (!is_doubtful()) return {match, false};
   const ScanSearch search(map, scan, params);
@@ -129,7 +127,7 @@ Tracked track(const TrackingMap& map, const TrackedPoints& scan, const TrackedMo
     if (const auto other = search.elsewhere(predicted, far)) return {*other, true};
   }
   if (match.response >= limits.response_lost) return {match, true};
-  const SearchWindow all_round{limits.turned_m, std::numbers::pi};
+  const SearchWindow all_round{limits.turned.half_width_m, std::numbers::pi};
   return {search.elsewhere(predicted, all_round).value_or(match), true};
 }
 

@@ -8,13 +8,6 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kMargin_m = 2.0;    ///< around the bounds of the map
-constexpr double kThin_m = 0.05;     ///< cell size; one surfel per cell and side of a wall is sufficient
-constexpr double kPeakRatio = 0.80;  ///< minimum score of a coarse peak relative to the best
-constexpr std::size_t kRayStride = 4;
-/// A point on ground that was seen to be free counts more against a place than a point on unknown ground.
-constexpr double kContradictionWeight = 2.0;
-
 /// Bounding box of the map.
 types::Rectangle bounds_of(const Session& session) {
   types::Rectangle box;
@@ -30,13 +23,14 @@ types::Rectangle bounds_of(const Session& session) {
 /// surfels as one driven once.
 class Thinner {
  public:
-  Thinner(const Point& origin, double width_m)
+  Thinner(const Point& origin, double width_m, double cell_m)
       : origin_(origin),
-        side_(static_cast<std::size_t>(std::ceil(width_m / kThin_m))),
+        cell_m_(static_cast<float>(cell_m)),
+        side_(static_cast<std::size_t>(std::ceil(width_m / cell_m))),
         seen_(side_ * side_, 0) {}
 
   bool takes(const Point& position, const Point& normal) {
-    const Point cell = (position - origin_) / static_cast<float>(kThin_m);
+    const Point cell = (position - origin_) / cell_m_;
     if (!(cell.x() >= 0.0F && cell.y() >= 0.0F)) return false;
     const auto x = static_cast<std::size_t>(cell.x()), y = static_cast<std::size_t>(cell.y());
     if (x >= side_ || y >= side_) return false;
@@ -50,12 +44,13 @@ class Thinner {
 
  private:
   Point origin_;
+  float cell_m_;
   std::size_t side_;
   std::vector<unsigned char> seen_;
 };
 
 /// Marks the ground crossed by the session's rays: coarse for the standing room, fine for contradictions.
-void see_through(const Session& session, StandingRoom& room, FreeGround& ground) {
+void see_through(const Session& session, std::size_t ray_stride, StandingRoom& room, FreeGround& ground) {
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
     const Keyframe& keyframe = *session.keyframes[i];
     const auto in_map = [&](const Point& p) {
@@ -63,7 +58,7 @@ void see_through(const Session& session, StandingRoom& room, FreeGround& ground)
     };
     const Point from = in_map(keyframe.sensor);
     room.add_ray(from, from);
-    for (std::size_t k = 0; k < keyframe.match_points.size(); k += kRayStride) {
+    for (std::size_t k = 0; k < keyframe.match_points.size(); k += ray_stride) {
       const Point to = in_map(keyframe.match_points[k]);
       room.add_ray(from, to);
       ground.add_ray(from, to);
@@ -79,10 +74,11 @@ bool apart(const types::Se2& a, const types::Se2& b, const WholeSearch& search) 
          std::abs(types::wrap_angle(a.theta_rad - b.theta_rad)) > search.apart_rad;
 }
 
-SurfelMap thinned_map(const Session& session, const types::Vector2& centre, double half_m, double reach_m) {
+SurfelMap thinned_map(const Session& session, const types::Vector2& centre, double half_m, double reach_m,
+                      double thin_m) {
   SurfelMap map(reach_m);
   map.reset(centre.cast<float>(), half_m);
-  Thinner thinner(map.origin(), map.width_m());
+  Thinner thinner(map.origin(), map.width_m(), thin_m);
   std::vector<Surfel> chosen;
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
     const types::Se2& pose = session.poses[i];
@@ -103,28 +99,29 @@ SurfelMap thinned_map(const Session& session, const types::Vector2& centre, doub
 }
 
 WholeMap::WholeMap(const Session& session, const types::Rectangle& box, double half_m,
-                   const WholeSearch& search, const RefineParams& refine)
+                   const WholeSearch& search, const RefineParams& refine, const FreeGroundParams& ground)
     : search_(search),
       refine_(refine),
-      map_(thinned_map(session, 0.5 * (box.min + box.max), half_m, refine.reach_m)),
+      map_(thinned_map(session, 0.5 * (box.min + box.max), half_m, refine.reach_m, search.thin_m)),
       levels_(map_, search.search),
       room_(levels_.pyramid(), map_.width_m()),
-      ground_(map_.origin(), map_.width_m()) {
-  see_through(session, room_, ground_);
+      ground_(map_.origin(), map_.width_m(), ground) {
+  see_through(session, search.ray_stride, room_, ground_);
 }
 
 std::optional<WholeMap> WholeMap::of(const Session& session, const WholeSearch& search,
-                                     const RefineParams& refine) {
+                                     const RefineParams& refine, const FreeGroundParams& ground) {
   if (session.keyframes.empty()) return std::nullopt;
   const types::Rectangle box = bounds_of(session);
-  const double half_m = 0.5 * (box.max - box.min).maxCoeff() + kMargin_m;
+  const double half_m = 0.5 * (box.max - box.min).maxCoeff() + search.margin_m;
   if (2.0 * half_m > search.width_max_m) return std::nullopt;
-  return WholeMap(session, box, half_m, search, refine);
+  return WholeMap(session, box, half_m, search, refine, ground);
 }
 
 std::vector<Peak> WholeMap::peaks(std::span<const Point> points, const Point& sensor) const {
-  const PeakSearch wanted{search_.score_min, kPeakRatio, static_cast<std::size_t>(search_.rivals_max) + 1,
-                          search_.apart_m, search_.apart_rad};
+  const PeakSearch wanted{search_.score_min, search_.peak_ratio,
+                          static_cast<std::size_t>(search_.rivals_max) + 1, search_.apart_m,
+                          search_.apart_rad};
   std::vector<Peak> peaks;
   for (const SearchHit& hit : search_everywhere(levels_, room_, points, wanted, search_.search))
     peaks.push_back(at(points, sensor, hit.T_map_base));
@@ -135,7 +132,7 @@ std::vector<Peak> WholeMap::peaks(std::span<const Point> points, const Point& se
 
 Peak WholeMap::at(std::span<const Point> points, const Point& sensor, const types::Se2& pose) const {
   const Match match = refine(map_, points, sensor, pose, std::nullopt, refine_);
-  return {match, match.response - kContradictionWeight * contradiction(points, match.T_map_base)};
+  return {match, match.response - search_.contradiction_weight * contradiction(points, match.T_map_base)};
 }
 
 }  // namespace topo::slam

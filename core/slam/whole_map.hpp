@@ -27,7 +27,14 @@ struct WholeSearch {
   int rivals_max = 4;       ///< peaks in addition to the best
   double apart_m = 0.7;     ///< closer poses are one place
   double apart_rad = 0.3;
-  double width_max_m = 300.0;               ///< maximum width of a map that is searched
+  double peak_ratio = 0.80;  ///< minimum score of a coarse peak relative to the best
+  /// A point on ground that was seen to be free counts this much more against a place than a point on unknown
+  /// ground.
+  double contradiction_weight = 2.0;
+  double margin_m = 2.0;       ///< of the window around the bounds of the map
+  double thin_m = 0.05;        ///< side of a cell; one surfel per cell and side of a wall suffices
+  std::size_t ray_stride = 4;  ///< every n-th ray of a keyframe marks free ground
+  double width_max_m = 300.0;  ///< maximum width of a map that is searched
   SearchParams search{0.10, 0.15, 100, 6};  ///< coarse
 };
 
@@ -35,9 +42,9 @@ struct WholeSearch {
 [[nodiscard]] bool apart(const types::Se2& a, const types::Se2& b, const WholeSearch& search);
 
 /// A session's surfels around a centre, thinned: a corridor driven ten times has as many as one driven once.
-/// In the session's map axes.
+/// In the session's map axes. `reach_m`: RefineParams; `thin_m`: WholeSearch.
 [[nodiscard]] SurfelMap thinned_map(const Session& session, const types::Vector2& centre, double half_m,
-                                    double reach_m);
+                                    double reach_m, double thin_m);
 
 /// A session's map prepared for searches of the whole map: its surfaces, the space where a robot can stand,
 /// and the ground seen to be free. Serves any number of scans; one thread at a time.
@@ -45,7 +52,7 @@ class WholeMap {
  public:
   /// Empty when there is no keyframe or the map is wider than `search` allows.
   static std::optional<WholeMap> of(const Session& session, const WholeSearch& search,
-                                    const RefineParams& refine);
+                                    const RefineParams& refine, const FreeGroundParams& ground);
 
   /// Poses at which the points (base_link, seen from `sensor`) fit: coarse peaks by branch and bound over all
   /// places where a robot can stand and all directions, refined, the best evidence first.
@@ -61,7 +68,7 @@ class WholeMap {
 
  private:
   WholeMap(const Session& session, const types::Rectangle& box, double half_m, const WholeSearch& search,
-           const RefineParams& refine);
+           const RefineParams& refine, const FreeGroundParams& ground);
   WholeSearch search_;
   RefineParams refine_;
   SurfelMap map_;

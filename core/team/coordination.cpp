@@ -14,7 +14,7 @@
 namespace topo::team {
 namespace {
 
-constexpr double kScannerRange_m = 30.0;  // UTM-30LX (PROTOCOLS); used by Rule::kUtility
+constexpr double kScannerRange_m = 30.0;  // of a UTM-30LX, by its datasheet; used by Rule::kUtility
 
 /// The distinct goals of all bids, in the order of comes_before: a bid for the same goal as an earlier one
 /// adds none.

@@ -13,17 +13,15 @@ namespace {
 
 using types::Vector2;
 
-constexpr double kThere_m = 0.6;  // of a start: within it there is no room for another robot
+bool is_near(const Vector2& a, const Vector2& b, double at_start_m) { return (a - b).norm() <= at_start_m; }
 
-bool is_near(const Vector2& a, const Vector2& b) { return (a - b).norm() <= kThere_m; }
-
-bool takes(const StatusMessage& mate, const Home& start, const StatusMessage& self) {
-  if (is_near(self.T_map_base.translation(), start.p_map))
+bool takes(const StatusMessage& mate, const Home& start, const StatusMessage& self, double at_start_m) {
+  if (is_near(self.T_map_base.translation(), start.p_map, at_start_m))
     return false;  // a robot that stands there does not leave again
-  const bool there = is_near(mate.T_map_base.translation(), start.p_map);
+  const bool there = is_near(mate.T_map_base.translation(), start.p_map, at_start_m);
   if (there && mate.way_map.empty()) return true;
   const bool first = there || (mate.robot < self.robot && start.from != mate.robot);
-  return mate.home && is_near(*mate.home, start.p_map) && first;
+  return mate.home && is_near(*mate.home, start.p_map, at_start_m) && first;
 }
 
 /// All starts, in an order that is the same for all robots.
@@ -37,22 +35,23 @@ std::vector<Home> starts_of(const StatusMessage& self, std::span<const StatusMes
 
 }  // namespace
 
-bool is_at_home(const StatusMessage& self, const Home& home) {
-  return is_near(self.T_map_base.translation(), home.p_map);
+bool is_at_home(const StatusMessage& self, const Home& home, double at_start_m) {
+  return is_near(self.T_map_base.translation(), home.p_map, at_start_m);
 }
 
 std::optional<Home> choose_home(const StatusMessage& self, std::span<const StatusMessage* const> mates,
                                 const std::optional<Home>& present, const StatusMessage* passing,
-                                const std::function<double(const Vector2&)>& cost_m) {
+                                const std::function<double(const Vector2&)>& cost_m, double at_start_m) {
   const auto is_open = [&](const Home& start) {
     return std::none_of(mates.begin(), mates.end(),
-                        [&](const StatusMessage* mate) { return takes(*mate, start, self); });
+                        [&](const StatusMessage* mate) { return takes(*mate, start, self, at_start_m); });
   };
   const std::vector<Home> starts = starts_of(self, mates);
-  if (passing != nullptr && passing->home && present && is_at_home(self, *present)) {
+  if (passing != nullptr && passing->home && present && is_at_home(self, *present, at_start_m)) {
     for (Home start : starts) {
       start.from = passing->robot;
-      if (is_near(*passing->home, start.p_map) && is_open(start) && std::isfinite(cost_m(start.p_map)))
+      if (is_near(*passing->home, start.p_map, at_start_m) && is_open(start) &&
+          std::isfinite(cost_m(start.p_map)))
         return start;
     }
   }

@@ -31,12 +31,13 @@ struct Home {
 ///
 /// `passing`, if not null, is a team-mate whose route this robot, at home, blocks: the robot moves on to that
 /// team-mate's home, and the team-mate then finds this robot's start free. Where no robot can pass another,
-/// all move up.
+/// all move up. `at_start_m`: RosterParams.
 std::optional<Home> choose_home(const StatusMessage& self, std::span<const StatusMessage* const> mates,
                                 const std::optional<Home>& present, const StatusMessage* passing,
-                                const std::function<double(const types::Vector2&)>& cost_m);
+                                const std::function<double(const types::Vector2&)>& cost_m,
+                                double at_start_m);
 
 /// True when the robot stands at its home.
-bool is_at_home(const StatusMessage& self, const Home& home);
+bool is_at_home(const StatusMessage& self, const Home& home, double at_start_m);
 
 }  // namespace topo::team

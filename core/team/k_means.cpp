@@ -11,7 +11,7 @@ namespace {
 using types::Vector2;
 using Points = std::vector<Vector2>;
 
-constexpr int kRoundsMax = 50;
+constexpr int kRoundsMax = 50;  // the rounds end by themselves; the bound holds if rounding prevents that
 
 Vector2 mean_of(const Points& points) {
   Vector2 sum(0.0, 0.0);

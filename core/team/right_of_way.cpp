@@ -10,8 +10,6 @@ namespace {
 
 using types::Vector2;
 
-constexpr std::int32_t kStride = 4;
-
 bool leads_through(std::span<const Vector2> way, const Vector2& p, double room_m) {
   return std::any_of(way.begin(), way.end(),
                      [&](const Vector2& w) { return (w - p).squaredNorm() < room_m * room_m; });
@@ -51,9 +49,9 @@ std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid
                                            const RightOfWayParams& params) {
   const auto reach = static_cast<std::int32_t>(std::ceil(search_m / map.resolution_m));
   std::optional<grid::CellIndex> best;
-  float best_m = 2.0F * static_cast<float>(search_m);  // the cost includes inflation
-  for (std::int32_t dy = -reach; dy <= reach; dy += kStride) {
-    for (std::int32_t dx = -reach; dx <= reach; dx += kStride) {
+  float best_m = static_cast<float>(params.detour_ratio * search_m);
+  for (std::int32_t dy = -reach; dy <= reach; dy += params.stride_cells) {
+    for (std::int32_t dx = -reach; dx <= reach; dx += params.stride_cells) {
       const grid::CellIndex cell{field.start.x + dx, field.start.y + dy};
       if (!map.contains(cell) || field.cost_m[map.index(cell)] >= best_m) continue;
       if (!field.can_stay_at(map.index(cell))) continue;

@@ -6,21 +6,12 @@
 #include <span>
 
 #include "core/grid/wavefront.hpp"
+#include "core/team/right_of_way_params.hpp"
 #include "core/team/status_message.hpp"
 
 // Two robots that meet where only one can pass: which of them gives way is decided from their messages alone,
 // so that both come to the same decision.
 namespace topo::team {
-
-struct RightOfWayParams {
-  double near_m = 3.0;  ///< team-mates further away are ignored
-  double room_m = 0.9;  ///< between the centres of two robots that pass each other: two discs plus a margin
-  /// Sum of: two swing radii (0.53 m), both robots braking from 0.65 m/s (0.72), and closing at twice that
-  /// speed for a planning period and the delays of the scanner and the base (0.65).
-  double beside_m = 2.0;
-  double abreast_m = 0.3;  ///< a smaller offset ahead or behind counts as abreast
-  double speed_mps = 0.7;  ///< assumed of a team-mate since its last message
-};
 
 /// True when the robot must drive slowly because of a moving team-mate whose message is `age_s` old. Two
 /// robots see each other where they were: space that is free when it is checked may be occupied on arrival.
@@ -37,8 +28,8 @@ const StatusMessage* who_needs_room(const StatusMessage& self, std::span<const S
                                     const RightOfWayParams& params = {});
 
 /// The cell to which the robot gives way: the cheapest one that is room_m from the team-mate's route and from
-/// every team-mate, at most `search_m` away along each axis; empty when there is none. Checks every fourth
-/// cell along each axis.
+/// every team-mate, at most `search_m` away along each axis; empty when there is none. Checks every
+/// stride_cells-th cell along each axis.
 std::optional<grid::CellIndex> room_beside(const grid::DenseMap& map, const grid::TravelField& field,
                                            const StatusMessage& mate,
                                            std::span<const StatusMessage* const> mates, double search_m,

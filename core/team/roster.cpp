@@ -10,8 +10,9 @@ namespace topo::team {
 namespace {
 
 /// Such a robot moves up for one that needs to pass (homes.hpp).
-bool waits_at_home(const StatusMessage& message) {
-  return message.duty == Duty::kOver && message.home && is_at_home(message, {message.robot, *message.home});
+bool waits_at_home(const StatusMessage& message, double at_start_m) {
+  return message.duty == Duty::kOver && message.home &&
+         is_at_home(message, {message.robot, *message.home}, at_start_m);
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ std::vector<types::Vector2> Roster::going_at(types::Stamp now) const {
   std::vector<types::Vector2> places;
   for (const auto& [id, mate] : mates_) {
     const bool goes = counts(mate, now) && mate.message.duty == Duty::kAble;
-    if ((goes || waits_at_home(mate.message)) && now - mate.heard <= kPlaceAgeMax)
+    if ((goes || waits_at_home(mate.message, params_.at_start_m)) &&
+        now - mate.heard <= params_.place_age_max)
       places.push_back(mate.message.T_map_base.translation());
   }
   return places;

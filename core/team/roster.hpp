@@ -10,17 +10,17 @@
 
 namespace topo::team {
 
-/// A robot's swing radius plus the distance it travels between reporting its position and being seen.
-inline constexpr double kMateRadius_m = 0.75;
-/// A position older than this is out of date.
-inline constexpr types::Duration kPlaceAgeMax = std::chrono::seconds(2);
-
+/// What counts of team-mates' messages. No source is recorded for the values that name none.
 struct RosterParams {
   double silent_s = 10.0;    ///< no message for so long: its goal is free
   double missing_s = 240.0;  ///< no message for so long: no longer waited for at home
   double unable_s = 10.0;    ///< lost or stopped for so long: its goal is free
   double stuck_s = 30.0;     ///< claims a goal but does not move for so long: its goal is free
   double progress_m = 0.5;   ///< a shorter move counts as none
+  types::Duration place_age_max = std::chrono::seconds(2);  ///< an older position is out of date
+  /// A robot's swing radius plus the distance it travels between reporting its position and being seen.
+  double mate_radius_m = 0.75;
+  double at_start_m = 0.6;  ///< a robot within this distance of a start leaves no room there for another
 };
 
 /// The team as known to one robot. Old and repeated messages change nothing, nor does the order in which
@@ -29,6 +29,7 @@ struct RosterParams {
 class Roster {
  public:
   explicit Roster(const RosterParams& params = {}) : params_(params) {}
+  [[nodiscard]] const RosterParams& params() const { return params_; }
 
   /// Returns false for an old or repeated message.
   bool take(const StatusMessage& message, types::Stamp now);
@@ -44,7 +45,7 @@ class Roster {
   }
   /// Those of heard() whose bids and claims count: mission not over, and not unable or stuck for some time.
   [[nodiscard]] std::vector<const StatusMessage*> counted(types::Stamp now) const;
-  /// Positions of the team-mates that can give way, heard from within kPlaceAgeMax: able counted ones, and
+  /// Positions of the team-mates that can give way, heard from within place_age_max: able counted ones, and
   /// those that wait at home.
   [[nodiscard]] std::vector<types::Vector2> going_at(types::Stamp now) const;
   /// True when the mission of any team-mate, silent or not, was not over at its last message.

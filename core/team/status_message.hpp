@@ -60,7 +60,8 @@ struct StatusMessage {
   std::vector<types::Vector2> way_map;  ///< the next metres of its route, from the robot on; empty: it stands
 };
 
-/// Bids at most this far apart are for one goal: robots see it from different maps.
+/// Bids at most this far apart are for one goal: robots see it from different maps. A constant and no
+/// parameter: all robots of a team must use one value, as they use one format of messages.
 inline constexpr double kSameGoal_m = 1.5;
 
 bool is_same_goal(const types::Vector2& a, const types::Vector2& b);

@@ -8,18 +8,13 @@
 #include <tuple>
 
 namespace topo::walls {
-namespace {
-
-constexpr double kStep_m = 0.01;  ///< least motion of the base for a scan to add information
-constexpr double kStep_rad = 0.005;
-constexpr float kCell_m = 0.05F;  ///< columns within one such cell are merged
-
-}  // namespace
 
 void ColumnCollector::add(const types::Scan& scan, const types::Se2& T_odom_first,
                           const types::Se2& T_odom_last) {
   const types::Se2 moved = last_used_.inverse() * T_odom_last;
-  if (used_ && std::hypot(moved.x_m, moved.y_m) < kStep_m && std::abs(moved.theta_rad) < kStep_rad) return;
+  if (used_ && std::hypot(moved.x_m, moved.y_m) < params_.step_m &&
+      std::abs(moved.theta_rad) < params_.step_rad)
+    return;
   used_ = true;
   last_used_ = T_odom_last;
   const double side = mount_.mirrored ? -1.0 : 1.0;
@@ -37,7 +32,8 @@ void ColumnCollector::add(const types::Scan& scan, const types::Se2& T_odom_firs
 }
 
 std::vector<ColumnPoint> ColumnCollector::take(const types::Se2& T_base_odom) {
-  const auto cell = [](float v) { return static_cast<std::int32_t>(std::floor(v / kCell_m)); };
+  const float cell_m = params_.cell_m;
+  const auto cell = [&](float v) { return static_cast<std::int32_t>(std::floor(v / cell_m)); };
   const auto key = [&](const ColumnPoint& c) { return std::make_tuple(cell(c.y_m), cell(c.x_m)); };
   std::stable_sort(columns_odom_.begin(), columns_odom_.end(),
                    [&](const ColumnPoint& a, const ColumnPoint& b) { return key(a) < key(b); });

@@ -18,17 +18,24 @@ constexpr Slabs slab_of(double height_m) {
   return slab >= 0.0 && slab < kSlabs ? Slabs{1} << static_cast<int>(slab) : Slabs{0};
 }
 
-/// True when occupied at three different heights separated by at least half a metre (paper section II-B).
-constexpr bool is_wall(Slabs slabs) {
-  constexpr int kGap = 5;  // half a metre
+/// Heights at which a wall is occupied (paper section II-B): three, at least half a metre apart. Furniture
+/// rarely is.
+struct WallHeights {
+  int count_min = 3;
+  int apart_slabs = 5;
+  friend bool operator==(const WallHeights&, const WallHeights&) = default;
+};
+
+/// True when occupied at enough different heights.
+constexpr bool is_wall(Slabs slabs, const WallHeights& params = {}) {
   int heights = 0;
   while (slabs != 0) {
     const int lowest = std::countr_zero(slabs);
     ++heights;
-    if (lowest + kGap >= kSlabs) break;
-    slabs &= ~Slabs{0} << (lowest + kGap);
+    if (lowest + params.apart_slabs >= kSlabs) break;
+    slabs &= ~Slabs{0} << (lowest + params.apart_slabs);
   }
-  return heights >= 3;
+  return heights >= params.count_min;
 }
 
 /// Heights seen at one position, in the frame of the keyframe that contains it.

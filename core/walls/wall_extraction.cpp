@@ -48,7 +48,8 @@ class WallFinder {
   void accept_uncovered(const Run& run) {
     std::vector<Run> beside;
     const int last = static_cast<int>(walls_on_.size()) - 1;
-    for (int line = std::max(0, run.line - kBeside); line <= std::min(last, run.line + kBeside); ++line) {
+    const int reach = params_.same_wall_half_bins;
+    for (int line = std::max(0, run.line - reach); line <= std::min(last, run.line + reach); ++line) {
       for (const Run& wall : walls_on_[static_cast<std::size_t>(line)]) {
         if (wall.from() <= run.to() && wall.to() >= run.from()) beside.push_back(wall);
       }
@@ -71,7 +72,8 @@ class WallFinder {
     const auto lower = [](const Place& p, float u) { return p.u < u; };
     const auto upper = [](float u, const Place& p) { return u < p.u; };
     std::ptrdiff_t sum = 0;
-    for (int away = kGapBeside; away < kGapBeside + kBandBeside; ++away) {
+    const int from = params_.band_from_half_bins, width = params_.band_half_bins;
+    for (int away = from; away < from + width; ++away) {
       for (const int bin : {run.line - away, run.line + 1 + away}) {
         if (bin < 0 || bin >= static_cast<int>(lines_.size())) continue;
         const auto places = lines_.bin(static_cast<std::size_t>(bin));
@@ -79,7 +81,7 @@ class WallFinder {
         sum += std::upper_bound(first, places.end(), run.to(), upper) - first;
       }
     }
-    return static_cast<double>(sum) / kBandBeside;  // two half bins per line, two bands
+    return static_cast<double>(sum) / width;  // two half bins per line, two bands
   }
 
   void accept(const Run& run) {
@@ -100,15 +102,6 @@ class WallFinder {
     return {point(run.from()), point(run.to())};
   }
 
-  /// Half bins to each side in which a run beside a fuller one belongs to the same wall: two bins, the
-  /// thickness of a partition seen from both sides.
-  static constexpr int kBeside = 4;
-
-  /// Begin and width, in half bins on each side, of the band whose density a wall must exceed. Nearer half
-  /// bins may belong to the wall itself.
-  static constexpr int kGapBeside = 3;
-  static constexpr int kBandBeside = 6;
-
   const WallParams& params_;
   Direction along_;
   const WallLines& lines_;
@@ -117,10 +110,10 @@ class WallFinder {
 
 }  // namespace
 
-std::vector<types::Vector2> wall_points(const WallStore& store) {
+std::vector<types::Vector2> wall_points(const WallStore& store, const WallHeights& params) {
   std::vector<types::Vector2> points;
   store.columns().for_each([&](patricia::Key key, Slabs slabs) {
-    if (!is_wall(slabs)) return;
+    if (!is_wall(slabs, params)) return;
     const auto cell = patricia::cell_of(key);
     points.emplace_back((cell.x + 0.5) * store.resolution_m(), (cell.y + 0.5) * store.resolution_m());
   });

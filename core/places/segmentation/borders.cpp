@@ -21,7 +21,7 @@ Borders::Between& Borders::between(std::uint32_t a, std::uint32_t b) {
   return made;
 }
 
-void Borders::hand_out(std::vector<Region>& regions) const {
+void Borders::hand_out(std::vector<Region>& regions, double wall_step_m) const {
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
     regions[r].contacts.clear();
     regions[r].contacts.reserve(count_[r]);
@@ -33,7 +33,8 @@ void Borders::hand_out(std::vector<Region>& regions) const {
     std::sort(of_low.begin(), of_low.end(),
               [](const Between* a, const Between* b) { return a->other < b->other; });
     for (const Between* const b : of_low) {
-      Contact contact{b->other, b->upright, b->level, wall_length_m(b->wall_steps), b->clearance_m, 0.0F};
+      Contact contact{b->other,       b->upright, b->level, wall_length_m(b->wall_steps, wall_step_m),
+                      b->clearance_m, 0.0F};
       contact.open = static_cast<float>(contact.border());
       regions[low].contacts.push_back(contact);
       contact.other = low;

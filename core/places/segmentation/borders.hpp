@@ -26,7 +26,8 @@ class Borders {
   /// Valid until the next call.
   Between& between(std::uint32_t a, std::uint32_t b);
   /// Replaces the contacts of both sides of each border, in the order of the other regions' numbers.
-  void hand_out(std::vector<Region>& regions) const;
+  /// `wall_step_m`: WallSideParams::step_m.
+  void hand_out(std::vector<Region>& regions, double wall_step_m) const;
 
  private:
   static constexpr std::uint32_t kNone = UINT32_MAX;

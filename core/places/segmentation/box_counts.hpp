@@ -44,7 +44,7 @@ class BoxCounts {
   void sum_up();
   [[nodiscard]] std::uint32_t occupied_up_to(std::size_t column, std::size_t row) const;
 
-  static constexpr std::size_t kBlock = 16;
+  static constexpr std::size_t kBlock = 16;  ///< columns summed by one vectorised loop
   grid::CellBox box_;
   double resolution_m_;
   CompassFrame frame_;

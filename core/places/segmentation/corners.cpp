@@ -11,8 +11,6 @@
 namespace topo::places {
 namespace {
 
-constexpr double kInLine = 0.6;  ///< least share of a piece's width in the strip of a corridor
-
 /// The members of places while corner pieces move between them.
 class Corners {
  public:
@@ -70,7 +68,7 @@ class Corners {
     });
   }
   [[nodiscard]] bool is_open_to(const Region& moved, const Region& beside, const Contact& c) const {
-    return is_corridor(beside) && no_wall_between(c, resolution_m_, params_) &&
+    return is_corridor(beside, params_.corridor) && no_wall_between(c, resolution_m_, params_) &&
            no_narrows(moved, beside, c, resolution_m_, params_);
   }
 
@@ -79,7 +77,8 @@ class Corners {
     const std::uint32_t own = places_[p];
     const std::vector<std::uint32_t> corner = with_its_spurs(p);
     const Region moved = together(corner), rest = together(others(own, corner));
-    if (!is_corridor(rest) || moved.cells > 2 * pieces_[p].cells) return false;
+    if (!is_corridor(rest, params_.corridor) || moved.cells > params_.corner.spurs_ratio * pieces_[p].cells)
+      return false;
     for (const Contact& c : pieces_[p].contacts) {
       if (!leaves_place(p, c)) continue;
       const std::uint32_t other = places_[c.other];
@@ -137,12 +136,12 @@ class Corners {
   }
 
   /// True when most of the piece lies in the strip in which the corridor runs.
-  static bool is_in_line(const Region& corridor, const Region& piece) {
+  [[nodiscard]] bool is_in_line(const Region& corridor, const Region& piece) const {
     const types::Vector2 side = corridor.core.max - corridor.core.min;
     const int across = side.x() < side.y() ? 0 : 1;
     const double from = std::max(corridor.core.min[across], piece.core.min[across]);
     const double to = std::min(corridor.core.max[across], piece.core.max[across]);
-    return to - from >= kInLine * (piece.core.max[across] - piece.core.min[across]);
+    return to - from >= params_.corner.in_line_min * (piece.core.max[across] - piece.core.min[across]);
   }
 
   const Region& whole(std::uint32_t place) {

@@ -16,12 +16,9 @@ namespace {
 
 using grid::DenseMap;
 
-/// At a passage, clearance falls and rises again by this factor.
-constexpr float kPassageRatio = 1.3F;
-
 /// Positions of the narrowest cells between wider parts of an edge, including the nodes at both ends.
 void find_passages(std::span<const std::uint32_t> cells, std::span<const float> clearance_m, float at_a_m,
-                   float at_b_m, std::vector<std::size_t>& passages) {
+                   float at_b_m, float passage_ratio, std::vector<std::size_t>& passages) {
   passages.clear();
   float widest = at_a_m, narrowest = at_a_m;
   std::size_t where = 0;
@@ -31,7 +28,7 @@ void find_passages(std::span<const std::uint32_t> cells, std::span<const float> 
       narrowest = here;
       where = k;
     }
-    if (narrowest * kPassageRatio < widest && here > narrowest * kPassageRatio) {
+    if (narrowest * passage_ratio < widest && here > narrowest * passage_ratio) {
       passages.push_back(where);
       widest = narrowest = here;
     } else if (here > widest) {
@@ -44,10 +41,13 @@ void find_passages(std::span<const std::uint32_t> cells, std::span<const float> 
 class AxisPieces {
  public:
   AxisPieces(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
-             double piece_m)
-      : skeleton_(skeleton), clearance_m_(clearance_m), numbers_(skeleton.axis.size(), 0) {
+             const FirstLabelParams& params)
+      : skeleton_(skeleton),
+        clearance_m_(clearance_m),
+        passage_ratio_(params.passage_ratio),
+        numbers_(skeleton.axis.size(), 0) {
     piece_cells_ =
-        std::max<std::size_t>(static_cast<std::size_t>(std::lround(piece_m / map.resolution_m)), 1);
+        std::max<std::size_t>(static_cast<std::size_t>(std::lround(params.piece_m / map.resolution_m)), 1);
     count_ = static_cast<std::uint32_t>(skeleton_.nodes.size());
     for (std::uint32_t n = 0; n < skeleton_.nodes.size(); ++n) {
       const SkeletonNode& node = skeleton_.nodes[n];
@@ -69,7 +69,7 @@ class AxisPieces {
   void divide_edge(const SkeletonEdge& edge) {
     const auto cells = skeleton_.cells_of(edge);
     find_passages(cells, clearance_m_, skeleton_.nodes[edge.a].clearance_m,
-                  skeleton_.nodes[edge.b].clearance_m, passages_);
+                  skeleton_.nodes[edge.b].clearance_m, passage_ratio_, passages_);
     std::size_t begin = 0;
     for (std::size_t p = 0; p <= passages_.size(); ++p) {
       const bool last = p == passages_.size();
@@ -98,6 +98,7 @@ class AxisPieces {
 
   const Skeleton& skeleton_;
   std::span<const float> clearance_m_;
+  float passage_ratio_;
   std::size_t piece_cells_ = 1;
   std::uint32_t count_ = 0;
   std::vector<std::uint32_t> numbers_;
@@ -164,12 +165,12 @@ void number_runs(FirstLabels& first, std::size_t cells) {
 }  // namespace
 
 FirstLabels first_labels(const DenseMap& map, std::span<const float> clearance_m, const Skeleton& skeleton,
-                         double piece_m) {
+                         const FirstLabelParams& params) {
   FirstLabels first;
   first.box = map.box;
   first.labels.resize(map.cells.size(), 0);
   if (map.cells.empty()) return first;
-  label_axis(skeleton, {map, clearance_m, skeleton, piece_m}, first);
+  label_axis(skeleton, {map, clearance_m, skeleton, params}, first);
   const std::vector<Slope> slopes = slopes_of(map, clearance_m);
   Ascent ascent(map, slopes, first.labels);
   grid::for_each_free_run(map, [&](const grid::FreeRun& run) {

@@ -8,6 +8,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/places/segmentation/piece_runs.hpp"
+#include "core/places/segmentation/place_map.hpp"
 #include "core/places/skeleton/cell_numbers.hpp"
 #include "core/places/skeleton/skeleton.hpp"
 
@@ -45,6 +46,6 @@ class PieceNumbers {
 /// its narrow passages (doors) instead of half-way between its nodes. A long edge is divided into pieces of
 /// `piece_m`, as if it had nodes there.
 FirstLabels first_labels(const grid::DenseMap& map, std::span<const float> clearance_m,
-                         const Skeleton& skeleton, double piece_m);
+                         const Skeleton& skeleton, const FirstLabelParams& params);
 
 }  // namespace topo::places

@@ -34,7 +34,7 @@ class PlaceLabels {
     friend bool operator==(const Run&, const Run&) = default;
   };
 
-  static constexpr unsigned kShift = 9;
+  static constexpr unsigned kShift = 9;  ///< blocks of 512 cells: a few runs each
   std::vector<Run> runs_;
   std::vector<std::uint32_t> starts_;  ///< for each block of cells the first run that reaches into it or lies
                                        ///< beyond it

@@ -61,7 +61,7 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   // A quarter turn does not change the compass; the angle nearest to the map's axes keeps north up.
   out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
   const CompassFrame frame(out.compass_rad);
-  const std::vector<Region> pieces = regions_of(map, clearance_m, first, walls, frame);
+  const std::vector<Region> pieces = regions_of(map, clearance_m, first, walls, frame, params.wall_side);
   std::vector<Region> regions = pieces;
   std::vector<std::uint32_t> roots = reduce(regions, BoxCounts(map, frame), map.resolution_m, params);
   if (settle_corners(pieces, roots, map.resolution_m, params)) regions = joined(pieces, roots);
@@ -77,7 +77,7 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
 PlaceMap segment_places(const grid::DenseMap& map, std::span<const float> clearance_m,
                         const Skeleton& skeleton, std::span<const types::Segment> walls, double compass_rad,
                         const PlaceParams& params) {
-  const FirstLabels first = first_labels(map, clearance_m, skeleton, params.piece_m);
+  const FirstLabels first = first_labels(map, clearance_m, skeleton, params.first);
   return reduce_labels(map, clearance_m, first, walls, compass_rad, params);
 }
 

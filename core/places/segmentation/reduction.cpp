@@ -19,7 +19,7 @@ types::Rectangle united(types::Rectangle a, const types::Rectangle& b) {
 
 /// A possible merge, valid while both regions are unchanged.
 struct Proposal {
-  int density = 0;  ///< in steps of 2 %, so that single cells do not decide
+  int density = 0;  ///< in DensityParams::steps
   std::uint32_t cells = 0;
   std::uint32_t first_a = 0, first_b = 0;  ///< lowest cells, so that geometry decides between equals
   std::uint32_t a = 0, b = 0;
@@ -41,7 +41,7 @@ double turned_density(const Region& a, const Region& b, double resolution_m, con
     const types::Rectangle box = united(a.turned[k], b.turned[k]);
     const types::Vector2 side = box.max - box.min;
     const double beside_m2 = std::max(0.0, side.x() * side.y() - own_m2);
-    best = std::max(best, own_m2 / (own_m2 + params.turned_weight * beside_m2));
+    best = std::max(best, own_m2 / (own_m2 + params.density.turned_weight * beside_m2));
   }
   return best;
 }
@@ -75,7 +75,7 @@ class Reduction {
       return std::nullopt;
     const double level = density(united(a.core, b.core), a.cells + b.cells, counts_, resolution_m_, params_);
     const double dense = std::max(level, turned_density(a, b, resolution_m_, params_));
-    return dense >= params_.density_min ? std::optional(dense) : std::nullopt;
+    return dense >= params_.density.min ? std::optional(dense) : std::nullopt;
   }
 
   void propose_all(std::uint32_t r, bool upwards_only) {
@@ -85,8 +85,9 @@ class Reduction {
       const auto dense = merged_density(regions_[a], regions_[b], c);
       if (!dense) continue;
       const auto [low, high] = std::minmax(regions_[a].first, regions_[b].first);
-      proposals_.push({static_cast<int>(std::lround(*dense * 50.0)), regions_[a].cells + regions_[b].cells,
-                       low, high, a, b, regions_[a].version, regions_[b].version});
+      proposals_.push({static_cast<int>(std::lround(*dense * params_.density.steps)),
+                       regions_[a].cells + regions_[b].cells, low, high, a, b, regions_[a].version,
+                       regions_[b].version});
     }
   }
 
@@ -160,7 +161,7 @@ double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCo
   const double occupied = counts.occupied_in(box);
   const double own = own_cells;
   const double elsewhere = std::max(0.0, side.x() * side.y() - own - occupied);
-  return own / (own + occupied + params.elsewhere_weight * elsewhere);
+  return own / (own + occupied + params.density.elsewhere_weight * elsewhere);
 }
 
 double narrow_side(const Region& region) {
@@ -168,10 +169,11 @@ double narrow_side(const Region& region) {
   return std::min(side.x(), side.y());
 }
 
-bool is_corridor(const Region& region) {
+bool is_corridor(const Region& region, const CorridorParams& params) {
   const types::Vector2 side = region.core.max - region.core.min;
   const double width = narrow_side(region);
-  return std::max(side.x(), side.y()) > 2.0 * width && static_cast<double>(region.clearance_m) < 0.7 * width;
+  return std::max(side.x(), side.y()) > params.length_ratio * width &&
+         static_cast<double>(region.clearance_m) < params.clearance_ratio * width;
 }
 
 bool no_wall_between(const Contact& contact, double resolution_m, const PlaceParams& params) {
@@ -195,7 +197,9 @@ bool similar_width(const Region& a, const Region& b, const Contact& contact, dou
   const Region &narrower = a_narrower ? a : b, &wider = a_narrower ? b : a;
   // A region that lies alongside is not a corridor that leads into the other one, but the edge of the same
   // room.
-  if (!is_corridor(narrower) || contact.border() * resolution_m > 1.5 * narrow_side(narrower)) return true;
+  if (!is_corridor(narrower, params.corridor) ||
+      contact.border() * resolution_m > params.corridor.alongside_ratio * narrow_side(narrower))
+    return true;
   return static_cast<double>(wider.clearance_m) <=
          params.width_ratio_max * static_cast<double>(narrower.clearance_m);
 }

@@ -13,16 +13,15 @@
 namespace topo::places {
 
 /// Share of a region's own free space in its box. Occupied cells count against it in full, cells that are
-/// unknown or of other regions by params.elsewhere_weight.
+/// unknown or of other regions by params.density.elsewhere_weight.
 double density(const types::Rectangle& box, std::uint32_t own_cells, const BoxCounts& counts,
                double resolution_m, const PlaceParams& params);
 
 /// Shorter side of the region's core, in metres.
 double narrow_side(const Region& region);
 
-/// True when the region is longer than twice its width, and its clearance matches that width; a slice of a
-/// hall has more.
-bool is_corridor(const Region& region);
+/// True when the region is much longer than wide, and its clearance matches its width.
+bool is_corridor(const Region& region, const CorridorParams& params);
 
 /// Condition 2 of paper section II-C: there is little wall between the two regions compared with their open
 /// border.

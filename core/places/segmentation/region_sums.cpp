@@ -129,27 +129,29 @@ void add_cores(const Source& source, std::vector<Region>& regions) {
 }
 
 void note_walls(std::span<const WallBetween> walls, const PieceNumbers& numbers, std::vector<Region>& regions,
-                Borders& borders) {
+                Borders& borders, double step_m) {
   std::vector<std::uint32_t> straddled(regions.size(), 0);
   for (const WallBetween& wall : walls) {
     const std::uint32_t a = numbers.of(wall.a), b = numbers.of(wall.b);
     (a == b ? straddled[a] : borders.between(a, b).wall_steps) += wall.steps;
   }
-  for (std::size_t r = 0; r < regions.size(); ++r) regions[r].straddled_m = wall_length_m(straddled[r]);
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    regions[r].straddled_m = wall_length_m(straddled[r], step_m);
 }
 
 }  // namespace
 
 std::vector<Region> regions_of(const DenseMap& map, std::span<const float> clearance_m,
                                const FirstLabels& first, std::span<const types::Segment> walls,
-                               const CompassFrame& frame) {
+                               const CompassFrame& frame, const WallSideParams& params) {
   std::vector<Region> regions(first.pieces.size());
   Borders borders(regions.size());
   const Source source{map, clearance_m, first, frame};
   CellSums(source, regions, borders).add();
   add_cores(source, regions);
-  note_walls(wall_sides(map, first.labels, walls), PieceNumbers(first, map.cells.size()), regions, borders);
-  borders.hand_out(regions);
+  note_walls(wall_sides(map, first.labels, walls, params), PieceNumbers(first, map.cells.size()), regions,
+             borders, params.step_m);
+  borders.hand_out(regions, params.step_m);
   return regions;
 }
 

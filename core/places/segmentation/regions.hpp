@@ -11,6 +11,7 @@
 #include "core/grid/dense_map.hpp"
 #include "core/places/segmentation/box_counts.hpp"
 #include "core/places/segmentation/first_labels.hpp"
+#include "core/places/segmentation/place_map.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -50,7 +51,7 @@ struct Region {
 /// The regions of first labels, in the order of the pieces, with their contacts; walls as in segment_places.
 std::vector<Region> regions_of(const grid::DenseMap& map, std::span<const float> clearance_m,
                                const FirstLabels& first, std::span<const types::Segment> walls,
-                               const CompassFrame& frame);
+                               const CompassFrame& frame, const WallSideParams& params);
 
 /// Merges region `from` into region `into`, whose core grows only when `grows_core`: by a region of equal
 /// rank.

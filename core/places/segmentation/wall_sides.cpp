@@ -11,15 +11,10 @@ using grid::DenseMap;
 using types::Segment;
 using Labels = std::span<const std::uint32_t>;
 
-constexpr double kStepM = 0.10;
-
-/// Reaches across the wall's thickness to the regions that the wall bounds.
-constexpr double kReachM = 0.40;
-
-/// The first label from `p` in the given direction, within kReachM; 0 when there is none.
+/// The first label from `p` in the given direction, within `reach_m`; 0 when there is none.
 std::uint32_t label_beside(const DenseMap& map, Labels labels, const types::Vector2& p,
-                           const types::Vector2& direction) {
-  for (double d = 0.5 * map.resolution_m; d <= kReachM; d += map.resolution_m) {
+                           const types::Vector2& direction, double reach_m) {
+  for (double d = 0.5 * map.resolution_m; d <= reach_m; d += map.resolution_m) {
     const grid::CellIndex cell = map.cell_at(p + d * direction);
     if (!map.contains(cell)) return 0;
     const std::uint32_t label = labels[map.index(cell)];
@@ -30,14 +25,15 @@ std::uint32_t label_beside(const DenseMap& map, Labels labels, const types::Vect
 
 /// Calls f(a, b) for every step of a wall with labels on both sides.
 template <class F>
-void for_each_step(const DenseMap& map, Labels labels, const Segment& wall, F&& f) {
+void for_each_step(const DenseMap& map, Labels labels, const Segment& wall, const WallSideParams& params,
+                   F&& f) {
   const double length_m = wall.length_m();
   const types::Vector2 along = (wall.b - wall.a) / length_m, across(-along.y(), along.x());
-  for (double d = 0.5 * kStepM; d < length_m; d += kStepM) {
+  for (double d = 0.5 * params.step_m; d < length_m; d += params.step_m) {
     const types::Vector2 p = wall.a + d * along;
-    const std::uint32_t a = label_beside(map, labels, p, across);
+    const std::uint32_t a = label_beside(map, labels, p, across, params.reach_m);
     if (a == 0) continue;
-    const std::uint32_t b = label_beside(map, labels, p, -across);
+    const std::uint32_t b = label_beside(map, labels, p, -across, params.reach_m);
     if (b != 0) f(a, b);
   }
 }
@@ -49,18 +45,19 @@ bool has_length(const Segment& wall) {
 
 }  // namespace
 
-float wall_length_m(std::uint32_t steps) {
+float wall_length_m(std::uint32_t steps, double step_m) {
   float length_m = 0.0F;
-  for (; steps > 0; --steps) length_m += static_cast<float>(kStepM);
+  for (; steps > 0; --steps) length_m += static_cast<float>(step_m);
   return length_m;
 }
 
-std::vector<WallBetween> wall_sides(const DenseMap& map, Labels labels, std::span<const Segment> walls) {
+std::vector<WallBetween> wall_sides(const DenseMap& map, Labels labels, std::span<const Segment> walls,
+                                    const WallSideParams& params) {
   std::vector<WallBetween> all;
   for (const Segment& wall : walls) {
     if (!has_length(wall)) continue;
     const std::size_t first = all.size();
-    for_each_step(map, labels, wall, [&](std::uint32_t a, std::uint32_t b) {
+    for_each_step(map, labels, wall, params, [&](std::uint32_t a, std::uint32_t b) {
       if (all.size() == first || all.back().a != a || all.back().b != b) all.push_back({a, b, 0});
       ++all.back().steps;
     });

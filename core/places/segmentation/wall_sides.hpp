@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/grid/dense_map.hpp"
+#include "core/places/segmentation/place_map.hpp"
 #include "core/types/geometry.hpp"
 
 namespace topo::places {
@@ -20,11 +21,11 @@ struct WallBetween {
 
 /// Length of a wall of this number of steps, added one by one, so that it is bit-identical however the steps
 /// were counted.
-float wall_length_m(std::uint32_t steps);
+float wall_length_m(std::uint32_t steps, double step_m);
 
 /// The labels on both sides of walls, step by step along them, in the order of the walls; a pair of labels
 /// may occur repeatedly. Walls may have any direction.
 std::vector<WallBetween> wall_sides(const grid::DenseMap& map, std::span<const std::uint32_t> labels,
-                                    std::span<const types::Segment> walls);
+                                    std::span<const types::Segment> walls, const WallSideParams& params);
 
 }  // namespace topo::places

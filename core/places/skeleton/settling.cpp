@@ -9,7 +9,7 @@
 namespace topo::places {
 namespace {
 
-constexpr std::size_t kStripRows = 32;
+constexpr std::size_t kStripRows = 32;  // rows whose states fit into the cache
 
 }  // namespace
 
@@ -63,7 +63,7 @@ bool Settling::stays(std::uint32_t i, const Around& around) const {
 void Settling::decide(std::uint32_t i) {
   fates_[i] &= static_cast<ThinningState>(~kQueued);
   const Around around = this->around(i, static_cast<unsigned>(bucket_ << 1U));
-  constexpr unsigned kSides = 0x55;
+  constexpr unsigned kSides = 0x55;  // the even neighbours share a side
   if ((around.kept & ~around.later & kSides) != 0) {
     queue(i, last_);
     if ((fates_[i] & Erosion::kDelayed) == 0) settle(i, around, Erosion::kDelayed, false);

@@ -16,10 +16,9 @@ Skeleton skeletonise(const grid::DenseMap& map, std::span<const float> clearance
   Skeleton skeleton;
   Thinning thinning = thin_to_ridge(map, erosion);
   thin_to_lines(map, thinning);
-  // Without its spurs a junction may no longer be one, and what remains there may be the end of another spur.
-  constexpr int kRounds = 3;
-  Spurs spurs(map, clearance_m, params.spur_m);
-  for (int round = 0; round < kRounds && spurs.drop(thinning); ++round) thin_to_lines(map, thinning);
+  Spurs spurs(map, clearance_m, params);
+  for (int round = 0; round < params.rounds_max && spurs.drop(thinning); ++round)
+    thin_to_lines(map, thinning);
   GraphTracer tracer(map, clearance_m);
   tracer.trace(thinning, skeleton);
   tracer.find_narrowest(skeleton);

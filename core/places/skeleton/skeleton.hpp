@@ -11,8 +11,12 @@
 
 namespace topo::places {
 
+/// Which side branches of the axis have no meaning. No source is recorded for the values.
 struct SkeletonParams {
   double spur_m = 0.30;  ///< an end is dropped when its disc protrudes no more than this from its junction's
+  int rounds_max = 3;    ///< of dropping: without its spurs a junction may be the end of another spur
+  double straight_ratio = 1.2;  ///< a branch up to this multiple of the straight distance,
+  double straight_cells = 2.0;  ///< plus this, is straight: a path over cells is up to 8 % longer
 };
 
 /// A junction or an end of the skeleton.

@@ -20,7 +20,7 @@ bool Spurs::drop(Thinning& thinning) {
     if (!branch) continue;
     const Junction& junction = junction_at(branch->junction, thinning);
     // With no other exit, the branch is all of its component.
-    if (junction.exits > 1 && protrusion_m(i, junction, branch->length_m) <= spur_m_)
+    if (junction.exits > 1 && protrusion_m(i, junction, branch->length_m) <= params_.spur_m)
       dropped.insert(dropped.end(), way_.begin(), way_.end());
   }
   for (const std::uint32_t i : at_junctions_)
@@ -79,12 +79,14 @@ const Spurs::Junction& Spurs::junction_at(std::uint32_t cell, Thinning& thinning
 }
 
 /// How far the disc around the end protrudes from the one around the junction. Uses the straight distance,
-/// because a path over cells is up to 8 % longer, and the length of the branch when that bends.
+/// and the length of the branch when that bends.
 double Spurs::protrusion_m(std::uint32_t end, const Junction& junction, float length_m) const {
   const double straight_m =
       (map_.centre_of(map_.cell(end)) - map_.centre_of(map_.cell(junction.clearest))).norm();
   const auto along_m = static_cast<double>(length_m);
-  const double away_m = along_m < 1.2 * straight_m + 2.0 * map_.resolution_m ? straight_m : along_m;
+  const double away_m =
+      along_m < params_.straight_ratio * straight_m + params_.straight_cells * map_.resolution_m ? straight_m
+                                                                                                 : along_m;
   return away_m + static_cast<double>(clearance_m_[end] - clearance_m_[junction.clearest]);
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/places/skeleton/cell_numbers.hpp"
+#include "core/places/skeleton/skeleton.hpp"
 #include "core/places/skeleton/thinning.hpp"
 
 namespace topo::places {
@@ -19,11 +20,10 @@ namespace topo::places {
 /// space. The search begins at their ends: most of the axis lies between junctions, and is not examined.
 class Spurs {
  public:
-  /// `spur_m`: SkeletonParams.
-  Spurs(const grid::DenseMap& map, std::span<const float> clearance_m, double spur_m)
+  Spurs(const grid::DenseMap& map, std::span<const float> clearance_m, const SkeletonParams& params)
       : map_(map),
         clearance_m_(clearance_m),
-        spur_m_(spur_m),
+        params_(params),
         offsets_(neighbour_offsets(map)),
         junction_of_(map.cells.size()) {}
 
@@ -51,7 +51,7 @@ class Spurs {
 
   const grid::DenseMap& map_;
   std::span<const float> clearance_m_;
-  double spur_m_;
+  SkeletonParams params_;
   std::array<std::ptrdiff_t, 8> offsets_;
   CellNumbers junction_of_;  ///< number of the junction, for cells marked as nodes
   std::vector<Junction> junctions_;

@@ -47,7 +47,7 @@ struct Stages {
     open = places::without_furniture(map, walls, params.furniture_m);
     open_m = grid::clearance_m(open, grid::Boundary::kOccupiedOrUnknown);
     skeleton = places::skeletonise(open, open_m);
-    first = places::first_labels(open, open_m, skeleton, params.piece_m);
+    first = places::first_labels(open, open_m, skeleton, params.first);
     places = places::reduce_labels(open, open_m, first, walls, compass_rad, params);
     places.labels = places.labels.on_free_cells(map);
     known = static_cast<double>(map.cells.size()) -
@@ -153,7 +153,7 @@ void BM_Skeleton(benchmark::State& state) {
 }
 void BM_Labels(benchmark::State& state) {
   measure(state, [](const Stages& on) {
-    return places::first_labels(on.open, on.open_m, on.skeleton, on.params.piece_m);
+    return places::first_labels(on.open, on.open_m, on.skeleton, on.params.first);
   });
 }
 void BM_Reduction(benchmark::State& state) {

@@ -20,7 +20,7 @@ void drop_k_means(PlannerParams& planner) { planner.explore.k_means = false; }
 /// No reason is left against any merge, so that the reduction ends with one place for what hangs together.
 void drop_places(PlannerParams& planner) {
   places::PlaceParams& places = planner.analysis.places;
-  places.density_min = 0.0;
+  places.density.min = 0.0;
   places.width_ratio_max = HUGE_VAL;
   places.narrow_ratio = 0.0;
   places.wall_share_max = HUGE_VAL;

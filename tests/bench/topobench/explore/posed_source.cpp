@@ -51,7 +51,7 @@ void dense_hits(const types::Scan& scan, const types::Se2& T_base_laser, double 
 /// agree.
 class Heights {
  public:
-  explicit Heights(const walls::CoronalMount& mount) : collector_(mount) {}
+  explicit Heights(const slam::MapperParams& params) : collector_(params.coronal, params.columns) {}
 
   void add(const types::Scan& scan, const types::Se2& T_map_base) {
     if (has_before_) fill(scan, T_map_base);
@@ -97,7 +97,7 @@ struct PosedKeyframe {
 class PosedSource final : public SharedMapSource {
  public:
   PosedSource(const slam::MapperParams& params, std::uint16_t robot)
-      : params_(params), robot_(robot), heights_(params.coronal), builder_(params.grid) {
+      : params_(params), robot_(robot), heights_(params), builder_(params.grid) {
     publish({});
   }
 

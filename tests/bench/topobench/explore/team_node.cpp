@@ -34,7 +34,7 @@ TeamNode::TeamNode(std::uint16_t robot, SharedMapSource& source, const slam::Map
 std::vector<types::Vector2> TeamNode::mates_at(types::Stamp now) const {
   std::vector<types::Vector2> places;
   for (const auto& [id, mate] : mates_) {
-    if (now - mate.heard <= team::kPlaceAgeMax) places.push_back(mate.p_map);
+    if (now - mate.heard <= team::RosterParams{}.place_age_max) places.push_back(mate.p_map);
   }
   for (std::uint16_t id = 0; id < starts_.size() && now <= types::Stamp{kAtStart}; ++id) {
     if (id != robot_ && !mates_.contains(id)) places.push_back(starts_[id].translation());
@@ -50,7 +50,7 @@ void TeamNode::mask_mates(Readings& readings) {
       const bool posed = i < readings.poses.size();
       const types::Se2& T_map_base = posed ? readings.poses[i].T_map_base : by_odometry;
       const types::Stamp now = posed ? readings.poses[i].stamp : scans[i].arrival;
-      mask_scan(scans[i], T_map_base * T_base_laser, mates_at(now), team::kMateRadius_m);
+      mask_scan(scans[i], T_map_base * T_base_laser, mates_at(now), team::RosterParams{}.mate_radius_m);
     }
   };
   mask(readings.front, T_base_front_, team::mask_mates);

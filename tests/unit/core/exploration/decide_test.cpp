@@ -90,7 +90,7 @@ TEST_F(Deciding, AGoalThatControlArrivedAtIsNotGoneToAgain) {
   EXPECT_EQ(then.deferred.visited(building_.now()).front(), reached);
   EXPECT_TRUE(then.deferred.hold(reached, building_.now() + seconds(3600))) << "a final sweep follows";
   ASSERT_TRUE(then.pursuit.goal);
-  EXPECT_GT((then.pursuit.goal->p_map - reached).norm(), DeferredGoals::kSame_m);
+  EXPECT_GT((then.pursuit.goal->p_map - reached).norm(), params_.deferral.same_m);
   EXPECT_GT(then.pursuit.number, once.pursuit.number);
 }
 

@@ -45,7 +45,7 @@ TEST(DeferredGoals, areHeldWithinEightyCentimetresOfThoseThatAreTold) {
     for (int k = 0; k < 20; ++k) {
       const Vector2 p = anywhere() + Vector2(0.01, 0.02);
       const bool is_near = std::ranges::any_of(
-          held, [&](const DeferredGoal& g) { return (g.p_map - p).norm() <= DeferredGoals::kSame_m; });
+          held, [&](const DeferredGoal& g) { return (g.p_map - p).norm() <= DeferralParams{}.same_m; });
       RC_ASSERT(deferred.hold(p, now) == is_near);
     }
     std::vector<Vector2> visited;
@@ -65,6 +65,18 @@ TEST(DeferredGoals, comeBackAsTimeGoesByAndNeverGoAway) {
       RC_ASSERT(std::ranges::count(now, g.p_map, &DeferredGoal::p_map) == 1);
     const auto at_last = deferred.held(second(1000));
     RC_ASSERT(std::ranges::all_of(at_last, &DeferredGoal::is_for_good));
+  }));
+}
+
+TEST(DeferredGoals, comeBackAsOftenAsTheParameterSays) {
+  EXPECT_TRUE(rc::check([] {
+    DeferralParams params;
+    params.times_max = *rc::gen::inRange(1, 5);
+    DeferredGoals deferred(params);
+    for (int times = 1; times <= 5; ++times) {
+      deferred.give_up({1.0, 1.0}, second(10 * times), "stuck");
+      RC_ASSERT(deferred.hold({1.0, 1.0}, second(1000)) == (times >= params.times_max));
+    }
   }));
 }
 

@@ -29,7 +29,7 @@ class TwoGaps : public ::testing::Test {
     field = field_from(map, {40, 30});
     looks.begin(at(0.0));
   }
-  void find(std::uint64_t revision) { looks.find({map, revision, 12.0, field, {}}, now, {}); }
+  void find(std::uint64_t revision) { looks.find({map, revision, 12.0, field, {}, 1.2}, now, {}); }
   static types::Stamp at(double t_s) { return types::stamp_from_seconds(1000.0 + t_s); }
 
   static FinalSweepParams params() {
@@ -57,16 +57,16 @@ TEST_F(TwoGaps, AreTwoGoals) {
 }
 
 TEST_F(TwoGaps, AreNotWorthTheWayWhenTheyPromiseLittleOfWhatIsKnown) {
-  looks.find({map, 1, 1e4, field, {}}, now, {});
+  looks.find({map, 1, 1e4, field, {}, 1.2}, now, {});
   EXPECT_TRUE(looks.empty());
   find(2);
   EXPECT_FALSE(looks.empty()) << "what was not worth it was not offered";
 }
 
 TEST_F(TwoGaps, AreNotLookedIntoFromWhereNoWayLeadsAnyMore) {
-  looks.find({map, 1, 1e4, field, {}}, now, {});
+  looks.find({map, 1, 1e4, field, {}, 1.2}, now, {});
   const grid::TravelField nowhere = field_from(map, {500, 500});
-  looks.find({map, 2, 12.0, nowhere, {}}, now, {});
+  looks.find({map, 2, 12.0, nowhere, {}, 1.2}, now, {});
   EXPECT_TRUE(looks.empty()) << "though a second ago there was a way";
   find(3);
   EXPECT_EQ(looks.goals().size(), 2U);
@@ -167,10 +167,10 @@ TEST_F(TwoGaps, AreToldFromOtherGoals) {
 }
 
 TEST_F(TwoGaps, AreNotAskedForTooOften) {
-  looks.find({map, 1, 1e4, field, {}}, at(10.0), std::chrono::seconds(30));
-  looks.find({map, 2, 12.0, field, {}}, at(39.0), std::chrono::seconds(30));
+  looks.find({map, 1, 1e4, field, {}, 1.2}, at(10.0), std::chrono::seconds(30));
+  looks.find({map, 2, 12.0, field, {}, 1.2}, at(39.0), std::chrono::seconds(30));
   EXPECT_TRUE(looks.empty());
-  looks.find({map, 3, 12.0, field, {}}, at(41.0), std::chrono::seconds(30));
+  looks.find({map, 3, 12.0, field, {}, 1.2}, at(41.0), std::chrono::seconds(30));
   EXPECT_FALSE(looks.empty());
 }
 

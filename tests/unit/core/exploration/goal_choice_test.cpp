@@ -58,16 +58,16 @@ TEST(CandidatesOf, sayWhenSomethingIsCutOffAndLeaveOutWhatIsPutOff) {
   const types::Se2 robot{0.7, 1.0, 0.0};
   bool cut_off = false;
   const std::vector<ProposedGoal> one{{here, {}}}, both{{here, {}}, {beyond, {}}};
-  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
+  EXPECT_EQ(candidates_of(one, {map, clearance, field, kRadius_m}, deferred, robot, kNow, {}, cut_off).size(),
             1U);
   EXPECT_FALSE(cut_off);
-  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
-            1U);
+  EXPECT_EQ(
+      candidates_of(both, {map, clearance, field, kRadius_m}, deferred, robot, kNow, {}, cut_off).size(), 1U);
   EXPECT_TRUE(cut_off);
   cut_off = false;
   deferred.give_up(beyond.p_map, kNow + std::chrono::seconds(60), "stuck");
-  EXPECT_EQ(candidates_of(both, {map, clearance, field, kRadius_m}, deferred, robot, kNow, cut_off).size(),
-            1U);
+  EXPECT_EQ(
+      candidates_of(both, {map, clearance, field, kRadius_m}, deferred, robot, kNow, {}, cut_off).size(), 1U);
   EXPECT_FALSE(cut_off) << "put off is not cut off";
 }
 
@@ -83,7 +83,7 @@ TEST(CandidatesOf, aDoorSeenInPartIsLookedThroughFromBeforeIt) {
   beyond.side = goals::Side::kEast;
   const auto candidates_now = [&](bool& cut_off) {
     const std::vector<ProposedGoal> goals{{beyond, {}}};
-    return candidates_of(goals, {map, clearance, field, kRadius_m}, {}, {0.7, 1.0, 0.0}, kNow, cut_off);
+    return candidates_of(goals, {map, clearance, field, kRadius_m}, {}, {0.7, 1.0, 0.0}, kNow, {}, cut_off);
   };
   bool cut_off = false;
   const std::vector<Candidate> looked_at = candidates_now(cut_off);
@@ -106,7 +106,7 @@ TEST(FrontierGoals, aRingOfFrontierLeadsOnThoughItsCentroidIsFarFromIt) {
   }
   const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupied);
   const auto field = grid::travel_field(map, clearance_m, {40, 40}, {});
-  const auto found = frontier_goals(map, field, goals::find_frontiers(map));
+  const auto found = frontier_goals(map, field, goals::find_frontiers(map), {});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(std::isinf(found[0].behind_m2)) << found[0].behind_m2;
 }
@@ -115,9 +115,9 @@ TEST(SuccessorOf, aGoalThatRecedesIsTheSame) {
   const std::vector<Candidate> candidates{candidate(3.0, 1.0), candidate(9.0, 1.0)};
   goals::Goal goal;
   goal.p_map = goal.opening = Vector2(2.0, 0.0);
-  EXPECT_EQ(successor_of(goal, candidates), &candidates[0]);
+  EXPECT_EQ(successor_of(goal, candidates, 2.5), &candidates[0]);
   goal.p_map = goal.opening = Vector2(-5.0, 0.0);
-  EXPECT_EQ(successor_of(goal, candidates), nullptr);
+  EXPECT_EQ(successor_of(goal, candidates, 2.5), nullptr);
 }
 
 TEST(DeferredGoals, comeBackOnceAndThenStayAway) {

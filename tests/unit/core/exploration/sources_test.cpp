@@ -32,7 +32,8 @@ TEST_F(Sources, ADeferredGoalIsNoCandidate) {
   deferred_.give_up(first, building_.now() + std::chrono::seconds(60), "stuck");
   const Reachable left = essential_candidates(situation(), map_, deferred_, params_, false);
   EXPECT_LT(left.candidates.size(), all.candidates.size());
-  for (const Candidate& c : left.candidates) EXPECT_GT((c.goal.p_map - first).norm(), DeferredGoals::kSame_m);
+  for (const Candidate& c : left.candidates)
+    EXPECT_GT((c.goal.p_map - first).norm(), params_.deferral.same_m);
 }
 
 TEST_F(Sources, AGoalThatATeamMateVisitedIsNoCandidate) {
@@ -86,7 +87,7 @@ TEST_F(Sources, TheFinalSweepWaitsForOtherGoals) {
   EXPECT_TRUE(swept(state, {}, true, situation(), map_, params_).sweep.empty()) << "a route may open";
   const SweepState begun = swept(state, {}, false, situation(), map_, params_);
   ASSERT_FALSE(begun.sweep.empty());
-  const Reachable viewpoints = viewpoint_candidates(begun.sweep, situation(), map_);
+  const Reachable viewpoints = viewpoint_candidates(begun.sweep, situation(), map_, params_.candidate);
   for (const Candidate& c : viewpoints.candidates) {
     EXPECT_EQ(c.id.source, Source::kViewpoint);
     EXPECT_TRUE(begun.sweep.has(c.id.number));

@@ -36,10 +36,10 @@ team::Roster roster_of(const std::vector<team::StatusMessage>& mates) {
 
 TEST(TeamView, AMateThatGoesOnIsWithinItsSwingRadius) {
   const std::vector<Vector2> going{{1.0, 0.0}, {9.0, 9.0}};
-  EXPECT_TRUE(is_going_mate(going, {1.74, 0.0}));
-  EXPECT_FALSE(is_going_mate(going, {1.76, 0.0}));
-  EXPECT_TRUE(is_going_mate(going, {9.0, 9.0}));
-  EXPECT_FALSE(is_going_mate({}, {1.0, 0.0}));
+  EXPECT_TRUE(is_going_mate(going, {1.74, 0.0}, 0.75));
+  EXPECT_FALSE(is_going_mate(going, {1.76, 0.0}, 0.75));
+  EXPECT_TRUE(is_going_mate(going, {9.0, 9.0}, 0.75));
+  EXPECT_FALSE(is_going_mate({}, {1.0, 0.0}, 0.75));
 }
 
 TEST(TeamView, TheBeginningOfARouteIsThinnedOutAndSixMetresLong) {
@@ -52,7 +52,7 @@ TEST(TeamView, TheBeginningOfARouteIsThinnedOutAndSixMetresLong) {
       route.push_back(route.back() + step_m * Vector2(std::cos(angle_rad), std::sin(angle_rad)));
       gone_m.push_back(length_m += (route.back() - route[route.size() - 2]).norm());
     }
-    const std::vector<Vector2> way = beginning_of(route);
+    const std::vector<Vector2> way = beginning_of(route, {});
     RC_ASSERT(!way.empty() && way.front() == route.front());
     double before_m = 0.0;
     auto at = route.begin();
@@ -68,7 +68,19 @@ TEST(TeamView, TheBeginningOfARouteIsThinnedOutAndSixMetresLong) {
   }));
 }
 
-TEST(TeamView, OfNoRouteThereIsNoBeginning) { EXPECT_TRUE(beginning_of({}).empty()); }
+TEST(TeamView, TheBeginningIsAsLongAsTheParameterSays) {
+  std::vector<Vector2> route;
+  for (int k = 0; k <= 100; ++k) route.emplace_back(0.1 * k, 0.0);
+  TeamViewParams params;
+  params.way_m = 2.05;
+  params.way_spacing_m = 0.95;
+  const std::vector<Vector2> way = beginning_of(route, params);
+  ASSERT_EQ(way.size(), 3U);
+  EXPECT_NEAR(way[1].x(), 1.0, 1e-9);
+  EXPECT_NEAR(way[2].x(), 2.0, 1e-9);
+}
+
+TEST(TeamView, OfNoRouteThereIsNoBeginning) { EXPECT_TRUE(beginning_of({}, {}).empty()); }
 
 TEST(TeamView, AGoalOfTheTeamIsAtItsOpeningAndAGapWhereOneStands) {
   goals::Goal goal;
@@ -142,8 +154,8 @@ TEST(TeamView, AMateIsBehindInTheRobotsFrame) {
     const team::Roster roster = roster_of({able_mate(3, {at.x(), at.y(), 0.0})});
     const bool behind = ahead.x() < 0.0 && ahead.norm() <= 1.5;
     if (std::abs(ahead.norm() - 1.5) > 1e-6)
-      RC_ASSERT(is_mate_behind({5, roster, {}}, robot, kToday) == behind);
-    RC_ASSERT(!is_mate_behind({5, roster, {}}, robot, after(11.0)));
+      RC_ASSERT(is_mate_behind({5, roster, {}}, robot, kToday, {}) == behind);
+    RC_ASSERT(!is_mate_behind({5, roster, {}}, robot, after(11.0), {}));
   }));
 }
 
@@ -151,7 +163,7 @@ TEST(TeamView, ARobotSlowsForAMovingMateThatMayBeNearByNow) {
   team::StatusMessage mate = able_mate(7, {1.9, 0.0, 0.0});
   const auto slows = [&](double age_s) {
     const team::Roster roster = roster_of({mate});
-    return slows_for_mate({5, roster, {}}, {}, after(age_s));
+    return slows_for_mate({5, roster, {}}, {}, after(age_s), {});
   };
   EXPECT_FALSE(slows(0.0)) << "it stands";
   mate.way_map = {{1.9, 0.0}, {3.0, 0.0}};
@@ -168,15 +180,15 @@ TEST(TeamView, ARobotInAMatesWayHasToLetItPass) {
   mate.way_map = {{2.0, 0.0}, {1.0, 0.0}, {0.0, 0.0}, {-1.0, 0.0}};
   const team::Roster roster = roster_of({mate});
   const TeamView team{5, roster, {}};
-  const team::StatusMessage* const found = who_has_to_pass(team, {}, {}, kToday);
+  const team::StatusMessage* const found = who_has_to_pass(team, {}, {}, kToday, {});
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->robot, 7U);
   const std::vector<Vector2> towards{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}};
-  EXPECT_EQ(who_has_to_pass(team, {}, towards, kToday), nullptr)
+  EXPECT_EQ(who_has_to_pass(team, {}, towards, kToday, {}), nullptr)
       << "the mate with the higher number gives way";
-  EXPECT_NE(who_has_to_pass({8, roster, {}}, {}, towards, kToday), nullptr);
-  EXPECT_EQ(who_has_to_pass(team, {0.0, 2.0, 0.0}, {}, kToday), nullptr) << "beside its way";
-  EXPECT_EQ(who_has_to_pass(team, {}, {}, after(11.0)), nullptr);
+  EXPECT_NE(who_has_to_pass({8, roster, {}}, {}, towards, kToday, {}), nullptr);
+  EXPECT_EQ(who_has_to_pass(team, {0.0, 2.0, 0.0}, {}, kToday, {}), nullptr) << "beside its way";
+  EXPECT_EQ(who_has_to_pass(team, {}, {}, after(11.0), {}), nullptr);
 }
 
 TEST(TeamView, HasMatesOnceOneWasHeardOf) {

@@ -47,7 +47,8 @@ TEST(EssentialGoals, OfACorridorSeenToItsMiddleIsOneAtItsEnd) {
   EXPECT_NEAR(set.goals[0].opening.x(), 15.0, 0.1);
   EXPECT_NEAR(set.goals[0].opening.y(), 2.0, 0.1);
   EXPECT_NEAR(set.goals[0].p_map.x(), 14.5, 0.6);
-  EXPECT_EQ(set.goals[0].chance, chance_to_lead_on(set.goals[0].opening_m, HUGE_VAL)) << "nobody was there";
+  EXPECT_EQ(set.goals[0].chance, chance_to_lead_on(set.goals[0].opening_m, HUGE_VAL, {}))
+      << "nobody was there";
   EXPECT_EQ(set.rejected.size(), 3U) << "the other sides";
   EXPECT_EQ(count(set, Verdict::kNoOpening), 3);
 }
@@ -82,8 +83,8 @@ TEST(EssentialGoals, ASideBesideAnotherPlaceIsInternal) {
       DrawnMap(260, 140).room(20, 20, 120, 120).room(122, 20, 222, 120).free(120, 60, 122, 78);
   const Scene scene(drawn);
   ASSERT_EQ(scene.places.places.size(), 2U);
-  EXPECT_TRUE(faces_another_place(scene.input(), 1, Side::kEast));
-  EXPECT_FALSE(faces_another_place(scene.input(), 1, Side::kWest));
+  EXPECT_TRUE(faces_another_place(scene.input(), 1, Side::kEast, {}));
+  EXPECT_FALSE(faces_another_place(scene.input(), 1, Side::kWest, {}));
   EXPECT_EQ(count(scene.goals(), Verdict::kInternal), 2);
 }
 

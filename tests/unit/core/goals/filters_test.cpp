@@ -173,7 +173,7 @@ struct TwoSquares {
     places.places.push_back({{{0.05 * (60 + gap_cells), 0.0}, {6.0, 3.0}}, {4.6, 1.5}, 8.4, 1.4F});
   }
   [[nodiscard]] bool faces(std::uint16_t place, Side side) const {
-    return faces_another_place({map, {}, skeleton, places, {}}, place, side);
+    return faces_another_place({map, {}, skeleton, places, {}}, place, side, {});
   }
 
   DenseMap map;

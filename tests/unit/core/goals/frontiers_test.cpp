@@ -216,7 +216,7 @@ TEST(UnknownBehind, OfAnEnclosedPocketIsItsArea) {
         .fill(65, 15, 68, 18, CellState::kUnknown);
     const auto frontiers = find_frontiers(drawn.map(), 0.0);
     RC_ASSERT(frontiers.size() == 1U);
-    RC_ASSERT(std::abs(unknown_behind_m2(drawn.map(), frontiers[0]) - 0.0025 * width * height) < 1e-9);
+    RC_ASSERT(std::abs(unknown_behind_m2(drawn.map(), frontiers[0], 1.2) - 0.0025 * width * height) < 1e-9);
   }));
 }
 
@@ -227,7 +227,7 @@ TEST(UnknownBehind, BeyondItsReachIsWithoutEnd) {
     drawn.room(10, 10, 30, 30).occupied(30, 8, 80, 32).fill(30, 20, 30 + depth, 21, CellState::kUnknown);
     const auto frontiers = find_frontiers(drawn.map(), 0.0);
     ASSERT_EQ(frontiers.size(), 1U);
-    const double behind_m2 = unknown_behind_m2(drawn.map(), frontiers[0]);
+    const double behind_m2 = unknown_behind_m2(drawn.map(), frontiers[0], 1.2);
     EXPECT_EQ(std::isinf(behind_m2), depth > 24) << depth << " cells, of 1.2 m";
     if (depth > 24) continue;
     EXPECT_NEAR(behind_m2, 0.0025 * depth, 1e-9);
@@ -235,7 +235,7 @@ TEST(UnknownBehind, BeyondItsReachIsWithoutEnd) {
 }
 
 TEST(UnknownBehind, NoFrontierIsNothing) {
-  EXPECT_EQ(unknown_behind_m2(half_seen_room(40), Frontier{}), 0.0);
+  EXPECT_EQ(unknown_behind_m2(half_seen_room(40), Frontier{}, 1.2), 0.0);
 }
 
 }  // namespace

@@ -14,19 +14,21 @@
 namespace topo::goals {
 namespace {
 
-TEST(OpeningChance, IsEvenForTwoMetresAtNineAndAHalf) { EXPECT_NEAR(chance_to_lead_on(2.0, 9.5), 0.5, 0.01); }
+TEST(OpeningChance, IsEvenForTwoMetresAtNineAndAHalf) {
+  EXPECT_NEAR(chance_to_lead_on(2.0, 9.5, {}), 0.5, 0.01);
+}
 
 TEST(OpeningChance, GrowsWithWidthAndWithTheWayFromThePaths) {
-  EXPECT_GT(chance_to_lead_on(2.0, 5.0), chance_to_lead_on(1.0, 5.0));
-  EXPECT_GT(chance_to_lead_on(1.0, 5.0), chance_to_lead_on(1.0, 2.0));
-  EXPECT_LT(chance_to_lead_on(0.9, 1.0), 0.05) << "the shadow of something that a robot passed";
+  EXPECT_GT(chance_to_lead_on(2.0, 5.0, {}), chance_to_lead_on(1.0, 5.0, {}));
+  EXPECT_GT(chance_to_lead_on(1.0, 5.0, {}), chance_to_lead_on(1.0, 2.0, {}));
+  EXPECT_LT(chance_to_lead_on(0.9, 1.0, {}), 0.05) << "the shadow of something that a robot passed";
 }
 
 TEST(OpeningChance, IsOneOfManyWhereNobodyWasAtAll) {
-  const double chance = chance_to_lead_on(1.0, HUGE_VAL);
+  const double chance = chance_to_lead_on(1.0, HUGE_VAL, {});
   EXPECT_GT(chance, 0.3);
   EXPECT_LT(chance, 1.0);
-  EXPECT_EQ(chance, chance_to_lead_on(1.0, 50.0));
+  EXPECT_EQ(chance, chance_to_lead_on(1.0, 50.0, {}));
 }
 
 TEST(OpeningChance, TheNearestPoseOfAnyPathCounts) {
@@ -37,7 +39,7 @@ TEST(OpeningChance, TheNearestPoseOfAnyPathCounts) {
 }
 
 double odds(double opening_m, double from_paths_m) {
-  const double chance = chance_to_lead_on(opening_m, from_paths_m);
+  const double chance = chance_to_lead_on(opening_m, from_paths_m, {});
   return chance / (1.0 - chance);
 }
 
@@ -51,14 +53,20 @@ TEST(OpeningChance, OddsGrowAsTheWidthAndThePowerOfTheDistance) {
   }));
 }
 
+TEST(OpeningChance, IsEvenWhereTheParameterPutsIt) {
+  const ChanceParams linear{.far_m = 12.0, .near_m = 0.0, .power = 1.0, .even_at = 20.0};
+  EXPECT_DOUBLE_EQ(chance_to_lead_on(2.0, 10.0, linear), 0.5);
+  EXPECT_DOUBLE_EQ(chance_to_lead_on(2.0, 90.0, linear), 1.2 / 2.2) << "as far as 12 m";
+}
+
 TEST(OpeningChance, IsAProbabilityThatNeverFalls) {
   EXPECT_TRUE(rc::check([] {
     const double opening_m = 0.05 * *rc::gen::inRange(0, 200), far_m = 0.01 * *rc::gen::inRange(0, 3000);
     const double more_m = 0.01 * *rc::gen::inRange(0, 500);
-    const double chance = chance_to_lead_on(opening_m, far_m);
+    const double chance = chance_to_lead_on(opening_m, far_m, {});
     RC_ASSERT(chance >= 0.0 && chance < 1.0);
-    RC_ASSERT(chance_to_lead_on(opening_m + more_m, far_m) >= chance);
-    RC_ASSERT(chance_to_lead_on(opening_m, far_m + more_m) >= chance);
+    RC_ASSERT(chance_to_lead_on(opening_m + more_m, far_m, {}) >= chance);
+    RC_ASSERT(chance_to_lead_on(opening_m, far_m + more_m, {}) >= chance);
   }));
 }
 

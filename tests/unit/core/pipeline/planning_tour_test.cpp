@@ -106,7 +106,7 @@ TEST(GapChance, isByTheWidthAndTheDistanceFromWhereRobotsWere) {
   for (const goals::Goal& gap : gaps) {
     ASSERT_EQ(gap.behind_m2, HUGE_VAL);
     const double away_m = (gap.opening - scene.robot()).norm();
-    EXPECT_NEAR(gap.chance, goals::chance_to_lead_on(gap.opening_m, away_m), 0.02);
+    EXPECT_NEAR(gap.chance, goals::chance_to_lead_on(gap.opening_m, away_m, {}), 0.02);
   }
 }
 

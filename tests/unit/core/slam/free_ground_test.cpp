@@ -27,7 +27,7 @@ struct LookedThrough {
     return ground.contradiction(map, std::vector<Point>{Point(x, y)}, {});
   }
   SurfelMap map{0.35};
-  FreeGround ground{Point(-5.0F, -5.0F), 10.0};
+  FreeGround ground{Point(-5.0F, -5.0F), 10.0, {}};
 };
 
 TEST(FreeGround, WhatStandsWhereRaysPassedContradicts) {
@@ -43,6 +43,20 @@ TEST(FreeGround, AFewRaysMayBeNoiseAndManyAreNot) {
   for (const int rays : {0, 1, 2}) EXPECT_EQ(LookedThrough(rays).at(1.5F, 0.05F), 0.0) << rays;
   for (const int rays : {3, 10, 255, 256, 257, 600})
     EXPECT_EQ(LookedThrough(rays).at(1.5F, 0.05F), 1.0) << rays;
+}
+
+TEST(FreeGround, AsManyRaysAsTheParameterSaysAreEnough) {
+  const SurfelMap map{0.35};
+  for (const int rays_min : {1, 2, 5}) {
+    FreeGroundParams params;
+    params.rays_min = rays_min;
+    FreeGround ground(Point(-5.0F, -5.0F), 10.0, params);
+    for (int rays = 1; rays <= 6; ++rays) {
+      ground.add_ray(Point(0.0F, 0.05F), Point(3.0F, 0.05F));
+      const double share = ground.contradiction(map, std::vector<Point>{Point(1.5F, 0.05F)}, {});
+      EXPECT_EQ(share, rays >= rays_min ? 1.0 : 0.0) << rays << " of " << rays_min;
+    }
+  }
 }
 
 TEST(FreeGround, ASurfaceThatIsNearExplainsAPoint) {
@@ -110,7 +124,7 @@ TEST(SeenThrough, IsTheRoomAndNotWhatLiesBehindItsWalls) {
     keyframes.push_back(std::move(keyframe));
     map.add(view.surfels, pose);
   }
-  const FreeGround ground = seen_through(keyframes, poses, map);
+  const FreeGround ground = seen_through(keyframes, poses, map, {});
   const auto share = [&](float from, float to) {
     std::vector<Point> points;
     for (float x = -to; x <= to; x += 0.1F) {
@@ -122,7 +136,7 @@ TEST(SeenThrough, IsTheRoomAndNotWhatLiesBehindItsWalls) {
   EXPECT_GT(share(0.0F, 1.2F), 0.95) << "the middle was looked through from three places";
   EXPECT_EQ(share(1.85F, 2.1F), 0.0) << "the walls are where they are";
   EXPECT_EQ(share(2.2F, 4.5F), 0.0) << "nobody has seen what is outside";
-  EXPECT_EQ(seen_through({}, {}, map).contradiction(map, std::vector<Point>{Point::Zero()}, {}), 0.0);
+  EXPECT_EQ(seen_through({}, {}, map, {}).contradiction(map, std::vector<Point>{Point::Zero()}, {}), 0.0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Edge edge(std::size_t from, std::size_t to, double length_m) {
 }
 
 TEST(GraphLinks, TakesTheShorterWayEitherWayRound) {
-  GraphLinks links;
+  GraphLinks links{GraphParams{}.turn_on_spot_m};
   for (const Edge& e : {edge(0, 1, 3.0), edge(1, 2, 3.0), edge(2, 3, 3.0)}) links.add(e);
   EXPECT_NEAR(links.distances_m(4, 3)[0], 9.0, 0.2);
   links.add(edge(3, 0, 1.0));
@@ -32,8 +32,16 @@ TEST(GraphLinks, TakesTheShorterWayEitherWayRound) {
   EXPECT_NEAR(links.distances_m(4, 0)[2], 4.0, 0.2);
 }
 
+TEST(GraphLinks, TurnsOnTheSpotMakeAWayLonger) {
+  for (const double turn_m : {0.0, 0.05, 0.5}) {
+    GraphLinks links{turn_m};
+    for (const Edge& e : {edge(0, 1, 3.0), edge(1, 2, 0.0), edge(2, 3, 0.0)}) links.add(e);
+    EXPECT_DOUBLE_EQ(links.distances_m(4, 0)[3], 3.0 + 3.0 * turn_m);
+  }
+}
+
 TEST(GraphLinks, NoWayLeadsToWhatNothingTies) {
-  GraphLinks links;
+  GraphLinks links{GraphParams{}.turn_on_spot_m};
   links.add(edge(0, 1, 1.0));
   const auto distances_m = links.distances_m(4, 0);
   ASSERT_EQ(distances_m.size(), 4U);
@@ -66,7 +74,7 @@ TEST(GraphLinks, DistancesAreThoseOfTryingAllWays) {
     testing::NodePairs ties = testing::random_ties(nodes, random() % 20, random);
     ties.resize(ties.size() - random() % 3);  // maybe in pieces
     const std::vector<Edge> edges = testing::measured_ties(poses, ties, 0.1, random);
-    GraphLinks links;
+    GraphLinks links{GraphParams{}.turn_on_spot_m};
     for (const Edge& e : edges) links.add(e);
     const auto expected = all_distances_m(nodes, edges);
     for (std::size_t from = 0; from < nodes; ++from) {

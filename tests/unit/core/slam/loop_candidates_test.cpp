@@ -42,7 +42,7 @@ std::vector<LoopRun> runs_at_end(const Path& path) {
   const std::size_t last = path.poses.size() - 1;
   std::vector<std::size_t> way(path.poses.size());
   std::iota(way.begin(), way.end(), 0U);
-  GraphLinks links;
+  GraphLinks links{GraphParams{}.turn_on_spot_m};
   for (const Edge& edge : path.edges) links.add(edge);
   const auto distances = links.distances_m(path.poses.size(), last);
   const std::size_t end = end_of_other_visits(path.poses, way, last, kLoopParams);

@@ -55,7 +55,8 @@ LoopCandidate closure(double window_half_m, bool looked_further) {
 
 TEST(FindClosures, TakesAPartOfTheScanWhereNothingSpeaksAgainstThePlace) {
   const LoopCandidate candidate = closure(0.8, false);
-  EXPECT_LT(candidate.response, LoopParams{}.response_min) << "too little for a match that must stand alone";
+  EXPECT_LT(candidate.response, LoopGateParams{}.response_min)
+      << "too little for a match that must stand alone";
   EXPECT_EQ(candidate.rejection, LoopRejection::kNone);
   EXPECT_NEAR(candidate.edge.T_from_to.x_m, 0.4, 0.03);
   EXPECT_NEAR(candidate.edge.T_from_to.y_m, 0.8, 0.03);

@@ -72,7 +72,7 @@ CellAndQuarter cell_and_quarter(const SurfelMap& map, const Point& position, con
 
 TEST(ThinnedMap, HasOneSurfelOfEachCellAndSide) {
   const Session session = session_of(kRound);
-  const SurfelMap map = thinned_map(session, {6.0, 4.0}, 10.0, 0.35);
+  const SurfelMap map = thinned_map(session, {6.0, 4.0}, 10.0, 0.35, 0.05);
   std::map<CellAndQuarter, int> thinned, all;
   for (const Surfel& surfel : map.surfels()) ++thinned[cell_and_quarter(map, surfel.position, surfel.normal)];
   for (const auto& [cell, count] : thinned) EXPECT_EQ(count, 1);
@@ -90,8 +90,8 @@ TEST(ThinnedMap, IsTheSameHoweverOftenTheWayWasDriven) {
     often.keyframes.insert(often.keyframes.end(), once.keyframes.begin(), once.keyframes.end());
     often.poses.insert(often.poses.end(), once.poses.begin(), once.poses.end());
   }
-  const SurfelMap a = thinned_map(once, {6.0, 4.0}, 10.0, 0.35),
-                  b = thinned_map(often, {6.0, 4.0}, 10.0, 0.35);
+  const SurfelMap a = thinned_map(once, {6.0, 4.0}, 10.0, 0.35, 0.05),
+                  b = thinned_map(often, {6.0, 4.0}, 10.0, 0.35, 0.05);
   ASSERT_GT(a.surfels().size(), 100U);
   EXPECT_TRUE(std::ranges::equal(a.surfels(), b.surfels(), [](const Surfel& x, const Surfel& y) {
     return x.position == y.position && x.normal == y.normal && x.planar == y.planar;
@@ -107,25 +107,25 @@ TEST(ThinnedMap, KeepsBothFacesOfAThinWall) {
   keyframe->surfels.push_back({Point(50.0F, 0.0F), Point(1.0F, 0.0F), true});  // outside the window
   session.keyframes.push_back(std::move(keyframe));
   session.poses.emplace_back();
-  EXPECT_EQ(thinned_map(session, {0.0, 0.0}, 5.0, 0.35).surfels().size(), 3U);
+  EXPECT_EQ(thinned_map(session, {0.0, 0.0}, 5.0, 0.35, 0.05).surfels().size(), 3U);
   session.poses.front().theta_rad = std::numbers::pi / 4.0;  // two quarters become others
-  EXPECT_GE(thinned_map(session, {0.0, 0.0}, 5.0, 0.35).surfels().size(), 3U);
+  EXPECT_GE(thinned_map(session, {0.0, 0.0}, 5.0, 0.35, 0.05).surfels().size(), 3U);
   session.poses.front().x_m = 100.0;
-  EXPECT_TRUE(thinned_map(session, {0.0, 0.0}, 5.0, 0.35).surfels().empty());
+  EXPECT_TRUE(thinned_map(session, {0.0, 0.0}, 5.0, 0.35, 0.05).surfels().empty());
 }
 
 TEST(WholeMap, OfNothingOrOfTooMuchThereIsNone) {
-  EXPECT_FALSE(WholeMap::of({}, {}, {}));
+  EXPECT_FALSE(WholeMap::of({}, {}, {}, {}));
   const Session session = session_of({{3.0, 3.0, 0.0}});
-  EXPECT_TRUE(WholeMap::of(session, {}, {}));
+  EXPECT_TRUE(WholeMap::of(session, {}, {}, {}));
   // The world is 12 m wide, and 2 m are left on either side.
-  EXPECT_FALSE(WholeMap::of(session, {.width_max_m = 9.0}, {}));
-  EXPECT_TRUE(WholeMap::of(session, {.width_max_m = 17.0}, {}));
+  EXPECT_FALSE(WholeMap::of(session, {.width_max_m = 9.0}, {}, {}));
+  EXPECT_TRUE(WholeMap::of(session, {.width_max_m = 17.0}, {}, {}));
 }
 
 TEST(WholeMap, TheBestPeakIsWhereTheScanWasTaken) {
   std::mt19937 random(3);
-  const auto map = WholeMap::of(session_of(kRound), {}, {});
+  const auto map = WholeMap::of(session_of(kRound), {}, {}, {});
   ASSERT_TRUE(map);
   for (const Se2& truth : {Se2{2.5, 3.0, 0.8}, Se2{8.5, 5.5, -2.0}, Se2{6.0, 2.0, 3.0}}) {
     const testing::View view = testing::view_of(mocks::two_rooms(), truth, 0.01, random);
@@ -145,7 +145,7 @@ TEST(WholeMap, TheBestPeakIsWhereTheScanWasTaken) {
 
 TEST(WholeMap, AtAPoseTheEvidenceIsOfTheRefinedOne) {
   std::mt19937 random(4);
-  const auto map = WholeMap::of(session_of(kRound), {}, {});
+  const auto map = WholeMap::of(session_of(kRound), {}, {}, {});
   ASSERT_TRUE(map);
   const Se2 truth{3.0, 3.0, 0.4};
   const testing::View view = testing::view_of(mocks::two_rooms(), truth, 0.01, random);

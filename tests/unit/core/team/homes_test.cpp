@@ -37,7 +37,7 @@ std::optional<Vector2> home(const StatusMessage& self, const std::vector<StatusM
                             const std::optional<Home>& present = {}, const StatusMessage* passing = nullptr) {
   std::vector<const StatusMessage*> messages;
   for (const StatusMessage& mate : mates) messages.push_back(&mate);
-  const auto chosen = choose_home(self, messages, present, passing, from_the_east);
+  const auto chosen = choose_home(self, messages, present, passing, from_the_east, 0.6);
   if (!chosen) return std::nullopt;
   return chosen->p_map;
 }
@@ -97,7 +97,8 @@ TEST(ChooseHome, whereTheRobotItselfStandsIsNotTaken) {
 
 TEST(ChooseHome, nobodyGoesWhereNoWayLeads) {
   const std::vector<const StatusMessage*> nobody;
-  EXPECT_EQ(choose_home(out(2, 3.0), nobody, {}, nullptr, [](const Vector2&) { return HUGE_VAL; }),
+  EXPECT_EQ(choose_home(
+                out(2, 3.0), nobody, {}, nullptr, [](const Vector2&) { return HUGE_VAL; }, 0.6),
             std::nullopt);
 }
 

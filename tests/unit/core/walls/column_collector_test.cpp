@@ -76,6 +76,15 @@ TEST(ColumnCollector, HeightsAtOnePlaceAreOneColumnInTheFrameAskedFor) {
   EXPECT_NEAR(columns[0].x_m, 0.0, 0.03);
 }
 
+TEST(ColumnCollector, TheStepOfTheBaseAndTheCellAreParameters) {
+  for (const double step_m : {0.01, 0.1}) {
+    ColumnCollector collector({}, {.step_m = step_m, .step_rad = 0.005, .cell_m = 0.01F});
+    collector.add(coronal_scan(2.0F, 10.0F, types::kNoReturn), {}, {});
+    collector.add(coronal_scan(2.0F, 10.0F, types::kNoReturn), {0.05, 0.0, 0.0}, {0.05, 0.0, 0.0});
+    EXPECT_EQ(collector.take({}).size(), step_m < 0.05 ? 2U : 1U) << step_m;
+  }
+}
+
 TEST(ColumnCollector, UnitesWhatEachCellOfTheWayHas) {
   EXPECT_TRUE(rc::check([] {
     const auto any = [](int low, int high) { return *rc::gen::inRange(low, high) * 0.001; };

@@ -47,6 +47,13 @@ TEST(IsWall, NeedsThreeHeightsHalfAMetreApart) {
   EXPECT_TRUE(is_wall(~Slabs{0}));
 }
 
+TEST(IsWall, NeedsAsManyHeightsAsFarApartAsSaid) {
+  const Slabs low = slab_of(0.35) | slab_of(0.65);
+  EXPECT_TRUE(is_wall(low, {.count_min = 2, .apart_slabs = 3}));
+  EXPECT_FALSE(is_wall(low, {.count_min = 2, .apart_slabs = 4}));
+  EXPECT_FALSE(is_wall(low, {.count_min = 3, .apart_slabs = 3}));
+}
+
 TEST(IsWall, AgreesWithItsDefinition) {
   EXPECT_TRUE(rc::check("greedy choice from below finds three heights iff there are three", [] {
     const Slabs slabs =

@@ -144,7 +144,7 @@ TEST(WallPoints, AreTheCellsThatAreWallByTheirHeights) {
   const Slabs wall = slab_of(0.3) | slab_of(1.0) | slab_of(1.8);
   store.add(store.cell_at({1.01, -2.01}), wall);
   store.add(store.cell_at({3.0, 3.0}), slab_of(0.3) | slab_of(0.4) | slab_of(0.5));
-  const auto points = wall_points(store);
+  const auto points = wall_points(store, {});
   ASSERT_EQ(points.size(), 1U);
   EXPECT_NEAR((points[0] - types::Vector2(1.025, -2.025)).norm(), 0.0, 1e-9);
 }

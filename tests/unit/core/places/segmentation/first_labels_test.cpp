@@ -18,7 +18,7 @@ namespace {
 using grid::CellState;
 using grid::DenseMap;
 
-constexpr double kPiece_m = 0.4;
+const FirstLabelParams kPieces{0.4};
 
 /// Rooms and corridors of even and odd widths: along the even ones half of what is clearest is not the axis.
 DenseMap rooms() {
@@ -33,7 +33,7 @@ DenseMap rooms() {
 struct Changing {
   Changing() {
     update.take(map);
-    first = first_labels(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPiece_m);
+    first = first_labels(map, update.clearance_m(), skeletonise(map, update.clearance_m()), kPieces);
   }
 
   DenseMap map = rooms();
@@ -45,7 +45,7 @@ TEST(FirstLabels, OfAxisAndRunsAreThoseOfTheirPieces) {
   EXPECT_TRUE(rc::check([] {
     const DenseMap map = rooms();
     const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPiece_m);
+    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPieces);
     RC_ASSERT(first.axis_pieces.size() == first.axis.size() && first.run_pieces.size() == first.runs.size());
     for (std::size_t k = 0; k < first.axis.size(); ++k)
       RC_ASSERT(first.pieces[first.axis_pieces[k]] == first.labels[first.axis[k]]);
@@ -58,7 +58,7 @@ TEST(FirstLabels, AreThoseOfThePiecesOnTheAxis) {
   EXPECT_TRUE(rc::check([] {
     const DenseMap map = rooms();
     const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPiece_m);
+    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPieces);
     for (const std::uint32_t label : first.pieces) RC_ASSERT(first.labels[label - 1] == label);
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
       const bool is_one =

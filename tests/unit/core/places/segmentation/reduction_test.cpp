@@ -51,6 +51,15 @@ TEST(Density, WeighsWhatLiesInTheBox) {
   EXPECT_NEAR(density(box, 200, counts, 0.05, params), 200.0 / (200 + 200 + 0.3 * 400), 1e-9);
 }
 
+TEST(Conditions, ACorridorIsAsLongAndNarrowAsSaid) {
+  Region region;
+  region.clearance_m = 1.0F;
+  region.core = {{0.0, 0.0}, {5.0, 2.0}};
+  EXPECT_TRUE(is_corridor(region, {}));
+  EXPECT_FALSE(is_corridor(region, {.length_ratio = 3.0, .clearance_ratio = 0.7, .alongside_ratio = 1.5}));
+  EXPECT_FALSE(is_corridor(region, {.length_ratio = 2.0, .clearance_ratio = 0.4, .alongside_ratio = 1.5}));
+}
+
 TEST(Conditions, AreWhatTheySay) {
   const PlaceParams params;
   Contact door{1, 18, 0, 0.0F, 0.45F};  // 0.9 m

@@ -18,7 +18,7 @@ namespace {
 
 using grid::DenseMap;
 
-constexpr double kPiece_m = 0.4;
+const FirstLabelParams kPieces{0.4};
 
 void check_box(const types::Rectangle& a, const types::Rectangle& b) {
   RC_ASSERT(a.min == b.min && a.max == b.max);
@@ -43,8 +43,8 @@ TEST(Regions, AreSumsOverTheirCells) {
     DenseMap map = drawn.free(2, 2, 58, 48).map();
     draw_patches(map, 10, 16);
     const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPiece_m);
-    const std::vector<Region> regions = regions_of(map, clearance_m, first, {}, CompassFrame(0.0));
+    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPieces);
+    const std::vector<Region> regions = regions_of(map, clearance_m, first, {}, CompassFrame(0.0), {});
     for (std::size_t r = 0; r < first.pieces.size(); ++r) {
       std::uint32_t cells = 0, beside = 0;
       for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -67,8 +67,8 @@ struct Labelled {
   Labelled() {
     draw_patches(map, *rc::gen::inRange(0, 14), 16);
     clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPiece_m);
-    regions = regions_of(map, clearance_m, first, draw_walls(map), frame);
+    first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPieces);
+    regions = regions_of(map, clearance_m, first, draw_walls(map), frame, {});
   }
   /// The region of each cell, by number; -1 for none.
   [[nodiscard]] std::vector<int> regions_of_cells() const {

@@ -50,10 +50,10 @@ TEST(WallSides, OfAllWallsAreThoseOfEachInTurn) {
     const std::vector<Segment> walls = draw_walls(*rc::gen::inRange(0, 20));
     std::vector<WallBetween> expected;
     for (const Segment& wall : walls) {
-      const auto of_one = wall_sides(drawn.map(), labels, std::span(&wall, 1));
+      const auto of_one = wall_sides(drawn.map(), labels, std::span(&wall, 1), {});
       expected.insert(expected.end(), of_one.begin(), of_one.end());
     }
-    RC_ASSERT(wall_sides(drawn.map(), labels, walls) == expected);
+    RC_ASSERT(wall_sides(drawn.map(), labels, walls, {}) == expected);
   }));
 }
 
@@ -67,9 +67,11 @@ TEST(WallSides, OfAWallTurnedRoundAreExchanged) {
       if (length_m <= 0.0) continue;
       const types::Vector2 end = wall.a + length_m * (wall.b - wall.a) / wall.length_m();
       std::uint32_t there = 0, back = 0;
-      for (const WallBetween& sides : wall_sides(drawn.map(), labels, std::vector<Segment>{{wall.a, end}}))
+      for (const WallBetween& sides :
+           wall_sides(drawn.map(), labels, std::vector<Segment>{{wall.a, end}}, {}))
         there += sides.steps;
-      for (const WallBetween& sides : wall_sides(drawn.map(), labels, std::vector<Segment>{{end, wall.a}}))
+      for (const WallBetween& sides :
+           wall_sides(drawn.map(), labels, std::vector<Segment>{{end, wall.a}}, {}))
         back += sides.steps;
       // Rounding moves a few samples over the border of a cell.
       RC_ASSERT(std::abs(static_cast<double>(there) - static_cast<double>(back)) <= 2.0 + 0.1 * there);
@@ -89,10 +91,11 @@ TEST(WallSides, AreWhatLiesAcrossAWall) {
                                 std::vector<Segment>{{{2.5, 0.0}, {2.5, 2.0}},
                                                      {{3.5, 1.0}, {3.5, 1.5}},
                                                      {{1.0, 1.0}, {1.0, 1.0}},
-                                                     {{NAN, 0.0}, {1.0, 1.0}}});
+                                                     {{NAN, 0.0}, {1.0, 1.0}}},
+                                {});
   // Twenty steps of wall between two labels, and five where there is the same label on both sides.
   EXPECT_EQ(sides, (std::vector<WallBetween>{{7, 9, 20}, {9, 9, 5}}));
-  EXPECT_NEAR(wall_length_m(20), 2.0, 1e-5);
+  EXPECT_NEAR(wall_length_m(20, 0.1), 2.0, 1e-5);
 }
 
 }  // namespace

@@ -52,7 +52,9 @@ TEST(Spurs, AreThoseOfTheGraphRoundByRound) {
     const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
     Thinning thinning = thin_to_ridge(map, erode(map, clearance_m));
     const double spur_m = 0.05 * *rc::gen::inRange(0, 16);
-    Spurs spurs(map, clearance_m, spur_m);
+    SkeletonParams params;
+    params.spur_m = spur_m;
+    Spurs spurs(map, clearance_m, params);
     for (bool any = true; any;) {
       thin_to_lines(map, thinning);
       const std::vector<std::uint32_t> before = thinning.remain;
@@ -75,7 +77,7 @@ TEST(Spurs, OfACrossAreItsShortArms) {
   const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
   Thinning thinning = thin_to_ridge(map, erode(map, clearance_m));
   thin_to_lines(map, thinning);
-  EXPECT_TRUE(Spurs(map, clearance_m, 0.3).drop(thinning));
+  EXPECT_TRUE(Spurs(map, clearance_m, {}).drop(thinning));
   thin_to_lines(map, thinning);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const grid::CellIndex cell = map.cell(i);
@@ -89,7 +91,7 @@ TEST(Spurs, OfALineThereIsNone) {
   const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
   Thinning thinning = thin_to_ridge(map, erode(map, clearance_m));
   thin_to_lines(map, thinning);
-  EXPECT_FALSE(Spurs(map, clearance_m, 0.3).drop(thinning));
+  EXPECT_FALSE(Spurs(map, clearance_m, {}).drop(thinning));
 }
 
 }  // namespace
