@@ -19,8 +19,10 @@ struct LocaliseParams {
   double guess_sigma_rad = 0.2;
   double response_min = 0.55;  ///< share of the points that fit; a building may change slightly overnight
   double overlap_min = 0.60;
-  double rival_ratio = 0.90;  ///< minimum evidence relative to the best of a rival place: ambiguous
-  WholeSearch whole;          ///< of the whole map
+  /// Minimum evidence relative to the best of a rival place: ambiguous. The same for evidence per overlap, as
+  /// long as the overlap suffices: a place of which the map shows less looks alike all the same.
+  double rival_ratio = 0.90;
+  WholeSearch whole;  ///< of the whole map
 };
 
 enum class LocaliseRefusal { kNone, kNoMap, kTooLarge, kNothingFits, kDegenerate, kAmbiguous };
@@ -33,6 +35,8 @@ struct Localisation {
   [[nodiscard]] bool found() const { return refusal == LocaliseRefusal::kNone; }
 };
 
+/// A match's pose and quality in words.
+[[nodiscard]] std::string describe_pose(const Match& match);
 /// One sentence for the user: the pose and its quality, or the reason of the refusal.
 [[nodiscard]] std::string describe(const Localisation& localisation);
 

@@ -59,6 +59,7 @@ class Operator final : public Operations {
   void save_session(const std::string& name, SessionDone done) override { sessions_.save(name, done); }
   void load_session(const std::string& name, const std::optional<types::Se2>& pose,
                     SessionDone done) override;
+  void confirm_session(const std::optional<types::Se2>& pose, SessionDone done) override;
   types::Status begin_anew() override;
   types::Status set_log_level(const std::string& level) override;
 
@@ -68,6 +69,7 @@ class Operator final : public Operations {
   [[nodiscard]] std::string obstacle() const;
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
+  void give_up(const std::string& why);
   void send_mission();
   void end_driving();
   void announce_mission(std::string_view event);

@@ -68,6 +68,7 @@ pipeline::ControlInput BaseWorker::gather() {
   input.plan = hand_overs_.plan.read();
   input.front = hand_overs_.front.to_base.read();
   input.matched = hand_overs_.mapping.to_base.read();
+  input.place = hand_overs_.place.now();
   const bool ready = connection_->health() == pioneer::Health::kReady;
   input.state = ready && has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {

@@ -50,6 +50,7 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
     loops_.stale_until = loops_.asked;
     graphs_.stale_until = graphs_.asked;
     ++report_.map;
+    note_trial(*state);
     publish(*state);
     hand_over_pose(*state, state->cloud().stamp, true);
   }
@@ -117,6 +118,7 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
     matched_ = plausibility::after_scan(matched_, match.stamp, match.T_previous_base, match.T_odom_base,
                                         match.matched);
   }
+  note_trial(state);
   for (const slam::LoopVerdict& verdict : output.loop_verdicts) {
     report_.closures_accepted += static_cast<std::uint64_t>(verdict.accepted);
     report_.closures_rejected += static_cast<std::uint64_t>(verdict.rejected);
@@ -130,6 +132,13 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
     (void)ask(hand_overs_.closure.loop_queries, loops_, query);
   if (output.graph_query && !ask(hand_overs_.closure.graph_queries, graphs_, *output.graph_query))
     state.offer(slam::GraphSolution{});
+}
+
+/// Before the pose and the report: the base must not hear of a map whose place is not known.
+void MappingWorker::note_trial(const pipeline::MappingState& state) {
+  report_.trial = state.trial();
+  const bool dropped = report_.trial.verdict == slam::TrialVerdict::kDropped;
+  hand_overs_.place.dropped.store(dropped, std::memory_order_release);
 }
 
 void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched) {

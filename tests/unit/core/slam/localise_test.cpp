@@ -79,21 +79,8 @@ TEST(Localise, FindsItselfNearAGivenPose) {
   }
 }
 
-/// Two rooms that are alike to the last corner, one beside the other, and a corridor along both.
-mocks::FlatWorld twins() {
-  mocks::FlatWorld world;
-  world.box(0.0, 0.0, 16.0, 10.0);
-  world.walls.push_back({{8.0, 3.0}, {8.0, 10.0}});
-  for (const double x : {0.0, 8.0}) {
-    world.walls.push_back({{x, 3.0}, {x + 3.0, 3.0}});
-    world.walls.push_back({{x + 4.0, 3.0}, {x + 8.0, 3.0}});
-    world.box(x + 5.0, 8.0, x + 6.5, 9.0);
-  }
-  return world;
-}
-
 TEST(Localise, TwoPlacesThatLookAlikeAreRefused) {
-  const auto world = twins();
+  const auto world = mocks::twin_rooms();
   std::mt19937 random(3);
   std::vector<Se2> way;
   look_round(way, {3.5, 7.0, -1.57});
