@@ -61,7 +61,6 @@ void PlaceWatch::seek(std::string why, bool is_trouble, std::optional<PlaceOffer
   obstacle_ = std::move(why);
   is_trouble_ = is_trouble;
   offer_ = std::move(offer);
-  trial_map_ = 0;
   stand(PlaceStanding::kUnknown);
   hand_overs_.journal.held.store(true, std::memory_order_release);
 }
@@ -122,7 +121,7 @@ void PlaceWatch::drop() {
 
 bool PlaceWatch::note(const MappingReport& report, types::Stamp now) {
   if (known_from_ && now >= *known_from_) stand(PlaceStanding::kKnown);
-  if (!on_trial() || report.map < trial_map_) return false;
+  if (!on_trial() || is_trouble_ || report.map < trial_map_) return false;
   trial_ = report.trial;
   if (trial_.verdict == TrialVerdict::kDropped) return drop(), true;
   if (trial_.verdict != TrialVerdict::kPassed) return false;
@@ -145,7 +144,7 @@ Json PlaceWatch::json() const {
               {"contradicted", trial_.contradicted},
               {"silent", trial_.silent}}},
             {"proposed", nullptr}};
-  if (offer_ && offer_->T_map_base && !on_trial()) {
+  if (offer_ && offer_->T_map_base && is_trouble_) {
     const types::Se2& pose = *offer_->T_map_base;
     json["proposed"] = {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"theta_rad", pose.theta_rad}};
   }

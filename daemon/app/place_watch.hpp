@@ -44,8 +44,10 @@ class PlaceWatch {
 
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }  ///< to missions; empty: none
   [[nodiscard]] std::string trouble() const { return is_trouble_ ? obstacle_ : std::string(); }
-  [[nodiscard]] const std::optional<PlaceOffer>& offer() const { return offer_; }
+  /// The session that waits for the operator; nothing: none does.
+  [[nodiscard]] std::optional<PlaceOffer> waiting() const { return is_trouble_ ? offer_ : std::nullopt; }
   [[nodiscard]] types::PlaceStanding standing() const;
+  /// True while what is added to the session's map may be at a wrong place.
   [[nodiscard]] bool on_trial() const { return trial_map_ > 0; }
   [[nodiscard]] bool wants_fresh_map() const { return wants_fresh_map_; }
   [[nodiscard]] bool dropped_before() const { return dropped_before_; }

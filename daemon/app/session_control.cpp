@@ -198,8 +198,8 @@ void SessionControl::load(const std::string& name, const std::optional<types::Se
 }
 
 void SessionControl::confirm(const std::optional<types::Se2>& pose, const Done& done) {
-  const std::optional<PlaceOffer>& offer = place_.offer();
-  if (!offer || place_.on_trial()) {
+  const std::optional<PlaceOffer> offer = place_.waiting();
+  if (!offer) {
     return done(
         fail(Errc::kNotFound,
              "no session waits for the robot's place (topoctl session load NAME --pose X Y THETA goes "
