@@ -71,12 +71,9 @@ Localisation localise_anywhere(const Session& session, const Cloud& cloud, const
   out.refusal = gate(out.match, params);
   if (!out.found()) return out;
   if (out.match.degenerate) out.refusal = LocaliseRefusal::kDegenerate;
-  const auto rival = std::find_if(peaks.begin(), peaks.end(),
-                                  [&](const Peak& other) { return is_rival(other, peaks.front(), params); });
-  if (rival != peaks.end()) {
-    out.rival = rival->match;
-    out.refusal = LocaliseRefusal::kAmbiguous;
-  }
+  for (const Peak& other : peaks)
+    if (is_rival(other, peaks.front(), params)) out.rivals.push_back(other.match);
+  if (!out.rivals.empty()) out.refusal = LocaliseRefusal::kAmbiguous;
   return out;
 }
 
@@ -101,9 +98,11 @@ std::string describe(const Localisation& localisation) {
     case LocaliseRefusal::kDegenerate:
       return "the scan leaves open where along a wall it is; best at " + describe_pose(localisation.match) +
              ": drive to where more is to be seen, or give a pose";
-    case LocaliseRefusal::kAmbiguous:
-      return "two places look alike: " + describe_pose(localisation.match) + " and " +
-             describe_pose(localisation.rival.value_or(localisation.match)) + ": give a pose";
+    case LocaliseRefusal::kAmbiguous: {
+      std::string places = describe_pose(localisation.match);
+      for (const Match& rival : localisation.rivals) places += " and " + describe_pose(rival);
+      return "places look alike: " + places + ": give a pose";
+    }
   }
   return {};
 }

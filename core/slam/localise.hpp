@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/slam/refine.hpp"
 #include "core/slam/search.hpp"
@@ -30,7 +30,7 @@ enum class LocaliseRefusal { kNone, kNoMap, kTooLarge, kNothingFits, kDegenerate
 /// The best pose of the scan, with its evidence; `refusal` reports whether it is accepted.
 struct Localisation {
   Match match;
-  std::optional<Match> rival;  ///< the other place of an ambiguous scan
+  std::vector<Match> rivals;  ///< the other places of an ambiguous scan, the best first
   LocaliseRefusal refusal = LocaliseRefusal::kNoMap;
   [[nodiscard]] bool found() const { return refusal == LocaliseRefusal::kNone; }
 };

@@ -5,20 +5,23 @@
 namespace topo::slam {
 namespace {
 
-/// True where the scan fits the map and the search alone leaves the place open.
-bool is_open(LocaliseRefusal searched) {
-  return searched == LocaliseRefusal::kAmbiguous || searched == LocaliseRefusal::kDegenerate ||
-         searched == LocaliseRefusal::kTooLarge;
+/// Of the places that look alike that nearest to the end of the path: a robot that was only restarted is
+/// there.
+Localisation nearest_to_end(const Localisation& ambiguous, const types::Se2& end) {
+  Localisation chosen = ambiguous;
+  chosen.refusal = LocaliseRefusal::kNone;
+  for (const Match& rival : ambiguous.rivals)
+    if (distance_m(rival.T_map_base, end) < distance_m(chosen.match.T_map_base, end)) chosen.match = rival;
+  return chosen;
 }
 
-/// The places that the search of the whole map names, other than the proposed one.
-std::vector<Match> others_than(const Match& proposed, const Localisation& searched,
-                               const WholeSearch& search) {
+/// The places that the search of the whole map names, other than the chosen one.
+std::vector<Match> others_than(const Match& chosen, const Localisation& searched, const WholeSearch& search) {
   std::vector<Match> others;
   if (searched.refusal != LocaliseRefusal::kAmbiguous) return others;
-  if (apart(searched.match.T_map_base, proposed.T_map_base, search)) others.push_back(searched.match);
-  if (searched.rival && apart(searched.rival->T_map_base, proposed.T_map_base, search))
-    others.push_back(*searched.rival);
+  if (apart(searched.match.T_map_base, chosen.T_map_base, search)) others.push_back(searched.match);
+  for (const Match& rival : searched.rivals)
+    if (apart(rival.T_map_base, chosen.T_map_base, search)) others.push_back(rival);
   return others;
 }
 
@@ -43,13 +46,13 @@ Placement place_in(const Session& session, const Cloud& cloud, const PlacementCa
   if (known.given && !out.found()) return out;
   const Localisation searched = localise_anywhere(session, cloud, mapper, params.anywhere);
   if (!known.given) out.place = searched;
-  if (!known.given && is_open(searched.refusal)) {
+  const bool fits_somewhere =
+      searched.refusal == LocaliseRefusal::kDegenerate || searched.refusal == LocaliseRefusal::kTooLarge;
+  if (!known.given && searched.refusal == LocaliseRefusal::kAmbiguous)
+    out.place = nearest_to_end(searched, session.poses.back());
+  if (!known.given && fits_somewhere) {
     const Localisation at_end = localise_near(session, cloud, session.poses.back(), mapper, params.near_end);
-    if (at_end.found()) {
-      out.place = at_end;
-    } else if (searched.refusal == LocaliseRefusal::kAmbiguous) {
-      out.place.refusal = LocaliseRefusal::kNone;
-    }
+    if (at_end.found()) out.place = at_end;
   }
   if (!out.found()) return out;
   out.others = others_than(out.place.match, searched, params.anywhere.whole);

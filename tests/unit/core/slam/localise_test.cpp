@@ -93,8 +93,9 @@ TEST(Localise, TwoPlacesThatLookAlikeAreRefused) {
   const auto view = testing::view_of(world, place, 0.01, random);
   const Localisation found = localise_anywhere(session, view.cloud, {});
   EXPECT_EQ(found.refusal, LocaliseRefusal::kAmbiguous) << describe(found);
-  ASSERT_TRUE(found.rival);
-  const double apart = (found.match.T_map_base.translation() - found.rival->T_map_base.translation()).norm();
+  ASSERT_EQ(found.rivals.size(), 1U);
+  const double apart =
+      (found.match.T_map_base.translation() - found.rivals.front().T_map_base.translation()).norm();
   EXPECT_NEAR(apart, 8.0, 0.2);
   // Who is told where it is about knows.
   const Localisation told = localise_near(session, view.cloud, in_map(way, {2.0, 7.0, -0.4}), {});
@@ -149,8 +150,8 @@ TEST(Describe, SaysOfEachOutcomeSomethingElse) {
               was_searched)
         << text;
   }
-  out.rival = out.match;
-  out.rival->T_map_base.x_m = 9.75;
+  out.rivals = {out.match};
+  out.rivals.front().T_map_base.x_m = 9.75;
   EXPECT_NE(describe(out).find("x 9.75"), std::string::npos) << "the other of two places is named";
 }
 

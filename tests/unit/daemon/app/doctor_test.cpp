@@ -135,7 +135,7 @@ TEST(Doctor, APlaceThatWaitsForTheOperatorHasItsCure) {
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("carried to a place that looks alike"));
   facts.session_obstacle.clear();
   facts.place = types::PlaceStanding::kKnown;
-  for (const GateReason reason : {GateReason::kPlaceProposed, GateReason::kPlaceDropped}) {
+  for (const auto reason : {motion::GateReason::kPlaceProposed, motion::GateReason::kPlaceDropped}) {
     facts.base.control.reason = reason;
     EXPECT_EQ(the_bad_one(facts).name, "motion");
     EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("session"));
