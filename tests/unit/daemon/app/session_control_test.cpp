@@ -267,14 +267,15 @@ TEST_F(SessionControlTest, ADroppedPlaceLeavesAFreshMapAndANeedForAPose) {
   EXPECT_TRUE(hand_overs->mapping.take_over.front()->content->mapper().keyframes().empty());
   take_over();
   report.trial = {};
-  ASSERT_TRUE(serve_until([&] {
-    confirm(control, {});
-    return answer->error().code == types::Errc::kInvalidInput;
-  })) << "a pose is needed";
+  confirm(control, {});
+  ASSERT_TRUE(answer && !*answer);
+  EXPECT_EQ(answer->error().code, types::Errc::kInvalidInput) << "a pose is needed";
   EXPECT_FALSE(tick(control, 3s)) << "it is told once";
   EXPECT_EQ(control.standing(), PlaceStanding::kDropped);
-  // Looked for again it is no fact, whatever the search says.
-  confirm(control, types::Se2{0.9, 0.0, 0.0});
+  ASSERT_TRUE(serve_until([&] {
+    confirm(control, types::Se2{0.9, 0.0, 0.0});
+    return !answer;  // else refused: the new map is being begun
+  }));
   ASSERT_TRUE(serve_until_handed_over());
   take_over();
   ASSERT_TRUE(serve_until_answered());
