@@ -68,7 +68,9 @@ std::optional<GateReason> scan_fault(const GateInput& in) {
 
 bool has_area(const GateInput& in) { return in.area != nullptr && !in.area->empty(); }
 
-std::optional<GateReason> area_fault(const GateInput& in) {
+std::optional<GateReason> place_fault(const GateInput& in) {
+  if (in.place == types::PlaceStanding::kProposed) return GateReason::kPlaceProposed;
+  if (in.place == types::PlaceStanding::kDropped) return GateReason::kPlaceDropped;
   if (!has_area(in)) return std::nullopt;
   const bool known = in.T_map_base && std::isfinite(in.T_map_base->x_m) &&
                      std::isfinite(in.T_map_base->y_m) && std::isfinite(in.T_map_base->theta_rad);
@@ -83,7 +85,7 @@ std::optional<GateReason> first_fault(const GateState& state, const GateInput& i
   if (in.doubts.any()) return GateReason::kImplausible;
   if (const auto fault = base_fault(in)) return fault;
   if (const auto fault = scan_fault(in)) return fault;
-  if (const auto fault = area_fault(in)) return fault;
+  if (const auto fault = place_fault(in)) return fault;
   return request_fault(in);
 }
 
@@ -313,6 +315,10 @@ std::string_view to_text(GateReason reason) {
       return "stopped: the edge of the allowed area is too near";
     case GateReason::kNoPlace:
       return "stopped: there are area limits, and the robot's place is not known";
+    case GateReason::kPlaceProposed:
+      return "stopped: the robot's place in the session's map is a proposal (topoctl session confirm)";
+    case GateReason::kPlaceDropped:
+      return "stopped: the first metres did not match the session's map, the robot's place is not known";
     case GateReason::kGivesWay:
       return "stopped: gives way to something that moves";
     case GateReason::kImplausible:

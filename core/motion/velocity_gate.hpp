@@ -13,6 +13,7 @@
 #include "core/plausibility/doubt.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
+#include "core/types/place_standing.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/scan.hpp"
 #include "core/types/se2.hpp"
@@ -36,12 +37,14 @@ enum class GateReason {
   kStall,
   kBumper,
   kStaleScan,
-  kBlindScan,    ///< too few of the forward beams are valid (GateParams::valid_share_min)
-  kReverse,      ///< the rear is blind
-  kAreaLimit,    ///< the edge of the allowed area is too near
-  kNoPlace,      ///< there are area limits, and the robot's pose is unknown
-  kGivesWay,     ///< a moving obstacle crosses the path
-  kImplausible,  ///< a doubt: GateInput::doubts
+  kBlindScan,      ///< too few of the forward beams are valid (GateParams::valid_share_min)
+  kReverse,        ///< the rear is blind
+  kAreaLimit,      ///< the edge of the allowed area is too near
+  kNoPlace,        ///< there are area limits, and the robot's pose is unknown
+  kPlaceProposed,  ///< the robot's place in a map that goes on waits for the operator's word
+  kPlaceDropped,   ///< the first metres did not match the map that goes on
+  kGivesWay,       ///< a moving obstacle crosses the path
+  kImplausible,    ///< a doubt: GateInput::doubts
 };
 
 /// Text for the user.
@@ -76,6 +79,7 @@ struct GateInput {
   bool by_hand = false;
   const types::AreaLimits* area = nullptr;  ///< null or empty: none
   std::optional<types::Se2> T_map_base;     ///< now; needed when there are area limits
+  types::PlaceStanding place = types::PlaceStanding::kKnown;
   GateParams params;
   perception::StopZoneParams stop_zone;
 };

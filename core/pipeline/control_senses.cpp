@@ -32,6 +32,8 @@ motion::GateInput ControlSenses::perceive(const ControlSetup& setup, const Contr
   motion::GateInput g;
   g.T_map_base = place_by_plan(setup, in);
   follow_drift(g.T_map_base, in);
+  g.place = in.place;
+  if (in.place != types::PlaceStanding::kKnown) g.T_map_base.reset();  // area limits are of another map
   drive_on(in);
   g.now = in.now;
   g.request.stamp = in.now;

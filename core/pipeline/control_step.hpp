@@ -13,6 +13,7 @@
 #include "core/plausibility/plausibility.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
+#include "core/types/place_standing.hpp"
 #include "core/types/scan.hpp"
 
 namespace topo::pipeline {
@@ -43,6 +44,7 @@ struct ControlInput {
   const types::BaseState* state = nullptr;
   const types::Scan* front = nullptr;
   const plausibility::MatchedMotion* matched = nullptr;
+  types::PlaceStanding place = types::PlaceStanding::kKnown;  ///< of the plan's T_map_odom
   std::span<const types::Se2> T_base_sonar;
   types::Duration firmware_watchdog{};
   double firmware_deceleration_mps2 = 0.0;  ///< the most that it brakes with; 0: unknown

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/pipeline/map_drawing.hpp"
 #include "core/pipeline/mapping_step.hpp"
 #include "core/pipeline/scan_pairing.hpp"
+#include "core/slam/arrival_trial.hpp"
 
 // State that mapping keeps from step to step; private to mapping_step.cpp and mapping_state.cpp.
 namespace topo::pipeline {
@@ -52,6 +54,7 @@ struct MappingState::Impl {
   MapDrawing drawing;
   walls::ColumnCollector columns;
   MappingNews news;
+  std::optional<slam::ArrivalTrial> trial;  ///< of a session's map; nothing: a map of its own
   slam::Cloud cloud;
   types::Stamp placed{};  ///< stamp of the newest front scan placed
   types::Stamp drawn{};   ///< the same, when the map was last drawn

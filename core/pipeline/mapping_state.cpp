@@ -14,6 +14,7 @@ MappingState::MappingState(const slam::MapperParams& params, const slam::Session
                            const MappingStepParams& step)
     : MappingState(params, origin, {}, step) {
   impl_->mapper.resume(session, arrival);
+  impl_->trial.emplace(session, arrival, params);
   impl_->cloud = arrival.cloud;
   impl_->placed = arrival.cloud.stamp;
   impl_->drawing.update(impl_->mapper);
@@ -78,6 +79,9 @@ std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {
 const slam::Mapper& MappingState::mapper() const { return impl_->mapper; }
 std::uint64_t MappingState::revision() const { return impl_->revision; }
 const slam::Cloud& MappingState::cloud() const { return impl_->cloud; }
+slam::TrialCount MappingState::trial() const {
+  return impl_->trial ? impl_->trial->count() : slam::TrialCount{};
+}
 const MappingLosses& MappingState::losses() const { return impl_->pairing.losses(); }
 
 }  // namespace topo::pipeline

@@ -21,6 +21,8 @@ void MappingState::Impl::place(const PairedScan& paired, MappingOutput& output) 
   cloud.stamp = end_of(paired.scan);
   placed = cloud.stamp;
   output.matches.push_back(mapper.add(cloud, paired.last, columns));
+  const slam::MatchReport& match = output.matches.back();
+  if (trial) trial->add(cloud, match.T_map_base, match.T_odom_base, match.matched);
   drawing.redraw(mapper, placed);
   // A standing robot makes no keyframes, but its map grows with the data of team-mates and is corrected.
   if (output.matches.back().keyframe || (has_news() && placed - drawn >= step.news_wait))

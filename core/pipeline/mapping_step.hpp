@@ -10,6 +10,7 @@
 #include "core/pipeline/map_snapshot.hpp"
 #include "core/pipeline/mapping_losses.hpp"
 #include "core/pipeline/mapping_params.hpp"
+#include "core/slam/arrival_trial.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/slam/mapper.hpp"
 #include "core/types/base_state.hpp"
@@ -87,6 +88,10 @@ class MappingState {
   /// Empty before the first.
   [[nodiscard]] const slam::Cloud& cloud() const;
   [[nodiscard]] const MappingLosses& losses() const;
+  /// Whether the first metres in a resumed session match its map; kNone for a map of its own. When kDropped
+  /// the robot's place is unknown, and all that was added since is at a wrong place: this state is to be
+  /// replaced.
+  [[nodiscard]] slam::TrialCount trial() const;
 
  private:
   friend MappingOutput mapping_step(MappingState&, const MappingInput&);

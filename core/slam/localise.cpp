@@ -18,6 +18,18 @@ LocaliseRefusal gate(const Match& match, const LocaliseParams& params) {
   return fits ? LocaliseRefusal::kNone : LocaliseRefusal::kNothingFits;
 }
 
+/// Evidence for the part of the scan that the map shows.
+double evidence_shown(const Peak& peak) {
+  return peak.match.overlap > 0.0 ? peak.evidence / peak.match.overlap : 0.0;
+}
+
+bool is_rival(const Peak& other, const Peak& best, const LocaliseParams& params) {
+  if (!apart(other.match.T_map_base, best.match.T_map_base, params.whole)) return false;
+  if (other.evidence >= params.rival_ratio * best.evidence) return true;
+  return other.match.overlap >= params.overlap_min &&
+         evidence_shown(other) >= params.rival_ratio * evidence_shown(best);
+}
+
 }  // namespace
 
 Localisation localise_near(const Session& session, const Cloud& cloud, const types::Se2& guess,
@@ -57,40 +69,38 @@ Localisation localise_anywhere(const Session& session, const Cloud& cloud, const
   out.refusal = gate(out.match, params);
   if (!out.found()) return out;
   if (out.match.degenerate) out.refusal = LocaliseRefusal::kDegenerate;
-  const auto rival = std::find_if(peaks.begin(), peaks.end(), [&](const Peak& other) {
-    return apart(other.match.T_map_base, out.match.T_map_base, params.whole) &&
-           other.evidence >= params.rival_ratio * peaks.front().evidence;
-  });
-  if (rival != peaks.end()) {
-    out.rival = rival->match;
-    out.refusal = LocaliseRefusal::kAmbiguous;
-  }
+  for (const Peak& other : peaks)
+    if (is_rival(other, peaks.front(), params)) out.rivals.push_back(other.match);
+  if (!out.rivals.empty()) out.refusal = LocaliseRefusal::kAmbiguous;
   return out;
 }
 
+std::string describe_pose(const Match& match) {
+  std::array<char, 96> text{};
+  const types::Se2& pose = match.T_map_base;
+  std::snprintf(text.data(), text.size(), "x %.2f y %.2f theta %.2f (%.0f %% of the scan fits)", pose.x_m,
+                pose.y_m, pose.theta_rad, 100.0 * match.response);
+  return text.data();
+}
+
 std::string describe(const Localisation& localisation) {
-  const auto place = [](const Match& match) {
-    std::array<char, 96> text{};
-    const types::Se2& pose = match.T_map_base;
-    std::snprintf(text.data(), text.size(), "x %.2f y %.2f theta %.2f (%.0f %% of the scan fits)", pose.x_m,
-                  pose.y_m, pose.theta_rad, 100.0 * match.response);
-    return std::string(text.data());
-  };
   switch (localisation.refusal) {
     case LocaliseRefusal::kNone:
-      return "found at " + place(localisation.match);
+      return "found at " + describe_pose(localisation.match);
     case LocaliseRefusal::kNoMap:
       return "the session holds no map";
     case LocaliseRefusal::kTooLarge:
       return "the map is too large to be searched as a whole: give a pose";
     case LocaliseRefusal::kNothingFits:
-      return "the scan fits nowhere well enough; best at " + place(localisation.match);
+      return "the scan fits nowhere well enough; best at " + describe_pose(localisation.match);
     case LocaliseRefusal::kDegenerate:
-      return "the scan leaves open where along a wall it is; best at " + place(localisation.match) +
+      return "the scan leaves open where along a wall it is; best at " + describe_pose(localisation.match) +
              ": drive to where more is to be seen, or give a pose";
-    case LocaliseRefusal::kAmbiguous:
-      return "two places look alike: " + place(localisation.match) + " and " +
-             place(localisation.rival.value_or(localisation.match)) + ": give a pose";
+    case LocaliseRefusal::kAmbiguous: {
+      std::string places = describe_pose(localisation.match);
+      for (const Match& rival : localisation.rivals) places += " and " + describe_pose(rival);
+      return "places look alike: " + places + ": give a pose";
+    }
   }
   return {};
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/slam/refine.hpp"
 #include "core/slam/search.hpp"
@@ -21,8 +21,10 @@ struct LocaliseParams {
   double margin_m = 2.0;       ///< of the map around the reach of the scan and the window
   double response_min = 0.55;  ///< share of the points that fit; a building may change slightly overnight
   double overlap_min = 0.60;
-  double rival_ratio = 0.90;  ///< minimum evidence relative to the best of a rival place: ambiguous
-  WholeSearch whole;          ///< of the whole map
+  /// Minimum evidence relative to the best of a rival place: ambiguous. The same for evidence per overlap, as
+  /// long as the overlap suffices: a place of which the map shows less looks alike all the same.
+  double rival_ratio = 0.90;
+  WholeSearch whole;  ///< of the whole map
 };
 
 enum class LocaliseRefusal { kNone, kNoMap, kTooLarge, kNothingFits, kDegenerate, kAmbiguous };
@@ -30,11 +32,13 @@ enum class LocaliseRefusal { kNone, kNoMap, kTooLarge, kNothingFits, kDegenerate
 /// The best pose of the scan, with its evidence; `refusal` reports whether it is accepted.
 struct Localisation {
   Match match;
-  std::optional<Match> rival;  ///< the other place of an ambiguous scan
+  std::vector<Match> rivals;  ///< the other places of an ambiguous scan, the best first
   LocaliseRefusal refusal = LocaliseRefusal::kNoMap;
   [[nodiscard]] bool found() const { return refusal == LocaliseRefusal::kNone; }
 };
 
+/// A match's pose and quality in words.
+[[nodiscard]] std::string describe_pose(const Match& match);
 /// One sentence for the user: the pose and its quality, or the reason of the refusal.
 [[nodiscard]] std::string describe(const Localisation& localisation);
 

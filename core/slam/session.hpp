@@ -28,6 +28,7 @@ struct Arrival {
   types::Se2 T_odom_base;                                 ///< dead reckoning at the cloud's stamp
   types::Se2 T_map_base;                                  ///< found for that stamp
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the scan's match, map axes
+  std::vector<types::Se2> rivals{};                       ///< other poses in map that fit nearly as well
 };
 
 }  // namespace topo::slam

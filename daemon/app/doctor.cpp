@@ -187,6 +187,9 @@ Check check_gate(const DoctorFacts& f) {
       return bad(name, found, "see the check \"motors\"");
     case GateReason::kBumper:
       return bad(name, found, "see the check \"bumpers\"");
+    case GateReason::kPlaceProposed:
+    case GateReason::kPlaceDropped:
+      return bad(name, found, "see the check \"session\"");
     case GateReason::kImplausible:
       return bad(name, found, "see the check \"agreement\"");
     case GateReason::kEmergencyStop:
@@ -255,15 +258,30 @@ Check check_real_time(const DoctorFacts& f) {
              "set realtime.policy = \"off\" on a machine that needs none");
 }
 
+/// The cure for a session in which the robot's place is not known.
+std::string session_cure(types::PlaceStanding place) {
+  const std::string anew =
+      "topoctl session new takes a map made since the start: its origin is where the robot was then, and the "
+      "areas of the configuration count from there";
+  if (place == types::PlaceStanding::kProposed) {
+    return "when the robot is where it is proposed: topoctl session confirm; where it is elsewhere: topoctl "
+           "session confirm --pose X Y THETA; " +
+           anew;
+  }
+  if (place == types::PlaceStanding::kDropped) {
+    return "it was carried to a place that looks alike, or the building has changed: topoctl session confirm "
+           "--pose X Y THETA says where the robot is; " +
+           anew;
+  }
+  return "topoctl session load NAME --pose X Y THETA goes on with a session (topoctl session list names "
+         "them), "
+         "topoctl session confirm --pose X Y THETA with the one to go on with; " +
+         anew;
+}
+
 Check check_session(const DoctorFacts& f) {
   const std::string name = "session";
-  if (!f.session_obstacle.empty()) {
-    return bad(
-        name, f.session_obstacle,
-        "topoctl session load NAME --pose X Y THETA goes on with a session (topoctl session list names "
-        "them); topoctl session new takes the map made since the start: its origin is where the robot "
-        "was then, and the areas of the configuration count from there");
-  }
+  if (!f.session_obstacle.empty()) return bad(name, f.session_obstacle, session_cure(f.place));
   if (f.sessions.empty()) {
     Check check = good(name, "none is kept");
     check.safer =

@@ -46,7 +46,8 @@ struct DoctorFacts {
   std::vector<Disk> disks;
   std::string sessions;          ///< folder of the sessions; empty: no journal is kept
   std::string session_obstacle;  ///< why a session prevents a mission; empty: none does
-  JournalReport journal;         ///< state of the current session's journal
+  types::PlaceStanding place = types::PlaceStanding::kKnown;  ///< in the session
+  JournalReport journal;                                      ///< state of the current session's journal
 };
 
 /// One finding.

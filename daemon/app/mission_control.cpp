@@ -10,7 +10,6 @@ namespace topo::daemon {
 
 using pipeline::Order;
 using types::Errc;
-using types::fail;
 using types::Status;
 
 std::string_view to_text(MissionState state) {
@@ -47,12 +46,12 @@ std::string_view to_text(Order order) {
 
 Status MissionControl::begin(Order order, const types::Vector2& target, const std::string& obstacle,
                              types::Stamp now) {
-  if (!obstacle.empty()) return fail(Errc::kBusy, obstacle);
+  if (!obstacle.empty()) return types::fail(Errc::kBusy, obstacle);
   if (order == Order::kExplore && order_ == Order::kExplore && active()) {
     const bool paused = state_ == MissionState::kPaused;
-    return fail(Errc::kBusy, fmt::format("an exploration is {} already; {} ends it, then start anew{}",
-                                         paused ? "paused" : "under way", "topoctl stop",
-                                         paused ? ", or go on with topoctl resume" : ""));
+    return types::fail(Errc::kBusy, fmt::format("an exploration is {} already; {} ends it, then start anew{}",
+                                                paused ? "paused" : "under way", "topoctl stop",
+                                                paused ? ", or go on with topoctl resume" : ""));
   }
   mission_ = {mission_.number + 1, order, false, target};
   number_ = mission_.number;
@@ -65,7 +64,8 @@ Status MissionControl::begin(Order order, const types::Vector2& target, const st
 
 Status MissionControl::pause(std::string why) {
   if (state_ == MissionState::kPaused) return {};
-  if (state_ != MissionState::kUnderWay) return fail(Errc::kBusy, "there is no mission under way to pause");
+  if (state_ != MissionState::kUnderWay)
+    return types::fail(Errc::kBusy, "there is no mission under way to pause");
   mission_.paused = true;
   state_ = MissionState::kPaused;
   reason_ = std::move(why);
@@ -74,8 +74,9 @@ Status MissionControl::pause(std::string why) {
 
 Status MissionControl::resume(const std::string& obstacle) {
   if (state_ == MissionState::kUnderWay) return {};
-  if (state_ != MissionState::kPaused) return fail(Errc::kBusy, "there is no paused mission to go on with");
-  if (!obstacle.empty()) return fail(Errc::kBusy, obstacle);
+  if (state_ != MissionState::kPaused)
+    return types::fail(Errc::kBusy, "there is no paused mission to go on with");
+  if (!obstacle.empty()) return types::fail(Errc::kBusy, obstacle);
   mission_.paused = false;
   state_ = MissionState::kUnderWay;
   reason_.clear();
@@ -85,6 +86,13 @@ Status MissionControl::resume(const std::string& obstacle) {
 bool MissionControl::stop(types::Stamp now) {
   if (!active()) return false;
   end(MissionState::kStopped, "stopped by the operator", now);
+  mission_ = {mission_.number + 1, Order::kStand, false, {0.0, 0.0}};
+  return true;
+}
+
+bool MissionControl::fail(std::string why, types::Stamp now) {
+  if (!active()) return false;
+  end(MissionState::kFailed, std::move(why), now);
   mission_ = {mission_.number + 1, Order::kStand, false, {0.0, 0.0}};
   return true;
 }

@@ -31,6 +31,9 @@ class MissionControl {
   /// Ends the current mission, if any. True when there was one.
   bool stop(types::Stamp now);
 
+  /// Ends the current mission, if any, because its map is void. True when there was one.
+  bool fail(std::string why, types::Stamp now);
+
   /// Takes planning's newest report. True when it ends the mission.
   bool note(const pipeline::PlanningReport& report, types::Stamp now);
 

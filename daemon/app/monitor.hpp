@@ -30,6 +30,7 @@ class Monitor {
   /// watchdog.
   [[nodiscard]] bool alive() const { return stuck_.empty(); }
   [[nodiscard]] const BaseReport& base() const { return base_; }
+  [[nodiscard]] const MappingReport& mapping() const { return mapping_; }
   [[nodiscard]] bool has_map() const { return mapping_.keyframes > 0; }
   /// The first device that does not work, and the reason; empty when all work and the base accepts commands.
   [[nodiscard]] std::string device_obstacle() const;

@@ -22,6 +22,15 @@ using types::fail;
 using types::Result;
 using types::Status;
 
+namespace {
+
+/// True when the robot stands until the operator says where it is, by hand too.
+bool is_held(types::PlaceStanding standing) {
+  return standing == types::PlaceStanding::kProposed || standing == types::PlaceStanding::kDropped;
+}
+
+}  // namespace
+
 Operator::Operator(const Configuration& configuration, std::string effective, HandOvers& hand_overs,
                    Monitor& monitor, Announce announce)
     : configuration_(configuration),
@@ -72,7 +81,7 @@ void Operator::tick(types::Stamp now) {
   }
   if (const auto* journal = hand_overs_.journal.report.take_new(); journal != nullptr)
     sessions_.note(*journal);
-  sessions_.tick(now, monitor_.has_map());
+  if (sessions_.tick(now, monitor_.mapping())) give_up("the robot's place was dropped");
   watch_battery(now);
   watch_readiness();
 }
@@ -163,6 +172,14 @@ void Operator::interrupt(const std::string& why) {
   announce_mission("mission");
 }
 
+/// Ends the mission, which was given in a map that is void.
+void Operator::give_up(const std::string& why) {
+  end_driving();
+  if (!missions_.fail(why, io::monotonic_now())) return;
+  send_mission();
+  announce_mission("done");
+}
+
 void Operator::send_mission() {
   hand_overs_.to_planning.mission.store(missions_.mission());
   hand_overs_.to_planning.wakeup.post();
@@ -199,6 +216,7 @@ Status Operator::drive(const types::Twist2& twist) {
   }
   // The base's report follows a clear with delay; the gate decides in any case.
   if (estop_.pressed()) return fail(Errc::kBusy, estop_.obstacle());
+  if (is_held(sessions_.standing())) return fail(Errc::kBusy, sessions_.obstacle());
   ++commands_;
   interrupt("an operator who drives");  // or the robot would resume when the keys are released
   hand_overs_.drive.store({io::monotonic_now(), twist});
@@ -257,6 +275,11 @@ void Operator::load_session(const std::string& name, const std::optional<types::
                             SessionDone done) {
   if (missions_.active()) return done(fail(Errc::kBusy, "a mission is under way; topoctl stop ends it"));
   sessions_.load(name, pose, done);
+}
+
+void Operator::confirm_session(const std::optional<types::Se2>& pose, SessionDone done) {
+  if (missions_.active()) return done(fail(Errc::kBusy, "a mission is under way; topoctl stop ends it"));
+  sessions_.confirm(pose, done);
 }
 
 Status Operator::begin_anew() { return sessions_.begin_anew(); }

@@ -66,6 +66,7 @@ class Operator final : public Operations {
   void save_session(const std::string& name, SessionDone done) override { sessions_.save(name, done); }
   void load_session(const std::string& name, const std::optional<types::Se2>& pose,
                     SessionDone done) override;
+  void confirm_session(const std::optional<types::Se2>& pose, SessionDone done) override;
   types::Status begin_anew() override;
   types::Status set_log_level(const std::string& level) override;
 
@@ -76,6 +77,7 @@ class Operator final : public Operations {
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
   void obey(team::OrderKind kind, std::uint16_t from);
+  void give_up(const std::string& why);
   void send_mission();
   void end_driving();
   void announce_mission(std::string_view event);

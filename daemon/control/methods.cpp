@@ -139,22 +139,34 @@ Answer call_save_session(Operations& o, const Call& call, const Methods::Late& l
   return Json();
 }
 
+/// The pose of a request; nothing when it has none.
+tl::expected<std::optional<types::Se2>, RpcError> pose_param(const Json& params) {
+  if (!params.contains("x_m") && !params.contains("y_m") && !params.contains("theta_rad"))
+    return std::optional<types::Se2>();
+  const auto x_m = real_param(params, "x_m");
+  if (!x_m) return tl::unexpected(x_m.error());
+  const auto y_m = real_param(params, "y_m");
+  if (!y_m) return tl::unexpected(y_m.error());
+  const auto theta_rad = real_param(params, "theta_rad");
+  if (!theta_rad) return tl::unexpected(theta_rad.error());
+  return types::Se2{*x_m, *y_m, types::wrap_angle(*theta_rad)};
+}
+
 Answer call_load_session(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
-  const Json& params = call.request.params;
-  const auto name = text_param(params, "name");
+  const auto name = text_param(call.request.params, "name");
   if (!name) return tl::unexpected(name.error());
-  std::optional<types::Se2> pose;
-  if (params.contains("x_m") || params.contains("y_m") || params.contains("theta_rad")) {
-    const auto x_m = real_param(params, "x_m");
-    if (!x_m) return tl::unexpected(x_m.error());
-    const auto y_m = real_param(params, "y_m");
-    if (!y_m) return tl::unexpected(y_m.error());
-    const auto theta_rad = real_param(params, "theta_rad");
-    if (!theta_rad) return tl::unexpected(theta_rad.error());
-    pose = types::Se2{*x_m, *y_m, types::wrap_angle(*theta_rad)};
-  }
+  const auto pose = pose_param(call.request.params);
+  if (!pose) return tl::unexpected(pose.error());
   waits = true;
-  o.load_session(*name, pose, later(call, late));
+  o.load_session(*name, *pose, later(call, late));
+  return Json();
+}
+
+Answer call_confirm_session(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  const auto pose = pose_param(call.request.params);
+  if (!pose) return tl::unexpected(pose.error());
+  waits = true;
+  o.confirm_session(*pose, later(call, late));
   return Json();
 }
 
@@ -181,13 +193,14 @@ struct LateMethod {
   Answer (*call)(Operations&, const Call&, const Methods::Late&, bool& waits);
 };
 
-const std::array<LateMethod, 7>& late_methods() {
-  static const std::array<LateMethod, 7> table{
+const std::array<LateMethod, 8>& late_methods() {
+  static const std::array<LateMethod, 8> table{
       {{"map.save", true, {"dir"}, &call_save},
        {"clear_estop", true, {}, &call_clear_estop},
        {"session.list", false, {}, &call_sessions},
        {"session.save", true, {"name"}, &call_save_session},
        {"session.load", true, {"name", "x_m", "y_m", "theta_rad"}, &call_load_session},
+       {"session.confirm", true, {"x_m", "y_m", "theta_rad"}, &call_confirm_session},
        {"goto", true, {"x_m", "y_m"}, &call_goto},
        {"doctor", false, {}, &call_doctor}}};
   return table;

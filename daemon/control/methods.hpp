@@ -54,6 +54,8 @@ class Operations {
   virtual void save_session(const std::string& name, SessionDone done) = 0;
   virtual void load_session(const std::string& name, const std::optional<types::Se2>& pose,
                             SessionDone done) = 0;
+  /// Says that the proposed place of a session is right, or where the robot is.
+  virtual void confirm_session(const std::optional<types::Se2>& pose, SessionDone done) = 0;
   /// Keeps the map made since the start, instead of a session that the daemon would resume.
   virtual types::Status begin_anew() = 0;
   /// Checks whether the point can be reached, and calls `done` on the main thread, later.

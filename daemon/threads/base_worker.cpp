@@ -72,6 +72,7 @@ pipeline::ControlInput BaseWorker::gather() {
   input.front = hand_overs_.front.to_base.read();
   input.matched = hand_overs_.mapping.to_base.read();
   input.base_released = connection_->releases() != std::exchange(releases_, connection_->releases());
+  input.place = hand_overs_.place.now();
   const bool ready = connection_->health() == pioneer::Health::kReady;
   input.state = ready && has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {

@@ -14,6 +14,7 @@
 #include "core/pipeline/plan.hpp"
 #include "core/pipeline/planning_step.hpp"
 #include "core/slam/alignment.hpp"
+#include "core/slam/arrival_trial.hpp"
 #include "core/slam/graph_solution.hpp"
 #include "core/slam/loop_closure.hpp"
 #include "core/sync/estop_line.hpp"
@@ -21,6 +22,7 @@
 #include "core/sync/ring.hpp"
 #include "core/sync/snapshot_cell.hpp"
 #include "core/types/base_state.hpp"
+#include "core/types/place_standing.hpp"
 #include "core/types/scan.hpp"
 #include "daemon/threads/fixed_text.hpp"
 #include "daemon/threads/session_desk.hpp"
@@ -59,6 +61,7 @@ struct MappingReport {
   double response = 0.0;
   std::uint64_t map = 1;  ///< 1, plus one for every session taken over
   types::Transform2<types::Map, types::Odom> T_map_odom;
+  slam::TrialCount trial;  ///< of the map `map`
 };
 
 /// State of the session's journal.
@@ -144,6 +147,19 @@ struct JournalHandOver {
   sync::Latest<JournalReport> report;
 };
 
+/// To the base: how far the robot's place in the map is known.
+struct PlaceHandOver {
+  /// From main, and from its background thread at the moment when it hands over a session.
+  std::atomic<types::PlaceStanding> standing{types::PlaceStanding::kKnown};
+  /// From mapping, at once: the present map did not match in the first metres.
+  std::atomic<bool> dropped{false};
+
+  [[nodiscard]] types::PlaceStanding now() const {
+    if (dropped.load(std::memory_order_acquire)) return types::PlaceStanding::kDropped;
+    return standing.load(std::memory_order_acquire);
+  }
+};
+
 /// All data passed between threads (DESIGN section 2). Large: allocate it on the heap.
 struct HandOvers {
   Ending ending;
@@ -155,6 +171,7 @@ struct HandOvers {
   /// Created before the threads start, destroyed by the planning thread, which alone destroys reports.
   std::unique_ptr<PlanningReports> planning = std::make_unique<PlanningReports>();
   BaseHandOver base;
+  PlaceHandOver place;
   MappingHandOver mapping;
   ClosureHandOver closure;
   JournalHandOver journal;

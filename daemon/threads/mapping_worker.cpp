@@ -54,6 +54,7 @@ void MappingWorker::take_over(std::unique_ptr<pipeline::MappingState>& state) {
     graphs_.stale_until = graphs_.asked;
     alignments_.stale_until = alignments_.asked;
     ++report_.map;
+    note_trial(*state);
     publish(*state);
     hand_over_pose(*state, state->cloud().stamp, true);
   }
@@ -133,6 +134,7 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
     matched_ = plausibility::after_scan(matched_, match.stamp, match.T_previous_base, match.T_odom_base,
                                         match.matched);
   }
+  note_trial(state);
   for (const slam::LoopVerdict& verdict : output.loop_verdicts) {
     report_.closures_accepted += static_cast<std::uint64_t>(verdict.accepted);
     report_.closures_rejected += static_cast<std::uint64_t>(verdict.rejected);
@@ -148,6 +150,13 @@ void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& 
     (void)ask(hand_overs_.closure.alignment_queries, alignments_, *output.alignment_query);
   if (output.graph_query && !ask(hand_overs_.closure.graph_queries, graphs_, *output.graph_query))
     state.offer(slam::GraphSolution{});
+}
+
+/// Before the pose and the report: the base must not hear of a map whose place is not known.
+void MappingWorker::note_trial(const pipeline::MappingState& state) {
+  report_.trial = state.trial();
+  const bool dropped = report_.trial.verdict == slam::TrialVerdict::kDropped;
+  hand_overs_.place.dropped.store(dropped, std::memory_order_release);
 }
 
 void MappingWorker::hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched) {

@@ -48,6 +48,7 @@ class MappingWorker final : public Worker {
   [[nodiscard]] types::Se2 place_now(const pipeline::MappingState& state);
   void skip_backlog(sync::Ring<types::Scan, kScanRing>& ring);
   void use(pipeline::MappingState& state, pipeline::MappingOutput& output);
+  void note_trial(const pipeline::MappingState& state);
   void publish(pipeline::MappingState& state);
   void hand_over_pose(const pipeline::MappingState& state, types::Stamp stamp, bool matched);
 

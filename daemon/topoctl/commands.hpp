@@ -74,5 +74,6 @@ int wait_done(const Arguments& arguments);
 int wait_ready(const Arguments& arguments);
 int save_session(const Arguments& arguments);
 int load_session(const Arguments& arguments);
+int confirm_session(const Arguments& arguments);
 
 }  // namespace topo::daemon

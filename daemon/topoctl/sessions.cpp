@@ -23,9 +23,21 @@ std::string saved_text(const Json& answer) {
                      text_at(answer, "/file"));
 }
 
+Json pose_params(const Arguments& arguments) {
+  if (arguments.pose.size() != 3) return Json::object();
+  return {{"x_m", arguments.pose[0]}, {"y_m", arguments.pose[1]}, {"theta_rad", arguments.pose[2]}};
+}
+
 std::string loaded_text(const Json& answer) {
-  std::string text = fmt::format("goes on with session {}, {} keyframes: {}\n", text_at(answer, "/name"),
-                                 number_of(answer, "keyframes"), text_at(answer, "/place"));
+  const auto proposal = answer.find("proposal");
+  const bool waits = proposal != answer.end() && *proposal == true;
+  std::string text =
+      fmt::format("{} session {}, {} keyframes: {}\n", waits ? "waits for" : "goes on with",
+                  text_at(answer, "/name"), number_of(answer, "keyframes"), text_at(answer, "/place"));
+  if (waits)
+    text +=
+        "(the robot stands until topoctl session confirm says that this is right, or with --pose X Y THETA "
+        "where it is; topoctl session new leaves the session alone)\n";
   if (const auto other = answer.find("other_parameters"); other != answer.end() && *other == true)
     text += "(it was made with other parameters of the mapper or places of the scanners)\n";
   if (const std::string damage = text_at(answer, "/damage"); is_said(damage))
@@ -55,13 +67,13 @@ int save_session(const Arguments& arguments) {
 }
 
 int load_session(const Arguments& arguments) {
-  Json params{{"name", arguments.session}};
-  if (arguments.pose.size() == 3) {
-    params["x_m"] = arguments.pose[0];
-    params["y_m"] = arguments.pose[1];
-    params["theta_rad"] = arguments.pose[2];
-  }
+  Json params = pose_params(arguments);
+  params["name"] = arguments.session;
   return show(arguments, "session.load", &loaded_text, params, kDiskPatience);
+}
+
+int confirm_session(const Arguments& arguments) {
+  return show(arguments, "session.confirm", &loaded_text, pose_params(arguments), kDiskPatience);
 }
 
 }  // namespace topo::daemon

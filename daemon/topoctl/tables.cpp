@@ -32,6 +32,15 @@ std::string number(const Json& json, const char* path, int decimals) {
   return value.is_number() ? fmt::format("{:.{}f}", value.get<double>(), decimals) : "-";
 }
 
+/// Empty unless the first metres in a session's map are being held against it.
+std::string trial_row(const Json& session) {
+  if (text(session, "/place/on_trial") != "yes") return {};
+  return row("place",
+             fmt::format("on trial in session {} for {} m: {} scans match it, {} contradict it",
+                         text(session, "/place/session"), number(session, "/place/trial/way_m", 1),
+                         text(session, "/place/trial/matched"), text(session, "/place/trial/contradicted")));
+}
+
 /// Empty when no session is kept.
 std::string session_row(const Json& session) {
   const std::string folder = text(session, "/folder"), obstacle = text(session, "/obstacle");
@@ -184,6 +193,7 @@ std::string status_table(const Json& status) {
   out += row("scans", fmt::format("{} matched, {} lost, {} skipped", text(status, "/map/scans_matched"),
                                   text(status, "/map/scans_lost"), text(status, "/map/scans_skipped")));
   out += session_row(at(status, "/session"));
+  out += trial_row(at(status, "/session"));
   const Json& devices = at(status, "/devices");
   if (!devices.is_object()) return out;
   for (const auto& [name, device] : devices.items()) {

@@ -122,13 +122,19 @@ void add_sessions(CLI::App& cli, Arguments& a, int& status) {
       [&a] { return save_session(a); });
   add(*session, "load", "go on with session NAME, when the robot is found in its map", status,
       [&a] { return load_session(a); });
+  add(*session, "confirm", "the robot is where it is proposed in the session's map, or at --pose", status,
+      [&a] { return confirm_session(a); });
   for (const char* name : {"save", "load"})
     session->get_subcommand(name)->add_option("NAME", a.session, "letters, digits, - and _")->required();
+  const auto add_pose = [&a](CLI::App& command) {
+    return command
+        .add_option("--pose", a.pose, "X Y THETA: about where the robot is, metres and radians in map")
+        ->expected(3)
+        ->check(number_from(-kFar_m, kFar_m));
+  };
   auto* load = session->get_subcommand("load");
-  auto* pose =
-      load->add_option("--pose", a.pose, "X Y THETA: about where the robot is, metres and radians in map")
-          ->expected(3)
-          ->check(number_from(-kFar_m, kFar_m));
+  auto* pose = add_pose(*load);
+  add_pose(*session->get_subcommand("confirm"));
   load->add_flag("--search", a.search, "look for the robot in the whole map (so without --pose)")
       ->excludes(pose);
 }

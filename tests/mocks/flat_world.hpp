@@ -79,6 +79,19 @@ inline FlatWorld two_rooms() {
   return world;
 }
 
+/// Two rooms that are alike to the last corner, one beside the other, and a corridor along both.
+inline FlatWorld twin_rooms() {
+  FlatWorld world;
+  world.box(0.0, 0.0, 16.0, 10.0);
+  world.walls.push_back({{8.0, 3.0}, {8.0, 10.0}});
+  for (const double x : {0.0, 8.0}) {
+    world.walls.push_back({{x, 3.0}, {x + 3.0, 3.0}});
+    world.walls.push_back({{x + 4.0, 3.0}, {x + 8.0, 3.0}});
+    world.box(x + 5.0, 8.0, x + 6.5, 9.0);
+  }
+  return world;
+}
+
 /// A ring corridor round a block, with niches that tell the places apart.
 inline FlatWorld ring_corridor() {
   FlatWorld world;

@@ -98,6 +98,7 @@ void Operator::doctor(std::function<void(Json)> done) {
   facts.estop_latched = estop_.latched();
   facts.estop_trouble = estop_.trouble();
   facts.session_obstacle = sessions_.obstacle();
+  facts.place = sessions_.standing();
   facts.journal = sessions_.journal();
   // The disk may be slow.
   auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {

@@ -447,6 +447,26 @@ TEST(VelocityGate, WithAreaLimitsItMustKnowItsPlace) {
   EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree);
 }
 
+TEST(VelocityGate, AProposedOrDroppedPlaceStandsWithoutLimits) {
+  using types::PlaceStanding;
+  for (const auto& [place, reason] : {std::pair(PlaceStanding::kProposed, GateReason::kPlaceProposed),
+                                      std::pair(PlaceStanding::kDropped, GateReason::kPlaceDropped)}) {
+    for (const bool by_hand : {false, true}) {
+      Scene scene;
+      scene.input.by_hand = by_hand;
+      scene.input.T_map_base = types::Se2{};
+      EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree);
+      scene.input.place = place;
+      const GateOutput out = scene.ask(0.5);
+      EXPECT_EQ(out.reason, reason);
+      EXPECT_TRUE(stands(out));
+      scene.input.place = PlaceStanding::kKnown;
+      EXPECT_EQ(scene.settle(0.5).reason, GateReason::kFree);
+    }
+  }
+  EXPECT_NE(to_text(GateReason::kPlaceProposed), to_text(GateReason::kPlaceDropped));
+}
+
 TEST(VelocityGate, GivesWayToWhatMovesAndGoesOnAfterwards) {
   Scene scene;
   const std::vector<perception::MovingObstacle> comes{{{1.2, 0.0}, {-0.8, 0.0}, 0.2}},

@@ -236,6 +236,24 @@ TEST_F(ControlStepTest, AreaLimitsWithoutAPlaceRefuseTheHand) {
   EXPECT_EQ(decision.command.twist, types::Twist2{});
 }
 
+TEST_F(ControlStepTest, AMapThatIsNotTheRightOneHasNoAreaLimits) {
+  Plan plan = plan_ahead(now);
+  input.plan = &plan;
+  const auto fresh = [&] { return plan.stamp = now, run(1); };
+  input.place = types::PlaceStanding::kUnknown;
+  for (int i = 0; i < 5; ++i) fresh();
+  EXPECT_GT(fresh().command.twist.v_mps, 0.0) << "without limits the hand may drive to where more is seen";
+  setup.area.keep_in = types::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
+  EXPECT_EQ(fresh().report.reason, GateReason::kNoPlace);
+  EXPECT_EQ(fresh().command.twist, types::Twist2{});
+  input.place = types::PlaceStanding::kKnown;
+  for (int i = 0; i < 5; ++i) fresh();
+  EXPECT_GT(fresh().command.twist.v_mps, 0.0);
+  input.place = types::PlaceStanding::kDropped;
+  EXPECT_EQ(fresh().report.reason, GateReason::kPlaceDropped);
+  EXPECT_EQ(fresh().command.twist, types::Twist2{});
+}
+
 TEST_F(ControlStepTest, AFreshPlanWithoutAPlaceIsNoPlace) {
   setup.area.keep_in = types::Polygon{{-5.0, -5.0}, {50.0, -5.0}, {50.0, 5.0}, {-5.0, 5.0}};
   Plan plan = plan_ahead(now);

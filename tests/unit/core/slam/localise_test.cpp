@@ -79,21 +79,8 @@ TEST(Localise, FindsItselfNearAGivenPose) {
   }
 }
 
-/// Two rooms that are alike to the last corner, one beside the other, and a corridor along both.
-mocks::FlatWorld twins() {
-  mocks::FlatWorld world;
-  world.box(0.0, 0.0, 16.0, 10.0);
-  world.walls.push_back({{8.0, 3.0}, {8.0, 10.0}});
-  for (const double x : {0.0, 8.0}) {
-    world.walls.push_back({{x, 3.0}, {x + 3.0, 3.0}});
-    world.walls.push_back({{x + 4.0, 3.0}, {x + 8.0, 3.0}});
-    world.box(x + 5.0, 8.0, x + 6.5, 9.0);
-  }
-  return world;
-}
-
 TEST(Localise, TwoPlacesThatLookAlikeAreRefused) {
-  const auto world = twins();
+  const auto world = mocks::twin_rooms();
   std::mt19937 random(3);
   std::vector<Se2> way;
   look_round(way, {3.5, 7.0, -1.57});
@@ -106,8 +93,9 @@ TEST(Localise, TwoPlacesThatLookAlikeAreRefused) {
   const auto view = testing::view_of(world, place, 0.01, random);
   const Localisation found = localise_anywhere(session, view.cloud, {});
   EXPECT_EQ(found.refusal, LocaliseRefusal::kAmbiguous) << describe(found);
-  ASSERT_TRUE(found.rival);
-  const double apart = (found.match.T_map_base.translation() - found.rival->T_map_base.translation()).norm();
+  ASSERT_EQ(found.rivals.size(), 1U);
+  const double apart =
+      (found.match.T_map_base.translation() - found.rivals.front().T_map_base.translation()).norm();
   EXPECT_NEAR(apart, 8.0, 0.2);
   // Who is told where it is about knows.
   const Localisation told = localise_near(session, view.cloud, in_map(way, {2.0, 7.0, -0.4}), {});
@@ -162,8 +150,8 @@ TEST(Describe, SaysOfEachOutcomeSomethingElse) {
               was_searched)
         << text;
   }
-  out.rival = out.match;
-  out.rival->T_map_base.x_m = 9.75;
+  out.rivals = {out.match};
+  out.rivals.front().T_map_base.x_m = 9.75;
   EXPECT_NE(describe(out).find("x 9.75"), std::string::npos) << "the other of two places is named";
 }
 

@@ -139,6 +139,22 @@ TEST(Doctor, ASessionThatCannotBeGoneOnWith) {
   EXPECT_THAT(check.cure, HasSubstr("topoctl session new"));
 }
 
+TEST(Doctor, APlaceThatWaitsForTheOperatorHasItsCure) {
+  DoctorFacts facts = healthy();
+  facts.session_obstacle = "where the robot is in session office is a proposal";
+  facts.place = types::PlaceStanding::kProposed;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("topoctl session confirm; where it is elsewhere"));
+  facts.place = types::PlaceStanding::kDropped;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("carried to a place that looks alike"));
+  facts.session_obstacle.clear();
+  facts.place = types::PlaceStanding::kKnown;
+  for (const auto reason : {motion::GateReason::kPlaceProposed, motion::GateReason::kPlaceDropped}) {
+    facts.base.control.reason = reason;
+    EXPECT_EQ(the_bad_one(facts).name, "motion");
+    EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("session"));
+  }
+}
+
 TEST(Doctor, ASessionThatIsNotBeingKept) {
   DoctorFacts facts = healthy();
   facts.journal.failing = true;

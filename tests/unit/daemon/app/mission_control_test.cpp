@@ -105,5 +105,17 @@ TEST_F(MissionControlTest, FailureAndStopAreNoSuccess) {
   EXPECT_EQ(missions.number(), number);
 }
 
+TEST_F(MissionControlTest, AVoidMapEndsTheMissionAsFailed) {
+  EXPECT_FALSE(missions.fail("dropped", kNow)) << "there is none";
+  ASSERT_TRUE(explore());
+  const auto number = missions.mission().number;
+  EXPECT_TRUE(missions.fail("the robot's place was dropped", kNow));
+  EXPECT_EQ(missions.state(), MissionState::kFailed);
+  EXPECT_EQ(missions.reason(), "the robot's place was dropped");
+  EXPECT_EQ(missions.mission().order, Order::kStand);
+  EXPECT_GT(missions.mission().number, number) << "planning takes it for a new one";
+  EXPECT_FALSE(missions.resume(""));
+}
+
 }  // namespace
 }  // namespace topo::daemon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/app/session_control.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <poll.h>
@@ -19,6 +20,8 @@ namespace topo::daemon {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+using types::PlaceStanding;
 
 /// The test is main and, where it says so, the mapping thread, which is asked before a session is handed
 /// over.
@@ -68,12 +71,30 @@ class SessionControlTest : public ::testing::Test {
     hand_overs->mapping.take_over.front()->content->adopt();
     hand_overs->mapping.take_over.front()->content.reset();
     hand_overs->mapping.take_over.pop();
-    ++map;
+    report.map = ++map;
+    report.trial.verdict = slam::TrialVerdict::kRunning;
   }
+  /// Main's tick; true when a place was dropped.
+  bool tick(SessionControl& control, types::Duration later = {}) {
+    return control.tick(io::monotonic_now() + later, report);
+  }
+  bool serve_until_proposed(SessionControl& control) {
+    return serve_until([&] { return control.standing() == types::PlaceStanding::kProposed; });
+  }
+  void confirm(SessionControl& control, const std::optional<types::Se2>& pose) {
+    answer.reset();
+    control.confirm(pose, [this](const types::Result<Json>& r) { answer = r; });
+  }
+  [[nodiscard]] bool is_journal_held() const { return hand_overs->journal.held.load(); }
 
   testing::TempDir folder;
   Configuration configuration;
   std::unique_ptr<HandOvers> hand_overs = std::make_unique<HandOvers>();
+  MappingReport report = [] {
+    MappingReport some;
+    some.keyframes = 1;
+    return some;
+  }();
   pipeline::MappingState state{mapper_params(configuration)};
   std::uint64_t map = 1;
   std::optional<types::Result<Json>> answer;
@@ -126,7 +147,7 @@ TEST_F(SessionControlTest, OneThatWasDroppedKeepsNoOtherOut) {
 TEST_F(SessionControlTest, WhatWasBegunAnewIsNotOvertakenByTheSessionToResume) {
   configuration.session.resume = "room";
   SessionControl control(configuration, *hand_overs, files);
-  control.tick(io::monotonic_now(), true);
+  (void)control.tick(io::monotonic_now(), report);
   EXPECT_NE(control.obstacle(), "");
   ASSERT_TRUE(control.begin_anew());
   EXPECT_EQ(control.obstacle(), "");
@@ -143,18 +164,17 @@ TEST_F(SessionControlTest, AnEmptyNewestJournalIsPassedOver) {
   (void)folder.write("journal-2.session", "");
   configuration.session.resume = "last";
   SessionControl control(configuration, *hand_overs, files);
-  control.tick(io::monotonic_now(), true);
+  (void)control.tick(io::monotonic_now(), report);
   EXPECT_NE(control.obstacle(), "");
-  ASSERT_TRUE(serve_until_handed_over());
-  take_over();
-  EXPECT_TRUE(serve_until([&] { return control.obstacle().empty(); })) << control.obstacle();
+  ASSERT_TRUE(serve_until_proposed(control)) << control.obstacle();
+  EXPECT_THAT(control.obstacle(), HasSubstr("session journal-1 is a proposal"));
 }
 
 TEST_F(SessionControlTest, WithoutAUsableJournalTheOperatorDecides) {
   (void)folder.write("journal-2.session", "");
   configuration.session.resume = "last";
   SessionControl control(configuration, *hand_overs, files);
-  control.tick(io::monotonic_now(), true);
+  (void)control.tick(io::monotonic_now(), report);
   ASSERT_TRUE(serve_until([&] { return control.obstacle().find("the file is empty") != std::string::npos; }))
       << control.obstacle();
   EXPECT_EQ(hand_overs->mapping.take_over.front(), nullptr);
@@ -169,6 +189,128 @@ TEST_F(SessionControlTest, ALoadThatFailsLeavesNoObstacleBehindThatIsGone) {
   ASSERT_TRUE(serve_until_answered());
   EXPECT_FALSE(*answer);
   EXPECT_EQ(control.obstacle(), "");
+}
+
+// Whether the session was resumed or loaded by hand: the map shows too little to be sure of the place.
+TEST_F(SessionControlTest, APlaceInASmallMapWaitsForTheOperator) {
+  for (const bool by_hand : {false, true}) {
+    configuration.session.resume = by_hand ? "" : "room";
+    SessionControl control(configuration, *hand_overs, files);
+    EXPECT_EQ(control.standing(), by_hand ? PlaceStanding::kKnown : PlaceStanding::kUnknown);
+    answer.reset();
+    if (by_hand)
+      control.load("room", {}, [this](const types::Result<Json>& r) { answer = r; });
+    else
+      (void)tick(control);
+    ASSERT_TRUE(serve_until_proposed(control)) << control.obstacle();
+    EXPECT_EQ(hand_overs->mapping.take_over.front(), nullptr) << "nothing is joined to the older map";
+    EXPECT_TRUE(!by_hand || (**answer)["proposal"] == true);
+    EXPECT_THAT(control.obstacle(), HasSubstr("too little of the building"));
+    EXPECT_THAT(control.obstacle(), HasSubstr("topoctl session confirm"));
+    EXPECT_EQ(control.trouble(), control.obstacle());
+    EXPECT_EQ(is_journal_held(), !by_hand) << "the map so far is kept as before";
+    ASSERT_TRUE(control.begin_anew());
+    EXPECT_EQ(control.standing(), PlaceStanding::kKnown);
+    EXPECT_EQ(control.obstacle(), "");
+    EXPECT_FALSE(is_journal_held());
+  }
+}
+
+TEST_F(SessionControlTest, AConfirmedPlaceIsKnownAndOnTrial) {
+  configuration.session.resume = "room";
+  SessionControl control(configuration, *hand_overs, files);
+  (void)tick(control);
+  ASSERT_TRUE(serve_until_proposed(control)) << control.obstacle();
+  confirm(control, {});
+  ASSERT_TRUE(serve_until_handed_over());
+  EXPECT_EQ(control.standing(), PlaceStanding::kUnknown) << "the plans are of the map before";
+  take_over();
+  ASSERT_TRUE(serve_until_answered());
+  ASSERT_TRUE(*answer) << answer->error().message;
+  EXPECT_EQ(control.obstacle(), "");
+  EXPECT_FALSE(tick(control));
+  EXPECT_EQ(control.standing(), PlaceStanding::kUnknown);
+  EXPECT_FALSE(tick(control, 2s));
+  EXPECT_EQ(control.standing(), PlaceStanding::kKnown);
+  EXPECT_TRUE(is_journal_held()) << "nothing is kept before the first metres match";
+  answer.reset();
+  control.save("after", [this](const types::Result<Json>& r) { answer = r; });
+  ASSERT_TRUE(answer);
+  EXPECT_THAT(answer->error().message, HasSubstr("on trial"));
+  report.trial.verdict = slam::TrialVerdict::kPassed;
+  EXPECT_FALSE(tick(control, 2s));
+  EXPECT_FALSE(is_journal_held());
+  confirm(control, {});
+  ASSERT_TRUE(answer && !*answer) << "there is nothing more to confirm";
+  EXPECT_EQ(answer->error().code, types::Errc::kNotFound);
+}
+
+TEST_F(SessionControlTest, ADroppedPlaceLeavesAFreshMapAndANeedForAPose) {
+  SessionControl control(configuration, *hand_overs, files);
+  load(control, "room");
+  ASSERT_TRUE(serve_until_handed_over());
+  take_over();
+  ASSERT_TRUE(serve_until_answered());
+  report.trial = {.way_m = 3.0,
+                  .matched = 10,
+                  .contradicted = 6,
+                  .silent = 1,
+                  .recent = 0,
+                  .recent_count = 0,
+                  .verdict = slam::TrialVerdict::kDropped};
+  EXPECT_TRUE(tick(control, 2s));
+  EXPECT_EQ(control.standing(), PlaceStanding::kDropped);
+  EXPECT_THAT(control.obstacle(), HasSubstr("after 3.0 m 10 scans match the older map, 6 contradict it"));
+  EXPECT_TRUE(is_journal_held());
+  // The map in which the new is joined to the old wrongly is replaced.
+  ASSERT_TRUE(serve_until_handed_over());
+  EXPECT_TRUE(hand_overs->mapping.take_over.front()->content->mapper().keyframes().empty());
+  take_over();
+  report.trial = {};
+  confirm(control, {});
+  ASSERT_TRUE(answer && !*answer);
+  EXPECT_EQ(answer->error().code, types::Errc::kInvalidInput) << "a pose is needed";
+  EXPECT_FALSE(tick(control, 3s)) << "it is told once";
+  EXPECT_EQ(control.standing(), PlaceStanding::kDropped);
+  ASSERT_TRUE(serve_until([&] {
+    confirm(control, types::Se2{0.9, 0.0, 0.0});
+    return !answer;  // else refused: the new map is being begun
+  }));
+  ASSERT_TRUE(serve_until_handed_over());
+  take_over();
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_TRUE(*answer) << answer->error().message;
+  EXPECT_EQ(control.obstacle(), "");
+}
+
+TEST_F(SessionControlTest, BegunAnewOnTrialTheMapIsReplaced) {
+  SessionControl control(configuration, *hand_overs, files);
+  load(control, "room");
+  ASSERT_TRUE(serve_until_handed_over());
+  take_over();
+  ASSERT_TRUE(serve_until_answered());
+  ASSERT_TRUE(control.begin_anew());
+  EXPECT_NE(control.obstacle(), "");
+  EXPECT_FALSE(tick(control, 2s));
+  ASSERT_TRUE(serve_until_handed_over());
+  EXPECT_TRUE(hand_overs->mapping.take_over.front()->content->mapper().keyframes().empty());
+  take_over();
+  ASSERT_TRUE(serve_until([&] { return control.standing() == PlaceStanding::kKnown; }));
+  EXPECT_EQ(control.obstacle(), "");
+  EXPECT_FALSE(is_journal_held());
+}
+
+TEST_F(SessionControlTest, AWrongPoseIsRefusedAndTheProposalStays) {
+  configuration.session.resume = "room";
+  SessionControl control(configuration, *hand_overs, files);
+  (void)tick(control);
+  ASSERT_TRUE(serve_until_proposed(control)) << control.obstacle();
+  const std::string proposed = control.obstacle();
+  confirm(control, types::Se2{60.0, 60.0, 0.0});
+  ASSERT_TRUE(serve_until_answered());
+  EXPECT_FALSE(*answer);
+  EXPECT_EQ(control.standing(), PlaceStanding::kProposed);
+  EXPECT_EQ(control.obstacle(), proposed);
 }
 
 }  // namespace

@@ -64,6 +64,11 @@ class FakeOperations final : public Operations {
     pose = at;
     save_done = std::move(done);
   }
+  void confirm_session(const std::optional<types::Se2>& at, SessionDone done) override {
+    folder = "confirm";
+    pose = at;
+    save_done = std::move(done);
+  }
   types::Status begin_anew() override { return calls.push_back("new"), outcome; }
   types::Status set_log_level(const std::string&) override { return calls.push_back("log_level"), outcome; }
 };

@@ -123,6 +123,13 @@ TEST_F(MethodsTest, ASessionIsLoadedAnywhereOrAroundAWholePose) {
   ASSERT_TRUE(operations.pose);
   EXPECT_EQ(operations.pose->x_m, 1.5);
   EXPECT_NEAR(operations.pose->theta_rad, 7.0 - 2.0 * std::numbers::pi, 1e-12);
+  EXPECT_FALSE(ask("session.confirm", Json::object()).has_value());
+  EXPECT_FALSE(operations.pose);
+  EXPECT_FALSE(ask("session.confirm", {{"x_m", 1.5}, {"y_m", -2}, {"theta_rad", 7.0}}).has_value());
+  ASSERT_TRUE(operations.pose);
+  EXPECT_EQ(operations.pose->y_m, -2.0);
+  EXPECT_EQ(refusal("session.confirm", {{"y_m", 1.5}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("session.confirm", Json::object(), false), RpcCode::kForbidden);
   EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"x_m", 1.5}}), RpcCode::kInvalidParams);
   EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"at", 1}}), RpcCode::kInvalidParams);
 }
