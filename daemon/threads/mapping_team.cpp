@@ -84,7 +84,7 @@ std::vector<types::Vector2> MappingTeam::mates_near(const types::Se2& T_map_base
   const MatesPlaces* mates = team_.places.read();
   if (mates == nullptr) return near;
   for (const MatesPlaces::Place& place : mates->places) {
-    if (now - place.heard <= team::kPlaceAgeMax &&
+    if (now - place.heard <= team::RosterParams{}.place_age_max &&
         (place.p_map - T_map_base.translation()).norm() <= kSight_m)
       near.push_back(place.p_map);
   }
@@ -96,7 +96,7 @@ const types::Scan* MappingTeam::without_mates_front(const types::Scan* scan, con
   const std::vector<types::Vector2> near = mates_near(T_map_base, scan->arrival);
   if (near.empty()) return scan;
   front_ = *scan;
-  team::mask_mates(front_, T_map_base * T_base_front_, near, team::kMateRadius_m);
+  team::mask_mates(front_, T_map_base * T_base_front_, near, team::RosterParams{}.mate_radius_m);
   return &front_;
 }
 
@@ -105,7 +105,7 @@ const types::Scan* MappingTeam::without_mates_coronal(const types::Scan* scan, c
   const std::vector<types::Vector2> near = mates_near(T_map_base, scan->arrival);
   if (near.empty()) return scan;
   coronal_ = *scan;
-  team::mask_mates_coronal(coronal_, T_map_base * T_base_coronal_, near, team::kMateRadius_m);
+  team::mask_mates_coronal(coronal_, T_map_base * T_base_coronal_, near, team::RosterParams{}.mate_radius_m);
   return &coronal_;
 }
 

@@ -42,7 +42,8 @@ void TeamWorker::run() noexcept {
   while (!hand_overs_.ending.stopping.load(std::memory_order_acquire)) {
     std::array<pollfd, 2> fds{
         {{hand_overs_.team.wakeup.fd(), POLLIN, 0}, {link_ ? link_->fd() : -1, POLLIN, 0}}};
-    ::poll(fds.data(), fds.size(), static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(kTurn).count()));
+    ::poll(fds.data(), fds.size(),
+           static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(kTurn).count()));
     (void)hand_overs_.team.wakeup.wait(types::Duration::zero());
     vitals_.beat();
     const types::Stamp now = io::monotonic_now();
