@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <random>
 #include <thread>
 
 #include "drivers/io/posix.hpp"
+#include "tests/mocks/flat_world.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -64,6 +66,71 @@ TEST_F(MappingWorkerTest, ReportsTheScansThatItHadNoOdometryFor) {
       std::this_thread::yield();
   }
   EXPECT_EQ(lost, kScans);
+}
+
+/// A session of one room in which the robot is believed, while its scanner sees a corridor.
+TEST_F(MappingWorkerTest, AMapThatDoesNotMatchStopsTheBase) {
+  std::mt19937 random{1};
+  const mocks::FlatWorld room = mocks::two_rooms();
+  mocks::FlatWorld corridor;
+  corridor.box(0.0, 0.0, 31.0, 2.2);
+  const mocks::ScannerOptions options{541, 4.7, 30.0, 0.01};
+  const auto stamp_at = [](int i) { return types::stamp_from_seconds(1.0 + 0.1 * i); };
+  pipeline::MappingState made{slam::MapperParams{}, slam::Origin{1, 1}};
+  types::Odometry odometry{stamp_at(0), {}, {}};
+  const types::Scan first = mocks::take_scan(room, {1.5, 1.5, 0.0}, stamp_at(0), options, random);
+  (void)pipeline::mapping_step(made, {{&odometry, 1}, &first, nullptr});
+  const slam::Session session = made.mapper().session();
+  ASSERT_FALSE(session.keyframes.empty());
+  const auto hand_over = [&](std::unique_ptr<pipeline::MappingState> state) {
+    hand_overs->mapping.take_over.try_acquire()->content = std::move(state);
+    hand_overs->mapping.take_over.commit();
+    hand_overs->mapping.wakeup.post();
+  };
+  hand_over(std::make_unique<pipeline::MappingState>(
+      slam::MapperParams{}, session, slam::Arrival{made.cloud(), {}, {}}, slam::Origin{1, 2}));
+  const types::Stamp limit = io::monotonic_now() + 60s;
+  MappingReport report;
+  const auto wait_until = [&](auto pleases) {
+    while (!pleases() && io::monotonic_now() < limit) {
+      if (const auto* newer = hand_overs->mapping.report.take_new(); newer != nullptr) report = *newer;
+      std::this_thread::yield();
+    }
+    return pleases();
+  };
+  ASSERT_TRUE(wait_until([&] { return report.trial.verdict == slam::TrialVerdict::kRunning; }));
+  EXPECT_EQ(hand_overs->place.now(), types::PlaceStanding::kKnown);
+  for (int i = 1; i <= 60; ++i) {
+    odometry.stamp = stamp_at(i);
+    odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(0.1 * i, 0.0, 0.0);
+    ASSERT_TRUE(wait_until([&] { return hand_overs->base.odometry.try_push(odometry); }));
+    types::Scan* scan = hand_overs->front.to_mapping.try_acquire();
+    ASSERT_NE(scan, nullptr);
+    *scan = mocks::take_scan(corridor, {5.0 + 0.1 * i, 1.1, 0.0}, stamp_at(i), options, random);
+    hand_overs->front.to_mapping.commit();
+    hand_overs->mapping.wakeup.post();
+    ASSERT_TRUE(wait_until([&] { return hand_overs->front.to_mapping.size() == 0; }));
+  }
+  ASSERT_TRUE(wait_until([&] { return report.trial.verdict == slam::TrialVerdict::kDropped; }));
+  EXPECT_EQ(hand_overs->place.now(), types::PlaceStanding::kDropped);
+  hand_over(std::make_unique<pipeline::MappingState>(slam::MapperParams{}, slam::Origin{1, 3}));
+  ASSERT_TRUE(wait_until([&] { return report.map == 3; }));
+  EXPECT_EQ(report.trial.verdict, slam::TrialVerdict::kNone);
+  EXPECT_EQ(hand_overs->place.now(), types::PlaceStanding::kKnown) << "main says what it is";
+}
+
+TEST(PlaceHandOver, ADropOfMappingGoesBeforeTheWordOfMain) {
+  using types::PlaceStanding;
+  PlaceHandOver place;
+  EXPECT_EQ(place.now(), PlaceStanding::kKnown);
+  place.dropped = true;
+  for (const PlaceStanding standing :
+       {PlaceStanding::kKnown, PlaceStanding::kUnknown, PlaceStanding::kProposed}) {
+    place.standing = standing;
+    EXPECT_EQ(place.now(), PlaceStanding::kDropped);
+  }
+  place.dropped = false;
+  EXPECT_EQ(place.now(), PlaceStanding::kProposed);
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ TEST(Tables, StatusSaysHowTheSessionFares) {
   status["session"]["journal"]["failures"] = 4;
   status["session"]["journal"]["message"] = "the disk is full";
   EXPECT_THAT(status_table(status), HasSubstr("session     NOT being kept, 4 failures: the disk is full\n"));
+  status["session"]["place"] = {{"on_trial", true},
+                                {"session", "office"},
+                                {"trial", {{"way_m", 1.25}, {"matched", 9}, {"contradicted", 1}}}};
+  EXPECT_THAT(
+      status_table(status),
+      HasSubstr("place       on trial in session office for 1.2 m: 9 scans match it, 1 contradict it\n"));
+  status["session"]["place"]["on_trial"] = false;
+  EXPECT_THAT(status_table(status), Not(HasSubstr("on trial")));
   status["session"]["obstacle"] = "cannot be used";
   EXPECT_THAT(status_table(status), HasSubstr("session     cannot be used\n"));
   status["session"]["folder"] = "";
