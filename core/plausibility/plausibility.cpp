@@ -94,7 +94,7 @@ void Plausibility::hold(std::size_t doubt, bool cause, bool standing, const Evid
 
 /// True when a base that does not obey stands, as far as can be known.
 bool Plausibility::rests(const Evidence& evidence) const {
-  if (evidence.base != nullptr) return stands(evidence.base);
+  if (evidence.base != nullptr) return stands(evidence.base, params_.standing);
   return evidence.now - heard_ >= params_.unheard_stands;
 }
 

@@ -91,8 +91,8 @@ ArrivalTrial::ArrivalTrial(const Session& session, const Arrival& arrival, const
     : mapper_(mapper),
       params_(params),
       old_(thinned_map(session, arrival.T_map_base.translation(), half_width_m(arrival, mapper, params),
-                       mapper.refine.reach_m)),
-      ground_(seen_through(session.keyframes, session.poses, old_)) {
+                       mapper.refine.reach_m, params.thin_m)),
+      ground_(seen_through(session.keyframes, session.poses, old_, mapper.free_ground)) {
   for (const types::Se2& rival : arrival.rivals) T_rival_map_.push_back(rival * arrival.T_map_base.inverse());
   count_.verdict = TrialVerdict::kRunning;
 }

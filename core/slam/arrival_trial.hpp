@@ -18,6 +18,7 @@ namespace topo::slam {
 struct TrialParams {
   double way_m = 8.0;  ///< driven until the place counts as right: through a room of usual size and its door
   double way_max_m = 15.0;  ///< the same where most of what is seen is new: through the next room
+  double thin_m = 0.05;     ///< cell size of the older map's surfels, as WholeSearch::thin_m
   double step_m = 0.10;     ///< a scan is compared after this way,
   double step_rad = 0.10;   ///< or this turn: a standing robot learns nothing more
   double drift_m = 0.10;  ///< standard deviations of the tracked pose in the older map: odometry's over some
