@@ -21,13 +21,13 @@ namespace {
 
 using namespace topo::daemon;
 using topo::fuzz::MemoryFile;
-using Bytes = std::vector<std::byte>;
+using Octets = std::vector<std::byte>;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void append(Bytes& to, std::span<const std::byte> more) { to.insert(to.end(), more.begin(), more.end()); }
+void append(Octets& to, std::span<const std::byte> more) { to.insert(to.end(), more.begin(), more.end()); }
 
 /// Every record once, or as many errors as there are frames at most. The number of records.
 std::size_t read_all(const std::shared_ptr<const RecordingReader>& reader,
@@ -66,9 +66,9 @@ void check(std::span<const std::byte> content) {
 }
 
 /// Gives the header and each frame head their checksums and sizes that fit.
-Bytes sealed(std::span<const std::byte> content) {
+Octets sealed(std::span<const std::byte> content) {
   constexpr std::size_t kStart = 16, kSum = 8;
-  Bytes out(content.begin(), content.end());
+  Octets out(content.begin(), content.end());
   const std::span<std::byte> all(out);
   if (all.size() < kStart + kSum) return out;
   const std::size_t body =
@@ -92,11 +92,11 @@ Bytes sealed(std::span<const std::byte> content) {
 }
 
 /// A good recording whose only frame holds the input.
-Bytes framed(std::span<const std::byte> records) {
+Octets framed(std::span<const std::byte> records) {
   RecordingHeader header;
   header.channels = {"base", "front", "coronal"};
-  Bytes out = encode_header(header);
-  Bytes packed(ZSTD_compressBound(records.size()));
+  Octets out = encode_header(header);
+  Octets packed(ZSTD_compressBound(records.size()));
   packed.resize(ZSTD_compress(packed.data(), packed.size(), records.data(), records.size(), 1));
   FrameHead head;
   head.packed_bytes = static_cast<std::uint32_t>(packed.size());

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 TEST(PlanningWorker, IsToldToBeSlowOnceNotAtEveryPeriod) {
   const auto hand_overs = std::make_unique<HandOvers>();
   Vitals vitals("planning");
-  PlanningWorker worker(*hand_overs, pipeline::PlannerParams{}, 1ns, vitals);
+  PlanningWorker worker(*hand_overs, pipeline::PlannerParams{}, 1ns, 1, vitals);
   const types::Stamp begin = io::monotonic_now();
   std::thread thread([&worker] { worker.run(); });
   while (vitals.run.summary().count < 20 && io::monotonic_now() < begin + 60s) std::this_thread::yield();
