@@ -12,6 +12,7 @@
 #include "tests/bench/topobench/compass/compass_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
+#include "tests/bench/topobench/fresh/suite_command.hpp"
 #include "tests/bench/topobench/goals/goals_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
 #include "tests/bench/topobench/posegraph/posegraph_command.hpp"
@@ -244,6 +245,20 @@ void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
   app.add_flag("--json", goals.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::SuiteCommand& suite) {
+  app.add_option("--suite", suite.suite,
+                 "fresh: drawn from --seed; dev: the public plans that were developed on")
+      ->check(CLI::IsMember({"fresh", "dev"}))
+      ->capture_default_str();
+  app.add_option("--seed", suite.seed, "Of the buildings: one that no decision was made by")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--buildings", suite.buildings, "Of a fresh suite")->capture_default_str();
+  app.add_option("--plans", suite.plans, "Folder of the public plans, to print beside");
+  app.add_option("--out", suite.out, "Folder for the buildings: PNG and map_server YAML each")
+      ->check(not_empty());
+}
+
 void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
   app.add_option("--log", session.log, "The log")->required();
   app.add_option("--out", session.out, "File for the session, as topoctl session save writes it")
@@ -318,6 +333,10 @@ int start(int argc, char** argv) {
   CLI::App* goals_app = app.add_subcommand(
       "goals", "Goals on partial maps met while exploring: how few, and whether one is missing");
   add_options(*goals_app, goals);
+  topo::bench::SuiteCommand suite;
+  CLI::App* suite_app =
+      app.add_subcommand("suite", "Draw buildings that nobody tuned for, and say what they are like");
+  add_options(*suite_app, suite);
   topo::bench::SessionCommand session;
   CLI::App* session_app = app.add_subcommand(
       "session", "Size of a log's session on the disk, and how its scans are found in its whole map");
@@ -341,6 +360,7 @@ int start(int argc, char** argv) {
   if (*explore_app) return finish(topo::bench::run_explore(explore));
   if (*compass_app) return finish(topo::bench::run_compass(compass));
   if (*goals_app) return finish(topo::bench::run_goals(goals));
+  if (*suite_app) return finish(topo::bench::run_suite(suite));
   if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));
