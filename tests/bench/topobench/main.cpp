@@ -9,6 +9,7 @@
 #include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
+#include "tests/bench/topobench/bound/bound_command.hpp"
 #include "tests/bench/topobench/compass/compass_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
@@ -133,8 +134,17 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
 void add_options(CLI::App& app, topo::bench::TableCommand& table) {
   app.add_option("--worlds", table.worlds,
                  "Buildings: files as explore --world has them, and folders of them")
-      ->required()
       ->delimiter(',');
+  auto* suite =
+      app.add_option("--suite", table.suite,
+                     "fresh: buildings drawn from --suite-seed, in the manner of the public plans; dev: the "
+                     "public plans, on which\nparameters were developed, in the folder --worlds")
+          ->check(CLI::IsMember({"fresh", "dev"}));
+  app.add_option("--suite-seed", table.suite_seed,
+                 "To be drawn after the commit under test, and named with its figures")
+      ->needs(suite)
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--buildings", table.buildings, "Of a fresh suite")->capture_default_str();
   app.add_option("--strategies", table.strategies,
                  "As explore --strategy; the first is held against the others")
       ->delimiter(',')
@@ -245,6 +255,24 @@ void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
   app.add_flag("--json", goals.json, "One JSON object on one line");
 }
 
+void add_options(CLI::App& app, topo::bench::BoundCommand& bound) {
+  app.footer(
+      "m_per_robot: way of the robot that drives farthest, until a share of the reachable area was seen, of "
+      "tours\n"
+      "that were found (feasible: they see 99 %): a greedy cover by places to look from, shared out. The "
+      "true limit\n"
+      "is lower; lower_m_per_robot is below it. own_motion: with the robot's accelerations, turning on the "
+      "spot at\n"
+      "sharp corners.");
+  app.add_option("--world", bound.world, "The building: a map_server YAML file or a drawn scene (.toml)")
+      ->required();
+  app.add_option("--robots", bound.robots, "1 to 8, who enter as in explore")->capture_default_str();
+  app.add_option("--start", bound.start, "X,Y,THETA in metres and radians; else the world's first")
+      ->delimiter(',');
+  app.add_option("--picture", bound.picture, "PNG of the tours")->check(not_empty());
+  app.add_flag("--json", bound.json, "One JSON object on one line");
+}
+
 void add_options(CLI::App& app, topo::bench::SuiteCommand& suite) {
   app.add_option("--suite", suite.suite,
                  "fresh: drawn from --seed; dev: the public plans that were developed on")
@@ -333,6 +361,10 @@ int start(int argc, char** argv) {
   CLI::App* goals_app = app.add_subcommand(
       "goals", "Goals on partial maps met while exploring: how few, and whether one is missing");
   add_options(*goals_app, goals);
+  topo::bench::BoundCommand bound;
+  CLI::App* bound_app =
+      app.add_subcommand("bound", "The least way of robots that know the building, from below and above");
+  add_options(*bound_app, bound);
   topo::bench::SuiteCommand suite;
   CLI::App* suite_app =
       app.add_subcommand("suite", "Draw buildings that nobody tuned for, and say what they are like");
@@ -360,6 +392,7 @@ int start(int argc, char** argv) {
   if (*explore_app) return finish(topo::bench::run_explore(explore));
   if (*compass_app) return finish(topo::bench::run_compass(compass));
   if (*goals_app) return finish(topo::bench::run_goals(goals));
+  if (*bound_app) return finish(topo::bench::run_bound(bound));
   if (*suite_app) return finish(topo::bench::run_suite(suite));
   if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));

@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "tests/bench/topobench/explore/contender.hpp"
+#include "tests/bench/topobench/explore/crossings.hpp"
 #include "tests/bench/topobench/explore/explore_report.hpp"
 #include "tests/bench/topobench/explore/explore_run.hpp"
 #include "tests/bench/topobench/output.hpp"
@@ -71,6 +74,14 @@ types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World
   return setup;
 }
 
+/// How often the robots of a run came through the same corridors.
+nlohmann::json crossings_report(const sim::World& world, std::span<const RunResult> robots) {
+  std::vector<std::vector<sim::Se2>> ways;
+  for (const RunResult& robot : robots) ways.push_back(robot.truth);
+  const Crossings crossings = count_crossings(world.structure(), ways);
+  return {{"squares", crossings.squares}, {"over_twice", crossings.over_twice}};
+}
+
 types::Result<nlohmann::json> run_alone(const ExploreCommand& command, sim::World world,
                                         const RunTitle& title, const RunSetup& setup,
                                         const sim::Raster& visible, RunHooks& hooks) {
@@ -84,7 +95,9 @@ types::Result<nlohmann::json> run_alone(const ExploreCommand& command, sim::Worl
     if (auto written = write_map(command.out, mind->source().map()); !written)
       return tl::unexpected(written.error());
   }
-  return report_of(title, setup, result, visible.area_m2());
+  nlohmann::json report = report_of(title, setup, result, visible.area_m2());
+  report["corridors_crossed"] = crossings_report((*plant)->world(), {&result, 1});
+  return report;
 }
 
 types::Result<nlohmann::json> run_together(const ExploreCommand& command, sim::World world, RunTitle title,
@@ -101,7 +114,9 @@ types::Result<nlohmann::json> run_together(const ExploreCommand& command, sim::W
     if (auto written = write_team_files(command.out, *shared, team, *result, visible); !written)
       return tl::unexpected(written.error());
   }
-  return team_report_of(title, team, *result, visible.area_m2());
+  nlohmann::json report = team_report_of(title, team, *result, visible.area_m2());
+  report["corridors_crossed"] = crossings_report(*shared, result->robots);
+  return report;
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ constexpr std::uint64_t kDraftStream = 31;
 constexpr double kSure_m = 0.35;   // a disc that gets where the drawn starts of a table are (table_world.hpp)
 constexpr double kReach_m = 0.75;  // floor so near to a place of the robot counts as reached
 constexpr double kReachedShare = 0.6;  // of a room's floor
+constexpr std::size_t kSpacesMin = 8;  // fewer are no floor to explore
 constexpr double kStartRoom_m = 0.6;
 constexpr double kMateRoom_m = 0.5, kMateApart_m = 1.3;
 
@@ -117,7 +118,16 @@ void close(FloorPlan& plan, const std::set<std::pair<std::size_t, std::size_t>>&
   }
 }
 
+std::size_t open_spaces(const FloorPlan& plan) {
+  std::size_t n = 0;
+  for (const Wing& wing : plan.wings) {
+    for (const Space& space : wing.spaces) n += space.use != Use::kClosed ? 1U : 0U;
+  }
+  return n;
+}
+
 std::optional<Building> finished(FloorPlan plan, sim::Random& random) {
+  if (open_spaces(plan) < kSpacesMin) return std::nullopt;
   sim::Raster free = draw_floor(plan);
   const auto start = start_in(plan, free, random);
   if (!start) return std::nullopt;

@@ -76,7 +76,7 @@ class Carpenter {
   }
 
   double width_of(const SharedWall& wall) {
-    double width_m = length_of(random_, 0.8, 1.1);
+    double width_m = length_of(random_, 0.8, 1.35);
     if (count(wall, Use::kHall) > 0 || count(wall, Use::kCorridor) == 2)
       width_m = length_of(random_, 1.2, kDoorMax_m);
     else if (happens(random_, rules_.narrow))
@@ -116,6 +116,11 @@ class Carpenter {
         corridors.push_back(&wall);
     }
     if (corridors.empty()) return;
+    if (wing_.spaces[space].use == Use::kHall ? happens(random_, rules_.lobby)
+                                              : happens(random_, rules_.alcove)) {
+      const SharedWall& wall = *corridors[one_of(random_, corridors.size())];
+      return put(wall, wall.from_m, wall.length_m());
+    }
     const std::size_t first = one_of(random_, corridors.size());
     const bool is_large = wing_.spaces[space].box.area_m2() > 45.0;
     for (std::size_t i = 0; i < corridors.size(); ++i) {

@@ -29,6 +29,8 @@ struct DoorRules {
   double connecting = 0.12;  ///< share of the walls between rooms with a door
   double second = 0.25;      ///< share of rooms at a second corridor with a door there too
   double fire_door = 0.15;   ///< share of the crossings of corridors with a door
+  double lobby = 0.2;        ///< share of halls that are open to a corridor along all of their wall
+  double alcove = 0.05;      ///< the same of rooms
 };
 
 /// Puts doors into a wing: corridors are open to each other or have a wide door between them; a room has a

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/bench/topobench/fresh/doors.hpp"
 #include "tests/bench/topobench/fresh/draws.hpp"
@@ -61,6 +62,8 @@ Taste taste_of(sim::Random& random) {
   taste.doors.connecting = random.uniform(0.03, 0.25);
   taste.doors.second = random.uniform(0.1, 0.4);
   taste.doors.fire_door = random.uniform(0.0, 0.4);
+  taste.doors.lobby = random.uniform(0.0, 0.5);
+  taste.doors.alcove = random.uniform(0.0, 0.12);
   taste.furnishing = furnishing_of(random);
   taste.leaves = happens(random, 0.5) ? random.uniform(0.1, 0.5) : 0.0;
   return taste;
@@ -79,10 +82,12 @@ FloorPlan draft_plan(sim::Random& random) {
     const double share = i + 1 == wings ? 1.0 : random.uniform(0.4, 0.7);
     Wing wing = draw_wing(share * left_m2, taste, random);
     left_m2 -= share * left_m2;
-    if (plan.wings.empty())
+    if (plan.wings.empty()) {
+      wing.T_building_wing.theta_rad = happens(random, 0.35) ? 0.5 * std::numbers::pi : 0.0;
       plan.wings.push_back(std::move(wing));
-    else
+    } else {
       attach(plan, std::move(wing), random);
+    }
   }
   return plan;
 }

@@ -201,8 +201,8 @@ struct Decorator {
 
 Furnishing furnishing_of(sim::Random& random) {
   Furnishing style;
-  style.furnished = happens(random, 0.15) ? 0.1 : random.uniform(0.4, 1.0);
-  style.density = random.uniform(0.6, 1.5);
+  style.furnished = happens(random, 0.25) ? 0.1 : random.uniform(0.3, 0.9);
+  style.density = random.uniform(0.5, 1.5);
   style.pilasters = happens(random, 0.3);
   style.legs = happens(random, 0.4);
   return style;

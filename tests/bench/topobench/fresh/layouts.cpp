@@ -44,10 +44,10 @@ void add_core(const Box& core, const LayoutRules& rules, sim::Random& random, st
 
 LayoutRules office_rules(sim::Random& random) {
   LayoutRules rules;
-  rules.strip_m = length_of(random, 4.0, 7.0);
+  rules.strip_m = length_of(random, 4.0, 7.5);
   rules.corridor_m = length_of(random, 1.6, 2.8);
-  rules.room_min_m = length_of(random, 2.4, 3.2);
-  rules.room_max_m = rules.room_min_m + length_of(random, 1.0, 4.0);
+  rules.room_min_m = length_of(random, 2.6, 4.0);
+  rules.room_max_m = rules.room_min_m + length_of(random, 1.5, 5.5);
   rules.modular = happens(random, 0.5);
   rules.closed = random.uniform(0.0, 0.12);
   rules.open_block = random.uniform(0.0, 0.3);

@@ -15,7 +15,7 @@ constexpr double kInLine = 0.45;  // of further wings; the others are skew
 constexpr double kSkewMin_rad = 0.15, kSkewMax_rad = 0.9;
 constexpr double kApart_m = 0.4;
 constexpr double kLinkMin_m = 1.2, kLinkMax_m = 2.4;
-constexpr double kSame_m = 1e-6;
+constexpr double kSameLine_m = 1e-6;
 constexpr int kTries = 40;
 
 double angle_of(const sim::Vector2& v) { return std::atan2(v.y(), v.x()); }
@@ -25,10 +25,10 @@ void add_way_out(const Space& space, const Wing& wing, std::vector<WayOut>& out)
   const Box f = floor_of(space, wing.wall_m);
   const Box &b = space.box, &all = wing.outline;
   const double cx = 0.5 * (f.x0 + f.x1), cy = 0.5 * (f.y0 + f.y1);
-  if (std::abs(b.x0 - all.x0) < kSame_m) out.push_back({{b.x0, cy}, {-1.0, 0.0}, f.height()});
-  if (std::abs(b.x1 - all.x1) < kSame_m) out.push_back({{b.x1, cy}, {1.0, 0.0}, f.height()});
-  if (std::abs(b.y0 - all.y0) < kSame_m) out.push_back({{cx, b.y0}, {0.0, -1.0}, f.width()});
-  if (std::abs(b.y1 - all.y1) < kSame_m) out.push_back({{cx, b.y1}, {0.0, 1.0}, f.width()});
+  if (std::abs(b.x0 - all.x0) < kSameLine_m) out.push_back({{b.x0, cy}, {-1.0, 0.0}, f.height()});
+  if (std::abs(b.x1 - all.x1) < kSameLine_m) out.push_back({{b.x1, cy}, {1.0, 0.0}, f.height()});
+  if (std::abs(b.y0 - all.y0) < kSameLine_m) out.push_back({{cx, b.y0}, {0.0, -1.0}, f.width()});
+  if (std::abs(b.y1 - all.y1) < kSameLine_m) out.push_back({{cx, b.y1}, {0.0, 1.0}, f.width()});
 }
 
 /// A strip from a to b, longer by `more_m` at each end.
@@ -60,6 +60,11 @@ bool has_room(const FloorPlan& plan, const Wing& wing) {
                       [&](const Wing& other) { return convex_overlap(outline, outline_of(other, 0.0)); }) &&
          std::none_of(plan.links.begin(), plan.links.end(),
                       [&](const sim::Polygon& link) { return convex_overlap(outline, link); });
+}
+
+bool is_quarter_turn(double theta_rad) {
+  const double quarters = theta_rad / (0.5 * std::numbers::pi);
+  return std::abs(quarters - std::round(quarters)) < kSameLine_m;
 }
 
 /// In whole cells where the wing is not turned or by quarters.
@@ -103,7 +108,7 @@ bool attach(FloorPlan& plan, Wing wing, sim::Random& random) {
     const double length_m = random.uniform(0.6, 9.0);
     const double theta_rad = angle_of(on) + std::numbers::pi - angle_of(entry.normal);
     wing.T_building_wing = pose_of(joint + length_m * on, types::wrap_angle(theta_rad), entry.at,
-                                   in_line && host.T_building_wing.theta_rad == 0.0);
+                                   in_line && is_quarter_turn(host.T_building_wing.theta_rad));
     if (!has_room(plan, wing)) continue;
     const sim::Vector2 to = wing.T_building_wing * entry.at;
     const sim::Polygon first = strip(from, joint, width_m, host.wall_m + kCell_m, 0.3 * width_m);
