@@ -127,6 +127,8 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
       ->default_str("known");
   app.add_option("--start", explore.start, "X,Y,THETA in metres and radians; else the world's first")
       ->delimiter(',');
+  app.add_flag("--bound", explore.bound,
+               "The way to 99 % over that of robots that know the building (topobench bound)");
   app.add_option("--out", explore.out, "Folder for pictures, decisions, path and map")->check(not_empty());
   app.add_flag("--json", explore.json, "One JSON object on one line");
 }

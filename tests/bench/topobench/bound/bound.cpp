@@ -13,6 +13,7 @@ namespace topo::bench::bound {
 namespace {
 
 constexpr int kPrunings = 3;
+constexpr double kPlannedMore = 0.003;
 
 CellSet seen_by(Legs& legs, const std::vector<std::size_t>& starts, const Tours& tours, std::size_t cells) {
   CellSet seen(cells);
@@ -190,17 +191,21 @@ Bound find_bound(const BoundInput& input, const BoundParams& params) {
   std::iota(starts.begin(), starts.end(), std::size_t{0});
   Bound bound;
   for (std::size_t s = 0; s < kBoundShares.size(); ++s) {
-    const auto wanted =
-        static_cast<std::size_t>(std::ceil(kBoundShares[s] * static_cast<double>(sight.cells())));
+    const auto cells_of = [&](double share) {
+      return static_cast<std::size_t>(std::ceil(std::min(share, 1.0) * static_cast<double>(sight.cells())));
+    };
+    const std::size_t wanted = cells_of(kBoundShares[s]);
+    // A little more is planned for: looks on a whole way are not at the places where those on its legs were.
+    const std::size_t planned = cells_of(kBoundShares[s] + kPlannedMore);
     std::vector<sim::Vector2> nodes = input.starts;
     std::vector<std::size_t> stops;
-    for (const std::size_t chosen : greedy_cover(candidates, wanted)) {
+    for (const std::size_t chosen : greedy_cover(candidates, planned)) {
       if (chosen == 0) continue;
       stops.push_back(nodes.size());
       nodes.push_back(places[chosen - 1]);
     }
     Legs legs(ways, sight, nodes, params.look_m);
-    const Tours tours = tours_of(legs, starts, stops, sight.cells(), wanted);
+    const Tours tours = tours_of(legs, starts, stops, sight.cells(), planned);
     std::vector<Way> driven;
     for (std::size_t r = 0; r < tours.size(); ++r) driven.push_back(legs.whole_way(starts[r], tours[r]));
     ShareBound& share = bound.shares[s];

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kRadius_m = 0.267;
 constexpr double kShare = 0.99;
+constexpr std::size_t kPlacesMax = 6;
 
 /// A building by its walls, each a list of points.
 std::string scene(const sim::Vector2& start, const std::vector<std::string>& walls) {
@@ -68,6 +69,7 @@ class AllWays {
         sight_(small.world, small.area.visible, small.params.sight),
         places_(places_to_look_from(ways_, small.params.spacing_m)),
         wanted_(static_cast<std::size_t>(std::ceil(kShare * static_cast<double>(sight_.cells())))) {
+    if (places_.size() > kPlacesMax) return;
     for (const sim::Vector2& place : places_) fields_.push_back(ways_.field_to({&place, 1}));
     extend({small.start}, 0.0, {sight_.from(small.start)}, std::vector<bool>(places_.size(), false));
   }
@@ -139,7 +141,7 @@ class AllWays {
 void check(const std::string& text, double spacing_m, std::size_t robots, double longer_at_most) {
   const Small small(text, spacing_m);
   const AllWays all(small);
-  ASSERT_LE(all.places(), 6U) << "small enough to try everything";
+  ASSERT_LE(all.places(), kPlacesMax) << "small enough to try everything";
   const double exact_m = all.least_m(static_cast<int>(robots));
   ASSERT_TRUE(std::isfinite(exact_m));
   const Bound bound = small.bound(robots);
