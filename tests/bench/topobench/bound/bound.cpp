@@ -13,7 +13,6 @@ namespace topo::bench::bound {
 namespace {
 
 constexpr int kPrunings = 3;
-constexpr double kPlannedMore = 0.003;
 
 CellSet seen_by(Legs& legs, const std::vector<std::size_t>& starts, const Tours& tours, std::size_t cells) {
   CellSet seen(cells);
@@ -120,103 +119,124 @@ std::vector<sim::Vector2> places_to_look_from(const WayMap& ways, double spacing
   return places;
 }
 
-double way_until_m(const Sight& sight, std::span<const Way> ways, std::size_t wanted, double look_m) {
-  std::vector<std::vector<sim::Vector2>> looks;
-  std::size_t most = 0;
-  for (const Way& way : ways) {
-    looks.emplace_back();
-    double left_m = 0.0;  // to the next look
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      const sim::Vector2 leg = way[i] - way[i - 1];
-      const double leg_m = leg.norm();
-      for (; left_m < leg_m; left_m += look_m) looks.back().push_back(way[i - 1] + leg * (left_m / leg_m));
-      left_m -= leg_m;
-    }
-    if (!way.empty()) looks.back().push_back(way.back());
-    most = std::max(most, looks.back().size());
-  }
+double way_until_m(const Sight& sight, std::span<const std::vector<Look>> robots, std::size_t wanted) {
+  std::vector<Look> all;
+  for (const std::vector<Look>& looks : robots) all.insert(all.end(), looks.begin(), looks.end());
+  std::stable_sort(all.begin(), all.end(), [](const Look& a, const Look& b) { return a.way_m < b.way_m; });
   CellSet seen(sight.cells());
-  double longest = 0.0;
-  for (const Way& way : ways) longest = std::max(longest, length_m(way));
-  for (std::size_t k = 0; k < most; ++k) {
-    for (const std::vector<sim::Vector2>& robot : looks) {
-      if (k < robot.size()) seen |= sight.from(robot[k]);
-    }
-    if (seen.size() >= wanted) return std::min(longest, static_cast<double>(k) * look_m);
+  for (const Look& look : all) {
+    seen |= sight.from(look.at);
+    if (seen.size() >= wanted) return look.way_m;
   }
   return HUGE_VAL;
 }
 
-std::vector<std::size_t> greedy_cover(std::span<const CellSet> seen, std::size_t cells_wanted) {
-  std::vector<std::size_t> chosen;
-  if (seen.empty()) return chosen;
+std::vector<std::size_t> greedy_cover(std::span<const CellSet> seen, std::size_t cells_wanted,
+                                      std::span<const double> cost) {
+  if (seen.empty()) return {};
+  std::vector<std::size_t> chosen{0};
   CellSet covered = seen.front();
-  for (const CellSet& set : seen) covered |= set;
-  const std::size_t all = covered.size();
-  covered = CellSet(seen.front());
-  chosen.push_back(0);
-  // What a set adds only falls: it is counted again when its turn comes (Minoux 1978).
-  std::priority_queue<std::pair<std::size_t, std::size_t>> gains;
-  for (std::size_t i = 1; i < seen.size(); ++i) gains.emplace(seen[i].beyond(covered), i);
   std::size_t n = covered.size();
-  while (n < std::min(all, cells_wanted) && !gains.empty()) {
-    const auto [gain, set] = gains.top();
+  const auto worth = [&](std::size_t cells, std::size_t set) {
+    return static_cast<double>(cells) / (cost.empty() ? 1.0 : cost[set]);
+  };
+  // What a set adds only falls: it is counted again when its turn comes (Minoux 1978).
+  std::priority_queue<std::pair<double, std::size_t>> gains;
+  for (std::size_t i = 1; i < seen.size(); ++i) gains.emplace(worth(seen[i].beyond(covered), i), i);
+  while (n < cells_wanted && !gains.empty()) {
+    const std::size_t set = gains.top().second;
     gains.pop();
-    const std::size_t now = seen[set].beyond(covered);
-    if (!gains.empty() && now < gains.top().first) {
-      gains.emplace(now, set);
+    const std::size_t adds = seen[set].beyond(covered);
+    if (adds == 0) continue;
+    if (!gains.empty() && worth(adds, set) < gains.top().first) {
+      gains.emplace(worth(adds, set), set);
       continue;
     }
-    if (now == 0) break;
     covered |= seen[set];
-    n += now;
+    n += adds;
     chosen.push_back(set);
   }
   return chosen;
 }
 
+namespace {
+
+/// What stays the same for all shares of one building.
+struct Search {
+  const BoundInput& input;
+  const BoundParams& params;
+  const WayMap& ways;
+  const Sight& sight;
+  std::vector<sim::Vector2> places;
+  std::vector<CellSet> seen;        ///< from the places
+  std::vector<CellSet> candidates;  ///< the same, behind what is seen from the starts at once
+  std::vector<double> far_costs;    ///< of the candidates
+};
+
+Search search_of(const BoundInput& input, const BoundParams& params, const WayMap& ways, const Sight& sight) {
+  constexpr double kNear_m = 5.0;  // what is nearer costs hardly less
+  Search search{input, params, ways, sight, places_to_look_from(ways, params.spacing_m), {}, {}, {1.0}};
+  // What is seen from where the robots are needs no stop.
+  search.candidates.emplace_back(sight.cells());
+  for (const sim::Vector2& start : input.starts) search.candidates.front() |= sight.from(start);
+  const WayMap::Field from_start = ways.field_to(input.starts);
+  for (const sim::Vector2& place : search.places) {
+    search.seen.push_back(sight.from(place));
+    search.candidates.push_back(search.seen.back());
+    search.far_costs.push_back(std::sqrt(kNear_m + std::min(ways.distance_m(from_start, place), 1e6)));
+  }
+  return search;
+}
+
+/// The tours of one cover by the first `robots`, if they need less way than those that are there.
+void try_tours(const Search& search, Legs& legs, const std::vector<std::size_t>& stops, std::size_t robots,
+               std::size_t wanted, ShareBound& best, std::vector<Way>& best_ways) {
+  std::vector<std::size_t> starts(robots);
+  std::iota(starts.begin(), starts.end(), std::size_t{0});
+  const Tours tours = tours_of(legs, starts, stops, search.sight.cells(), wanted);
+  std::vector<std::vector<Look>> looks;
+  for (std::size_t r = 0; r < robots; ++r) looks.push_back(legs.looks(r, tours[r]));
+  const double way_m = way_until_m(search.sight, looks, wanted);
+  if (way_m >= best.way_m) return;
+  best.way_m = way_m;
+  best.own_motion_s = 0.0;
+  best_ways.assign(search.input.starts.size(), {});
+  for (std::size_t r = 0; r < robots; ++r) {
+    best_ways[r] = first_part(legs.whole_way(r, tours[r]), way_m);
+    best.own_motion_s = std::max(best.own_motion_s, drive_time_s(best_ways[r], search.input.limits));
+  }
+}
+
+}  // namespace
+
 Bound find_bound(const BoundInput& input, const BoundParams& params) {
   const WayMap ways(*input.poses);
   const Sight sight(*input.world, *input.visible, params.sight);
-  const std::vector<sim::Vector2> places = places_to_look_from(ways, params.spacing_m);
-  std::vector<CellSet> seen;
-  seen.reserve(places.size());
-  for (const sim::Vector2& place : places) seen.push_back(sight.from(place));
-  // What is seen from where the robots are needs no stop.
-  CellSet at_once(sight.cells());
-  for (const sim::Vector2& start : input.starts) at_once |= sight.from(start);
-  std::vector<CellSet> candidates{at_once};
-  candidates.insert(candidates.end(), seen.begin(), seen.end());
-  std::vector<std::size_t> starts(input.starts.size());
-  std::iota(starts.begin(), starts.end(), std::size_t{0});
+  const Search search = search_of(input, params, ways, sight);
   Bound bound;
   for (std::size_t s = 0; s < kBoundShares.size(); ++s) {
-    const auto cells_of = [&](double share) {
-      return static_cast<std::size_t>(std::ceil(std::min(share, 1.0) * static_cast<double>(sight.cells())));
-    };
-    const std::size_t wanted = cells_of(kBoundShares[s]);
-    // A little more is planned for: looks on a whole way are not at the places where those on its legs were.
-    const std::size_t planned = cells_of(kBoundShares[s] + kPlannedMore);
-    std::vector<sim::Vector2> nodes = input.starts;
-    std::vector<std::size_t> stops;
-    for (const std::size_t chosen : greedy_cover(candidates, planned)) {
-      if (chosen == 0) continue;
-      stops.push_back(nodes.size());
-      nodes.push_back(places[chosen - 1]);
-    }
-    Legs legs(ways, sight, nodes, params.look_m);
-    const Tours tours = tours_of(legs, starts, stops, sight.cells(), planned);
-    std::vector<Way> driven;
-    for (std::size_t r = 0; r < tours.size(); ++r) driven.push_back(legs.whole_way(starts[r], tours[r]));
+    const auto wanted =
+        static_cast<std::size_t>(std::ceil(kBoundShares[s] * static_cast<double>(sight.cells())));
     ShareBound& share = bound.shares[s];
-    share.way_m = way_until_m(sight, driven, wanted, params.look_m);
-    share.lower_m = lower_bound_m(kBoundShares[s], ways, sight, places, seen, input.starts, params.spacing_m);
+    share.way_m = HUGE_VAL;
+    for (const std::span<const double> costs :
+         {std::span<const double>(), std::span<const double>(search.far_costs)}) {
+      std::vector<sim::Vector2> nodes = input.starts;
+      std::vector<std::size_t> stops;
+      for (const std::size_t chosen : greedy_cover(search.candidates, wanted, costs)) {
+        if (chosen == 0) continue;
+        stops.push_back(nodes.size());
+        nodes.push_back(search.places[chosen - 1]);
+      }
+      Legs legs(ways, sight, nodes, params.look_m);
+      // The others may stand: in a small building a second robot is of no use to the tours that are found.
+      for (std::size_t robots = 1; robots <= input.starts.size(); ++robots)
+        try_tours(search, legs, stops, robots, wanted, share, bound.ways);
+    }
+    share.lower_m = lower_bound_m(kBoundShares[s], ways, sight, search.places, search.seen, input.starts,
+                                  params.spacing_m);
     share.full_speed_s = share.way_m / input.limits.v_max_mps;
     share.lower_s = share.lower_m / input.limits.v_max_mps;
-    for (const Way& way : driven)
-      share.own_motion_s =
-          std::max(share.own_motion_s, drive_time_s(first_part(way, share.way_m), input.limits));
-    bound.ways = std::move(driven);
     bound.is_feasible = std::isfinite(share.way_m);
   }
   return bound;

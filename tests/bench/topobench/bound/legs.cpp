@@ -7,14 +7,19 @@
 
 namespace topo::bench::bound {
 
-std::vector<sim::Vector2> looks_on(const Way& way, double look_m) {
-  std::vector<sim::Vector2> looks;
+std::vector<Look> looks_on(const Way& way, double look_m) {
+  std::vector<Look> looks;
+  double way_m = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
     const sim::Vector2 leg = way[i] - way[i - 1];
     const int n = std::max(1, static_cast<int>(std::ceil(leg.norm() / look_m)));
-    for (int k = 0; k < n; ++k) looks.push_back(way[i - 1] + leg * (static_cast<double>(k) / n));
+    for (int k = 0; k < n; ++k) {
+      const double part = static_cast<double>(k) / n;
+      looks.push_back({way_m + part * leg.norm(), way[i - 1] + part * leg});
+    }
+    way_m += leg.norm();
   }
-  if (!way.empty()) looks.push_back(way.back());
+  if (!way.empty()) looks.push_back({way_m, way.back()});
   return looks;
 }
 
@@ -51,8 +56,26 @@ const CellSet& Legs::seen_on(std::size_t from, std::size_t to) {
   const auto found = seen_on_.find(key);
   if (found != seen_on_.end()) return found->second;
   CellSet seen(sight_.cells());
-  for (const sim::Vector2& look : looks_on(way(key.first, key.second), look_m_)) seen |= sight_.from(look);
+  for (const Look& look : looks_on(way(key.first, key.second), look_m_)) seen |= sight_.from(look.at);
   return seen_on_.emplace(key, std::move(seen)).first->second;
+}
+
+std::vector<Look> Legs::looks(std::size_t start, const std::vector<std::size_t>& stops) {
+  std::vector<Look> all{{0.0, nodes_[start]}};
+  double way_m = 0.0;
+  for (const std::size_t stop : stops) {
+    // Of both directions the one that seen_on() looks in, so that the very same cells are seen.
+    std::vector<Look> leg = looks_on(way(std::min(start, stop), std::max(start, stop)), look_m_);
+    const double leg_m = leg.empty() ? 0.0 : leg.back().way_m;
+    if (start > stop) {
+      std::reverse(leg.begin(), leg.end());
+      for (Look& look : leg) look.way_m = leg_m - look.way_m;
+    }
+    for (const Look& look : leg) all.push_back({way_m + look.way_m, look.at});
+    way_m += leg_m;
+    start = stop;
+  }
+  return all;
 }
 
 Way Legs::whole_way(std::size_t start, const std::vector<std::size_t>& stops) {

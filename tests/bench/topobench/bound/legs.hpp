@@ -23,6 +23,8 @@ class Legs {
   [[nodiscard]] const CellSet& seen_on(std::size_t from, std::size_t to);
   /// From a start over its stops.
   [[nodiscard]] Way whole_way(std::size_t start, const std::vector<std::size_t>& stops);
+  /// The same looks as seen_on() has, in the order of the way.
+  [[nodiscard]] std::vector<Look> looks(std::size_t start, const std::vector<std::size_t>& stops);
 
  private:
   const WayMap& map_;
@@ -35,8 +37,5 @@ class Legs {
   std::map<std::pair<std::size_t, std::size_t>, CellSet> seen_on_;
   std::map<std::size_t, CellSet> seen_at_;
 };
-
-/// Points of a way, so far apart.
-std::vector<sim::Vector2> looks_on(const Way& way, double look_m);
 
 }  // namespace topo::bench::bound
