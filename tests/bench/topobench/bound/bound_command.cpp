@@ -23,7 +23,7 @@ using types::fail;
 constexpr int kBoundRobotsMax = 8;
 
 json centimetres(double value) {
-  return std::isfinite(value) ? json(std::round(1e2 * value) * 1e-2) : json(nullptr);
+  return std::isfinite(value) ? json(std::round(1e2 * value) / 1e2) : json(nullptr);
 }
 
 types::Status check(const BoundCommand& command) {

@@ -52,10 +52,14 @@ void add_room(const Box& box, bool along_x, const LayoutRules& rules, sim::Rando
     out.push_back({part, use_of(part, rules, random)});
 }
 
+constexpr std::size_t kParallel = 4;  // corridors, at most
+
 /// Middles of the corridors that divide a length, with some play.
-std::vector<double> middles_of(double length_m, const LayoutRules& rules, sim::Random& random) {
+std::vector<double> middles_of(double length_m, std::size_t most, const LayoutRules& rules,
+                               sim::Random& random) {
   const double pitch_m = 2.0 * rules.strip_m * random.uniform(1.0, 1.25) + rules.corridor_m;
-  const auto n = static_cast<std::size_t>(std::clamp(std::round(length_m / pitch_m), 1.0, 4.0));
+  const auto n =
+      static_cast<std::size_t>(std::clamp(std::round(length_m / pitch_m), 1.0, static_cast<double>(most)));
   std::vector<double> middles;
   for (std::size_t i = 0; i < n; ++i) {
     const double even = (static_cast<double>(i) + 0.5) / static_cast<double>(n);
@@ -66,12 +70,12 @@ std::vector<double> middles_of(double length_m, const LayoutRules& rules, sim::R
 }
 
 /// Corridors that run along x or y, and the blocks between them.
-void cut_by_corridors(const Box& box, bool along_x, const Sides& corridors, const LayoutRules& rules,
-                      sim::Random& random, std::vector<Space>& out) {
+void cut_by_corridors(const Box& box, bool along_x, std::size_t most, const Sides& corridors,
+                      const LayoutRules& rules, sim::Random& random, std::vector<Space>& out) {
   const double length_m = along_x ? box.height() : box.width();
   double from_m = 0.0;
   Sides sides = corridors;
-  for (const double middle_m : middles_of(length_m, rules, random)) {
+  for (const double middle_m : middles_of(length_m, most, rules, random)) {
     const double corridor_m = std::max(rules.corridor_m + length_of(random, -0.3, 0.3), 1.4);
     const double begin_m = snapped(middle_m - 0.5 * corridor_m), end_m = snapped(begin_m + corridor_m);
     Sides lower = sides;
@@ -127,8 +131,12 @@ void divide(const Box& box, const Sides& corridors, const LayoutRules& rules, si
     const double across_m = along_x ? box.height() : box.width();
     if (across_m < 1.5 * rules.strip_m + rules.corridor_m)
       add_row(box, row_along_x, rules, random, out);
+    else if (!corridors.beside() && !corridors.across() &&
+             across_m > 3.0 * rules.strip_m + 2.0 * rules.corridor_m)
+      // Several corridors side by side: one or two across first, which join them.
+      cut_by_corridors(box, !along_x, 1 + one_of(random, 2), corridors, rules, random, out);
     else
-      cut_by_corridors(box, along_x, corridors, rules, random, out);
+      cut_by_corridors(box, along_x, kParallel, corridors, rules, random, out);
   }
 }
 

@@ -143,6 +143,28 @@ TEST(FreshBuilding, isTheSameForTheSameSeed) {
   EXPECT_GT(different.size(), 15U) << "another building for another seed";
 }
 
+/// A large office floor has corridors that cross.
+TEST(FreshBuilding, hasCorridorsThatMeet) {
+  std::size_t several = 0, meet = 0;
+  for (const Building& building : buildings()) {
+    for (const Wing& wing : building.plan.wings) {
+      const auto corridors = std::count_if(wing.spaces.begin(), wing.spaces.end(),
+                                           [](const Space& space) { return space.use == Use::kCorridor; });
+      if (corridors < 2) continue;
+      ++several;
+      meet += std::any_of(wing.doors.begin(), wing.doors.end(),
+                          [&](const Door& door) {
+                            return wing.spaces[door.a].use == Use::kCorridor &&
+                                   wing.spaces[door.b].use == Use::kCorridor;
+                          })
+                  ? 1U
+                  : 0U;
+    }
+  }
+  EXPECT_GT(several, 60U);
+  EXPECT_GT(10 * meet, 8 * several);
+}
+
 TEST(FreshBuilding, hasEveryKindOfPlan) {
   std::size_t skew = 0, several = 0, halls = 0, closed = 0;
   for (const Building& building : buildings()) {
