@@ -9,20 +9,19 @@
 #include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
-#include "tests/bench/topobench/bound/bound_command.hpp"
 #include "tests/bench/topobench/compass/compass_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
-#include "tests/bench/topobench/fresh/suite_command.hpp"
 #include "tests/bench/topobench/goals/goals_command.hpp"
 #include "tests/bench/topobench/judge/judge_command.hpp"
 #include "tests/bench/topobench/posegraph/posegraph_command.hpp"
 #include "tests/bench/topobench/session_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
-#include "tests/bench/topobench/table/table_command.hpp"
+#include "tests/bench/topobench/table_options.hpp"
 
 namespace {
 
+using topo::bench::not_empty;
 using topo::daemon::number_from;
 
 /// 2 is the user's fault, 1 everything else.
@@ -31,14 +30,6 @@ int exit_status(const topo::types::Error& error) {
   const bool users =
       error.code == Errc::kInvalidInput || error.code == Errc::kNotFound || error.code == Errc::kPermission;
   return users ? 2 : 1;
-}
-
-/// An empty name is a variable of the shell that is not set, and not the wish for no files.
-CLI::Validator not_empty() {
-  const auto fault = [](const std::string& path) {
-    return path.empty() ? std::string("found an empty path, expected one") : std::string();
-  };
-  return {fault, "PATH"};
 }
 
 void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
@@ -133,73 +124,6 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
   app.add_flag("--json", explore.json, "One JSON object on one line");
 }
 
-void add_options(CLI::App& app, topo::bench::TableCommand& table) {
-  app.add_option("--worlds", table.worlds,
-                 "Buildings: files as explore --world has them, and folders of them")
-      ->delimiter(',');
-  auto* suite =
-      app.add_option("--suite", table.suite,
-                     "fresh: buildings drawn from --suite-seed, in the manner of the public plans; dev: the "
-                     "public plans, on which\nparameters were developed, in the folder --worlds")
-          ->check(CLI::IsMember({"fresh", "dev"}));
-  app.add_option("--suite-seed", table.suite_seed,
-                 "To be drawn after the commit under test, and named with its figures")
-      ->needs(suite)
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--buildings", table.buildings, "Of a fresh suite")->capture_default_str();
-  app.add_option("--strategies", table.strategies,
-                 "As explore --strategy; the first is held against the others")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_option("--robots", table.robots, "Numbers of robots")->delimiter(',')->capture_default_str();
-  app.add_option("--seeds", table.seeds, "Seeds 1 to N, each in every world")->capture_default_str();
-  app.add_option("--starts", table.starts,
-                 "drawn: seed 1 from the world's own start, every other from one that it draws where three "
-                 "robots have room;\n"
-                 "own: all from the world's own. That is the one in a WORLDS.tsv beside the world (name, "
-                 "start_x_m, start_y_m),\nelse the world's first")
-      ->check(CLI::IsMember({"drawn", "own"}))
-      ->capture_default_str();
-  app.add_option("--fidelity", table.fidelity)->check(CLI::IsMember({"full", "plan"}))->capture_default_str();
-  app.add_option("--finish", table.finish)
-      ->check(CLI::IsMember({"essential", "complete"}))
-      ->capture_default_str();
-  app.add_option("--radio", table.radios, "As explore --radio has it; several: each")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_option("--limit", table.limit_s, "Seconds of the robots' time, and what a failure counts as")
-      ->capture_default_str();
-  app.add_option("--min-area", table.area_min_m2, "m2 that can be reached, of worlds that take part")
-      ->capture_default_str();
-  app.add_option("--max-area", table.area_max_m2, "m2")->capture_default_str();
-  app.add_option(
-         "--share", table.share,
-         "A run that does not get there has failed; else t99 with --finish complete, t95 with essential")
-      ->check(CLI::IsMember({"t50", "t90", "t95", "t99"}));
-  app.add_option("--compare", table.compare,
-                 "STRATEGY:ROBOTS[:RADIO]/STRATEGY:ROBOTS[:RADIO], several; best_baseline is in every world "
-                 "the best of "
-                 "those that\nare not topometric. Else the first strategy against the others and the best "
-                 "baseline with "
-                 "as many robots, against\nall with one robot, and against itself with the first radio")
-      ->delimiter(',');
-  app.add_option("--jobs", table.jobs, "Runs at once; 0: as many as there are processors")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  app.add_option("--wall-limit", table.wall_limit_s,
-                 "Seconds by the clock; a run that takes longer has failed")
-      ->capture_default_str();
-  app.add_flag("--no-runs", table.no_runs,
-               "The table of the runs that are there already, of whatever program they are");
-  app.add_option("--program", table.program,
-                 "Takes a name in place of this program's fingerprint: whoever gives the same name to two "
-                 "programs says\nthat both decide the same");
-  app.add_option("--out", table.out, "Folder for runs.jsonl, table.md, table.json and pictures")
-      ->required()
-      ->check(not_empty());
-  app.add_flag("--json", table.json, "One JSON object on one line");
-}
-
 void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
   app.add_option("--world", judge.world, "The building, as toposim --world has it")->required();
   app.add_option("--map", judge.map, "map.yaml that topoctl map save wrote; trajectory.txt lies beside it")
@@ -255,38 +179,6 @@ void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
   app.add_option("--out", goals.out, "Folder for pictures of the maps where an opening is without a goal")
       ->check(not_empty());
   app.add_flag("--json", goals.json, "One JSON object on one line");
-}
-
-void add_options(CLI::App& app, topo::bench::BoundCommand& bound) {
-  app.footer(
-      "m_per_robot: way of the robot that drives farthest, until a share of the reachable area was seen, of "
-      "tours\n"
-      "that were found (feasible: they see 99 %): a greedy cover by places to look from, shared out. The "
-      "true limit\n"
-      "is lower; lower_m_per_robot is below it. own_motion: with the robot's accelerations, turning on the "
-      "spot at\n"
-      "sharp corners.");
-  app.add_option("--world", bound.world, "The building: a map_server YAML file or a drawn scene (.toml)")
-      ->required();
-  app.add_option("--robots", bound.robots, "1 to 8, who enter as in explore")->capture_default_str();
-  app.add_option("--start", bound.start, "X,Y,THETA in metres and radians; else the world's first")
-      ->delimiter(',');
-  app.add_option("--picture", bound.picture, "PNG of the tours")->check(not_empty());
-  app.add_flag("--json", bound.json, "One JSON object on one line");
-}
-
-void add_options(CLI::App& app, topo::bench::SuiteCommand& suite) {
-  app.add_option("--suite", suite.suite,
-                 "fresh: drawn from --seed; dev: the public plans that were developed on")
-      ->check(CLI::IsMember({"fresh", "dev"}))
-      ->capture_default_str();
-  app.add_option("--seed", suite.seed, "Of the buildings: one that no decision was made by")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--buildings", suite.buildings, "Of a fresh suite")->capture_default_str();
-  app.add_option("--plans", suite.plans, "Folder of the public plans, to print beside");
-  app.add_option("--out", suite.out, "Folder for the buildings: PNG and map_server YAML each")
-      ->check(not_empty());
 }
 
 void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
