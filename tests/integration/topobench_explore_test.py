@@ -99,6 +99,25 @@ class Explore(unittest.TestCase):
                 self.assertEqual(found["strategy"], strategy)
                 self.check_success(found)
 
+    def test_says_where_the_time_went(self):
+        for robots in (1, 2):
+            with self.subTest(robots):
+                found = self.explore("--fidelity", "plan", "--robots", robots, "--limit", 600, "--bound")
+                self.assertEqual(set(found["time_s"]), {"full_speed", "slower", "turning", "standing", "waiting"})
+                time_s = sum(found["time_s"].values())
+                self.assertLessEqual(time_s, robots * found["end_s"] + 0.2)
+                self.assertGreater(time_s, 0.8 * found["end_s"], "until each is home")
+                driven_m = sum(found["distance_m"])
+                lost_s = sum(found["lost_s"].values())
+                self.assertAlmostEqual(time_s - lost_s, driven_m / found["permitted_mps"], delta=0.05 * time_s)
+                self.assertLessEqual(found["way_m"]["0.9"], found["way_m"]["0.99"])
+                self.assertLessEqual(found["way_m"]["0.99"], max(found["distance_m"]))
+                self.assertTrue(0.0 <= found["goals_left_for_another"] <= 1.0)
+                self.assertAlmostEqual(found["last_share_of_time"], 1.0 - found["t90_s"] / found["t99_s"], delta=1e-3)
+                self.assertGreaterEqual(found["corridors_crossed"]["squares"], found["corridors_crossed"]["over_twice"])
+                self.assertGreater(found["bound_m"], 0.0)
+                self.assertAlmostEqual(found["way_over_bound"], found["way_m"]["0.99"] / found["bound_m"])
+
     def test_full_fidelity_explores_and_comes_home(self):
         found = self.explore("--fidelity", "full", "--limit", 600)
         self.check_success(found)

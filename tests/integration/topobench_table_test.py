@@ -43,7 +43,7 @@ class Table(unittest.TestCase):
         first = self.table(*arguments)
         self.assertIn("12 runs, 0 of them done before", first.stderr)
         files = {file.name: file.read_bytes() for file in self.out.iterdir()}
-        self.assertEqual(set(files), {"runs.jsonl", "table.md", "table.json", "coverage-rooms-1.png", "coverage-all-1.png",
+        self.assertEqual(set(files), {"runs.jsonl", "bounds.jsonl", "table.md", "table.json", "coverage-rooms-1.png", "coverage-all-1.png",
                                       "coverage-rooms-2.png", "coverage-all-2.png"})
         self.assertEqual(files["runs.jsonl"].count(b"\n"), 12)
         second = self.table(*arguments)
@@ -80,6 +80,12 @@ class Table(unittest.TestCase):
             self.assertEqual((ratio["t95"]["pairs"], ratio["t95"]["worlds"]), (2, 1))
             self.assertLess(ratio["t95"]["over_runs"][0], ratio["t95"]["over_runs"][1])
             self.assertIsNone(ratio["t95"]["over_worlds"], "one building says nothing of others")
+            self.assertIsNone(ratio["t95"]["bootstrap"], "nor does it by drawing it again")
+        for row in table["breakdown"]:
+            self.assertEqual(row["runs"], 2)
+            self.assertAlmostEqual(sum(row["time"].values()), 1.0)
+            self.assertLess(sum(row["lost"].values()), 1.0)
+            self.assertGreater(row["way_over_bound"]["ratio"], 0.9, "no way is much shorter than the tours")
 
     def test_goes_on_after_an_interruption(self):
         arguments = ("--strategies", "topometric,min_pos", "--robots", 1, "--seeds", 4, "--jobs", 1)
@@ -105,6 +111,30 @@ class Table(unittest.TestCase):
             self.assertEqual((mean["failed"], mean["t99_s"], mean["t_home_s"]), (1, 8.0, 8.0))
         self.assertEqual([failure["strategy"] for failure in table["failures"]], ["topometric", "nearest_frontier"])
         self.assertIn("- rooms, 1 x topometric, `--seed 1 --start 1.2,1,0`: ", (self.out / "table.md").read_text())
+
+    def test_draws_the_same_buildings_from_the_same_seed(self):
+        def suite(out, seed):
+            done = subprocess.run([TOPOBENCH, "suite", "--seed", str(seed), "--buildings", "2", "--out", str(self.folder / out)],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"| fresh, seed {seed} | 2 |", done.stdout)
+            return {file.name: file.read_bytes() for file in (self.folder / out).iterdir()}
+
+        first = suite("first", 5)
+        self.assertEqual(set(first), {f"fresh-5-0{n}.{ending}" for n in (1, 2) for ending in ("png", "yaml")})
+        self.assertEqual(suite("again", 5), first)
+        self.assertNotEqual(list(suite("other", 6).values()), list(first.values()))
+
+    def test_bounds_what_full_knowledge_needs(self):
+        done = subprocess.run([TOPOBENCH, "bound", "--world", str(self.folder / "rooms.toml"), "--robots", "2", "--json"],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        bound = json.loads(done.stdout)
+        self.assertTrue(bound["feasible"])
+        for share in ("0.9", "0.95", "0.99"):
+            self.assertLessEqual(bound["lower_m_per_robot"][share], bound["m_per_robot"][share])
+            self.assertAlmostEqual(bound["seconds_at_full_speed"][share], bound["m_per_robot"][share] / 0.7, delta=0.02)
+            self.assertGreaterEqual(bound["seconds_at_own_motion"][share], bound["seconds_at_full_speed"][share] - 0.5)
 
     def test_refuses_with_a_reason(self):
         for option, value, word in (("--strategies", "luck", "luck"), ("--compare", "a:1", "STRATEGY:ROBOTS"),

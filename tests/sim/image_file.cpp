@@ -107,4 +107,16 @@ types::Result<GreyImage> read_image(const std::filesystem::path& file) {
   return bad(file, "neither PNG nor PGM (P2, P5); expected one of them");
 }
 
+types::Status write_png(const GreyImage& image, const std::filesystem::path& file) {
+  png_image png;
+  std::memset(&png, 0, sizeof png);
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_GRAY;
+  if (png_image_write_to_file(&png, file.c_str(), 0, image.pixels.data(), 0, nullptr) == 0)
+    return types::fail(Errc::kIo, file.string() + ": image not written: " + png.message);
+  return {};
+}
+
 }  // namespace topo::sim

@@ -20,4 +20,7 @@ struct GreyImage {
 /// Reads PNG (colour is converted to grey) and PGM (P2, P5, up to 255). Errors name the file and the fault.
 types::Result<GreyImage> read_image(const std::filesystem::path& file);
 
+/// Writes a PNG of 8 bits. The same image gives the same bytes.
+types::Status write_png(const GreyImage& image, const std::filesystem::path& file);
+
 }  // namespace topo::sim

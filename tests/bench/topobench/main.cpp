@@ -18,10 +18,11 @@
 #include "tests/bench/topobench/posegraph/posegraph_command.hpp"
 #include "tests/bench/topobench/session_command.hpp"
 #include "tests/bench/topobench/slam_command.hpp"
-#include "tests/bench/topobench/table/table_command.hpp"
+#include "tests/bench/topobench/table_options.hpp"
 
 namespace {
 
+using topo::bench::not_empty;
 using topo::daemon::number_from;
 
 /// 2 is the user's fault, 1 everything else.
@@ -30,14 +31,6 @@ int exit_status(const topo::types::Error& error) {
   const bool users =
       error.code == Errc::kInvalidInput || error.code == Errc::kNotFound || error.code == Errc::kPermission;
   return users ? 2 : 1;
-}
-
-/// An empty name is a variable of the shell that is not set, and not the wish for no files.
-CLI::Validator not_empty() {
-  const auto fault = [](const std::string& path) {
-    return path.empty() ? std::string("found an empty path, expected one") : std::string();
-  };
-  return {fault, "PATH"};
 }
 
 void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
@@ -128,66 +121,10 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
       ->default_str("known");
   app.add_option("--start", explore.start, "X,Y,THETA in metres and radians; else the world's first")
       ->delimiter(',');
+  app.add_flag("--bound", explore.bound,
+               "The way to 99 % over that of robots that know the building (topobench bound)");
   app.add_option("--out", explore.out, "Folder for pictures, decisions, path and map")->check(not_empty());
   app.add_flag("--json", explore.json, "One JSON object on one line");
-}
-
-void add_options(CLI::App& app, topo::bench::TableCommand& table) {
-  app.add_option("--worlds", table.worlds,
-                 "Buildings: files as explore --world has them, and folders of them")
-      ->required()
-      ->delimiter(',');
-  app.add_option("--strategies", table.strategies,
-                 "As explore --strategy; the first is held against the others")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_option("--robots", table.robots, "Numbers of robots")->delimiter(',')->capture_default_str();
-  app.add_option("--seeds", table.seeds, "Seeds 1 to N, each in every world")->capture_default_str();
-  app.add_option("--starts", table.starts,
-                 "drawn: seed 1 from the world's own start, every other from one that it draws where three "
-                 "robots have room;\n"
-                 "own: all from the world's own. That is the one in a WORLDS.tsv beside the world (name, "
-                 "start_x_m, start_y_m),\nelse the world's first")
-      ->check(CLI::IsMember({"drawn", "own"}))
-      ->capture_default_str();
-  app.add_option("--fidelity", table.fidelity)->check(CLI::IsMember({"full", "plan"}))->capture_default_str();
-  app.add_option("--finish", table.finish)
-      ->check(CLI::IsMember({"essential", "complete"}))
-      ->capture_default_str();
-  app.add_option("--radio", table.radios, "As explore --radio has it; several: each")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_option("--limit", table.limit_s, "Seconds of the robots' time, and what a failure counts as")
-      ->capture_default_str();
-  app.add_option("--min-area", table.area_min_m2, "m2 that can be reached, of worlds that take part")
-      ->capture_default_str();
-  app.add_option("--max-area", table.area_max_m2, "m2")->capture_default_str();
-  app.add_option(
-         "--share", table.share,
-         "A run that does not get there has failed; else t99 with --finish complete, t95 with essential")
-      ->check(CLI::IsMember({"t50", "t90", "t95", "t99"}));
-  app.add_option("--compare", table.compare,
-                 "STRATEGY:ROBOTS[:RADIO]/STRATEGY:ROBOTS[:RADIO], several; best_baseline is in every world "
-                 "the best of "
-                 "those that\nare not topometric. Else the first strategy against the others and the best "
-                 "baseline with "
-                 "as many robots, against\nall with one robot, and against itself with the first radio")
-      ->delimiter(',');
-  app.add_option("--jobs", table.jobs, "Runs at once; 0: as many as there are processors")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  app.add_option("--wall-limit", table.wall_limit_s,
-                 "Seconds by the clock; a run that takes longer has failed")
-      ->capture_default_str();
-  app.add_flag("--no-runs", table.no_runs,
-               "The table of the runs that are there already, of whatever program they are");
-  app.add_option("--program", table.program,
-                 "Takes a name in place of this program's fingerprint: whoever gives the same name to two "
-                 "programs says\nthat both decide the same");
-  app.add_option("--out", table.out, "Folder for runs.jsonl, table.md, table.json and pictures")
-      ->required()
-      ->check(not_empty());
-  app.add_flag("--json", table.json, "One JSON object on one line");
 }
 
 void add_options(CLI::App& app, topo::bench::JudgeCommand& judge) {
@@ -349,6 +286,14 @@ int start(int argc, char** argv) {
   CLI::App* goals_app = app.add_subcommand(
       "goals", "Goals on partial maps met while exploring: how few, and whether one is missing");
   add_options(*goals_app, goals);
+  topo::bench::BoundCommand bound;
+  CLI::App* bound_app =
+      app.add_subcommand("bound", "The least way of robots that know the building, from below and above");
+  add_options(*bound_app, bound);
+  topo::bench::SuiteCommand suite;
+  CLI::App* suite_app =
+      app.add_subcommand("suite", "Draw buildings that nobody tuned for, and say what they are like");
+  add_options(*suite_app, suite);
   topo::bench::SessionCommand session;
   CLI::App* session_app = app.add_subcommand(
       "session", "Size of a log's session on the disk, and how its scans are found in its whole map");
@@ -373,6 +318,8 @@ int start(int argc, char** argv) {
   if (*compass_app) return finish(topo::bench::run_compass(compass));
   if (*contact_app) return finish(topo::bench::run_contact_command(contact));
   if (*goals_app) return finish(topo::bench::run_goals(goals));
+  if (*bound_app) return finish(topo::bench::run_bound(bound));
+  if (*suite_app) return finish(topo::bench::run_suite(suite));
   if (*table_app) return finish(topo::bench::run_table(table));
   if (*posegraph_app) return finish(topo::bench::run_posegraph(posegraph));
   return finish(topo::bench::run_judge(judge));

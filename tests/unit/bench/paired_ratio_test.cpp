@@ -37,6 +37,7 @@ TEST(PairedRatio, ofTwoPairsByHand) {
   EXPECT_NEAR(r.over_runs.high, 4.0 * std::exp2(12.7062), 4.0);
   EXPECT_EQ(r.over_worlds.low, 0.0) << "one building says nothing of others";
   EXPECT_TRUE(std::isinf(r.over_worlds.high));
+  EXPECT_TRUE(std::isinf(r.bootstrap.high));
 }
 
 TEST(PairedRatio, ofTwoWorldsByHand) {
@@ -60,6 +61,7 @@ TEST(PairedRatio, ofEqualsIsOneWithoutSpread) {
   EXPECT_EQ(r.ratio, 1.0);
   EXPECT_EQ(r.over_runs.low, 1.0);
   EXPECT_EQ(r.over_worlds.high, 1.0);
+  EXPECT_EQ(r.bootstrap.high, 1.0);
 }
 
 TEST(PairedRatio, ofNothingSaysNothing) {

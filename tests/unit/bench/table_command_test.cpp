@@ -60,6 +60,26 @@ TEST(TableCommand, refusesWhatCannotBeRunAndNamesTheOption) {
   EXPECT_NE(error_after([](auto&) {}).find("nowhere.toml"), std::string::npos);
 }
 
+TEST(TableCommand, takesASuiteInPlaceOfWorlds) {
+  EXPECT_NE(error_after([](auto& c) { c.worlds = {}; }).find("--worlds: expected worlds, or --suite fresh"),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& c) { c.suite = "fresh"; }).find("--worlds"), std::string::npos)
+      << "not both";
+  const auto fresh = [](auto& c) {
+    c.worlds = {};
+    c.suite = "fresh";
+  };
+  EXPECT_NE(error_after(fresh).find("--suite-seed"), std::string::npos) << "the seed has to be named";
+  EXPECT_NE(error_after([&](auto& c) {
+              fresh(c);
+              c.suite_seed = 5;
+              c.buildings = 0;
+            }).find("--buildings: found 0"),
+            std::string::npos);
+  EXPECT_NE(error_after([](auto& c) { c.suite_seed = 5; }).find("--suite-seed"), std::string::npos);
+  EXPECT_NE(error_after([](auto& c) { c.suite = "dev"; }).find("aaf_y3"), std::string::npos);
+}
+
 TEST(TableCommand, runsOfSeveralProgramsNeedOneNamed) {
   const TempDir folder;
   (void)folder.write("runs.jsonl",

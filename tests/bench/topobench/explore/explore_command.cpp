@@ -5,8 +5,12 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
+#include <vector>
 
+#include "tests/bench/topobench/bound/bound_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
+#include "tests/bench/topobench/explore/crossings.hpp"
 #include "tests/bench/topobench/explore/explore_report.hpp"
 #include "tests/bench/topobench/explore/explore_run.hpp"
 #include "tests/bench/topobench/output.hpp"
@@ -71,6 +75,27 @@ types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World
   return setup;
 }
 
+/// How often the robots of a run came through the same corridors.
+nlohmann::json crossings_report(const sim::World& world, std::span<const RunResult> robots) {
+  std::vector<std::vector<sim::Se2>> ways;
+  for (const RunResult& robot : robots) ways.push_back(robot.truth);
+  const Crossings crossings = count_crossings(world.structure(), ways);
+  return {{"squares", crossings.squares}, {"over_twice", crossings.over_twice}};
+}
+
+/// bound_m and way_over_bound, for 99 %; null where it was not reached.
+types::Status add_bound(const ExploreCommand& command, const sim::Se2& start, nlohmann::json& report) {
+  const auto bound =
+      bound_report({command.world, command.robots, {start.x_m, start.y_m, start.theta_rad}, {}, true});
+  if (!bound) return tl::unexpected(bound.error());
+  const nlohmann::json &bound_m = (*bound)["m_per_robot"]["0.99"], &way_m = report["way_m"]["0.99"];
+  report["bound_m"] = bound_m;
+  report["way_over_bound"] = nullptr;
+  if (bound_m.is_number() && way_m.is_number() && bound_m.get<double>() > 0.0)
+    report["way_over_bound"] = way_m.get<double>() / bound_m.get<double>();
+  return {};
+}
+
 types::Result<nlohmann::json> run_alone(const ExploreCommand& command, sim::World world,
                                         const RunTitle& title, const RunSetup& setup,
                                         const sim::Raster& visible, RunHooks& hooks) {
@@ -84,7 +109,9 @@ types::Result<nlohmann::json> run_alone(const ExploreCommand& command, sim::Worl
     if (auto written = write_map(command.out, mind->source().map()); !written)
       return tl::unexpected(written.error());
   }
-  return report_of(title, setup, result, visible.area_m2());
+  nlohmann::json report = report_of(title, setup, result, visible.area_m2());
+  report["corridors_crossed"] = crossings_report((*plant)->world(), {&result, 1});
+  return report;
 }
 
 types::Result<nlohmann::json> run_together(const ExploreCommand& command, sim::World world, RunTitle title,
@@ -101,7 +128,9 @@ types::Result<nlohmann::json> run_together(const ExploreCommand& command, sim::W
     if (auto written = write_team_files(command.out, *shared, team, *result, visible); !written)
       return tl::unexpected(written.error());
   }
-  return team_report_of(title, team, *result, visible.area_m2());
+  nlohmann::json report = team_report_of(title, team, *result, visible.area_m2());
+  report["corridors_crossed"] = crossings_report(*shared, result->robots);
+  return report;
 }
 
 }  // namespace
@@ -124,8 +153,12 @@ types::Result<nlohmann::json> explore(const ExploreCommand& command, RunHooks& h
   const sim::Raster visible =
       reachable_area(*world, setup->plant.start.translation(), sim::RobotModel::p3dx().swing_radius_m)
           .visible;
-  return command.robots == 1 ? run_alone(command, std::move(*world), title, *setup, visible, hooks)
-                             : run_together(command, std::move(*world), title, *setup, visible, hooks);
+  auto report = command.robots == 1 ? run_alone(command, std::move(*world), title, *setup, visible, hooks)
+                                    : run_together(command, std::move(*world), title, *setup, visible, hooks);
+  if (!report || !command.bound) return report;
+  if (auto added = add_bound(command, setup->plant.start, *report); !added)
+    return tl::unexpected(added.error());
+  return report;
 }
 
 types::Status run_explore(const ExploreCommand& command) {

@@ -93,6 +93,30 @@ json report_of(const JoinedMap& map) {
           {"worst_m", map.error.worst_m},      {"mates_rmse_m", map.mates_error.rmse_m}};
 }
 
+/// Where the time went, and what of it by goals. mean_speed_mps: until 99 % were known.
+json time_report(const RunResult& result, double permitted_mps, std::span<const RunResult> robots) {
+  json time = json::object(), lost = json::object(), way = json::object();
+  for (std::size_t i = 0; i < kDoings; ++i) time[kDoingNames[i]] = rounded(result.time.doing_s[i], 1e-2);
+  for (std::size_t i = 0; i < kLosses; ++i) lost[kLossNames[i]] = rounded(result.time.lost_s[i], 1e-2);
+  for (std::size_t i = 0; i < RunResult::kShares.size(); ++i)
+    way[fmt::format("{:g}", RunResult::kShares[i])] = or_null(result.way_m[i]);
+  const auto &t90 = result.reached_s[1], &t99 = result.reached_s[3];
+  const bool is_complete = t90 && t99 && *t99 > 0.0;
+  const double issued = static_cast<double>(std::max<std::uint64_t>(result.goals_issued, 1));
+  double way_m = 0.0;
+  for (const RunResult& robot : robots) way_m += robot.way_m.back().value_or(0.0);
+  const json speed =
+      t99 ? json(rounded(way_m / std::max(*t99 * static_cast<double>(robots.size()), 1e-9), 1e-4))
+          : json(nullptr);
+  return {{"time_s", time},
+          {"lost_s", lost},
+          {"way_m", way},
+          {"permitted_mps", permitted_mps},
+          {"mean_speed_mps", speed},
+          {"goals_left_for_another", rounded(static_cast<double>(result.goals_left) / issued, 1e-4)},
+          {"last_share_of_time", is_complete ? json(rounded((*t99 - *t90) / *t99, 1e-4)) : json(nullptr)}};
+}
+
 json doubts_of(const RunResult& result) {
   json doubts = json::object();
   for (std::size_t i = 0; i < result.doubts.size(); ++i) {
@@ -157,6 +181,7 @@ json common_report(const RunTitle& title, const RunSetup& setup, const RunResult
 json report_of(const RunTitle& title, const RunSetup& setup, const RunResult& result, double reachable_m2) {
   json report = common_report(title, setup, result, reachable_m2);
   report["digest"] = digest_of(setup, {&result, 1}, result);
+  report.update(time_report(result, setup.mind.control.limits.v_max_mps, {&result, 1}));
   return report;
 }
 
@@ -165,6 +190,7 @@ json team_report_of(const RunTitle& title, const TeamSetup& setup, const TeamRes
   json report = common_report(title, setup.run, result.team, reachable_m2);
   report["robots"] = setup.robots;
   report["digest"] = digest_of(setup.run, result.robots, result.team);
+  report.update(time_report(result.team, setup.run.mind.control.limits.v_max_mps, result.robots));
   report["overlap"] = rounded(result.overlap, 1e-4);
   report["maps"] = json::array();
   for (const JoinedMap& map : result.maps) report["maps"].push_back(report_of(map));

@@ -51,6 +51,7 @@ class Run {
     coverage_.update(robot_.mind().source().map().grid);
     note_coverage(coverage_, types::to_seconds(robot_.plant().now()), robot_.result());
     robot_.note_pose();
+    robot_.note_way(robot_.result());
   }
 
   RobotRun robot_;

@@ -11,6 +11,7 @@
 #include "tests/bench/topobench/explore/coverage.hpp"
 #include "tests/bench/topobench/explore/plant.hpp"
 #include "tests/bench/topobench/explore/robot_mind.hpp"
+#include "tests/bench/topobench/explore/time_book.hpp"
 #include "tests/sim/area.hpp"
 
 namespace topo::bench {
@@ -61,6 +62,10 @@ struct RunResult {
   bool home = false;             ///< at the end, within 0.5 m of its start
   double home_distance_m = 0.0;
   double distance_m = 0.0;
+  /// Way of this robot (of a team's result: of the robot with the longest) when kShares were known.
+  std::array<std::optional<double>, kShares.size()> way_m;
+  TimeSpent time;                ///< of the mission, until it ended for this robot
+  std::uint64_t goals_left = 0;  ///< for another, before they were reached, seen or given up
   std::uint64_t collisions = 0;
   std::vector<std::pair<double, double>> coverage;  ///< every second
   double free_fraction = 0.0;                       ///< known as free at the end

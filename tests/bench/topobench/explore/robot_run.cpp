@@ -59,6 +59,7 @@ void RobotRun::control(types::Stamp now) {
   const pipeline::ControlOutput& output = mind_.control(now);
   plant_.command(output.command);
   note(output.report.plausibility);
+  note_time(output.report);
   hooks_.commanded(output);
 }
 
@@ -100,12 +101,28 @@ void RobotRun::note(const pipeline::PlanningReport& report, const pipeline::Plan
   result_.reason = report.reason;
   result_.mission_ended = report.mission == 1 && report.mission_ended;
   for (const pipeline::Decision& decision : report.decisions) {
-    if (decision.stamp > last_decision_) result_.decisions.push_back(decision);
+    if (decision.stamp <= last_decision_) continue;
+    result_.decisions.push_back(decision);
+    result_.goals_left += decision.text.starts_with("left ") ? 1U : 0U;
   }
   if (!report.decisions.empty()) last_decision_ = report.decisions.back().stamp;
   if (plan.goal_id != last_goal_ && report.goal)
     result_.goals.push_back({types::to_seconds(report.stamp), report.goal->p_map});
   last_goal_ = plan.goal_id;
+}
+
+void RobotRun::note_time(const pipeline::ControlReport& report) {
+  if (plant_.now() < begin_ || is_over()) return;
+  const bool has_way = result_.activity == Activity::kExploring || result_.activity == Activity::kReturning ||
+                       result_.activity == Activity::kGoingTo;
+  book_.add({types::to_seconds(control_period()), plant_.body().true_twist(),
+             setup_.mind.control.limits.v_max_mps, report.mode, report.reason, has_way});
+}
+
+void RobotRun::note_way(const RunResult& known) {
+  for (std::size_t i = 0; i < RunResult::kShares.size(); ++i) {
+    if (known.reached_s[i] && !result_.way_m[i]) result_.way_m[i] = plant_.body().path_m();
+  }
 }
 
 void RobotRun::note_pose() {
@@ -130,6 +147,7 @@ void RobotRun::finish(std::span<const sim::Se2> starts) {
   result_.home = result_.home_distance_m <= kHome_m;
   if (result_.home && result_.activity == Activity::kDone) result_.home_s = result_.end_s;
   result_.distance_m = plant_.body().path_m();
+  result_.time = book_.spent();
   result_.collisions = plant_.body().collisions();
 }
 

@@ -24,6 +24,8 @@ class RobotRun {
   void tick();
   /// What is noted every second.
   void note_pose();
+  /// Notes the way when a share of the area is known: `known` has when.
+  void note_way(const RunResult& known);
   /// The mission has ended and the robot has come to a stand.
   [[nodiscard]] bool is_over() const;
   /// At the end of the run. Home is where a robot entered: `starts`, of all robots.
@@ -39,6 +41,7 @@ class RobotRun {
   void plan(types::Stamp now);
   void note(const pipeline::PlanningReport& report, const pipeline::Plan& plan);
   void note(const plausibility::Opinion& opinion);
+  void note_time(const pipeline::ControlReport& report);
   [[nodiscard]] sim::SimTime control_period() const;
   [[nodiscard]] sim::SimTime planning_period() const;
 
@@ -52,6 +55,7 @@ class RobotRun {
   RunResult result_;
   types::Stamp last_decision_{};
   plausibility::DoubtSet doubts_;
+  TimeBook book_;
   std::uint64_t last_goal_ = 0;
 };
 

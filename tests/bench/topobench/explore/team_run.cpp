@@ -162,7 +162,10 @@ class TeamRun {
     }
     all_.update();
     note_coverage(all_.coverage(), types::to_seconds(now()), result_.team);
-    for (const auto& member : members_) member->run->note_pose();
+    for (const auto& member : members_) {
+      member->run->note_pose();
+      member->run->note_way(result_.team);
+    }
   }
 
   void finish() {
@@ -194,6 +197,11 @@ class TeamRun {
     if (team.reason.empty() || robot.activity != Activity::kDone) team.reason = robot.reason;
     team.home_distance_m = std::max(team.home_distance_m, robot.home_distance_m);
     team.distance_m += robot.distance_m;
+    team.time += robot.time;
+    team.goals_left += robot.goals_left;
+    for (std::size_t i = 0; i < team.way_m.size(); ++i) {
+      if (robot.way_m[i]) team.way_m[i] = std::max(team.way_m[i].value_or(0.0), *robot.way_m[i]);
+    }
     team.collisions += robot.collisions;
     for (std::size_t i = 0; i < team.doubts.size(); ++i) team.doubts[i] += robot.doubts[i];
     team.worst_lag_s = std::max(team.worst_lag_s, robot.worst_lag_s);

@@ -112,6 +112,7 @@ types::Result<TableRun> table_run_of(const RunKey& key, const json& report, Time
   if (!report["decision_ms"].is_null()) run.decision_p99_ms = report["decision_ms"]["p99"].get<double>();
   for (const json& point : report["coverage"])
     run.coverage.emplace_back(point[0].get<double>(), point[1].get<double>());
+  run.parts = breakdown_of(report);
   return run;
 }
 

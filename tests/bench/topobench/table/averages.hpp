@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/types/result.hpp"
+#include "tests/bench/topobench/table/breakdown.hpp"
 #include "tests/bench/topobench/table/contest.hpp"
 #include "tests/bench/topobench/table/paired_ratio.hpp"
 #include "tests/bench/topobench/table/run_key.hpp"
@@ -41,6 +42,7 @@ struct TableRun {
   std::optional<double> overlap;  ///< of several robots
   double decision_p99_ms = 0.0;
   std::vector<std::pair<double, double>> coverage;  ///< seconds and share
+  std::optional<RunBreakdown> parts;
 };
 
 /// Of a report as REPORTS "topobench explore" has it. `finished_share`: the one of kT50 to kT99 whose share a

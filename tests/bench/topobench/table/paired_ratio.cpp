@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "tests/bench/topobench/table/bootstrap.hpp"
+
 namespace topo::bench {
 namespace {
 
@@ -70,6 +72,7 @@ PairedRatio paired_ratio(std::span<const Pair> pairs) {
   if (!logs.empty()) out.ratio = std::exp(mean(logs));
   out.over_runs = interval_of(logs);
   out.over_worlds = interval_of(means);
+  out.bootstrap = bootstrap_95(means);
   return out;
 }
 

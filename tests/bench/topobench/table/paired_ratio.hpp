@@ -28,17 +28,19 @@ struct PairedRatio {
   double ratio = 1.0;      ///< geometric mean of a / b
   Interval over_runs;
   Interval over_worlds;
+  Interval bootstrap;  ///< over worlds
 };
 
 /// Geometric mean of the ratios, and two 95 % intervals. Both are Student's t on the logarithms of the
 /// ratios: times are positive, and what a contender or a building changes in them is a factor, so that
-/// logarithms are near to normal and their mean more so. No bootstrap: with the three to twenty buildings
-/// that there are, it is known to come out too narrow, and needs a seed.
+/// logarithms are near to normal and their mean more so.
 /// - over_runs takes each pair for itself: what more seeds in these very worlds would give.
 /// - over_worlds takes each world's mean as one value (as many degrees of freedom as there are worlds, less
 ///   one): runs in one building are alike, so this is what other buildings of the kind would give, and the
 ///   one to believe of a claim. It has the middle of the worlds' means, which is `ratio` when all worlds have
 ///   as many pairs.
+/// - bootstrap takes the same means of worlds and no law of their spread (bootstrap.hpp): for suites of two
+///   dozen buildings; of fewer it is narrower than it should be.
 /// The order of the pairs matters by rounding alone. Without pairs: ratio 1, nothing known.
 PairedRatio paired_ratio(std::span<const Pair> pairs);
 

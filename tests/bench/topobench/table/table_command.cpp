@@ -14,10 +14,12 @@
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/explore_command.hpp"
 #include "tests/bench/topobench/explore/radio.hpp"
+#include "tests/bench/topobench/fresh/suite.hpp"
 #include "tests/bench/topobench/output.hpp"
 #include "tests/bench/topobench/table/fingerprint.hpp"
 #include "tests/bench/topobench/table/mean_coverage.hpp"
 #include "tests/bench/topobench/table/progress_line.hpp"
+#include "tests/bench/topobench/table/table_bounds.hpp"
 #include "tests/bench/topobench/table/table_text.hpp"
 
 namespace topo::bench {
@@ -49,6 +51,10 @@ types::Status check(const TableCommand& command) {
   if (command.seeds < 1)
     return fail(Errc::kInvalidInput, fmt::format("--seeds: found {}, expected 1 or more", command.seeds));
   if (auto limit = check_limit(command.limit_s); !limit) return limit;
+  if (command.suite == "fresh" ? !command.worlds.empty() : command.worlds.empty())
+    return fail(Errc::kInvalidInput, "--worlds: expected worlds, or --suite fresh in their place");
+  if ((command.suite == "fresh") != command.suite_seed.has_value())
+    return fail(Errc::kInvalidInput, "--suite-seed: expected one with --suite fresh, and with nothing else");
   if (command.out.empty()) return fail(Errc::kInvalidInput, "--out: expected a folder for the runs");
   if (command.wall_limit_s < 1)
     return fail(Errc::kInvalidInput,
@@ -72,8 +78,24 @@ types::Result<Time> share_of(const TableCommand& command) {
               fmt::format("--share: found {}, expected t50, t90, t95 or t99", command.share));
 }
 
+/// Of the suite, or what was named. Fresh buildings stand in a folder beside the runs; drawing them again
+/// changes nothing.
+types::Result<std::vector<fs::path>> files_of(const TableCommand& command) {
+  if (command.suite == "fresh") {
+    const fs::path folder = command.out / "worlds";
+    if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+    return fresh::write_fresh_suite(*command.suite_seed, command.buildings, folder);
+  }
+  if (command.suite != "dev") return world_files(command.worlds);
+  if (command.worlds.size() == 1) return fresh::dev_suite(command.worlds.front());
+  return fail(Errc::kInvalidInput,
+              fmt::format("--suite dev: found {} --worlds, expected one: the folder of the "
+                          "public plans",
+                          command.worlds.size()));
+}
+
 types::Result<std::vector<TableWorld>> worlds_of(const TableCommand& command) {
-  const auto files = world_files(command.worlds);
+  const auto files = files_of(command);
   if (!files) return tl::unexpected(files.error());
   const int team = *std::max_element(command.robots.begin(), command.robots.end());
   std::vector<TableWorld> worlds;
@@ -167,8 +189,11 @@ types::Status write_table(const TableCommand& command, const Table& table) {
 
 /// What all runs have in common.
 json setup_of(const TableCommand& command, const RunKey& common) {
-  return {{"program", common.program},   {"seeds", command.seeds},  {"starts", command.starts},
-          {"fidelity", common.fidelity}, {"finish", common.finish}, {"limit_s", common.limit_s}};
+  json setup{{"program", common.program},   {"seeds", command.seeds},  {"starts", command.starts},
+             {"fidelity", common.fidelity}, {"finish", common.finish}, {"limit_s", common.limit_s}};
+  if (!command.suite.empty()) setup["suite"] = command.suite;
+  if (command.suite == "fresh") setup["suite_seed"] = *command.suite_seed;
+  return setup;
 }
 
 Table table_of(std::span<const TableWorld> worlds, std::span<const Entrant> entrants,
@@ -189,15 +214,35 @@ Table table_of(std::span<const TableWorld> worlds, std::span<const Entrant> entr
   return table;
 }
 
+std::vector<Breakdown> breakdowns_of(std::span<const Entrant> entrants, std::span<const TableRun> runs,
+                                     const Bounds& bounds) {
+  std::vector<BrokenDown> parts;
+  for (const TableRun& run : runs) {
+    if (run.parts) parts.push_back({run.world, run.seed, run.entrant, *run.parts});
+  }
+  std::vector<Breakdown> rows;
+  for (const Entrant& entrant : entrants) rows.push_back(breakdown_of(entrant, parts, bounds));
+  return rows;
+}
+
+WorkerLimits limits_of(const TableCommand& command) {
+  const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return {command.jobs > 0 ? command.jobs : processors, std::chrono::seconds(command.wall_limit_s)};
+}
+
+/// What a team with full knowledge needs, remembered in bounds.jsonl.
+types::Result<Bounds> bounds_of(const TableCommand& command, std::span<const TableWorld> worlds) {
+  auto log = RunLog::open(command.out / "bounds.jsonl");
+  if (!log) return tl::unexpected(log.error());
+  return table_bounds(worlds, command.robots, limits_of(command), !command.no_runs, *log);
+}
+
 /// The finished runs, after those that were missing are done.
 types::Result<std::vector<TableRun>> runs_of(const TableCommand& command, std::span<const PlannedRun> planned,
                                              RunLog& log, Time share) {
   if (!command.no_runs) {
-    const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const WorkerLimits limits{command.jobs > 0 ? command.jobs : processors,
-                              std::chrono::seconds(command.wall_limit_s)};
     ProgressLine progress;
-    if (auto done = do_runs(planned, limits, explore_one, log, progress); !done)
+    if (auto done = do_runs(planned, limits_of(command), explore_one, log, progress); !done)
       return tl::unexpected(done.error());
   }
   auto runs = table_runs_of(planned, log, share);
@@ -230,6 +275,9 @@ types::Status run_table(const TableCommand& command) {
   const auto runs = runs_of(command, plan_runs(*worlds, entrants, *common), *log, *share);
   if (!runs) return tl::unexpected(runs.error());
   Table table = table_of(*worlds, entrants, *contests, *runs);
+  const auto bounds = bounds_of(command, *worlds);
+  if (!bounds) return tl::unexpected(bounds.error());
+  table.breakdowns = breakdowns_of(entrants, *runs, *bounds);
   table.setup = setup_of(command, *common);
   table.share = kTimeNames[static_cast<std::size_t>(*share)];
   if (auto written = write_pictures(command, *runs, table.worlds); !written) return written;

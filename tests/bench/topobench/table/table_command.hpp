@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,9 @@ namespace topo::bench {
 
 struct TableCommand {
   std::vector<std::filesystem::path> worlds;  ///< files, and folders of them
+  std::string suite;  ///< fresh: drawn buildings; dev: the public plans, in the folder `worlds`
+  std::optional<std::uint64_t> suite_seed;  ///< of the drawn buildings
+  int buildings = 24;                       ///< drawn
   std::vector<std::string> strategies{"topometric", "nearest_frontier", "greedy_frontier", "utility_frontier",
                                       "min_pos"};
   std::vector<int> robots{1, 2};
@@ -35,9 +40,9 @@ struct TableCommand {
 
 /// `topobench explore-table`: explorations of worlds by strategies, numbers of robots and seeds, as many at
 /// once as there are processors; runs.jsonl in the folder remembers them (run_log.hpp), so that it can be
-/// stopped at any time and goes on where it was. Then prints what they come to, and writes table.md,
-/// table.json and coverage-WORLD-ROBOTS.png (and coverage-all-ROBOTS.png) beside it:
-/// all strategies with the first radio, and the first with all.
+/// stopped at any time and goes on where it was, and bounds.jsonl the bounds (table_bounds.hpp). Then prints
+/// what they come to, and writes table.md, table.json and coverage-WORLD-ROBOTS.png (and
+/// coverage-all-ROBOTS.png) beside it: all strategies with the first radio, and the first with all.
 types::Status run_table(const TableCommand& command);
 
 }  // namespace topo::bench

@@ -24,10 +24,11 @@ constexpr const char* kWorldMeaning =
     "Means of t95 / t99 / t_home; in brackets how many runs failed, if any.\n";
 constexpr const char* kRatioMeaning =
     "Times of A over those of B, paired by world and seed (with it the start): under 1, A is faster. "
-    "Geometric mean\n[95 % interval over runs; over worlds], both by Student's t on the logarithms: what "
-    "more "
-    "runs in these worlds would\ngive, and what other worlds of the kind would (each world's mean is one "
-    "value). best_baseline: in each world, for each\ntime, the one with the least mean there.\n";
+    "Geometric mean\n[95 % interval over runs; over worlds; over worlds by bootstrap], the first two by "
+    "Student's t on the "
+    "logarithms: what more\nruns in these worlds would give, and what other worlds of the kind would (each "
+    "world's mean is one value). best_baseline: in each world, for each\ntime, the one with the least mean "
+    "there.\n";
 
 constexpr std::array kRatioTimes{Time::kT90, Time::kT95, Time::kT99, Time::kHome};
 constexpr const char* kRatiosHead =
@@ -89,7 +90,8 @@ void add_row(const Comparison& comparison, std::string& text) {
                  name_of_opponents(comparison.contest), any.pairs, any.worlds);
   for (const Time time : kRatioTimes) {
     const PairedRatio& r = comparison.ratios[static_cast<std::size_t>(time)];
-    fmt::format_to(out, " {:.3f} [{}; {}] |", r.ratio, text_of(r.over_runs), text_of(r.over_worlds));
+    fmt::format_to(out, " {:.3f} [{}; {}; {}] |", r.ratio, text_of(r.over_runs), text_of(r.over_worlds),
+                   text_of(r.bootstrap));
   }
   text += '\n';
 }
@@ -134,6 +136,7 @@ json json_of(const Comparison& comparison) {
     out[kTimeNames[i]] = {{"ratio", r.ratio},
                           {"over_runs", json_of(r.over_runs)},
                           {"over_worlds", json_of(r.over_worlds)},
+                          {"bootstrap", json_of(r.bootstrap)},
                           {"pairs", r.pairs},
                           {"worlds", r.worlds},
                           {"a_faster", r.a_less}};
@@ -167,6 +170,7 @@ std::string text_of(const Table& table) {
   for (const Average& average : table.averages) add_row(average, text);
   fmt::format_to(out, "\n## Ratios\n\n{}\n{}", kRatioMeaning, kRatiosHead);
   for (const Comparison& comparison : table.comparisons) add_row(comparison, text);
+  text += text_of(std::span<const Breakdown>(table.breakdowns));
   fmt::format_to(out, "\n## World by world\n\n{}\n", kWorldMeaning);
   add_worlds(table, text);
   fmt::format_to(out, "\n## Failed runs\n\n{}", table.failures.empty() ? "None.\n" : "");
@@ -184,6 +188,7 @@ json json_of(const Table& table) {
           {"means", list_of(table.averages, of_average)},
           {"by_world", by_world},
           {"ratios", list_of(table.comparisons, [](const Comparison& c) { return json_of(c); })},
+          {"breakdown", list_of(table.breakdowns, [](const Breakdown& row) { return json_of(row); })},
           {"failures", list_of(table.failures, json_of_failure)}};
 }
 

@@ -18,6 +18,7 @@ struct Table {
   std::vector<Average> averages;
   std::vector<std::vector<Average>> by_world;  ///< of each world, with the same entrants
   std::vector<Comparison> comparisons;
+  std::vector<Breakdown> breakdowns;
   std::vector<TableRun> failures;
   nlohmann::json setup;  ///< what all runs have in common
 };

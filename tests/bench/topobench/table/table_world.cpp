@@ -113,6 +113,12 @@ types::Result<std::vector<fs::path>> world_files(std::span<const fs::path> files
   return files;
 }
 
+types::Result<sim::Se2> own_start(const fs::path& file, const sim::World& world) {
+  const auto listed = listed_start(file);
+  if (!listed) return tl::unexpected(listed.error());
+  return listed->value_or(world.start_poses().front());
+}
+
 types::Result<sim::Se2> start_of_seed(const sim::World& world, const sim::Raster& poses, const sim::Se2& own,
                                       std::uint64_t seed) {
   if (seed == 1) return own;
@@ -137,9 +143,9 @@ types::Result<sim::Se2> start_of_seed(const sim::World& world, const sim::Raster
 types::Result<TableWorld> load_table_world(const fs::path& file, int seeds, bool drawn, int team) {
   const auto world = sim::World::load(file);
   if (!world) return tl::unexpected(world.error());
-  const auto listed = listed_start(file);
-  if (!listed) return tl::unexpected(listed.error());
-  const sim::Se2 own = listed->value_or(world->start_poses().front());
+  const auto start_there = own_start(file, *world);
+  if (!start_there) return tl::unexpected(start_there.error());
+  const sim::Se2 own = *start_there;
   const sim::ReachableArea area =
       reachable_area(*world, own.translation(), sim::RobotModel::p3dx().swing_radius_m);
   const sim::Raster poses = sim::reachable_poses(world->structure(), own.translation(), sure_radius_m());

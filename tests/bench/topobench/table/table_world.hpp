@@ -31,6 +31,11 @@ inline constexpr int kStartTeam = 3;
 types::Result<std::vector<std::filesystem::path>> world_files(
     std::span<const std::filesystem::path> files_and_folders);
 
+/// Where robots enter a world that was loaded from a file: its line in the file WORLDS.tsv beside it
+/// (tab-separated, with a header that has name, start_x_m and start_y_m; heading 0), if there is one, else
+/// the world's first.
+types::Result<sim::Se2> own_start(const std::filesystem::path& file, const sim::World& world);
+
 /// Where robots enter with a seed. Seed 1: `own`. Any other draws from the cells that a robot gets to from
 /// `own` (`poses`, not 0), each as likely as another, and any heading, until kStartTeam robots have room
 /// there, the first among them (team_start.hpp): a function of building, `own` and seed alone, however many
@@ -41,9 +46,8 @@ types::Result<sim::Se2> start_of_seed(const sim::World& world, const sim::Raster
 
 /// Loads a world. Starts are drawn where a robot gets to from its own one through passages that its planner
 /// takes without doubt: whoever starts behind a narrower one never gets out, and tells nothing. Its own start
-/// is that of its line in the file WORLDS.tsv beside it (tab-separated, with a header that has name,
-/// start_x_m and start_y_m; heading 0), if there is one, else the world's first. `seeds`: how many starts;
-/// all are the own one unless `drawn`. `team`: how many robots must have room at each.
+/// is own_start(). `seeds`: how many starts; all are the own one unless `drawn`. `team`: how many robots must
+/// have room at each.
 types::Result<TableWorld> load_table_world(const std::filesystem::path& file, int seeds, bool drawn,
                                            int team);
 
