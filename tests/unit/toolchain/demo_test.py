@@ -27,13 +27,14 @@ class CommandLine(unittest.TestCase):
     def test_help(self):
         done = self.demo("--help")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for option in ("--world", "--seed", "--strategy", "--finish", "--out", "--time-limit", "--no-install"):
+        for option in ("--robots", "--entry-delay", "--world", "--seed", "--strategy", "--finish", "--out", "--time-limit", "--no-install"):
             self.assertIn(option, done.stdout)
 
     def test_faults_are_named_before_anything_is_installed_or_built(self):
         for words, expected in (
             (["--sead", "3"], "'--sead'"), (["--seed", "x"], "'x'"), (["--seed"], "takes a value"),
             (["--strategy", "fast"], "nearest_frontier"), (["--finish", "soon"], "essential"),
+            (["--robots", "9"], "1 to 8"), (["--entry-delay", "x"], "'x'"),
             (["--time-limit", "0"], "seconds"), (["--world", "/nowhere.toml"], "/nowhere.toml"), (["--world", "/"], "a file"),
             (["--out", ""], "folder"), (["--out", "/dev/null"], "'/dev/null'"), (["--out", "/dev/null/x"], "'/dev/null/x'"),
         ):
@@ -132,10 +133,24 @@ class Report(unittest.TestCase):
             ({**good, "home_distance_m": 0.6}, 0, [], ["0.60 m from its start"]), (good, 0, ["late"], ["late"]),
             ({}, 0, [], ["nothing was judged"]),
         ):
-            why = demo_report.reasons(types.SimpleNamespace(why=before), judged, collisions)
+            why = self.reasons(before, [judged], [collisions])
             self.assertEqual(len(why), len(expected), why)
             for text, part in zip(why, expected):
                 self.assertIn(part, text)
+
+    @staticmethod
+    def reasons(before, judged, collisions):
+        robots = [types.SimpleNamespace(name="robot %d" % (i + 1)) for i in range(len(judged))]
+        return demo_report.reasons(types.SimpleNamespace(why=before, robots=robots), judged,
+                                   [{"collisions": count} for count in collisions])
+
+    def test_of_a_team_every_robot_must_pass(self):
+        good, bad = {"covered": 0.97, "home_distance_m": 0.2}, {"covered": 0.9, "home_distance_m": 3.0}
+        self.assertEqual(self.reasons([], [good, good], [0, 0]), [])
+        why = self.reasons([], [good, bad], [0, 1])
+        self.assertEqual(len(why), 3)
+        for reason in why:
+            self.assertIn("robot 2", reason)
 
 
 if __name__ == "__main__":

@@ -8,10 +8,10 @@
 
 #include "tests/bench/topobench/bound/bound.hpp"
 #include "tests/bench/topobench/explore/explore_run.hpp"
-#include "tests/sim/team_start.hpp"
 #include "tests/bench/topobench/overview.hpp"
 #include "tests/sim/area.hpp"
 #include "tests/sim/robot_model.hpp"
+#include "tests/sim/team_start.hpp"
 
 namespace topo::bench {
 namespace {
@@ -57,7 +57,7 @@ types::Result<json> bound_report(const BoundCommand& command) {
   if (!world) return tl::unexpected(world.error());
   const auto& s = command.start;
   const sim::Se2 start = s.empty() ? world->start_poses().front() : sim::Se2{s[0], s[1], s[2]};
-  const auto starts = team_starts(*world, start, command.robots);
+  const auto starts = sim::team_starts(*world, start, command.robots);
   if (!starts) return tl::unexpected(starts.error());
   const sim::ReachableArea area =
       reachable_area(*world, start.translation(), sim::RobotModel::p3dx().swing_radius_m);

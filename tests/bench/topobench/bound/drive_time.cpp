@@ -20,7 +20,7 @@ double ramp_time_s(double distance, double v_max, double speeding, double brakin
 }  // namespace
 
 double drive_time_s(const Way& way, const types::DriveLimits& limits) {
-  const double sharp_rad = motion::FollowerRules{}.turn_begin_rad;
+  const double sharp_rad = motion::FollowerTurnParams{}.begin_rad;
   double sum_s = 0.0, straight_m = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
     const sim::Vector2 leg = way[i] - way[i - 1];

@@ -10,11 +10,11 @@
 #include <set>
 #include <string>
 
-#include "tests/sim/team_start.hpp"
 #include "tests/bench/topobench/fresh/doors.hpp"
 #include "tests/bench/topobench/fresh/draw_floor.hpp"
 #include "tests/bench/topobench/fresh/suite.hpp"
 #include "tests/sim/area.hpp"
+#include "tests/sim/team_start.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::bench::fresh {
@@ -205,8 +205,8 @@ TEST(FreshSuite, writesPlansThatTheSimulatorReads) {
     EXPECT_EQ(world->structure().width, building->free.width);
     const sim::Se2 start = world->start_poses().front();
     EXPECT_NEAR((start.translation() - building->start.translation()).norm(), 0.0, 2e-3);
-    EXPECT_TRUE(bench::has_room(*world, start));
-    EXPECT_TRUE(bench::team_starts(*world, start, 3).has_value()) << "room for a team";
+    EXPECT_TRUE(sim::has_room(*world, start));
+    EXPECT_TRUE(sim::team_starts(*world, start, 3).has_value()) << "room for a team";
   }
 }
 
