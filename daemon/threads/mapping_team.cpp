@@ -69,6 +69,10 @@ void MappingTeam::serve(pipeline::MappingState& state, std::uint64_t map) {
     for (const auto& [key, relation] : news->known) state.relate(key, relation);
     state.join(news->keyframes, news->relations);
   }
+  // While it is open whether the robot is where it was found, mates are given nothing of this map: it may be
+  // thrown away.
+  const slam::TrialVerdict verdict = state.trial().verdict;
+  if (verdict == slam::TrialVerdict::kRunning || verdict == slam::TrialVerdict::kDropped) return;
   for (const OwnMapAsk* ask = team_.asks.front(); ask != nullptr; ask = team_.asks.front()) {
     if (auto* slot = team_.own.try_acquire(); slot != nullptr) {
       slot->content = news_for(*ask, state.mapper(), map);

@@ -156,8 +156,8 @@ void TeamWorker::take_own(types::Stamp now) {
     }
     hand_over_mates();
   }
-  const auto* status = team.status.take_new();
-  if (status == nullptr || !exchange_) return;
+  const auto* status = exchange_ ? team.status.take_new() : nullptr;
+  if (status == nullptr) return;
   auto anchors = std::move(own_.said.anchors);
   const bool common = own_.said.in_common_frame;
   own_.said = *status;

@@ -169,8 +169,11 @@ TEST_F(TeamWorkerTest, AStatusComesInThisRobotsMap) {
   team::StatusMessage status;
   status.T_map_base = {3.0, 4.0, 0.0};
   status.duty = team::Duty::kAble;
-  b.say(status);
-  EXPECT_TRUE(until([&] { return a.statuses.size() == 1; }));
+  // As planning does: a status that is lost is followed by another.
+  ASSERT_TRUE(until([&] {
+    b.say(status);
+    return a.statuses.size() == 1;
+  }));
   EXPECT_EQ(a.statuses.front().robot, 2);
   EXPECT_NEAR(a.statuses.front().T_map_base.x_m, 3.0, 1e-9) << "both maps are in the common frame";
   EXPECT_TRUE(until([&] {
@@ -185,7 +188,7 @@ TEST_F(TeamWorkerTest, AnOrderReachesTheMateAndIsAcknowledged) {
   b.make_keyframe();
   EXPECT_TRUE(until([&] { return !a.report.peers.empty() && !b.report.peers.empty(); }));
   a.request(TeamOrder{1, {team::OrderKind::kEstop}});
-  EXPECT_TRUE(until([&] { return !b.orders.empty(); }));
+  ASSERT_TRUE(until([&] { return !b.orders.empty(); }));
   EXPECT_EQ(b.orders.front().order.kind, team::OrderKind::kEstop);
   EXPECT_EQ(b.orders.front().id.robot, 1);
   EXPECT_TRUE(a.report.acknowledged.empty()) << "nobody has carried it out";
