@@ -164,7 +164,8 @@ class Demo:
             shutil.copy(path, self.out)
 
     def judge(self, robot):
-        start = ",".join("%r" % value for value in robot.devices["start"])
+        # A team's maps are in its common frame, which is the building's; a robot alone begins its map where it stands.
+        start = ",".join("%r" % value for value in (robot.devices["start"] if len(self.robots) == 1 else (0.0, 0.0, 0.0)))
         truth = self.folder / ("truth.tsv" + (".%d" % (robot.number - 1) if len(self.robots) > 1 else ""))
         folder = self.out_of(robot)
         done = self.processes.run("topobench", "judge", "--world", self.options.world, "--map", folder / "map.yaml", "--truth",
