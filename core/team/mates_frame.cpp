@@ -25,7 +25,7 @@ std::vector<slam::KeyframeId> anchor_ids(const StatusMessage& mate) {
   return ids;
 }
 
-std::optional<types::Se2> T_map_mates(const StatusMessage& mate, bool in_common_frame,
+std::optional<types::Se2> mates_frame(const StatusMessage& mate, bool in_common_frame,
                                       const PoseOf& pose_of) {
   for (auto anchor = mate.anchors.rbegin(); anchor != mate.anchors.rend(); ++anchor) {
     if (const auto here = pose_of(id_of(mate, *anchor))) return *here * anchor->T_map_base.inverse();

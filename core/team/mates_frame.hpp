@@ -23,7 +23,7 @@ using PoseOf = std::function<std::optional<types::Se2>(const slam::KeyframeId& i
 /// A team-mate's map frame in this robot's, by the latest of its anchors that this robot's map holds: both
 /// maps bend, and are most alike where the mate is. Without one the identity when both maps are in the common
 /// frame, else nothing.
-[[nodiscard]] std::optional<types::Se2> T_map_mates(const StatusMessage& mate, bool in_common_frame,
+[[nodiscard]] std::optional<types::Se2> mates_frame(const StatusMessage& mate, bool in_common_frame,
                                                     const PoseOf& pose_of);
 
 /// The relation between the first keyframes of two robots that both started at poses in the common frame; the

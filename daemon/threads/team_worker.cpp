@@ -151,7 +151,7 @@ void TeamWorker::take_own(types::Stamp now) {
       return at == news->poses.end() ? std::nullopt : std::optional(at->second);
     };
     for (auto& [robot, mate] : mates_) {
-      const auto frame = team::T_map_mates(mate.heard.message, own_.said.in_common_frame, pose_of);
+      const auto frame = team::mates_frame(mate.heard.message, own_.said.in_common_frame, pose_of);
       if (frame) mate.T_map_mates = frame;
     }
     hand_over_mates();

@@ -18,8 +18,8 @@ std::uint64_t next_of(std::uint64_t& state) {
 
 }  // namespace
 
-void ByteBudget::refill(double rate_Bps, double burst_bytes, types::Stamp now) {
-  if (begun_ && now > last_) bytes_ += rate_Bps * types::to_seconds(now - last_);
+void ByteBudget::refill(double rate_bytes_per_s, double burst_bytes, types::Stamp now) {
+  if (begun_ && now > last_) bytes_ += rate_bytes_per_s * types::to_seconds(now - last_);
   bytes_ = std::min(bytes_, burst_bytes);
   last_ = begun_ ? std::max(last_, now) : now;
   begun_ = true;

@@ -13,7 +13,7 @@ namespace topo::team {
 class ByteBudget {
  public:
   /// To be called before the rest: adds what has come since the last call, at most `burst_bytes` in all.
-  void refill(double rate_Bps, double burst_bytes, types::Stamp now);
+  void refill(double rate_bytes_per_s, double burst_bytes, types::Stamp now);
   /// True when so much may be sent.
   [[nodiscard]] bool allows(double bytes) const { return bytes_ >= bytes; }
   /// May go below zero: what is urgent is sent at once and saved afterwards.

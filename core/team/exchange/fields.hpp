@@ -26,7 +26,7 @@ inline void write_place(types::ByteWriter& out, const types::Vector2& p) {
 /// `ok` becomes false for a place that is not finite or out of reach.
 [[nodiscard]] inline types::Vector2 read_place(types::ByteReader& in, bool& ok) {
   const double x = in.real64(), y = in.real64();
-  const types::Vector2 p(x, y);
+  types::Vector2 p(x, y);
   ok = ok && in.ok() && is_in_reach(p);
   return p;
 }

@@ -26,8 +26,9 @@ struct ExchangeIdentity {
 
 /// Bytes per second and robot. Defaults are for an 802.11 radio that several teams share.
 struct RateParams {
-  double steady_Bps = 10'000.0;     ///< while little is wanted: 1.6 keyframes/s are 7 kB/s
-  double catch_up_Bps = 200'000.0;  ///< while mates lack much: from `catch_up_over_bytes` wanted until ...
+  double steady_bytes_per_s = 10'000.0;  ///< while little is wanted: 1.6 keyframes/s are 7 kB/s
+  double catch_up_bytes_per_s =
+      200'000.0;  ///< while mates lack much: from `catch_up_over_bytes` wanted until ...
   std::size_t catch_up_over_bytes = 12'000;  ///< three keyframes: what a lossy link leaves behind
   std::size_t caught_up_bytes = 6'000;       ///< ... less than this is: a keyframe
   /// What is not sent is saved up for so long: two periods of the caller. Contact after hours is no burst.

@@ -98,7 +98,7 @@ class Composer {
     const RateParams& rates = state_.params.rates;
     const std::size_t bound = sender_.catching_up ? rates.caught_up_bytes : rates.catch_up_over_bytes;
     sender_.catching_up = wanted_bytes > bound;
-    const double rate = sender_.catching_up ? rates.catch_up_Bps : rates.steady_Bps;
+    const double rate = sender_.catching_up ? rates.catch_up_bytes_per_s : rates.steady_bytes_per_s;
     const double burst = std::max(rates.burst_s * rate, 2.0 * static_cast<double>(kDatagramBytesMax));
     sender_.budget.refill(rate, burst, now_);
   }

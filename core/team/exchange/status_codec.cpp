@@ -79,7 +79,8 @@ Bid read_bid(ByteReader& in, Steps& steps, bool& ok) {
   bid.p_map = steps.read(in, ok);
   const std::int64_t cost = in.zigzag();
   bid.essential = (cost & 1) != 0;
-  bid.cost_m = static_cast<double>((cost - (cost & 1)) / 2) * kCm_m;
+  const std::int64_t cost_cm = (cost - (cost & 1)) / 2;
+  bid.cost_m = static_cast<double>(cost_cm) * kCm_m;
   ok = ok && in.ok() && is_in_reach(bid.cost_m);
   return bid;
 }

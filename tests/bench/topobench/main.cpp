@@ -173,7 +173,7 @@ void add_options(CLI::App& app, topo::bench::ContactCommand& contact) {
   app.add_option("--delay", setup.delay_s, "Seconds that a datagram takes")
       ->check(number_from(0.0, 10.0))
       ->capture_default_str();
-  app.add_option("--catch-up", setup.rates.catch_up_Bps,
+  app.add_option("--catch-up", setup.rates.catch_up_bytes_per_s,
                  "Bytes a second that a robot may send while mates lack much")
       ->check(number_from(1e3, 1e9))
       ->capture_default_str();

@@ -19,7 +19,7 @@ TEST(Contact, RobotsThatWereApartHaveTheSameSetsInTheEnd) {
   for (const double loss : {0.0, 0.3, 0.7}) {
     const ContactResult result = run_contact(apart(80, loss));
     EXPECT_TRUE(result.same_sets) << loss;
-    EXPECT_LE(result.catch_up_Bps, 205'000.0) << loss;
+    EXPECT_LE(result.catch_up_bytes_per_s, 205'000.0) << loss;
   }
 }
 
@@ -42,14 +42,14 @@ TEST(Contact, IncompleteItemsStayWithinWhatIsWantedAtOnce) {
 
 TEST(Contact, AfterwardsTheSteadyRateIsKept) {
   const ContactResult result = run_contact(apart(30, 0.0));
-  EXPECT_LE(result.steady_Bps, 10'000.0);
+  EXPECT_LE(result.steady_bytes_per_s, 10'000.0);
   EXPECT_LE(result.steady_lag_s, 5.0);
 }
 
 TEST(Contact, TheSameSeedGivesTheSame) {
   const ContactResult one = run_contact(apart(40, 0.3)), other = run_contact(apart(40, 0.3));
   EXPECT_EQ(one.same_after_s, other.same_after_s);
-  EXPECT_EQ(one.steady_Bps, other.steady_Bps);
+  EXPECT_EQ(one.steady_bytes_per_s, other.steady_bytes_per_s);
 }
 
 }  // namespace

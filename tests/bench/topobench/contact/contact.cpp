@@ -143,7 +143,7 @@ class Contact {
     }
     result_.same_sets = are_same();
     result_.same_after_s = types::to_seconds(now_ - begin);
-    result_.catch_up_Bps =
+    result_.catch_up_bytes_per_s =
         static_cast<double>(sent_bytes()) / static_cast<double>(members_.size()) / result_.same_after_s;
     double repeated = 0.0, received = 0.0;
     for (const Member& member : members_) {
@@ -172,9 +172,9 @@ class Contact {
     }
     const auto after = counters();
     const double robots_s = static_cast<double>(members_.size()) * setup_.steady_s;
-    result_.steady_Bps = static_cast<double>(after.second - before.second) / robots_s;
+    result_.steady_bytes_per_s = static_cast<double>(after.second - before.second) / robots_s;
     for (std::size_t kind = 0; kind < team::kMessageKinds; ++kind)
-      result_.steady_Bps_of.at(kind) =
+      result_.steady_bytes_per_s_of.at(kind) =
           static_cast<double>(after.first.at(kind) - before.first.at(kind)) / robots_s;
   }
 

@@ -28,14 +28,14 @@ struct ContactResult {
   bool same_sets = false;
   double same_after_s = 0.0;  ///< contact: all hold everything
   std::array<double, 3>
-      shares_s{};             ///< until 10, 50 and 90 % of what was lacking was held by those who lacked it
-  double catch_up_Bps = 0.0;  ///< a robot
-  double repeated = 0.0;      ///< share of the pieces that came and were held already
+      shares_s{};  ///< until 10, 50 and 90 % of what was lacking was held by those who lacked it
+  double catch_up_bytes_per_s = 0.0;  ///< a robot
+  double repeated = 0.0;              ///< share of the pieces that came and were held already
   std::size_t assembly_bytes_max = 0;
-  double steady_Bps = 0.0;  ///< a robot, when all have all
+  double steady_bytes_per_s = 0.0;  ///< a robot, when all have all
   double steady_lag_s =
       0.0;  ///< greatest time from a keyframe's making until all hold it, in the steady part
-  std::array<double, team::kMessageKinds> steady_Bps_of{};
+  std::array<double, team::kMessageKinds> steady_bytes_per_s_of{};
   double cpu_s = 0.0;
 };
 

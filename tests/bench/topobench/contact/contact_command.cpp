@@ -12,7 +12,7 @@ namespace {
 nlohmann::json kinds_of(const ContactResult& result) {
   nlohmann::json kinds;
   for (std::size_t kind = 0; kind < team::kMessageKinds; ++kind)
-    kinds[std::string(to_text(static_cast<team::MessageKind>(kind)))] = result.steady_Bps_of.at(kind);
+    kinds[std::string(to_text(static_cast<team::MessageKind>(kind)))] = result.steady_bytes_per_s_of.at(kind);
   return kinds;
 }
 
@@ -23,11 +23,11 @@ void print_json(const ContactCommand& command, const ContactResult& result) {
                               {"same_sets", result.same_sets},
                               {"same_after_s", result.same_after_s},
                               {"share_10_50_90_s", result.shares_s},
-                              {"catch_up_Bps", result.catch_up_Bps},
+                              {"catch_up_bytes_per_s", result.catch_up_bytes_per_s},
                               {"repeated", result.repeated},
                               {"assembly_bytes_max", result.assembly_bytes_max},
-                              {"steady_Bps", result.steady_Bps},
-                              {"steady_Bps_of", kinds_of(result)},
+                              {"steady_bytes_per_s", result.steady_bytes_per_s},
+                              {"steady_bytes_per_s_of", kinds_of(result)},
                               {"steady_lag_s", result.steady_lag_s},
                               {"cpu_s", result.cpu_s}};
   fmt::print("{}\n", report.dump());
@@ -40,16 +40,16 @@ void print_text(const ContactCommand& command, const ContactResult& result) {
   fmt::print(
       "  10, 50, 90 % of what was lacking after {:.0f}, {:.0f}, {:.0f} s; {:.1f} kB/s a robot; {:.1f} % "
       "repeated\n",
-      result.shares_s[0], result.shares_s[1], result.shares_s[2], result.catch_up_Bps / 1000.0,
+      result.shares_s[0], result.shares_s[1], result.shares_s[2], result.catch_up_bytes_per_s / 1000.0,
       100.0 * result.repeated);
   fmt::print("  incomplete items took at most {:.0f} kB; {:.1f} s of processor time in all\n",
              static_cast<double>(result.assembly_bytes_max) / 1000.0, result.cpu_s);
   if (!result.same_sets) return;
-  fmt::print("steady: {:.2f} kB/s a robot, at most {:.1f} s behind; of these\n", result.steady_Bps / 1000.0,
-             result.steady_lag_s);
+  fmt::print("steady: {:.2f} kB/s a robot, at most {:.1f} s behind; of these\n",
+             result.steady_bytes_per_s / 1000.0, result.steady_lag_s);
   for (std::size_t kind = 0; kind < team::kMessageKinds; ++kind)
     fmt::print("  {:9} {:6.0f} B/s\n", to_text(static_cast<team::MessageKind>(kind)),
-               result.steady_Bps_of.at(kind));
+               result.steady_bytes_per_s_of.at(kind));
 }
 
 }  // namespace

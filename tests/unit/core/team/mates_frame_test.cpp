@@ -41,7 +41,7 @@ TEST(MatesFrame, IsWhereASharedKeyframeHasIt) {
     const bool has_late = *rc::gen::arbitrary<bool>();
     std::map<slam::KeyframeId, types::Se2> map{{{2, 0, 5}, T_own_mates * T_mates_first}};
     if (has_late) map[{2, 40, 5}] = T_own_mates * T_mates_late;
-    const auto found = T_map_mates(mate, *rc::gen::arbitrary<bool>(), in_map(map));
+    const auto found = mates_frame(mate, *rc::gen::arbitrary<bool>(), in_map(map));
     RC_ASSERT(found.has_value());
     RC_ASSERT(are_near(*found, T_own_mates));
   }));
@@ -52,21 +52,21 @@ TEST(MatesFrame, IsByTheLatestSharedKeyframe) {
   // The map has bent: the late keyframe lies half a metre off.
   const std::map<slam::KeyframeId, types::Se2> map{{{2, 0, 5}, {1.0, 0.0, 0.0}},
                                                    {{2, 40, 5}, {10.5, 0.0, 0.0}}};
-  EXPECT_NEAR(T_map_mates(mate, false, in_map(map))->x_m, 1.5, 1e-9);
+  EXPECT_NEAR(mates_frame(mate, false, in_map(map))->x_m, 1.5, 1e-9);
 }
 
 TEST(MatesFrame, KeyframesOfAnotherRobotOrRunSayNothing) {
   const StatusMessage mate = mate_with({{5, 0, {}}});
   const std::map<slam::KeyframeId, types::Se2> map{{{3, 0, 5}, {}}, {{2, 0, 6}, {}}, {{2, 1, 5}, {}}};
-  EXPECT_FALSE(T_map_mates(mate, true, in_map(map)));
+  EXPECT_FALSE(mates_frame(mate, true, in_map(map)));
 }
 
 TEST(MatesFrame, IsTheCommonOneWhenBothStartedInIt) {
   StatusMessage mate = mate_with({});
-  EXPECT_FALSE(T_map_mates(mate, true, in_map({})));
+  EXPECT_FALSE(mates_frame(mate, true, in_map({})));
   mate.in_common_frame = true;
-  EXPECT_FALSE(T_map_mates(mate, false, in_map({})));
-  EXPECT_TRUE(are_near(*T_map_mates(mate, true, in_map({})), {}));
+  EXPECT_FALSE(mates_frame(mate, false, in_map({})));
+  EXPECT_TRUE(are_near(*mates_frame(mate, true, in_map({})), {}));
 }
 
 TEST(RelationOfStarts, IsTheSameForBothRobots) {

@@ -111,9 +111,9 @@ TEST(Exchange, NoDatagramIsTooLongAndTheBudgetHolds) {
     }
     send(b, a, at(t));
   }
-  const double rate_Bps = static_cast<double>(a.exchange.counters().sent_bytes - before) / 2.0;
-  EXPECT_LT(rate_Bps, 210'000.0);
-  EXPECT_GT(rate_Bps, 150'000.0);
+  const double rate_bytes_per_s = static_cast<double>(a.exchange.counters().sent_bytes - before) / 2.0;
+  EXPECT_LT(rate_bytes_per_s, 210'000.0);
+  EXPECT_GT(rate_bytes_per_s, 150'000.0);
 }
 
 TEST(Exchange, ContactAfterAnHourIsNoBurst) {
