@@ -59,7 +59,7 @@ std::unique_ptr<OwnMapNews> news_for(const OwnMapAsk& ask, const slam::Mapper& m
 MappingTeam::MappingTeam(TeamHandOver& team, const slam::MapperParams& params)
     : team_(team),
       T_base_front_(params.T_base_laser),
-      T_base_coronal_(params.coronal.x_m, params.coronal.y_m, 0.0) {}
+      T_base_coronal_{params.coronal.x_m, params.coronal.y_m, 0.0} {}
 
 void MappingTeam::serve(pipeline::MappingState& state, std::uint64_t map) {
   for (const auto* parcel = team_.mates.front(); parcel != nullptr; parcel = team_.mates.front()) {
