@@ -119,7 +119,8 @@ types::Status run_judge(const JudgeCommand& command) {
   const auto& s = command.start;
   const types::Se2 start = s.empty() ? truth->front().pose : types::Se2{s[0], s[1], s[2]};
   const sim::Raster visible =
-      reachable_area(*world, start.translation(), sim::RobotModel::p3dx().swing_radius_m).visible;
+      reachable_area(*world, truth->front().pose.translation(), sim::RobotModel::p3dx().swing_radius_m)
+          .visible;
   const Covered at_start = cover(visible, *map, start);
   const Covered covered = cover(visible, *map, place_of_map(*pairs, *truth, start));
   const double home_m = (truth->back().pose.translation() - truth->front().pose.translation()).norm();
