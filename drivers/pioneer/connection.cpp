@@ -39,6 +39,7 @@ struct Connection::Impl {
 
   /// The next attempt to reach the robot.
   struct Retry {
+    int good_baud = 0;  ///< at which the base answered last; 0: none yet
     bool first_attempt = true;
     Duration back_off = kBackOffMin;
     Stamp retry_at{};
@@ -85,7 +86,6 @@ struct Connection::Impl {
   std::optional<RobotInfo> info;
   Counters counters;
   Retry retry;
-  int good_baud = 0;
 
   Silence silence;
 
@@ -144,7 +144,7 @@ void Connection::Impl::open(Duration timeout) {
 void Connection::Impl::begin_handshake() {
   listening.reset();
   ExpectedRobot expected{config.expected_subclass, config.expected_name, config.expected_serial_number};
-  handshake.emplace(*link, std::move(expected), connector->name(), good_baud, retry.may_drive_until);
+  handshake.emplace(*link, std::move(expected), connector->name(), retry.good_baud, retry.may_drive_until);
   if (auto begun = handshake->begin(); !begun) {
     lose(Health::kDisconnected, begun.error().message);
     return;
@@ -157,7 +157,7 @@ void Connection::Impl::begin_handshake() {
 
 void Connection::Impl::begin_listening() {
   handshake.reset();
-  listening.emplace(*link, good_baud);
+  listening.emplace(*link, retry.good_baud);
   retry.first_attempt = false;
   set_health(Health::kUnsafe,
              device() +
@@ -222,7 +222,7 @@ void Connection::Impl::start_running() {
   model = handshake->model();
   if (info) ++counters.reconnects;
   info = make_robot_info(handshake->name(), model, packet);
-  good_baud = handshake->baud();
+  retry.good_baud = handshake->baud();
   handshake.reset();
   retry.back_off = kBackOffMin;
   const std::string fault = watchdog_fault(packet);
