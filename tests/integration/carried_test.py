@@ -125,7 +125,7 @@ class Carried(RobotProcesses):
         self.assertAlmostEqual(named[0], 0.0, delta=0.15)
         self.assertAlmostEqual(named[1], TWIN_M, delta=0.15)
         self.assert_does_not_move()
-        self.assertIn("BAD  motion", self.ctl("doctor").stdout)
+        wait_for(lambda: "BAD  motion" in self.ctl("doctor").stdout, "a gate that says why the robot stands")
 
         # A wrong word: the scan fits there, so that only driving shows it.
         self.must("session", "confirm", "--pose", 0.0, 0.0, 0.0)
