@@ -6,6 +6,7 @@ explains the options. What drives the robot is the daemon alone; the simulator's
 import argparse
 import fcntl
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -173,7 +174,16 @@ class Demo:
         if done.returncode != 0:
             self.why.append("the map of %s could not be judged: %s" % (robot.name, done.stderr.strip()))
             return {}
-        return json.loads(done.stdout)
+        verdict = json.loads(done.stdout)
+        if len(self.robots) > 1:
+            verdict["home_distance_m"] = self.from_a_start_m(robot)
+        return verdict
+
+    def from_a_start_m(self, robot):
+        """The robots of a team share their starts: each comes home to the one that suits the team."""
+        truth = self.last_truths[1][robot.number - 1]
+        return min(math.hypot(truth["x_m"] - other.devices["start"][0], truth["y_m"] - other.devices["start"][1])
+                   for other in self.robots)
 
     def run(self):
         self.start_simulator()
