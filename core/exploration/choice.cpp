@@ -73,13 +73,17 @@ Choice choose(std::span<const Candidate> candidates, const Candidate* present, d
   const StrategyRow& strategy = row_of(params.strategy);
   Choice choice;
   for (const Candidate& c : candidates) {
-    choice.bids.push_back({place_for_team(c.goal), weighed_cost_m(c, present, params.switch_gain),
-                           c.goal.side != goals::Side::kNone});
+    choice.bids.push_back(
+        team::in_steps({place_for_team(c.goal), weighed_cost_m(c, present, params.switch_gain),
+                        c.goal.side != goals::Side::kNone}));
   }
   team::StatusMessage self;
   self.robot = situation.team.robot;
   self.bids = choice.bids;
-  if (present != nullptr) self.claim = team::Bid{place_for_team(present->goal), claimed_m};
+  if (present != nullptr) {
+    self.claim = team::in_steps({place_for_team(present->goal), claimed_m, true});
+    self.claim->cost_m = claimed_m;
+  }
   const grid::DenseMap& map = searches.map.map();
   const auto in_sight = [&](const Vector2& a, const Vector2& b) {
     return goals::sees(map, map.cell_at(a), map.cell_at(b));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/team/status_message.hpp"
 
+#include <cmath>
+
 namespace topo::team {
 
 std::string_view to_text(Duty duty) {
@@ -14,6 +16,11 @@ std::string_view to_text(Duty duty) {
       return "over";
   }
   return "unknown";
+}
+
+Bid in_steps(const Bid& bid) {
+  const auto rounded_m = [](double value_m) { return std::round(value_m / kBidStep_m) * kBidStep_m; };
+  return {{rounded_m(bid.p_map.x()), rounded_m(bid.p_map.y())}, rounded_m(bid.cost_m), bid.essential};
 }
 
 bool is_same_goal(const types::Vector2& a, const types::Vector2& b) {

@@ -60,6 +60,13 @@ struct StatusMessage {
   std::vector<types::Vector2> way_map;  ///< the next metres of its route, from the robot on; empty: it stands
 };
 
+/// Bids are sent in such steps (core/team/exchange).
+inline constexpr double kBidStep_m = 0.01;
+
+/// The bid as team-mates receive it. A robot decides with its own bids in this form: all robots of a team
+/// then decide with the same numbers.
+[[nodiscard]] Bid in_steps(const Bid& bid);
+
 /// Bids at most this far apart are for one goal: robots see it from different maps. A constant and no
 /// parameter: all robots of a team must use one value, as they use one format of messages.
 inline constexpr double kSameGoal_m = 1.5;

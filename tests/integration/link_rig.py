@@ -76,6 +76,14 @@ class Robot:
                 self.status = json.loads(line)
                 self.changed.notify_all()
 
+    def next_status(self):
+        """A line that came after this call, and not one that waited in the pipe."""
+        for _ in range(2):
+            with self.changed:
+                before = self.status
+                if not self.changed.wait_for(lambda: self.status is not before, PATIENCE_S):
+                    raise AssertionError("no status of robot %d within %g s" % (self.number, PATIENCE_S))
+
     def command(self, *more):
         where = ["ip", "netns", "exec", self.inside] if self.inside else []
         return [*where, self.programs / "topolink", "--config", self.config, *more]

@@ -41,9 +41,7 @@ struct RateParams {
 struct PeriodParams {
   double jitter = 0.25;    ///< share of a period
   std::uint64_t seed = 1;  ///< of the jitter; different for each robot
-  /// At most so often: half the planning period, because others give way by the pose in it. At 0.4 s two
-  /// robots of the figure 10 story took 1,499 s together where one alone takes 1,494.
-  double status_s = 0.2;
+  double status_s = 0.4;        ///< at most so often: the planning period
   double presence_s = 0.5;      ///< by which round trip and loss are estimated
   double summary_s = 1.0;       ///< at most so often, when something is new
   double idle_summary_s = 3.0;  ///< at least so often

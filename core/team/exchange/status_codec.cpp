@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <span>
 
 #include "core/team/exchange/codecs.hpp"
 #include "core/team/exchange/fields.hpp"
@@ -17,7 +18,7 @@ using types::ByteWriter;
 // varint number of points of the way, each as steps in cm.
 constexpr unsigned kHome = 1, kClaim = 2, kEssential = 4, kCommonFrame = 8, kDutyShift = 4, kFlags = 0x3F;
 constexpr std::uint8_t kDuties = 3;
-constexpr double kCm_m = 0.01;
+constexpr double kCm_m = kBidStep_m;
 
 std::int64_t in_cm(double value_m) {
   if (!std::isfinite(value_m)) return 0;
@@ -97,6 +98,24 @@ types::Se2 read_pose(ByteReader& in, bool& ok) {
   return {place.x(), place.y(), theta_rad};
 }
 
+/// As many as there is room for, and for the two numbers that follow.
+void write_anchors(ByteWriter& out, std::span<const Anchor> anchors, std::size_t room) {
+  constexpr std::size_t kCounts_bytes = 1 + 4;
+  ByteWriter list;
+  std::uint8_t count = 0;
+  for (const Anchor& anchor : anchors.first(std::min(anchors.size(), kAnchorsMax))) {
+    ByteWriter one;
+    one.varint(anchor.run);
+    one.varint(anchor.sequence);
+    write_pose(one, anchor.T_map_base);
+    if (out.bytes().size() + list.bytes().size() + one.bytes().size() + kCounts_bytes > room) break;
+    list.append(one.bytes());
+    ++count;
+  }
+  out.integer(count);
+  out.append(list.bytes());
+}
+
 void read_anchors(ByteReader& in, StatusMessage& status, bool& ok) {
   const auto count = in.integer<std::uint8_t>();
   ok = ok && in.ok() && count <= kAnchorsMax;
@@ -144,13 +163,7 @@ std::vector<std::byte> encode_status(const StatusMessage& status, std::size_t ro
     write_place(out, status.claim->p_map);
     out.real(status.claim->cost_m);
   }
-  const std::size_t anchors = std::min(status.anchors.size(), kAnchorsMax);
-  out.integer(static_cast<std::uint8_t>(anchors));
-  for (const Anchor& anchor : std::span(status.anchors).first(anchors)) {
-    out.varint(anchor.run);
-    out.varint(anchor.sequence);
-    write_pose(out, anchor.T_map_base);
-  }
+  write_anchors(out, status.anchors, room);
   // Two numbers of at most two bytes each follow. The way gets at least a fifth: others yield by it.
   const std::size_t left = room - std::min(room, out.bytes().size() + 4);
   write_list(out, status.bids, left - left / 5, write_bid);

@@ -18,7 +18,7 @@ namespace {
 
 using pipeline::Activity;
 
-constexpr sim::SimTime kExchangePeriod = std::chrono::milliseconds(100);  // the daemon's is shorter
+constexpr sim::SimTime kExchangePeriod = std::chrono::milliseconds(200);  // the daemon's is shorter
 
 /// One robot with all that is its own. Stays where it is: its parts refer to one another.
 struct Member {

@@ -149,10 +149,24 @@ TEST(StatusCodec, ClaimAndPoseAreExactTheRestToACentimetre) {
   EXPECT_LT((read->way_map.back() - status.way_map.back()).norm(), 0.0075);
 }
 
+TEST(StatusCodec, BidsComeInTheStepsThatTheirSenderDecidesWith) {
+  StatusMessage status = full_status();
+  status.bids.clear();
+  for (int i = 0; i < 20; ++i) status.bids.push_back({{i * 1.0 / 3.0, -i / 7.0}, i / 9.0 - 1.0, i % 2 == 0});
+  const auto read = decode_status(3, encode_status(status, kBodyBytesMax));
+  ASSERT_TRUE(read.has_value());
+  ASSERT_EQ(read->bids.size(), status.bids.size());
+  for (std::size_t i = 0; i < status.bids.size(); ++i) {
+    const Bid own = in_steps(status.bids[i]);
+    EXPECT_EQ(read->bids[i].p_map, own.p_map);
+    EXPECT_EQ(read->bids[i].cost_m, own.cost_m);
+  }
+}
+
 TEST(StatusCodec, AsManyBidsAsThereIsRoomFor) {
   StatusMessage status = full_status();
   for (int i = 0; i < 1'000; ++i) status.bids.push_back({{i * 97.25, -i * 31.5}, 300.0 * i, true});
-  for (const std::size_t room : {std::size_t{220}, std::size_t{400}, kBodyBytesMax}) {
+  for (const std::size_t room : {std::size_t{120}, std::size_t{400}, kBodyBytesMax}) {
     const auto bytes = encode_status(status, room);
     EXPECT_LE(bytes.size(), room);
     const auto read = decode_status(3, bytes);
