@@ -24,6 +24,7 @@ RESULTS = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png")
 ALSO = ("judge.png", "report.json", "trajectory.txt", "goals.json", "topometricd.log", "truth.tsv")
 LINE_PERIOD_S = 10.0  # where no terminal is
 POLL_PERIOD_S = 0.5
+SETTLE_LIMIT_S = 20
 # Mapping runs in real time. A machine that is too slow for it makes the simulated time lag behind.
 WALL_TIME_FACTOR = 3
 
@@ -139,7 +140,17 @@ class Demo:
         """Of a team, the first robot's results stand in the folder itself, the others' in one each."""
         return self.out if robot.number == 1 else self.out / ("robot%d" % robot.number)
 
+    def settle(self):
+        """Until all robots of the team hold the same: what they found last is on its way for a moment."""
+        end = time.monotonic() + SETTLE_LIMIT_S
+        while len({robot.answer("team").get("held", {}).get("hash") for robot in self.robots}) > 1:
+            if time.monotonic() > end:
+                return self.why.append("the robots did not come to hold the same within %d s" % SETTLE_LIMIT_S)
+            time.sleep(POLL_PERIOD_S)
+
     def save(self):
+        if len(self.robots) > 1:
+            self.settle()
         for robot in self.robots:
             folder = self.out_of(robot)
             folder.mkdir(exist_ok=True)
