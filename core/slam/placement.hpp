@@ -25,7 +25,7 @@ enum class PlaceDoubt : std::uint8_t {
 
 /// What is known beside scan and map.
 struct PlacementCase {
-  std::optional<types::Se2> given;  ///< pose from the operator, who sees the robot
+  std::optional<types::Se2> given;  ///< pose from the operator
   bool has_area_limits = false;
   bool dropped_before = false;
 };

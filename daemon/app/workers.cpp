@@ -86,9 +86,10 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   w.mapping_.worker =
       std::make_unique<MappingWorker>(hand_overs, mapper_params(c), new_maker(c.robot.id), w.mapping_.vitals,
                                       c.team.start.value_or(types::Se2{}), c.team.present);
+  const int number = c.team.present ? c.robot.id : PlanningWorker::kNoTeam;
   w.planning_.worker = std::make_unique<PlanningWorker>(
       hand_overs, planner_params(c), types::from_seconds(c.exploration.planning_period_s),
-      static_cast<std::uint16_t>(c.robot.id), w.planning_.vitals);
+      static_cast<std::uint16_t>(number), w.planning_.vitals);
   w.closure_.worker = std::make_unique<ClosureWorker>(hand_overs, w.closure_.vitals);
   if (!c.session.folder.empty() && c.session.journal) {
     const JournalSettings settings{c.session.folder, types::from_seconds(c.session.journal_period_s),

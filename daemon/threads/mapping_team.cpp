@@ -16,18 +16,24 @@ constexpr double kSight_m = 31.0;
 /// Keyframes behind the newest own one: mates mostly hold it already.
 constexpr std::size_t kAnchorBehind = 10;
 
+/// The first keyframe of the run and a late one. The way is searched from its end: it costs what is asked
+/// for, and not the length of the way.
 std::vector<team::Anchor> anchors_of(const slam::Mapper& mapper) {
-  std::vector<std::size_t> of_run;
-  for (const std::size_t node : mapper.own_way())
-    if (mapper.keyframes()[node]->id.origin() == mapper.origin()) of_run.push_back(node);
-  if (of_run.empty()) return {};
-  std::vector<std::size_t> nodes{of_run.front()};
-  if (of_run.size() > 1)
-    nodes.push_back(of_run[of_run.size() - 1 - std::min(kAnchorBehind, of_run.size() - 2)]);
   std::vector<team::Anchor> anchors;
-  for (const std::size_t node : nodes) {
+  const auto add = [&](std::size_t node) {
     const slam::KeyframeId& id = mapper.keyframes()[node]->id;
     anchors.push_back({id.run, id.sequence, mapper.poses()[node]});
+  };
+  const slam::Origin& origin = mapper.origin();
+  const auto first = mapper.node_of({origin.robot, 0, origin.run});
+  if (!first) return anchors;
+  add(*first);
+  const auto way = mapper.own_way();
+  std::size_t behind = 0;
+  for (std::size_t i = way.size(); i-- > 0 && way[i] != *first; ++behind) {
+    if (behind < kAnchorBehind && i > 0 && way[i - 1] != *first) continue;
+    add(way[i]);
+    break;
   }
   return anchors;
 }

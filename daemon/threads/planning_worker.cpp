@@ -50,8 +50,10 @@ void PlanningWorker::decide(pipeline::PlanningState& state, MapSnapshots::Reader
   input.now = io::monotonic_now();  // after everything was taken: nothing in the input is from the future
   pipeline::PlanningOutput output = pipeline::planning_step(state, input);
   hand_overs_.plan.store(output.plan);
-  hand_overs_.team.status.store(output.message);
-  hand_overs_.team.wakeup.post();
+  if (robot_ != kNoTeam) {
+    hand_overs_.team.status.store(output.message);
+    hand_overs_.team.wakeup.post();
+  }
   hand_overs_.planning->publish(std::move(output.report));
 }
 

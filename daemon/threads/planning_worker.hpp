@@ -13,7 +13,9 @@ namespace topo::daemon {
 /// once when the mission changes.
 class PlanningWorker final : public Worker {
  public:
-  /// `robot`: its number in a team.
+  static constexpr std::uint16_t kNoTeam = 0;
+
+  /// `robot`: its number in a team, or kNoTeam.
   PlanningWorker(HandOvers& hand_overs, const pipeline::PlannerParams& params, types::Duration period,
                  std::uint16_t robot, Vitals& vitals)
       : hand_overs_(hand_overs), params_(params), period_(period), robot_(robot), vitals_(vitals) {}

@@ -124,7 +124,6 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
       restore(exchange_->restore_entry(entry));
   }
   met_.clear();
-  own_.said = {};
 }
 
 void TeamWorker::take_own(types::Stamp now) {
@@ -141,30 +140,29 @@ void TeamWorker::take_own(types::Stamp now) {
     const std::uint32_t relations = news->map == own_.asked.map ? own_.asked.relations : 0;
     own_.asked = {
         news->map, news->own_way, relations + static_cast<std::uint32_t>(news->relations.size()), {}};
-    own_.said.robot = settings_.robot;
-    own_.said.anchors = news->anchors;
+    own_.anchors = news->anchors;
     // A session that was taken over lies where it was made: only the map of this start is in the common
     // frame.
-    own_.said.in_common_frame = settings_.in_common_frame && news->map == 1;
+    own_.in_common_frame = settings_.in_common_frame && news->map == 1;
     const team::PoseOf pose_of = [&](const slam::KeyframeId& id) -> std::optional<types::Se2> {
       const auto at = std::ranges::find(news->poses, id, &std::pair<slam::KeyframeId, types::Se2>::first);
       return at == news->poses.end() ? std::nullopt : std::optional(at->second);
     };
     for (auto& [robot, mate] : mates_) {
-      const auto frame = team::mates_frame(mate.heard.message, own_.said.in_common_frame, pose_of);
+      const auto frame = team::mates_frame(mate.heard.message, own_.in_common_frame, pose_of);
       if (frame) mate.T_map_mates = frame;
     }
     hand_over_mates();
   }
   const auto* status = exchange_ ? team.status.take_new() : nullptr;
-  if (status == nullptr) return;
-  auto anchors = std::move(own_.said.anchors);
-  const bool common = own_.said.in_common_frame;
-  own_.said = *status;
-  own_.said.robot = settings_.robot;
-  own_.said.anchors = std::move(anchors);
-  own_.said.in_common_frame = common;
-  exchange_->say(own_.said);
+  if (status != nullptr) exchange_->say(said(*status));
+}
+
+team::StatusMessage TeamWorker::said(team::StatusMessage status) const {
+  status.robot = settings_.robot;
+  status.anchors = own_.anchors;
+  status.in_common_frame = own_.in_common_frame;
+  return status;
 }
 
 void TeamWorker::ask_mapping(types::Stamp now) {
@@ -236,7 +234,7 @@ void TeamWorker::note_status(team::HeardStatus heard) {
   Mate& mate = mates_[heard.message.robot];
   if (mate.heard.run != heard.run) mate.T_map_mates.reset();
   mate.heard = std::move(heard);
-  if (!mate.T_map_mates && own_.said.in_common_frame && mate.heard.message.in_common_frame)
+  if (!mate.T_map_mates && own_.in_common_frame && mate.heard.message.in_common_frame)
     mate.T_map_mates = types::Se2{};
 }
 
@@ -247,7 +245,7 @@ void TeamWorker::relate_starts(const std::vector<slam::KeyframePtr>& keyframes, 
   for (const auto& [robot, mate] : mates_) {
     const slam::Origin origin{robot, mate.heard.run};
     if (met_.contains(origin) || !started_.contains(origin)) continue;
-    const auto relation = team::relation_of_starts(own_.said, mate.heard.message);
+    const auto relation = team::relation_of_starts(said({}), mate.heard.message);
     if (!relation) continue;
     news.known.push_back(*relation);
     met_.insert(origin);

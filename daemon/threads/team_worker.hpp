@@ -42,12 +42,15 @@ class TeamWorker final : public Worker {
   };
   /// What is known of this robot's own map.
   struct Own {
-    OwnMapAsk asked;           ///< the newest question that was answered, with the counts that follow from it
-    team::StatusMessage said;  ///< the newest of planning, with the anchors of the newest answer
-    bool waits = false;        ///< a question is under way
+    OwnMapAsk asked;  ///< the newest question that was answered, with the counts that follow from it
+    std::vector<team::Anchor> anchors;
+    bool in_common_frame = false;
+    bool waits = false;  ///< a question is under way
     types::Stamp next_ask{};
   };
 
+  /// A status as mates get it: with the robot's number and where its map lies.
+  [[nodiscard]] team::StatusMessage said(team::StatusMessage status) const;
   void listen();
   void turn(types::Stamp now);
   void take_own(types::Stamp now);

@@ -53,8 +53,8 @@ class SentLately {
 [[nodiscard]] bool holds_piece(const Peer& mate, const ItemKey& key, std::uint8_t index);
 
 /// The pieces of keyframes one after the other, oldest first, or newest: what all want, and two that are sent
-/// as one because those who want the one hold the other (coding.hpp). What only some want and has no partner
-/// yet comes last: a partner may turn up.
+/// as one because the mates that want one hold the other (coding.hpp). What only some mates want and has no
+/// partner yet comes last: a partner may turn up.
 class PieceQueue {
  public:
   PieceQueue(std::vector<DuePiece> pieces, std::size_t mates);

@@ -16,9 +16,9 @@
 
 // The team's exchange (DESIGN "Team"): state and datagrams in, datagrams out. What a robot knows is a join of
 // immutable items (item.hpp); each robot broadcasts what it holds and asks for what it lacks, so that nothing
-// is ever marked as sent, no queue exists per mate, and what one has all get, through whoever meets whom.
-// Statuses are newest-wins. No I/O, no clock: time comes in as a value of this robot's clock and never
-// decreases; no other robot's clock decides anything. Not thread-safe: it belongs to one thread, which
+// is ever marked as sent, no queue exists per mate, and each item reaches every robot over whatever links
+// come up. Statuses are newest-wins. No I/O, no clock: time comes in as a value of this robot's clock and
+// never decreases; no other robot's clock decides anything. Not thread-safe: it belongs to one thread, which
 //
 //   feeds   add_keyframe, add_relation, add_entry, say, order, acknowledge   what is made here
 //           restore_*                                                        what a journal held

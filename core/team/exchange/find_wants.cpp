@@ -61,7 +61,7 @@ class StreamSearch {
     return chosen;
   }
 
-  /// False when the number is held, or nobody has it.
+  /// False when the number is held, or no mate has it.
   bool add(std::uint32_t number, bool known_lacking) {
     if (!known_lacking && !lacks(number)) return false;
     const slam::Origin* source = source_of(number);

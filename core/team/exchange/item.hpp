@@ -14,7 +14,7 @@
 #include "core/slam/keyframe.hpp"
 
 // What the robots of a team share, as bytes: immutable items, each under a key. Kind, origin and number make
-// the key; who holds an item is of no consequence, so that an item of one robot reaches a third through a
+// the key; the holder of an item is of no consequence, so that an item of one robot reaches a third through a
 // second.
 namespace topo::team {
 

@@ -11,7 +11,7 @@
 
 namespace topo::team {
 
-/// A hash over bytes, the same on every machine; not against an adversary, who is kept out by the carrier.
+/// A hash over bytes, the same on every machine. It does not resist forgery, which the carrier prevents.
 [[nodiscard]] std::uint64_t hash_of(std::span<const std::byte> bytes);
 
 /// What is held of a stream.

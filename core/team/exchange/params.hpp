@@ -39,8 +39,8 @@ struct RateParams {
 
 /// When something is sent. Each period varies by `jitter`, so that robots do not fall into step.
 struct PeriodParams {
-  double jitter = 0.25;    ///< share of a period
-  std::uint64_t seed = 1;  ///< of the jitter; different for each robot
+  double jitter = 0.25;         ///< share of a period
+  std::uint64_t seed = 1;       ///< of the jitter; different for each robot
   double status_s = 0.4;        ///< at most so often: the planning period
   double presence_s = 0.5;      ///< by which round trip and loss are estimated
   double summary_s = 1.0;       ///< at most so often, when something is new

@@ -73,22 +73,10 @@ std::optional<sim::Se2> start_in(const FloorPlan& plan, const sim::Raster& free,
   return std::nullopt;
 }
 
-/// What one gets to from the start over the sides of cells.
+/// The cells that hang together with the start over their sides: a disc of half a cell fits wherever it is
+/// free.
 sim::Raster connected(const sim::Raster& free, const sim::Vector2& start) {
-  sim::Raster reached(free.resolution_m, free.origin, free.width, free.height);
-  std::vector<std::pair<int, int>> todo;
-  const auto visit = [&](int x, int y) {
-    if (free.at(x, y) == 0 || reached.at(x, y) != 0) return;
-    reached.set(x, y, 1);
-    todo.emplace_back(x, y);
-  };
-  visit(free.column(start.x()), free.row(start.y()));
-  while (!todo.empty()) {
-    const auto [x, y] = todo.back();
-    todo.pop_back();
-    visit(x + 1, y), visit(x - 1, y), visit(x, y + 1), visit(x, y - 1);
-  }
-  return reached;
+  return sim::reachable_poses(free, start, 0.5 * free.resolution_m);
 }
 
 /// Floor within kReach_m of where the robot's disc gets.

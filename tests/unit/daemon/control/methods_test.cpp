@@ -32,9 +32,22 @@ class MethodsTest : public ::testing::Test {
                   [this](std::uint64_t client) { subscribers.push_back(client); }};
 };
 
+TEST_F(MethodsTest, TheTeamIsStoppedWhenAllIsSaid) {
+  EXPECT_EQ((**ask("estop", {{"all", true}}, false))["order"], 7) << "anybody may";
+  EXPECT_EQ((**ask("stop", {{"all", true}}))["order"], 8);
+  EXPECT_TRUE((*ask("stop", {{"all", false}}))->empty());
+  EXPECT_EQ(refusal("stop", {{"all", true}}, false), RpcCode::kForbidden);
+  EXPECT_THAT(operations.calls, ElementsAre("estop_team", "stop_team", "stop"));
+}
+
+TEST_F(MethodsTest, AnEstopWithAMistakeStopsThisRobot) {
+  EXPECT_EQ(refusal("estop", {{"all", "yes"}}), RpcCode::kInvalidParams);
+  EXPECT_THAT(operations.calls, ElementsAre("estop"));
+}
+
 TEST_F(MethodsTest, AnybodyMayLookAndEstop) {
   for (const auto* method : {"status", "version", "health", "latency", "config", "estop", "goals", "places",
-                             "progress", "events.subscribe"}) {
+                             "team", "progress", "events.subscribe"}) {
     const auto answer = ask(method, Json::object(), false);
     ASSERT_TRUE(answer.has_value() && answer->has_value()) << method;
   }
