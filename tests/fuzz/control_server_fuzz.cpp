@@ -12,12 +12,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "daemon/control/server.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace {
 
@@ -35,21 +35,9 @@ void require(bool holds, int line = __builtin_LINE()) {
   std::abort();
 }
 
-/// The folder of all runs, removed at the end.
-struct Folder {
-  Folder() { require(::mkdtemp(pattern.data()) != nullptr); }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(pattern, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string pattern = (std::filesystem::temp_directory_path() / "topo-control-fuzz-XXXXXX").string();
-};
-
 std::string socket_path() {
-  static const Folder folder;
-  return folder.pattern + "/control";
+  static const topo::daemon::testing::TempDir folder;  // of all runs
+  return folder.file("control");
 }
 
 struct Client {

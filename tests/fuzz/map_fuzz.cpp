@@ -6,14 +6,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/map_image.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace {
 
@@ -22,31 +21,6 @@ using namespace topo::daemon;
 void require(bool holds) {
   if (!holds) std::abort();
 }
-
-/// The folder of all runs, removed at the end.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "topo-map-fuzz-XXXXXX").string();
-    require(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] const std::string& path() const { return path_; }
-  [[nodiscard]] std::string write(const char* name, std::string_view content) const {
-    const std::string file = path_ + "/" + name;
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
-    return file;
-  }
-
- private:
-  std::string path_;
-};
 
 void check_image(std::string_view content) {
   for (const auto decode : {&decode_pgm, &decode_png}) {
@@ -61,10 +35,10 @@ void check_image(std::string_view content) {
   }
 }
 
-void check_map(const Folder& folder, const std::string& yaml) {
+void check_map(const topo::daemon::testing::TempDir& folder, const std::string& yaml) {
   const auto map = load_map(yaml);
   if (!map) {
-    require(map.error().message.find(folder.path()) != std::string::npos || !map.error().message.empty());
+    require(!map.error().message.empty());
     return;
   }
   require(map->width > 0 && map->height > 0 && std::isfinite(map->resolution_m) && map->resolution_m > 0.0);
@@ -79,7 +53,7 @@ void check_map(const Folder& folder, const std::string& yaml) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Folder folder;
+  static const topo::daemon::testing::TempDir folder;  // of all runs
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::size_t end = std::min(bytes.find('\0'), bytes.size());
   const std::string_view image = bytes.substr(std::min(end + 1, bytes.size()));

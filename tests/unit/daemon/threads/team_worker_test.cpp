@@ -3,9 +3,7 @@
 #include "daemon/threads/team_worker.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -14,6 +12,7 @@
 #include "daemon/link/daemon_line.hpp"
 #include "drivers/io/posix.hpp"
 #include "tests/unit/core/team/exchange/exchange_fixture.hpp"
+#include "tests/unit/daemon/support/temp_dir.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -24,7 +23,7 @@ using team::testing::sample_keyframe;
 /// A robot of which the team's thread is true; mapping, planning, main and link are played by the test.
 class Robot {
  public:
-  Robot(std::uint16_t number, std::uint32_t run, const std::filesystem::path& folder)
+  Robot(std::uint16_t number, std::uint32_t run, const testing::TempDir& folder)
       : origin_{number, run},
         settings_(settings_of(number, folder)),
         line_(settings_.socket, {team_hash("test"), number}) {}
@@ -85,12 +84,12 @@ class Robot {
   std::uint64_t map = 1;
 
  private:
-  static TeamSettings settings_of(std::uint16_t number, const std::filesystem::path& folder) {
+  static TeamSettings settings_of(std::uint16_t number, const testing::TempDir& folder) {
     TeamSettings settings;
     settings.name = "test";
     settings.robot = number;
     settings.in_common_frame = true;
-    settings.socket = (folder / ("link" + std::to_string(number))).string();
+    settings.socket = folder.file("link" + std::to_string(number));
     return settings;
   }
   void answer(const OwnMapAsk& ask) {
@@ -119,9 +118,6 @@ class Robot {
 
 class TeamWorkerTest : public ::testing::Test {
  protected:
-  TeamWorkerTest() { std::filesystem::create_directories(folder_); }
-  ~TeamWorkerTest() override { std::filesystem::remove_all(folder_); }
-
   /// Turns of all threads until something holds. False: it did not within a minute.
   bool until(const std::function<bool()>& holds, bool radio = true) {
     const types::Stamp limit = io::monotonic_now() + 60s;
@@ -138,9 +134,8 @@ class TeamWorkerTest : public ::testing::Test {
     return false;
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("topo-team-" + std::to_string(::getpid()));
-  Robot a{1, 11, (std::filesystem::create_directories(folder_), folder_)}, b{2, 22, folder_};
+  testing::TempDir folder_;
+  Robot a{1, 11, folder_}, b{2, 22, folder_};
 };
 
 TEST_F(TeamWorkerTest, KeyframesOfAMateReachMappingOnce) {
