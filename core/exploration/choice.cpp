@@ -80,10 +80,7 @@ Choice choose(std::span<const Candidate> candidates, const Candidate* present, d
   team::StatusMessage self;
   self.robot = situation.team.robot;
   self.bids = choice.bids;
-  if (present != nullptr) {
-    self.claim = team::in_steps({place_for_team(present->goal), claimed_m, true});
-    self.claim->cost_m = claimed_m;
-  }
+  if (present != nullptr) self.claim = team::in_steps({place_for_team(present->goal), claimed_m, true});
   const grid::DenseMap& map = searches.map.map();
   const auto in_sight = [&](const Vector2& a, const Vector2& b) {
     return goals::sees(map, map.cell_at(a), map.cell_at(b));

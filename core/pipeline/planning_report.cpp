@@ -94,7 +94,8 @@ team::StatusMessage make_message(const PlanningInput& in, const Intent& intent, 
     return message;
   message.bids = intent.offer.bids;
   if (intent.pursuit.goal && !is_seeking_contact(phase))
-    message.claim = team::Bid{exploration::place_for_team(*intent.pursuit.goal), intent.offer.claimed_m};
+    message.claim =
+        team::in_steps({exploration::place_for_team(*intent.pursuit.goal), intent.offer.claimed_m, true});
   return message;
 }
 
