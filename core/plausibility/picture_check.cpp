@@ -38,22 +38,28 @@ ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_l
   return {static_cast<double>(empty) / all, static_cast<double>(covered) / all};
 }
 
-bool PictureCheck::is_repeated(const types::Scan& scan) {
+std::uint64_t PictureCheck::equal_pictures(const types::Scan& scan) {
   const auto ranges = scan.ranges();
   const bool same =
       scan.beams == beams_ && std::memcmp(ranges.data(), last_.data(), ranges.size_bytes()) == 0;
+  const bool begins = beams_ == 0 || scan.sequence <= newest_;  // the first, or of a scanner started anew
+  if (begins)
+    first_equal_ = scan.sequence;
+  else if (!same)
+    first_equal_ = newest_ + 1;
+  newest_ = scan.sequence;
   beams_ = scan.beams;
   std::copy(ranges.begin(), ranges.end(), last_.begin());
-  return same;
+  return same ? scan.sequence - first_equal_ + 1 : 1;
 }
 
 PictureOpinion PictureCheck::judge(const types::Scan& scan, const types::Se2& T_base_laser) {
   const ForwardShares shares = forward_shares(scan, T_base_laser, params_.covered_m);
   empty_since_ = since(empty_since_, shares.empty > params_.blind_share, scan.arrival);
   covered_since_ = since(covered_since_, shares.covered >= params_.covered_share, scan.arrival);
-  repeats_ = is_repeated(scan) ? repeats_ + 1 : 0;
+  const std::uint64_t equal = equal_pictures(scan);
   return {!params_.open_space && lasts(empty_since_, scan.arrival, params_.blind_for),
-          !params_.noiseless && repeats_ + 1 >= params_.frozen_pictures,
+          !params_.noiseless && equal >= params_.frozen_pictures,
           lasts(covered_since_, scan.arrival, params_.covered_for)};
 }
 

@@ -32,11 +32,13 @@ class PictureCheck {
   PictureOpinion judge(const types::Scan& scan, const types::Se2& T_base_laser);
 
  private:
-  [[nodiscard]] bool is_repeated(const types::Scan& scan);
+  /// How many pictures may have been equal up to this one. Of those that arrive within a control period only
+  /// the newest is seen: the others count as equal to it.
+  std::uint64_t equal_pictures(const types::Scan& scan);
 
   PictureParams params_;
   types::Stamp empty_since_{}, covered_since_{};  ///< zero: not now
-  int repeats_ = 0;
+  std::uint64_t first_equal_ = 0, newest_ = 0;  ///< sequence numbers
   std::uint16_t beams_ = 0;
   std::array<float, types::Scan::kMaxBeams> last_{};
 };

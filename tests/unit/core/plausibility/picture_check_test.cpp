@@ -34,6 +34,7 @@ class Pictures {
   PictureOpinion show(PictureCheck& check, const types::Se2& mount = {}) {
     now_ += std::chrono::milliseconds(25);
     scan->arrival = now_;
+    ++scan->sequence;
     return check.judge(*scan, mount);
   }
 
@@ -61,6 +62,32 @@ TEST(PictureCheck, tenEqualPicturesAreFrozen) {
   for (int i = 1; i <= 9; ++i) ASSERT_FALSE(pictures.show(check).frozen) << i;
   EXPECT_TRUE(pictures.show(check).frozen);
   pictures.fill(2.0);
+  EXPECT_FALSE(pictures.show(check).frozen);
+}
+
+// A line that was held up gives its pictures at once, of which control sees the newest.
+TEST(PictureCheck, picturesThatControlDidNotSeeCountAsEqual) {
+  Pictures pictures;
+  PictureCheck check;
+  pictures.fill(2.0);
+  ASSERT_FALSE(pictures.show(check).frozen);
+  pictures.fill(2.0);
+  pictures.scan->sequence += 7;
+  ASSERT_FALSE(pictures.show(check).frozen) << "one picture is equal to no other, whatever its number";
+  ASSERT_FALSE(pictures.show(check).frozen) << "nine";
+  EXPECT_TRUE(pictures.show(check).frozen);
+  pictures.fill(2.0);
+  pictures.scan->sequence += 20;
+  EXPECT_FALSE(pictures.show(check).frozen);
+}
+
+TEST(PictureCheck, aScannerStartedAnewBeginsToCountAnew) {
+  Pictures pictures;
+  PictureCheck check;
+  pictures.scan->sequence = 500;
+  pictures.fill(2.0);
+  for (int i = 1; i <= 9; ++i) ASSERT_FALSE(pictures.show(check).frozen) << i;
+  pictures.scan->sequence = 0;
   EXPECT_FALSE(pictures.show(check).frozen);
 }
 
