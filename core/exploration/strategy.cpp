@@ -35,6 +35,16 @@ const StrategyRow& row_of(Strategy strategy) { return kStrategies.at(static_cast
 
 std::string_view to_text(Strategy strategy) { return row_of(strategy).name; }
 
+std::span<const std::string_view> strategy_names() {
+  static constexpr auto kNames = [] {
+    std::array<std::string_view, kStrategies.size()> names;
+    std::transform(kStrategies.begin(), kStrategies.end(), names.begin(),
+                   [](const StrategyRow& row) { return row.name; });
+    return names;
+  }();
+  return kNames;
+}
+
 std::optional<Strategy> strategy_of(std::string_view text) {
   const auto* const at = std::find_if(kStrategies.begin(), kStrategies.end(),
                                       [&](const StrategyRow& row) { return row.name == text; });

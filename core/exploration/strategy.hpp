@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/team/coordination.hpp"
@@ -35,6 +36,8 @@ struct StrategyRow {
 const StrategyRow& row_of(Strategy strategy);
 
 std::string_view to_text(Strategy strategy);
+/// All names, in the order of the enumerators.
+std::span<const std::string_view> strategy_names();
 /// Nothing when no strategy has this name.
 std::optional<Strategy> strategy_of(std::string_view text);
 

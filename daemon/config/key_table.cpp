@@ -39,7 +39,6 @@ ChoiceKey choice(std::span<const std::string_view> names) {
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 2> kModels{"p3dx", "p3at"};
-constexpr std::array<std::string_view, 2> kStrategies{"topometric", "nearest_frontier"};
 constexpr std::array<std::string_view, 2> kFinishes{"essential", "complete"};
 constexpr std::array<std::string_view, 5> kLevels{"trace", "debug", "info", "warning", "error"};
 constexpr std::array<std::string_view, 3> kPolicies{"enforce", "try", "off"};
@@ -204,8 +203,9 @@ void add_mapping(std::vector<KeySpec>& t) {
 void add_exploration(std::vector<KeySpec>& t) {
   constexpr auto kS = &Configuration::exploration;
   using C = ExplorationConfig;
-  t.push_back({"exploration.strategy", "", false, choice<kS, &C::strategy>(kStrategies),
-               "topometric: a handful of goals from the places; nearest_frontier: always the nearest edge"});
+  t.push_back({"exploration.strategy", "", false, choice<kS, &C::strategy>(exploration::strategy_names()),
+               "topometric: a handful of goals from the places; nearest_frontier: always the nearest edge of "
+               "unknown space; the others share such edges out among a team"});
   t.push_back({"exploration.finish", "", false, choice<kS, &C::finish>(kFinishes),
                "essential: home when no essential goal is left, nor a gap onto a room; complete: all gaps, "
                "and a look into what it cannot enter"});

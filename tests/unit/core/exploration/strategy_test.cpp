@@ -16,6 +16,7 @@ TEST(Strategy, EveryNameLeadsBackToItsRow) {
   for (const Strategy strategy : kAll) {
     EXPECT_EQ(row_of(strategy).strategy, strategy);
     EXPECT_EQ(strategy_of(to_text(strategy)), strategy);
+    EXPECT_EQ(strategy_names()[static_cast<std::size_t>(strategy)], to_text(strategy));
   }
 }
 
