@@ -68,11 +68,11 @@ struct MatchParams {
 struct PictureParams {
   double blind_share = 0.95;  ///< of the forward beams without a return
   types::Duration blind_for = std::chrono::seconds(1);
-  bool open_space = false;     ///< true: a place without walls in range is normal
+  bool open_space = false;             ///< true: a place without walls in range is normal
   std::uint64_t frozen_pictures = 10;  ///< equal to the bit; real ranges have noise of millimetres
-  bool noiseless = false;      ///< true: equal pictures are normal (a simulator without noise)
-  double covered_share = 0.2;  ///< of the forward beams nearer than covered_m
-  double covered_m = 0.08;     ///< from the scanner's centre: its own window
+  bool noiseless = false;              ///< true: equal pictures are normal (a simulator without noise)
+  double covered_share = 0.2;          ///< of the forward beams nearer than covered_m
+  double covered_m = 0.08;             ///< from the scanner's centre: its own window
   types::Duration covered_for = std::chrono::seconds(1);
 };
 

@@ -38,7 +38,7 @@ class PictureCheck {
 
   PictureParams params_;
   types::Stamp empty_since_{}, covered_since_{};  ///< zero: not now
-  std::uint64_t first_equal_ = 0, newest_ = 0;  ///< sequence numbers
+  std::uint64_t first_equal_ = 0, newest_ = 0;    ///< sequence numbers
   std::uint16_t beams_ = 0;
   std::array<float, types::Scan::kMaxBeams> last_{};
 };

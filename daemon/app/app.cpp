@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "daemon/app/logging.hpp"
+#include "daemon/app/mission_log.hpp"
 #include "daemon/app/monitor.hpp"
 #include "daemon/app/operator.hpp"
 #include "daemon/app/version.hpp"
@@ -70,9 +71,11 @@ Status App::prepare() {
   workers_ = std::move(*workers);
   events_ = std::make_unique<EventLog>(spdlog::default_logger());
   monitor_ = std::make_unique<Monitor>(options_.configuration, *hand_overs_, *workers_);
+  if (options_.configuration.session.journal && !options_.configuration.session.folder.empty())
+    log_ = std::make_unique<MissionLog>(hand_overs_->journal.log, io::monotonic_now());
   operator_ =
       std::make_unique<Operator>(options_.configuration, options_.effective_configuration, *hand_overs_,
-                                 *monitor_, [this](const Json& news) { control_->publish(news); });
+                                 *monitor_, [this](const Json& news) { announce(news); });
   if (auto s = serve_control(); !s) return s;
   return add_events();
 }
@@ -165,6 +168,11 @@ void App::collect(std::size_t i) {
   operator_->collect(i);
 }
 
+void App::announce(const Json& news) {
+  control_->publish(news);
+  if (log_ != nullptr) log_->note_event(io::monotonic_now(), news);
+}
+
 void App::tell_events() {
   for (Vitals* vitals : workers_->all()) events_->drain(vitals->name, vitals->events);
 }
@@ -173,7 +181,9 @@ void App::tick() {
   for (const std::string& refusal : workers_->take_refusals()) monitor_->note_refusal(refusal);
   tell_events();
   monitor_->update(io::monotonic_now());
-  operator_->tick(io::monotonic_now());
+  const types::Stamp now = io::monotonic_now();
+  operator_->tick(now);
+  if (log_ != nullptr && log_->is_due(now)) log_->note_state(now, operator_->status(), operator_->team());
   // The main loop must not hide a dead worker: without WATCHDOG=1 the service manager restarts the daemon.
   const std::string state =
       fmt::format("STATUS={}{}", monitor_->summary(), monitor_->alive() ? "\nWATCHDOG=1" : "");

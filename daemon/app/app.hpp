@@ -17,6 +17,7 @@ namespace topo::daemon {
 class EventLog;
 class Methods;
 class Monitor;
+class MissionLog;
 class Operator;
 class Workers;
 struct HandOvers;
@@ -56,6 +57,7 @@ class App {
   types::Status enter_real_time();
   void tick();
   void tell_events();
+  void announce(const Json& news);
   void collect(std::size_t i);
   void end_readers();
   types::Status watch(int fd, sd_event_io_handler_t handler, void* data, EventSource& source);
@@ -72,6 +74,7 @@ class App {
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<EventLog> events_;
   std::unique_ptr<Monitor> monitor_;
+  std::unique_ptr<MissionLog> log_;  ///< null without a journal
   std::unique_ptr<Operator> operator_;
   std::unique_ptr<Methods> methods_;
   std::unique_ptr<ControlServer> control_;

@@ -38,7 +38,7 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       hand_overs_(hand_overs),
       monitor_(monitor),
       announce_(std::move(announce)),
-      plan_(hand_overs),
+      plan_(hand_overs, [this](const pipeline::Decision& decision) { tell(decision); }),
       estop_(
           hand_overs.estop, [&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
           configuration.control.state_folder, [this](const Json& event) { announce_(event); }),
@@ -186,6 +186,14 @@ void Operator::send_mission() {
 }
 
 void Operator::end_driving() { hand_overs_.drive.store({io::monotonic_now() - std::chrono::hours(1), {}}); }
+
+void Operator::tell(const pipeline::Decision& decision) {
+  spdlog::info("goal ({:.2f}, {:.2f}): {}", decision.p_map.x(), decision.p_map.y(), decision.text);
+  announce_({{"event", "decision"},
+             {"x_m", decision.p_map.x()},
+             {"y_m", decision.p_map.y()},
+             {"text", decision.text}});
+}
 
 void Operator::announce_mission(std::string_view event) {
   spdlog::info("mission {} ({}): {}{}{}", missions_.number(), to_text(missions_.order()),

@@ -81,6 +81,7 @@ class Operator final : public Operations {
   void send_mission();
   void end_driving();
   void announce_mission(std::string_view event);
+  void tell(const pipeline::Decision& decision);
   void watch_battery(types::Stamp now);
   void watch_readiness();
   void add_distance();

@@ -7,8 +7,8 @@
 
 #include "core/slam/session.hpp"
 #include "core/types/result.hpp"
+#include "daemon/session/append_file.hpp"
 #include "daemon/session/session_writer.hpp"
-#include "drivers/io/unique_fd.hpp"
 
 namespace topo::daemon {
 
@@ -25,18 +25,12 @@ class JournalFile {
   /// Appends the exact poses and the record that marks the file as closed in order.
   types::Status close(const slam::Session& session);
 
-  [[nodiscard]] const std::string& path() const { return path_; }
-  [[nodiscard]] std::uint64_t bytes() const { return size_; }
+  [[nodiscard]] const std::string& path() const { return file_.path(); }
+  [[nodiscard]] std::uint64_t bytes() const { return file_.bytes(); }
 
  private:
-  JournalFile(std::string path, std::string name, io::UniqueFd fd)
-      : path_(std::move(path)), name_(std::move(name)), fd_(std::move(fd)) {}
-  types::Status write(std::span<const std::byte> bytes);
-  tl::unexpected<types::Error> take_back(const std::string& doing, int error);
-  std::string path_;
-  std::string name_;  ///< without its folder; used in errors
-  io::UniqueFd fd_;
-  std::uint64_t size_ = 0;
+  explicit JournalFile(AppendFile file) : file_(std::move(file)) {}
+  AppendFile file_;
   SessionWriter writer_;
 };
 

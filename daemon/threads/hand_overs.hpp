@@ -25,6 +25,7 @@
 #include "core/types/place_standing.hpp"
 #include "core/types/scan.hpp"
 #include "daemon/threads/fixed_text.hpp"
+#include "daemon/threads/log_lines.hpp"
 #include "daemon/threads/session_desk.hpp"
 #include "daemon/threads/team_hand_over.hpp"
 #include "daemon/threads/wakeup.hpp"
@@ -144,6 +145,7 @@ struct JournalHandOver {
   SessionDesk desk;               ///< requests of the journal thread, answered by mapping
   std::atomic<bool> held{false};  ///< set by main: nothing is written for the time being
   Wakeup wakeup;
+  LogLines log;
   sync::Latest<JournalReport> report;
 };
 

@@ -39,12 +39,18 @@ void JournalWorker::run() noexcept {
 }
 
 void JournalWorker::pull() {
+  const types::Status kept = pull_map();
+  const types::Status logged = keep_log();
+  note(kept ? logged : kept);
+}
+
+types::Status JournalWorker::pull_map() {
   // While the robot is not localised in an older map, that map's journal stays the newest.
-  if (hand_overs_.journal.held.load(std::memory_order_acquire)) return;
+  if (hand_overs_.journal.held.load(std::memory_order_acquire)) return {};
   const auto news = client_.ask(known_, kPatience);
-  if (news == nullptr) return;
+  if (news == nullptr) return {};
   if (news->changed) take(*news);
-  keep();
+  return keep();
 }
 
 void JournalWorker::take(const SessionNews& news) {
@@ -62,14 +68,41 @@ void JournalWorker::take(const SessionNews& news) {
   known_.keyframes = session_.keyframes.size();
 }
 
-void JournalWorker::keep() {
-  if (session_.keyframes.size() < kWorthKeeping) return;
+types::Status JournalWorker::keep() {
+  if (session_.keyframes.size() < kWorthKeeping) return {};
   if (!file_) {
-    if (auto opened = open(); !opened) return note(opened);
+    if (auto opened = open(); !opened) return opened;
   }
   const auto appended = file_->append(session_);
-  if (appended) remove_old();
-  note(appended ? types::Status{} : types::Status(tl::unexpected(appended.error())));
+  if (!appended) return tl::unexpected(appended.error());
+  remove_old();
+  return {};
+}
+
+types::Status JournalWorker::keep_log() {
+  std::string lines = hand_overs_.journal.log.take();
+  if (lines.empty()) return {};
+  if (!log_) {
+    auto created = MissionLogFile::create(settings_.folder, static_cast<std::int64_t>(std::time(nullptr)));
+    if (!created) {
+      hand_overs_.journal.log.give_back(std::move(lines));
+      return tl::unexpected(created.error());
+    }
+    log_.emplace(std::move(*created));
+    remove_old_logs();
+  }
+  auto written = log_->append(lines);
+  if (!written) hand_overs_.journal.log.give_back(std::move(lines));
+  return written;
+}
+
+/// As many logs as journals stay, of a twentieth of their bytes: 1 Hz of state is small beside a map.
+void JournalWorker::remove_old_logs() {
+  constexpr std::uint64_t kShare = 20;
+  std::vector<QuotaFile> logs = mission_logs(settings_.folder);
+  const std::size_t keep = std::max<std::size_t>(settings_.keep, 1);
+  while (logs.size() > keep && remove_finished(logs.front().path)) logs.erase(logs.begin());
+  if (settings_.quota_bytes > 0) keep_to_quota(logs, settings_.quota_bytes / kShare);
 }
 
 types::Status JournalWorker::open() {
@@ -116,8 +149,10 @@ void JournalWorker::note(const types::Status& kept) {
   const bool failed_before = std::exchange(report_.failing, !kept.has_value());
   if (kept) {
     failed_.over();
-    report_.keyframes = session_.keyframes.size();
-    report_.bytes = file_ ? file_->bytes() : report_.bytes;
+    if (file_) {
+      report_.keyframes = session_.keyframes.size();
+      report_.bytes = file_->bytes();
+    }
     if (failed_before) {
       post(vitals_.events, now.time_since_epoch().count(), EventId::kJournalGoesOn, sync::Severity::kInfo,
            {static_cast<std::int64_t>(report_.keyframes)});

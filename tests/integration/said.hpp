@@ -21,9 +21,10 @@ inline std::string without_addresses(std::string words) {
   // POSIX, since g++ 12 warns of std::regex under its sanitizers.
   static const regex_t address = [] {
     regex_t compiled = {};
-    if (regcomp(&compiled,
-                R"( ?\(?((serial|tcp):)?(/tmp/[^ :)]*|127\.0\.0\.1:[0-9]+)\)?(: |, )?|journal-[0-9TZ.a-z]*: )",
-                REG_EXTENDED) != 0)
+    if (regcomp(
+            &compiled,
+            R"( ?\(?((serial|tcp):)?(/tmp/[^ :)]*|127\.0\.0\.1:[0-9]+)\)?(: |, )?|journal-[0-9TZ.a-z]*: )",
+            REG_EXTENDED) != 0)
       std::abort();
     return compiled;
   }();

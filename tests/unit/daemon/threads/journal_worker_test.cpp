@@ -185,5 +185,31 @@ TEST_F(JournalWorkerTest, AMissingDiskIsToldCountedAndCaughtUpWith) {
   EXPECT_EQ(list_sessions(later)->size(), 1U);
 }
 
+TEST_F(JournalWorkerTest, TheMissionLogGoesOnWhileTheMapIsHeldBack) {
+  hand_overs->journal.held = true;
+  for (int i = 1; i <= 6; ++i)
+    (void)folder.write("log-2020010" + std::to_string(i) + "T000000Z.jsonl", "{}\n");
+  start({folder.str()});
+  ASSERT_TRUE(hand_overs->journal.log.add("{\"t_s\":1}\n"));
+  ASSERT_TRUE(until([&](const JournalReport&) { return mission_logs(folder.str()).size() == 5; }))
+      << "as many as journals are kept";
+  ASSERT_TRUE(hand_overs->journal.log.add("{\"t_s\":2}\n"));
+  stop();
+  EXPECT_EQ(testing::read_all(mission_logs(folder.str()).back().path), "{\"t_s\":1}\n{\"t_s\":2}\n");
+}
+
+TEST_F(JournalWorkerTest, LinesWaitForAMissingDisk) {
+  const std::string later = folder.file("later");
+  ASSERT_TRUE(hand_overs->journal.log.add("{\"t_s\":1}\n"));
+  start({later});
+  ASSERT_TRUE(until([](const JournalReport& r) { return r.failing && r.failures >= 3; }));
+  ASSERT_TRUE(hand_overs->journal.log.add("{\"t_s\":2}\n"));
+  std::filesystem::create_directory(later);
+  ASSERT_TRUE(until([&](const JournalReport& r) { return !r.failing; }));
+  stop();
+  ASSERT_EQ(mission_logs(later).size(), 1U);
+  EXPECT_EQ(testing::read_all(mission_logs(later)[0].path), "{\"t_s\":1}\n{\"t_s\":2}\n");
+}
+
 }  // namespace
 }  // namespace topo::daemon
