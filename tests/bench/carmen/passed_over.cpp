@@ -23,6 +23,10 @@ void PassedOver::add(int line, std::string_view word) {
 }
 
 std::string PassedOver::remark(std::string_view such) const {
+  return fmt::format("passed over {} line{} {}: {}", count_, count_ == 1 ? "" : "s", such, named());
+}
+
+std::string PassedOver::named() const {
   constexpr std::size_t kNamed = 5;
   std::vector<std::pair<std::string, Word>> words(words_.begin(), words_.end());
   std::sort(words.begin(), words.end(),
@@ -33,8 +37,7 @@ std::string PassedOver::remark(std::string_view such) const {
     named += fmt::format("{}{} of {} ({}line {})", named.empty() ? "" : ", ", word.count, name,
                          word.count > 1 ? "the first in " : "", word.first_line);
   }
-  return fmt::format("passed over {} line{} {}: {}{}", count_, count_ == 1 ? "" : "s", such, named,
-                     words.size() > kNamed ? ", and others" : "");
+  return words.size() > kNamed ? named + ", and others" : named;
 }
 
 }  // namespace topo::bench

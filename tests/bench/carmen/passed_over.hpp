@@ -17,6 +17,8 @@ class PassedOver {
   /// "passed over 3 lines SUCH: 2 of EQUIV (the first in line 7), 1 of TAG (line 9)"; at most five words are
   /// named, in the order of the file.
   [[nodiscard]] std::string remark(std::string_view such) const;
+  /// The named words of it alone.
+  [[nodiscard]] std::string named() const;
 
  private:
   struct Word {
