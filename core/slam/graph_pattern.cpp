@@ -7,7 +7,7 @@
 
 namespace topo::slam {
 
-bool is_connected(std::size_t nodes, std::span<const Edge> edges) {
+bool is_connected(std::size_t nodes, std::span<const Edge> edges, std::span<const std::size_t> fixed) {
   std::vector<std::size_t> parent(nodes);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t node) {
@@ -15,24 +15,50 @@ bool is_connected(std::size_t nodes, std::span<const Edge> edges) {
     return node;
   };
   std::size_t parts = nodes;
-  for (const Edge& edge : edges) {
-    const std::size_t a = root(edge.from), b = root(edge.to);
-    if (a == b) continue;
+  const auto join = [&](std::size_t one, std::size_t other) {
+    const std::size_t a = root(one), b = root(other);
+    if (a == b) return;
     parent[a] = b;
     --parts;
-  }
+  };
+  for (const Edge& edge : edges) join(edge.from, edge.to);
+  for (const std::size_t node : fixed) join(fixed.front(), node);
   return parts <= 1;
 }
 
-GraphPattern::GraphPattern(std::size_t nodes, std::span<const Edge> edges, std::size_t fixed)
-    : fixed_(fixed), elimination_(nodes - 1, variable_links(edges)) {
+namespace {
+
+std::vector<std::size_t> nodes_but(std::size_t nodes, std::span<const std::size_t> fixed) {
+  std::vector<bool> held(nodes, false);
+  for (const std::size_t node : fixed) held[node] = true;
+  std::vector<std::size_t> left;
+  left.reserve(nodes);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    if (!held[node]) left.push_back(node);
+  }
+  return left;
+}
+
+std::vector<std::size_t> places_in(const std::vector<std::size_t>& node_of, std::size_t nodes,
+                                   std::size_t absent) {
+  std::vector<std::size_t> places(nodes, absent);
+  for (std::size_t v = 0; v < node_of.size(); ++v) places[node_of[v]] = v;
+  return places;
+}
+
+}  // namespace
+
+GraphPattern::GraphPattern(std::size_t nodes, std::span<const Edge> edges, std::span<const std::size_t> fixed)
+    : node_of_(nodes_but(nodes, fixed)),
+      variable_of_(places_in(node_of_, nodes, kFixed)),
+      elimination_(node_of_.size(), variable_links(edges)) {
   places_.reserve(edges.size());
   for (const Edge& edge : edges) {
     EdgePlaces places;
-    places.has_from = edge.from != fixed_;
-    places.has_to = edge.to != fixed_;
-    places.from_variable = variable(edge.from);
-    places.to_variable = variable(edge.to);
+    places.from_variable = variable_of_[edge.from];
+    places.to_variable = variable_of_[edge.to];
+    places.has_from = places.from_variable != kFixed;
+    places.has_to = places.to_variable != kFixed;
     if (places.has_from) places.from = elimination_.place(places.from_variable, places.from_variable);
     if (places.has_to) places.to = elimination_.place(places.to_variable, places.to_variable);
     if (places.has_from && places.has_to)
@@ -45,7 +71,8 @@ std::vector<Elimination::Link> GraphPattern::variable_links(std::span<const Edge
   std::vector<Elimination::Link> links;
   links.reserve(edges.size());
   for (const Edge& edge : edges) {
-    if (edge.from != fixed_ && edge.to != fixed_) links.emplace_back(variable(edge.from), variable(edge.to));
+    const std::size_t from = variable_of_[edge.from], to = variable_of_[edge.to];
+    if (from != kFixed && to != kFixed) links.emplace_back(from, to);
   }
   return links;
 }

@@ -22,15 +22,15 @@ Matrix rotation(double angle_rad) {
 /// Linear least squares over one vector per node, with the residual x_to - M x_from - d of weight W.
 class NodeSystem {
  public:
-  NodeSystem(const GraphPattern& pattern, const Vector& fixed_value)
-      : factor_(pattern.elimination()), rhs_(pattern.elimination().variables(), Vector::Zero()) {
-    fixed_value_ = fixed_value;
-  }
+  explicit NodeSystem(const GraphPattern& pattern)
+      : factor_(pattern.elimination()), rhs_(pattern.elimination().variables(), Vector::Zero()) {}
 
-  void add(const GraphPattern::EdgePlaces& places, const Matrix& m, const Vector& d, const Matrix& weight) {
+  /// `from` and `to`: the nodes' values, used of those that are fixed.
+  void add(const GraphPattern::EdgePlaces& places, const Matrix& m, const Vector& d, const Matrix& weight,
+           const Vector& from, const Vector& to) {
     Vector known = d;
-    if (!places.has_from) known += m * fixed_value_;
-    if (!places.has_to) known -= fixed_value_;
+    if (!places.has_from) known += m * from;
+    if (!places.has_to) known -= to;
     const Matrix mw = m.transpose() * weight;
     if (places.has_from) {
       factor_.add(places.from, mw * m);
@@ -54,16 +54,17 @@ class NodeSystem {
  private:
   BlockFactor<2> factor_;
   std::vector<Vector> rhs_;
-  Vector fixed_value_;
 };
 
-bool start_headings(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphPattern& pattern,
-                    std::size_t fixed) {
-  const double heading = poses[fixed].theta_rad;
-  NodeSystem system(pattern, Vector(std::cos(heading), std::sin(heading)));
+Vector direction(const types::Se2& pose) { return {std::cos(pose.theta_rad), std::sin(pose.theta_rad)}; }
+
+bool start_headings(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                    const GraphPattern& pattern) {
+  NodeSystem system(pattern);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     system.add(pattern.links()[i], rotation(edges[i].T_from_to.theta_rad), Vector::Zero(),
-               edges[i].information(2, 2) * Matrix::Identity());
+               edges[i].information(2, 2) * Matrix::Identity(), direction(poses[edges[i].from]),
+               direction(poses[edges[i].to]));
   }
   if (!system.solve()) return false;
   for (std::size_t v = 0; v < system.solution().size(); ++v) {
@@ -73,15 +74,16 @@ bool start_headings(std::vector<types::Se2>& poses, std::span<const Edge> edges,
   return true;
 }
 
-bool start_positions(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphPattern& pattern,
-                     std::size_t fixed) {
-  NodeSystem system(pattern, poses[fixed].translation());
+bool start_positions(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                     const GraphPattern& pattern) {
+  NodeSystem system(pattern);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge& edge = edges[i];
     const Matrix axes = rotation(poses[edge.from].theta_rad);
     const Matrix to_axes = axes * rotation(edge.T_from_to.theta_rad);
     const Matrix weight = to_axes * edge.information.topLeftCorner<2, 2>() * to_axes.transpose();
-    system.add(pattern.links()[i], Matrix::Identity(), axes * edge.T_from_to.translation(), weight);
+    system.add(pattern.links()[i], Matrix::Identity(), axes * edge.T_from_to.translation(), weight,
+               poses[edge.from].translation(), poses[edge.to].translation());
   }
   if (!system.solve()) return false;
   for (std::size_t v = 0; v < system.solution().size(); ++v) {
@@ -94,12 +96,16 @@ bool start_positions(std::vector<types::Se2>& poses, std::span<const Edge> edges
 }  // namespace
 
 bool start_linearly(std::vector<types::Se2>& poses, std::span<const Edge> edges, std::size_t fixed) {
-  if (poses.size() < 2) return true;
-  if (!is_connected(poses.size(), edges)) return false;
+  return start_linearly(poses, edges, std::span<const std::size_t>(&fixed, 1));
+}
+
+bool start_linearly(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                    std::span<const std::size_t> fixed) {
+  if (poses.size() <= fixed.size()) return true;
+  if (!is_connected(poses.size(), edges, fixed)) return false;
   const GraphPattern pattern(poses.size(), edges, fixed);
   std::vector<types::Se2> start = poses;
-  if (!start_headings(start, edges, pattern, fixed) || !start_positions(start, edges, pattern, fixed))
-    return false;
+  if (!start_headings(start, edges, pattern) || !start_positions(start, edges, pattern)) return false;
   poses = std::move(start);
   return true;
 }

@@ -16,4 +16,8 @@ namespace topo::slam {
 /// edges do not connect all nodes or a system is singular.
 bool start_linearly(std::vector<types::Se2>& poses, std::span<const Edge> edges, std::size_t fixed = 0);
 
+/// The same with several nodes at their poses; there must be one at least.
+bool start_linearly(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                    std::span<const std::size_t> fixed);
+
 }  // namespace topo::slam

@@ -20,7 +20,7 @@ using Factor = BlockFactor<3>;
 class Solver {
  public:
   Solver(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
-         std::size_t fixed)
+         std::span<const std::size_t> fixed)
       : poses_(poses),
         model_(edges, params.loop_kernel),
         params_(params),
@@ -167,10 +167,16 @@ double total_chi2(std::span<const types::Se2> poses, std::span<const Edge> edges
 
 SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
                   std::size_t fixed) {
+  return solve(poses, edges, params, std::span<const std::size_t>(&fixed, 1));
+}
+
+SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
+                  std::span<const std::size_t> fixed) {
   SolveReport report;
-  if (poses.size() < 2 || !is_connected(poses.size(), edges)) {
+  const bool nothing_free = poses.size() <= fixed.size();
+  if (nothing_free || !is_connected(poses.size(), edges, fixed)) {
     report.chi2_start = report.chi2_end = total_chi2(poses, edges);
-    report.solved = poses.size() < 2;
+    report.solved = nothing_free;
     return report;
   }
   Solver solver(poses, edges, params, fixed);

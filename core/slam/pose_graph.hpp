@@ -42,6 +42,10 @@ double total_chi2(std::span<const types::Se2> poses, std::span<const Edge> edges
 SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
                   std::size_t fixed = 0);
 
+/// The same with several nodes held at their poses; there must be one at least.
+SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
+                  std::span<const std::size_t> fixed);
+
 /// Solves, then solves again without the closures that contradict the rest: those whose error in the first
 /// solution exceeds `params.contradicted_chi2`. The selection depends only on the graph, not on when each
 /// closure was found. When the remaining graph is not connected, the first solution is kept.

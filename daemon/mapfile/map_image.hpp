@@ -25,6 +25,8 @@ struct MapImage {
   double resolution_m = 0.05;
   types::Se2 origin;  ///< pose of the lower left corner of cell (0, 0), in map
   std::vector<MapCell> cells;
+  /// What load_map() took otherwise than the file has it, a sentence each.
+  std::vector<std::string> warnings = {};
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -45,8 +47,10 @@ types::Status save_map(const std::string& folder, const MapImage& map);
 [[nodiscard]] std::string encode_map_yaml(const MapImage& map, const std::string& image_name);
 
 /// Reads a map_server YAML file and its image (PGM P2 or P5, PNG), whose path is relative to the YAML file's
-/// folder. Duplicate keys are refused. Errors give the file, the key or position, the value found and the
-/// expected form: kInvalidInput, kNotFound, kPermission, kIo.
+/// folder. With a warning, an image that is not where the file says is taken from beside it, and a yaw that
+/// is no number (an old map_saver wrote such) is taken as 0. Duplicate keys are refused. Errors give the
+/// file, the key or position, the value found and the expected form: kInvalidInput, kNotFound, kPermission,
+/// kIo.
 types::Result<MapImage> load_map(const std::string& yaml_path);
 
 }  // namespace topo::daemon

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -14,6 +16,7 @@
 
 namespace topo::daemon {
 
+using types::Errc;
 using types::Result;
 using types::Status;
 
@@ -32,7 +35,18 @@ struct MapYaml {
   bool is_raw = false;  ///< the grey values are percentages of occupancy
   double occupied_thresh = 0.65;
   double free_thresh = 0.196;
+  std::vector<std::string> warnings;
 };
+
+/// "nan" in any of the ways in which programs print it: -nan, .NaN, nan(ind).
+bool says_not_a_number(const YAML::Node& node) {
+  if (!node.IsDefined() || !node.IsScalar()) return false;
+  std::string text = node.Scalar();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::size_t begin = text.find_first_not_of("+-.");
+  if (begin == std::string::npos || begin > 2 || text.compare(begin, 3, "nan") != 0) return false;
+  return text.size() == begin + 3 || text[begin + 3] == '(';
+}
 
 /// Reads keys of one YAML mapping. yaml-cpp is used only here; read_yaml() catches its exceptions.
 class Keys {
@@ -97,6 +111,11 @@ Status read_origin(const Keys& keys, MapYaml& map) {
     return keys.bad("origin", origin, "a list [x, y, yaw] in metres and radians");
   double values[3] = {};
   for (std::size_t i = 0; i < 3; ++i) {
+    if (i == 2 && says_not_a_number(origin[i])) {
+      map.warnings.push_back(fmt::format("line {}: key origin: took the yaw \"{}\" as 0",
+                                         origin[i].Mark().line + 1, origin[i].Scalar()));
+      break;
+    }
     const auto value = keys.number("origin", origin[i], -kMaxCoordinate_m, kMaxCoordinate_m);
     if (!value.has_value()) return tl::unexpected(value.error());
     values[i] = *value;
@@ -119,10 +138,10 @@ Status read_negate(const Keys& keys, MapYaml& map) {
   const YAML::Node negate = keys.node("negate");
   if (!negate.IsDefined()) return {};
   const std::string text = negate.IsScalar() ? negate.Scalar() : "";
-  if (text != "0" && text != "1" && text != "false" && text != "true")
-    return keys.bad("negate", negate, "0 or 1");
-  map.negate = text == "1" || text == "true";
-  return {};
+  map.negate = text == "1";
+  if (text == "0" || text == "1" || (negate.IsScalar() && YAML::convert<bool>::decode(negate, map.negate)))
+    return {};
+  return keys.bad("negate", negate, "0 or 1, or YAML's yes or no");
 }
 
 Result<MapYaml> read_keys(const std::string& path, const YAML::Node& root) {
@@ -159,14 +178,19 @@ Result<MapYaml> read_yaml(const std::string& path, const std::string& text) {
 }
 
 /// Probability of occupancy; nothing when the file marks it as unknown.
-std::optional<double> occupancy_of(std::uint8_t grey, const MapYaml& yaml) {
-  constexpr std::uint8_t kAll = 100;
-  if (yaml.is_raw) return grey <= kAll ? std::optional(grey / 100.0) : std::nullopt;
-  return (yaml.negate ? grey : 255 - grey) / 255.0;
+std::optional<double> occupancy_of(const GreyImage& image, std::size_t pixel, const MapYaml& yaml) {
+  constexpr double kAll = 100.0, kByte = 255.0;
+  if (yaml.is_raw) {  // the value of a byte is a percentage
+    const double percent = std::round(image.shade(pixel) * kByte);
+    return percent <= kAll ? std::optional(percent / kAll) : std::nullopt;
+  }
+  const int value = image.pixels[pixel];
+  return static_cast<double>(yaml.negate ? value : image.greatest - value) /
+         static_cast<double>(image.greatest);
 }
 
-MapCell cell_of(std::uint8_t grey, const MapYaml& yaml) {
-  const std::optional<double> occupied = occupancy_of(grey, yaml);
+MapCell cell_of(const GreyImage& image, std::size_t pixel, const MapYaml& yaml) {
+  const std::optional<double> occupied = occupancy_of(image, pixel, yaml);
   if (!occupied) return MapCell::kUnknown;
   if (*occupied > yaml.occupied_thresh) return MapCell::kOccupied;
   return *occupied < yaml.free_thresh ? MapCell::kFree : MapCell::kUnknown;
@@ -180,22 +204,44 @@ Result<GreyImage> read_image(const std::string& path) {
   return bad_file(path, "byte 0", "other content", "a PGM (P2, P5) or PNG image");
 }
 
+/// The image where the file says, else of that name beside the file: maps are copied from computer to
+/// computer, and a path in them may be that of another one.
+Result<GreyImage> find_image(const std::string& yaml_path, MapYaml& yaml) {
+  const std::filesystem::path folder = std::filesystem::path(yaml_path).parent_path();
+  const std::string said = (folder / yaml.image).string();
+  auto image = read_image(said);
+  if (image.has_value()) return image;
+  const bool absent = image.error().code == Errc::kNotFound || image.error().code == Errc::kPermission;
+  const std::size_t slash = yaml.image.find_last_of("/\\");
+  if (!absent || slash == std::string::npos || slash + 1 == yaml.image.size()) return image;
+  const std::string beside = (folder / yaml.image.substr(slash + 1)).string();
+  auto found = read_image(beside);
+  if (!found.has_value() && found.error().code == Errc::kNotFound) return image;
+  if (found.has_value())
+    yaml.warnings.push_back(fmt::format("key image: {} is not there, took {} beside it", yaml.image, beside));
+  return found;
+}
+
 }  // namespace
 
 Result<MapImage> load_map(const std::string& yaml_path) {
   const auto text = read_file(yaml_path, kMaxYamlBytes);
   if (!text.has_value()) return tl::unexpected(text.error());
-  const auto yaml = read_yaml(yaml_path, *text);
+  auto yaml = read_yaml(yaml_path, *text);
   if (!yaml.has_value()) return tl::unexpected(yaml.error());
-  const auto image = read_image((std::filesystem::path(yaml_path).parent_path() / yaml->image).string());
+  const auto image = find_image(yaml_path, *yaml);
   if (!image.has_value()) return tl::unexpected(image.error());
-  MapImage map{image->width, image->height, yaml->resolution_m, yaml->origin,
-               std::vector<MapCell>(image->pixels.size())};
+  MapImage map{image->width,
+               image->height,
+               yaml->resolution_m,
+               yaml->origin,
+               std::vector<MapCell>(image->pixels.size()),
+               std::move(yaml->warnings)};
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       const std::size_t from = map.index(x, map.height - 1 - y);
       const bool empty = !image->transparent.empty() && image->transparent[from];
-      map.cells[map.index(x, y)] = empty ? MapCell::kUnknown : cell_of(image->pixels[from], *yaml);
+      map.cells[map.index(x, y)] = empty ? MapCell::kUnknown : cell_of(*image, from, *yaml);
     }
   }
   return map;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 namespace topo::daemon {
@@ -52,11 +53,11 @@ class Walker {
     const CellIndex cell{corner.x + by.x, corner.y + by.y};
     return map_.contains(cell) && labels_[map_.index(cell)] == label_;
   }
-  /// Prefers a right turn: cells that touch at a corner are connected.
+  /// Prefers a left turn: cells that touch at a corner alone are parted.
   [[nodiscard]] int turn(CellIndex corner, int heading) const {
-    const int right = (heading + 3) % 4;
-    if (in(corner, right)) return right;
-    return in(corner, heading) ? heading : (heading + 1) % 4;
+    const int left = (heading + 1) % 4, right = (heading + 3) % 4;
+    if (!in(corner, heading)) return left;
+    return in(corner, right) ? right : heading;
   }
 
   const grid::DenseMap& map_;
@@ -64,6 +65,25 @@ class Walker {
   std::vector<bool> seen_;  ///< lower sides that a ring contains
   std::uint16_t label_ = 0;
 };
+
+/// Parts a ring at the corners that it meets twice: what is cut off is a ring of its own, which touches the
+/// rest there. Polygons whose rings touch themselves are invalid (OGC Simple Features, 6.1.11).
+void add_simple_rings(const Ring& ring, std::vector<Ring>& out) {
+  Ring open;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> place;
+  for (const CellIndex& corner : ring) {
+    const auto [met, fresh] = place.emplace(std::pair(corner.x, corner.y), open.size());
+    if (!fresh) {
+      const auto begin = open.begin() + static_cast<std::ptrdiff_t>(met->second);
+      out.emplace_back(begin, open.end());
+      for (auto gone = begin + 1; gone != open.end(); ++gone) place.erase({gone->x, gone->y});
+      open.erase(begin + 1, open.end());
+    } else {
+      open.push_back(corner);
+    }
+  }
+  out.push_back(std::move(open));
+}
 
 /// Calls f(from, to) for the sides of a ring.
 template <class F>
@@ -125,7 +145,7 @@ std::vector<std::vector<Ring>> outlines_of(const grid::DenseMap& map, std::span<
   std::vector<std::vector<Ring>> rings(label_count);
   Walker walker(map, labels);
   for (auto i = static_cast<std::size_t>(map.width()); i < labels.size(); ++i) {
-    if (walker.starts_at(i)) rings[labels[i] - 1U].push_back(walker.walk(i));
+    if (walker.starts_at(i)) add_simple_rings(walker.walk(i), rings[labels[i] - 1U]);
   }
   return rings;
 }

@@ -14,8 +14,9 @@ namespace topo::daemon {
 using Ring = std::vector<grid::CellIndex>;
 
 /// The boundary of every label's cells along the cells' sides, corners only. Index k - 1 holds the rings of
-/// label k, outer rings counter-clockwise and holes clockwise. Cells that touch at a corner are connected.
-/// Linear in the number of cells. `labels` is parallel to map.cells, with 0 at the array's border.
+/// label k, outer rings counter-clockwise and holes clockwise. Cells that touch at a corner alone are parted,
+/// and no ring meets a corner twice. Linear in the number of cells. `labels` is parallel to map.cells, with 0
+/// at the array's border.
 std::vector<std::vector<Ring>> outlines_of(const grid::DenseMap& map, std::span<const std::uint16_t> labels,
                                            std::size_t label_count);
 

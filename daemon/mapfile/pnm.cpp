@@ -38,9 +38,9 @@ class Tokens {
   }
   /// The data after the single white space behind the last number.
   [[nodiscard]] std::string_view rest() const { return content_.substr(std::min(at_ + 1, content_.size())); }
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
  private:
-  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   void skip_space() {
     while (at_ < content_.size()) {
       if (content_[at_] == '#') {
@@ -57,30 +57,47 @@ class Tokens {
   std::size_t at_ = 2;
 };
 
-constexpr int kMaxGrey = 255;
+constexpr int kMaxGrey = 65535;
+constexpr int kMaxByte = 255;
 
-std::uint8_t scaled(int value, int greatest) {
-  return static_cast<std::uint8_t>((value * kMaxGrey + greatest / 2) / greatest);
-}
-
-Status read_text(Tokens& tokens, int greatest, GreyImage& image) {
-  for (std::uint8_t& pixel : image.pixels) {
-    const auto value = tokens.number("pixel", 0, greatest);
+Status read_text(Tokens& tokens, GreyImage& image) {
+  for (std::uint16_t& pixel : image.pixels) {
+    const auto value = tokens.number("pixel", 0, image.greatest);
     if (!value.has_value()) return tl::unexpected(value.error());
-    pixel = scaled(*value, greatest);
+    pixel = static_cast<std::uint16_t>(*value);
   }
   return {};
 }
 
-Status read_raw(const std::string& path, std::string_view raster, int greatest, GreyImage& image) {
+/// A byte a pixel, or two with the more significant one first.
+Status read_raw(const std::string& path, std::string_view raster, GreyImage& image) {
+  const bool wide = image.greatest > kMaxByte;
+  const auto byte = [&](std::size_t at) {
+    return static_cast<unsigned>(static_cast<unsigned char>(raster[at]));
+  };
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const int value = static_cast<unsigned char>(raster[i]);
-    if (value > greatest)
+    const unsigned value = wide ? byte(2 * i) << 8U | byte(2 * i + 1) : byte(i);
+    if (value > static_cast<unsigned>(image.greatest))
       return bad_file(path, fmt::format("pixel {}", i), std::to_string(value),
-                      fmt::format("0 to {}", greatest));
-    image.pixels[i] = scaled(value, greatest);
+                      fmt::format("0 to {}", image.greatest));
+    image.pixels[i] = static_cast<std::uint16_t>(value);
   }
   return {};
+}
+
+/// The pixels behind the head. One white space ends it. Where more bytes follow than the pixels need and the
+/// first is white space too, the head may have been ended by CR LF or by two blanks, or something follows the
+/// picture: only the number of bytes tells, and where it does not, a map that is shifted by a pixel is worse
+/// than none.
+Result<std::string_view> raster_of(const std::string& path, std::string_view rest, std::size_t needed) {
+  if (rest.size() <= needed || !Tokens::is_space(rest.front())) return rest;
+  const bool one_more = rest.size() == needed + 1 && !Tokens::is_space(rest.back());
+  if (one_more) return rest.substr(1);
+  return bad_file(
+      path, "",
+      fmt::format("two white spaces behind the head and {} bytes after the first (a text converter?)",
+                  rest.size()),
+      fmt::format("one, and {} bytes of pixels", needed));
 }
 
 }  // namespace
@@ -109,14 +126,20 @@ Result<GreyImage> decode_pgm(const std::string& path, std::string_view content) 
   if (!greatest.has_value()) return tl::unexpected(greatest.error());
   const auto pixels = static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height);
   // A pixel needs at least one byte: nothing is allocated for pixels that the file cannot contain.
-  const std::size_t needed = raw ? pixels : 2 * pixels - 1;
+  const std::size_t needed = !raw ? 2 * pixels - 1 : *greatest > kMaxByte ? 2 * pixels : pixels;
   if (tokens.rest().size() < needed) {
     return bad_file(path, "", fmt::format("{} bytes of pixels (truncated file)", tokens.rest().size()),
                     fmt::format("at least {} for {} x {}", needed, *width, *height));
   }
-  GreyImage image{*width, *height, std::vector<std::uint8_t>(pixels), {}};
-  const Status read =
-      raw ? read_raw(path, tokens.rest(), *greatest, image) : read_text(tokens, *greatest, image);
+  GreyImage image{*width, *height, std::vector<std::uint16_t>(pixels), {}, *greatest};
+  Status read;
+  if (raw) {
+    const auto raster = raster_of(path, tokens.rest(), needed);
+    if (!raster.has_value()) return tl::unexpected(raster.error());
+    read = read_raw(path, *raster, image);
+  } else {
+    read = read_text(tokens, image);
+  }
   if (!read.has_value()) return tl::unexpected(read.error());
   return image;
 }

@@ -66,6 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::MemoryFile file(std::as_bytes(std::span(data, size)));
   const std::string path = file.path();
   check_log(bench::read_carmen_log(path), path);
+  bench::LogOptions options;
+  options.beams = bench::BeamAngles{-1.0, 0.01};  // so that sweeps of a few beams are read too
+  check_log(bench::read_carmen_log(path, options), path);
   check_log(bench::read_mines_log(path), path);
   check_relations(path);
   return 0;

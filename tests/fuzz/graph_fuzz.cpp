@@ -44,15 +44,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(graph.error().message.find("expected") != std::string::npos);
     return 0;
   }
-  const std::size_t nodes = graph->ids.size();
+  const std::size_t nodes = graph->names.size();
   require(nodes >= 2 && !graph->edges.empty());
   require(graph->poses.empty() || graph->poses.size() == nodes);
-  require(graph->fixed.value_or(0) < nodes);
+  require(graph->fixed.size() < 2 || !graph->poses.empty());
+  for (const std::size_t node : graph->fixed) require(node < nodes);
   for (const auto& edge : graph->edges) require(edge.from < nodes && edge.to < nodes && edge.from != edge.to);
+  // In one piece by edges alone, or by the nodes that are held.
   auto poses = topo::slam::spanning_start(nodes, graph->edges);
-  require(poses.has_value());
-  (void)topo::slam::start_linearly(*poses, graph->edges, graph->fixed.value_or(0));
-  (void)topo::slam::solve(*poses, graph->edges, {}, graph->fixed.value_or(0));
+  require(poses.has_value() || graph->fixed.size() > 1);
+  if (!poses) poses = graph->poses;
+  const std::vector<std::size_t> fixed = graph->fixed.empty() ? std::vector<std::size_t>{0} : graph->fixed;
+  (void)topo::slam::start_linearly(*poses, graph->edges, fixed);
+  (void)topo::slam::solve(*poses, graph->edges, {}, fixed);
   for (const auto& pose : *poses) require(std::isfinite(pose.x_m) && std::isfinite(pose.theta_rad));
   return 0;
 }

@@ -94,7 +94,7 @@ class Graphs(unittest.TestCase):
         edge = "EDGE_SE2 0 1 1 0 0 %s\n" % EYE
         self.refused("", "expected lines EDGE_SE2")
         self.refused(G2O, ":2:", "found no edge")
-        self.refused(G2O + "EDGE_SE3 0 1\n", ":3:", "\"EDGE_SE3\"", "VERTEX_SE2, EDGE_SE2 or FIX")
+        self.refused(G2O + "EDGE_SE3 0 1\n", ":3:", "\"EDGE_SE3\"", "in space", "VERTEX_SE2, EDGE_SE2 and FIX")
         self.refused(G2O + "EDGE2 0 1 1 0 0 1 0 1 1 0 0\n", ":3:", "tags of g2o")
         self.refused(G2O + "VERTEX_SE2 1 0 0 0\n" + edge, ":3:", "a node that no line before has given")
         self.refused(G2O + "EDGE_SE2 0 1 1 0 0 1 0 0 1 0\n", ":3:", "found 11 words", "expected 12")
@@ -104,10 +104,84 @@ class Graphs(unittest.TestCase):
         self.refused(G2O + "EDGE_SE2 0 0 1 0 0 %s\n" % EYE, ":3:", "another node")
         self.refused(G2O + edge + "EDGE_SE2 0 5 1 0 0 %s\n" % EYE, ":4:", "an edge to node 5", "vertex line")
         self.refused(G2O + "FIX 9\n" + edge, ":3:", "FIX of node 9")
-        self.refused(G2O + "FIX 0\nFIX 1\n" + edge, ":4:", "one fixed node")
+        self.refused("FIX 0\nFIX 1\n" + edge, ":1:", "2 fixed nodes", "a vertex line for each")
+        self.refused(G2O + "FIX\n" + edge, ":3:", "FIX id")
         self.refused(G2O + "VERTEX_SE2 2 0 0 0\n" + edge, "a graph in one piece")
-        self.refused(G2O + "EDGE_SE2 -1 1 1 0 0 %s\n" % EYE, ":3:", "a whole number")
+        self.refused(G2O + "EDGE_SE2 -1 1 1 0 0 %s\n" % EYE, ":3:", "a whole number or a name")
         self.refused(G2O + "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 0\n", "singular")
+
+    def test_constraints_of_other_kinds_are_named(self):
+        edge = "EDGE_SE2 0 1 1 0 0 %s\n" % EYE
+        for line, what in (("EDGE_PRIOR_SE2 0 0 0 0 %s" % EYE, "a prior on a pose"),
+                           ("EDGE_SE2_XY 0 9 1 1 1 0 1", "a landmark seen from a pose"),
+                           ("EDGE_BEARING_SE2_XY 0 9 0.5 1", "a landmark's bearing"),
+                           ("EDGE_SE2_SWITCHABLE 0 1 7 1 0 0 %s" % EYE, "a closure with a switch"),
+                           ("EDGE_SE2_MAXMIX 0 1 1 0 0 %s" % EYE, "a closure of several modes"),
+                           ("EDGE3 0 1 1 0 0 0 0 0", "in space"),
+                           ("VERTEX_SE3:QUAT 4 0 0 0 0 0 0 1", "in space"),
+                           ("ODOMETRY 0 1 1 0 0 %s" % EYE, "iSAM"),
+                           ("EDGE_OF_TOMORROW 0 1", "a constraint of another kind")):
+            with self.subTest(line):
+                self.refused(G2O + edge + line + "\n", ":4:", line.split()[0], what)
+
+    def test_lines_without_relative_poses_are_passed_over_and_said_once(self):
+        edges = "EDGE_SE2 0 1 1 0 0 100 0 0 100 0 100\nEDGE_SE2 0 1 1.2 0 0 100 0 0 100 0 100\n"
+        foreign = "PARAMS_SE2OFFSET 0 0 0 0\nVERTEX_XY 7 1 1\nEQUIV 0 1\nROBOTLASER1 0 -1.5 3 1 8 0 0 1 2 0\nEQUIV 1 0\n"
+        done = run(self.write(foreign + G2O + edges), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["chi2_end"], self.solved(self.write(G2O + edges))["chi2_end"])
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("passed over 5 lines", done.stderr)
+        self.assertIn("2 of EQUIV (the first in line 3)", done.stderr)
+        self.assertIn("1 of PARAMS_SE2OFFSET (line 1)", done.stderr)
+
+    def test_all_fixed_nodes_are_held(self):
+        # Ends held 2 apart, two steps that measure 2.2: the middle gives way, not the ends.
+        nodes = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nVERTEX_SE2 2 2 0 0\n"
+        steps = "EDGE_SE2 0 1 1 0 0 100 0 0 100 0 100\nEDGE_SE2 1 2 1.2 0 0 100 0 0 100 0 100\n"
+        self.assertAlmostEqual(self.solved(self.write(nodes + steps))["chi2_end"], 0.0, places=12)
+        for fix in ("FIX 0\nFIX 2\n", "FIX 0 2\n", "FIX 2 0 2\n"):
+            report = self.solved(self.write(nodes + fix + steps))
+            self.assertEqual(report["fixed"], 2)
+            self.assertAlmostEqual(report["chi2_end"], 2.0, places=9)
+        everything = self.solved(self.write(nodes + "FIX 0 1 2\n" + steps))
+        self.assertAlmostEqual(everything["chi2_end"], 4.0, places=9)
+
+    def test_pieces_that_hold_a_fixed_node_each_are_one_graph(self):
+        nodes = "".join("VERTEX_SE2 %d %d 0 0\n" % (i, i) for i in range(4))
+        edges = "EDGE_SE2 0 1 1 0 0 %s\nEDGE_SE2 2 3 1 0 0 %s\n" % (EYE, EYE)
+        self.refused(nodes + edges, "a graph in one piece")
+        self.assertAlmostEqual(self.solved(self.write(nodes + "FIX 0 3\n" + edges))["chi2_end"], 0.0, places=12)
+
+    def test_ids_are_names(self):
+        # The letters a and b in the upper byte, as tools for several robots write them; and names outright.
+        a, b = (ord(letter) << 56 for letter in "ab")
+        for one in ([a, a + 1, b, b + 1], ["a0", "a1", "b0", "b1"], [0, 1, 70, 71]):
+            nodes = "".join("VERTEX_SE2 %s %d %d 0\n" % (name, k % 2, k // 2) for k, name in enumerate(one))
+            def edge(i, j, x, y):
+                return "EDGE_SE2 %s %s %g %g 0 100 0 0 100 0 100\n" % (one[i], one[j], x, y)
+            report = self.solved(self.write(nodes + edge(0, 1, 1, 0) + edge(2, 3, 1, 0) + edge(0, 2, 0, 1) +
+                                            edge(1, 2, -1, 1.3)), "--robust")
+            self.assertEqual(report["nodes"], 4)
+            # a1 and b0 follow each other in the order of names but not on a path: a closure, with the loss for such.
+            alone = [0, 1, 70, 71]
+            self.assertGreater(report["chi2_end"], 1.0 if one != alone else 0.0)
+        self.refused("VERTEX_SE2 1.5 0 0 0\n", ":1:", "a whole number or a name")
+        self.refused("VERTEX_SE2 7 0 0 0\nVERTEX_SE2 007 0 0 0\n", ":2:", "no line before")
+
+    def test_marks_and_commas_of_other_systems(self):
+        edge = "EDGE_SE2 0 1 1 0 0 %s\n" % EYE
+        plain = self.solved(self.write(G2O + edge))["chi2_end"]
+        (self.path / "bom.g2o").write_bytes(b"\xef\xbb\xbf" + (G2O + edge).replace("\n", "\r\n").encode())
+        self.assertEqual(self.solved(self.path / "bom.g2o")["chi2_end"], plain)
+        self.refused((G2O + edge).replace("1 0 0\n", "1,5 0 0\n", 1), ":2:", "a point instead of the comma")
+        (self.path / "wide.g2o").write_bytes((G2O + edge).encode("utf-16"))
+        self.assertIn("UTF-16", run(self.path / "wide.g2o").stderr)
+
+    def test_numbers_in_the_other_formats_order_are_suspected(self):
+        self.refused(G2O + "EDGE_SE2 0 1 1 0 0 50 0 50 100 0 0\n", ":3:", "TORO's order", "EDGE2")
+        self.refused("EDGE2 0 1 1 0 0 50 0 0 50 0 100\n", ":1:", "g2o's order", "EDGE_SE2")
+        self.refused(G2O + "EDGE_SE2 0 1 1 0 0\n", ":3:", "without its information matrix")
 
     def test_a_missing_file_is_said(self):
         done = run(self.path / "none.g2o")

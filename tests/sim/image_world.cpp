@@ -59,7 +59,11 @@ class MapFileReader {
       return fault(node, fmt::format("'{}' is no list of {} numbers or more", key, least));
     }
     out.assign(node.size(), 0.0);
-    for (std::size_t i = 0; i < node.size(); ++i) scalar(node[i], key, -1e5, 1e5, out[i]);
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      // An old map_saver wrote the yaw of a map that is not turned as -nan.
+      const bool no_yaw = i == 2 && node[i].IsScalar() && node[i].Scalar().find("nan") <= 1;
+      if (!no_yaw) scalar(node[i], key, -1e5, 1e5, out[i]);
+    }
   }
   void text(const char* key, std::string& out) {
     const YAML::Node node = root_[key];
@@ -80,6 +84,14 @@ class MapFileReader {
         fault(entry.first,
               fmt::format("key '{}' stands in line {} already; expected it once", key, first->second));
     }
+  }
+  /// 0 and 1, or YAML's words for them.
+  void truth(const char* key, bool& out) {
+    const YAML::Node node = root_[key];
+    if (!node.IsDefined() || (node.IsScalar() && YAML::convert<bool>::decode(node, out))) return;
+    double value = 0.0;
+    scalar(node, key, 0.0, 1.0, value);
+    out = value != 0.0;
   }
   void not_turned(const std::vector<double>& origin) {
     constexpr double kRounding_rad = 1e-6;
@@ -126,21 +138,24 @@ types::Result<MapFile> read_map_file(const std::filesystem::path& yaml) {
   std::string image;
   std::vector<double> origin{0.0, 0.0, 0.0};
   std::vector<double> start;
-  double negate = 0.0;
   reader.no_key_twice();
   reader.text("image", image);
   reader.number("resolution", 0.001, 1.0, true, map.resolution_m);
   reader.numbers("origin", 2, origin);
   reader.not_turned(origin);
-  reader.number("negate", 0.0, 1.0, false, negate);
+  reader.truth("negate", map.negate);
   reader.number("occupied_thresh", 0.0, 1.0, false, map.occupied_threshold);
   reader.number("free_thresh", 0.0, 1.0, false, map.free_threshold);
   reader.numbers("start", 3, start);
   if (!reader.faults().empty()) return types::fail(Errc::kInvalidInput, reader.faults());
   map.image =
       std::filesystem::path(image).is_absolute() ? std::filesystem::path(image) : yaml.parent_path() / image;
+  const std::filesystem::path beside = yaml.parent_path() / map.image.filename();
+  // A map that was copied may hold the path of another computer.
+  std::error_code absent;
+  if (!std::filesystem::exists(map.image, absent) && std::filesystem::exists(beside, absent))
+    map.image = beside;
   map.origin = {origin[0], origin[1]};
-  map.negate = negate != 0.0;
   if (!start.empty()) map.start = Se2{start[0], start[1], start[2]};
   return map;
 }

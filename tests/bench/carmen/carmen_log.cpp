@@ -4,12 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <array>
+#include <map>
 
-#include "core/types/scan.hpp"
-#include "tests/bench/carmen/fields.hpp"
+#include "tests/bench/carmen/carmen_lines.hpp"
+#include "tests/bench/carmen/log_finish.hpp"
 #include "tests/bench/carmen/log_order.hpp"
-#include "tests/bench/carmen/range_limit.hpp"
+#include "tests/bench/carmen/passed_over.hpp"
 
 namespace topo::bench {
 
@@ -20,173 +21,130 @@ using types::Status;
 
 namespace {
 
-constexpr double kSickReach_m = 80.0;  // an LMS in 80 m mode sends 81.83 or 81.91 without a return
-constexpr double kMaxRange_m = 1000.0;
-constexpr std::size_t kTail = 3;  // every message ends with: ipc_ts host logger_ts
-
-constexpr float radians(double degrees) { return static_cast<float>(degrees * types::kDegree_rad); }
-
-/// FLASER gives neither start angle nor step: they follow from the number of beams of a SICK LMS 200.
-void set_flaser_angles(CarmenScan& scan, std::size_t beams) {
-  double start_deg = -90.0, step_deg = 180.0 / static_cast<double>(beams - 1);
-  if (beams == 180) step_deg = 1.0;
-  if (beams == 360) step_deg = 0.5;
-  if (beams == 400 || beams == 401) {  // the 100 degree mode
-    start_deg = -50.0;
-    step_deg = 0.25;
-  }
-  scan.angle_min_rad = radians(start_deg);
-  scan.angle_increment_rad = radians(step_deg);
-}
-
-Status read_ranges(const Fields& f, std::size_t first, std::size_t beams, CarmenScan& scan) {
-  scan.range_m.resize(beams);
-  for (std::size_t i = 0; i < beams; ++i) {
-    const auto range = f.number(first + i, "range", 0.0, kMaxRange_m);
-    if (!range.has_value()) return tl::unexpected(range.error());
-    const auto metres = static_cast<float>(*range);
-    scan.range_m[i] = metres >= scan.range_max_m ? types::kNoReturn
-                      : metres > 0.0F            ? metres
-                                                 : types::kInvalid;
-  }
-  return {};
-}
-
-Status read_poses(const Fields& f, std::size_t first, CarmenScan& scan) {
-  const auto laser = f.pose(first, "laser pose");
-  if (!laser.has_value()) return tl::unexpected(laser.error());
-  const auto robot = f.pose(first + 3, "robot pose");
-  if (!robot.has_value()) return tl::unexpected(robot.error());
-  scan.laser_odom = *laser;
-  scan.robot_odom = *robot;
-  return {};
-}
-
-Status read_stamp(const Fields& f, double& stamp_s) {
-  const auto stamp = f.stamp(f.count() - kTail, "ipc_timestamp");
-  if (!stamp.has_value()) return tl::unexpected(stamp.error());
-  stamp_s = *stamp;
-  return {};
-}
-
-Status read_flaser(const Fields& f, CarmenScan& scan) {
-  constexpr std::string_view kLayout =
-      "FLASER n r1..rn x y theta odom_x odom_y odom_theta ipc_timestamp ipc_hostname logger_timestamp";
-  if (f.count() < 2) return f.expect_count(2 + 2 + 6 + kTail, kLayout);
-  const auto beams = f.count_field(1, "number of ranges", 2, types::Scan::kMaxBeams);
-  if (!beams.has_value()) return tl::unexpected(beams.error());
-  if (auto s = f.expect_count(2 + *beams + 6 + kTail, kLayout); !s.has_value()) return s;
-  set_flaser_angles(scan, *beams);
-  scan.range_max_m = static_cast<float>(kSickReach_m);
-  if (auto s = read_ranges(f, 2, *beams, scan); !s.has_value()) return s;
-  if (auto s = read_poses(f, 2 + *beams, scan); !s.has_value()) return s;
-  return read_stamp(f, scan.stamp_s);
-}
-
-Status read_robotlaser_head(const Fields& f, CarmenScan& scan) {
-  const auto start = f.number(2, "start_angle", -7.0, 7.0);
-  if (!start.has_value()) return tl::unexpected(start.error());
-  const auto step = f.number(4, "angular_resolution", 1e-5, 1.0);
-  if (!step.has_value()) return tl::unexpected(step.error());
-  const auto reach = f.number(5, "maximum_range", 1e-3, kMaxRange_m);
-  if (!reach.has_value()) return tl::unexpected(reach.error());
-  scan.angle_min_rad = static_cast<float>(*start);
-  scan.angle_increment_rad = static_cast<float>(*step);
-  scan.range_max_m = static_cast<float>(*reach);
-  return {};
-}
-
-Status read_robotlaser(const Fields& f, CarmenScan& scan) {
-  constexpr std::string_view kLayout =
-      "ROBOTLASER1 laser_type start_angle field_of_view angular_resolution maximum_range accuracy "
-      "remission_mode n "
-      "r1..rn m e1..em laser_pose(3) robot_pose(3) tv rv forward_safety side_safety turn_axis ipc_timestamp "
-      "ipc_hostname logger_timestamp";
-  constexpr std::size_t kHead = 9, kAfterPoses = 5;
-  if (f.count() < kHead) return f.expect_count(kHead + 1 + 6 + kAfterPoses + kTail, kLayout);
-  if (auto s = read_robotlaser_head(f, scan); !s.has_value()) return s;
-  const auto beams = f.count_field(8, "number of ranges", 2, types::Scan::kMaxBeams);
-  if (!beams.has_value()) return tl::unexpected(beams.error());
-  if (f.count() < kHead + *beams + 1)
-    return f.expect_count(kHead + *beams + 1 + 6 + kAfterPoses + kTail, kLayout);
-  const auto remissions = f.count_field(kHead + *beams, "number of remissions", 0, types::Scan::kMaxBeams);
-  if (!remissions.has_value()) return tl::unexpected(remissions.error());
-  const std::size_t poses = kHead + *beams + 1 + *remissions;
-  if (auto s = f.expect_count(poses + 6 + kAfterPoses + kTail, kLayout); !s.has_value()) return s;
-  if (auto s = read_ranges(f, kHead, *beams, scan); !s.has_value()) return s;
-  if (auto s = read_poses(f, poses, scan); !s.has_value()) return s;
-  return read_stamp(f, scan.stamp_s);
-}
-
-Status read_odometry(const Fields& f, CarmenOdometry& odometry) {
-  if (auto s =
-          f.expect_count(7 + kTail, "ODOM x y theta tv rv accel ipc_timestamp ipc_hostname logger_timestamp");
-      !s.has_value()) {
-    return s;
-  }
-  const auto pose = f.pose(1, "pose");
-  if (!pose.has_value()) return tl::unexpected(pose.error());
-  const auto v = f.number(4, "tv", -100.0, 100.0);
-  if (!v.has_value()) return tl::unexpected(v.error());
-  const auto omega = f.number(5, "rv", -100.0, 100.0);
-  if (!omega.has_value()) return tl::unexpected(omega.error());
-  odometry.pose = *pose;
-  odometry.v_mps = *v;
-  odometry.omega_radps = *omega;
-  return read_stamp(f, odometry.stamp_s);
-}
-
-/// Scans by their type of message, while a log is read.
-struct Collected {
-  CarmenLog log;
-  std::vector<CarmenScan> flaser;
-  std::vector<CarmenScan> robotlaser;
-};
-
 bool is_message_name(std::string_view word) {
   if (word.front() < 'A' || word.front() > 'Z') return false;
   return word.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") == std::string_view::npos;
 }
 
-Status read_line(const Fields& f, Collected& into) {
-  if (f.is_comment()) return {};
-  const std::string_view name = f.word(0);
-  if (name == "FLASER") return read_flaser(f, into.flaser.emplace_back());
-  if (name == "ROBOTLASER1") return read_robotlaser(f, into.robotlaser.emplace_back());
-  if (name == "ODOM") return read_odometry(f, into.log.odometry.emplace_back());
-  if (!is_message_name(name))
-    return f.bad(0, "message name", "a CARMEN message such as FLASER, ODOM or PARAM");
-  ++into.log.other_lines;
-  return {};
+/// Messages with scans, the one to be taken first. New logs hold a sweep in several of them.
+constexpr std::array<std::string_view, 22> kOrder{
+    "ROBOTLASER1", "FLASER",      "ROBOTLASER0", "ROBOTLASER2", "RLASER",      "ROBOTLASER3",
+    "ROBOTLASER4", "ROBOTLASER5", "ROBOTLASER6", "ROBOTLASER7", "ROBOTLASER8", "ROBOTLASER9",
+    "RAWLASER1",   "RAWLASER0",   "RAWLASER2",   "RAWLASER3",   "RAWLASER4",   "RAWLASER5",
+    "RAWLASER6",   "RAWLASER7",   "RAWLASER8",   "RAWLASER9"};
+
+Layout layout_of(std::string_view name) {
+  if (name.starts_with("ROBOT")) return Layout::kRobotLaser;
+  return name.starts_with("RAW") ? Layout::kRawLaser : Layout::kFlaser;
 }
+
+Result<CarmenScan> read_scan(const Fields& f, Layout layout) {
+  if (layout == Layout::kRobotLaser) return read_robotlaser(f);
+  return layout == Layout::kRawLaser ? read_rawlaser(f) : read_flaser(f);
+}
+
+/// What the lines of a log hold, while it is read.
+class Collector {
+ public:
+  explicit Collector(const LineSource& source) : source_(source) {}
+
+  void take(const Fields& f) {
+    if (f.is_comment()) return;
+    const std::string_view name = f.word(0);
+    if (std::find(kOrder.begin(), kOrder.end(), name) != kOrder.end()) return take_scan(f);
+    if (name == "ODOM") return take_odometry(f);
+    if (name == "PARAM") facts_.take(f);
+    (is_message_name(name) ? others_ : foreign_).add(source_.line(), name);
+  }
+
+  /// The log of the first message that has scans.
+  Result<CarmenLog> finish(const LogOptions& options) {
+    if (odometry_error_) return tl::unexpected(*odometry_error_);
+    for (const std::string_view name : kOrder) {
+      const auto found = sweeps_.find(name);
+      if (found != sweeps_.end()) return finish(found->first, found->second, options);
+    }
+    const std::string held = others_.named(), strange = foreign_.named();
+    return fail(
+        Errc::kInvalidInput,
+        fmt::format(
+            "{}: found no scan in {} lines{}{}{}{}{}, expected a CARMEN log with FLASER, RLASER or "
+            "ROBOTLASER1 messages, or RAWLASER1 and ODOM",
+            source_.path(), source_.line(), held.empty() && odometry_.empty() ? "" : ", but ",
+            odometry_.empty() ? "" : fmt::format("{} of ODOM{}", odometry_.size(), held.empty() ? "" : ", "),
+            held, strange.empty() ? "" : ", and lines that no CARMEN log has: ", strange));
+  }
+
+ private:
+  void take_scan(const Fields& f) {
+    const Layout layout = layout_of(f.word(0));
+    auto scan = read_scan(f, layout);
+    if (!scan && source_.is_cut()) return note_cut(f);
+    Sweeps& sweeps = sweeps_[std::string(f.word(0))];
+    sweeps.layout = layout;
+    if (!scan) {
+      if (!sweeps.error) sweeps.error = scan.error();
+      return;
+    }
+    sweeps.first_line.emplace(scan->range_m.size(), source_.line());
+    if (layout != Layout::kFlaser && states_two_fans(f)) ++sweeps.two_fans;
+    sweeps.scans.push_back(std::move(*scan));
+  }
+
+  void take_odometry(const Fields& f) {
+    auto odometry = read_odometry(f);
+    if (odometry) {
+      odometry_.push_back(*odometry);
+    } else if (source_.is_cut()) {
+      note_cut(f);
+    } else if (!odometry_error_) {
+      odometry_error_ = odometry.error();
+    }
+  }
+
+  void note_cut(const Fields& f) {
+    remarks_.push_back(fmt::format("passed over the last line, {}, which is {} that was cut off",
+                                   source_.line(), printable(f.word(0))));
+  }
+
+  Result<CarmenLog> finish(const std::string& name, Sweeps& sweeps, const LogOptions& options) {
+    CarmenLog log;
+    if (foreign_.count() > 0) log.remarks.push_back(foreign_.remark("that no CARMEN log has"));
+    log.remarks.insert(log.remarks.end(), remarks_.begin(), remarks_.end());
+    log.odometry_inversions = sort_by_stamp(odometry_);
+    log.odometry = std::move(odometry_);
+    log.foreign_lines = foreign_.count();
+    log.other_lines = others_.count();
+    for (const auto& [other, ignored] : sweeps_) {
+      if (other != name) log.scans_ignored += static_cast<int>(ignored.scans.size());
+    }
+    const bool rear = name == "RLASER" || name == "ROBOTLASER2" || name == "RAWLASER2";
+    const SweepContext context{source_.path(), name, rear ? facts_.rear : facts_.front, options};
+    if (auto s = finish_sweeps(context, sweeps, log); !s) return tl::unexpected(s.error());
+    return log;
+  }
+
+  const LineSource& source_;
+  std::map<std::string, Sweeps, std::less<>> sweeps_;  ///< by the name of the message
+  std::vector<CarmenOdometry> odometry_;
+  std::optional<types::Error> odometry_error_;
+  LogFacts facts_;
+  PassedOver others_, foreign_;
+  std::vector<std::string> remarks_;
+};
 
 }  // namespace
 
-Result<CarmenLog> read_carmen_log(const std::string& path) {
+Result<CarmenLog> read_carmen_log(const std::string& path, const LogOptions& options) {
   auto source = LineSource::open(path);
-  if (!source.has_value()) return tl::unexpected(source.error());
-  Collected found;
-  const auto whole = read_lines(*source, [&found](const Fields& f) { return read_line(f, found); });
-  if (!whole.has_value()) return tl::unexpected(whole.error());
-  if (found.flaser.empty() && found.robotlaser.empty()) {
-    return fail(Errc::kInvalidInput,
-                fmt::format("{}: found no scan in {} lines, expected a CARMEN log with FLASER or "
-                            "ROBOTLASER1 messages",
-                            path, source->line()));
-  }
-  CarmenLog log = std::move(found.log);
-  if (!found.robotlaser.empty()) log.flaser_ignored = static_cast<int>(found.flaser.size());
-  const bool states_limit = !found.robotlaser.empty();  // every ROBOTLASER1 message does
-  log.scans = std::move(states_limit ? found.robotlaser : found.flaser);
-  if (!states_limit) {
-    if (const auto limit_m = piled_up_range_m(log.scans)) {
-      log.range_limit_m = static_cast<double>(*limit_m);
-      log.readings_beyond = mark_no_return(log.scans, *limit_m);
-    }
-  }
-  log.stamp_inversions = sort_by_stamp(log.scans);
-  log.odometry_inversions = sort_by_stamp(log.odometry);
-  return log;
+  if (!source) return tl::unexpected(source.error());
+  Collector found(*source);
+  const auto whole = read_lines(*source, [&found](const Fields& f) -> Status {
+    found.take(f);
+    return {};
+  });
+  if (!whole) return tl::unexpected(whole.error());
+  return found.finish(options);
 }
 
 }  // namespace topo::bench

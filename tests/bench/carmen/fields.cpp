@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -19,14 +20,26 @@ constexpr double kMaxCoordinate_m = 1e6;  // larger than any building
 constexpr double kMaxAngle_rad = 1e5;     // odometers may count turns without wrapping
 constexpr double kMaxStamp_s = 9.0e9;     // nanoseconds fit 64 bits
 
-/// A word of a foreign file in a form suitable for messages: printable and short.
+constexpr std::size_t kShown = 40;
+
 std::string quoted(std::string_view word) {
-  std::string text;
-  for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
-  return fmt::format("\"{}\"{}", text, word.size() > 40 ? "..." : "");
+  return fmt::format("\"{}\"{}", printable(word), word.size() > kShown ? "..." : "");
+}
+
+/// A number of a country that writes a comma where others have the point.
+bool has_decimal_comma(std::string_view word) {
+  std::string pointed(word);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  return pointed != word && parse_number(pointed).has_value();
 }
 
 }  // namespace
+
+std::string printable(std::string_view word) {
+  std::string text;
+  for (const char c : word.substr(0, kShown)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text;
+}
 
 void split_words(std::string_view line, std::vector<std::string_view>& words) {
   words.clear();
@@ -40,6 +53,7 @@ void split_words(std::string_view line, std::vector<std::string_view>& words) {
 
 std::optional<double> parse_number(std::string_view word) {
   double value = 0.0;
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
   return value;
@@ -58,7 +72,9 @@ Status Fields::expect_count(std::size_t expected, std::string_view layout) const
 Result<double> Fields::number(std::size_t i, std::string_view name, double min, double max) const {
   const auto value = parse_number(words_[i]);
   if (!value.has_value() || !(*value >= min && *value <= max)) {
-    return bad(i, name, fmt::format("a number from {} to {}", min, max));
+    return bad(i, name,
+               fmt::format("a number from {} to {}{}", min, max,
+                           has_decimal_comma(words_[i]) ? ", with a point instead of the comma" : ""));
   }
   return *value;
 }

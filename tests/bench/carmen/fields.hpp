@@ -12,10 +12,14 @@
 
 namespace topo::bench {
 
+/// A word of a foreign file in a form suitable for messages: printable and short.
+std::string printable(std::string_view word);
+
 /// Splits at blanks and tabs; `words` is cleared first and keeps its storage.
 void split_words(std::string_view line, std::vector<std::string_view>& words);
 
-/// Parses the whole word as a number ("nan" and "inf" are accepted); nothing when it is not one.
+/// Parses the whole word as a number ("nan", "inf" and a leading plus are accepted); nothing when it is not
+/// one.
 std::optional<double> parse_number(std::string_view word);
 
 /// The words of one line, with errors that give the line and the word. Indices must exist: check count()

@@ -52,8 +52,7 @@ Result<std::optional<std::string_view>> LineSource::next() {
     const std::size_t length = rest.find('\n', searched);
     if (length <= kMaxLine) {  // implies found: npos is greater
       begin_ += length + 1;
-      ++line_;
-      return std::optional(without_carriage_return(rest.substr(0, length)));
+      return finished(rest.substr(0, length));
     }
     if (rest.size() > kMaxLine) {
       ++line_;
@@ -67,9 +66,18 @@ Result<std::optional<std::string_view>> LineSource::next() {
   const std::string_view rest(buffer_.data() + begin_, end_ - begin_);
   if (rest.empty()) return std::optional<std::string_view>{};
   begin_ = end_;
-  ++line_;
   terminated_ = false;
-  return std::optional(without_carriage_return(rest));
+  return finished(rest);
+}
+
+Result<std::string_view> LineSource::finished(std::string_view line) {
+  constexpr std::string_view kUtf8 = "\xEF\xBB\xBF", kUtf16 = "\xFF\xFE", kUtf16BigEndian = "\xFE\xFF";
+  ++line_;
+  if (line_ == 1) {
+    if (line.starts_with(kUtf16) || line.starts_with(kUtf16BigEndian)) return bad("text in UTF-16", "UTF-8");
+    if (line.starts_with(kUtf8)) line.remove_prefix(kUtf8.size());
+  }
+  return without_carriage_return(line);
 }
 
 tl::unexpected<types::Error> LineSource::bad(std::string_view found, std::string_view expected) const {

@@ -22,11 +22,13 @@ class LineSource {
   static LineSource over(std::string name, std::unique_ptr<ByteSource> source);
 
   /// The next line without its end ("\n" or "\r\n"), valid until the next call; nothing at the end of the
-  /// file.
+  /// file. A byte order mark of UTF-8 is no part of the first line; text in UTF-16 is refused.
   types::Result<std::optional<std::string_view>> next();
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] int line() const { return line_; }  ///< number of the last line, from 1
+  /// The last line has no end, as when its writer was interrupted.
+  [[nodiscard]] bool is_cut() const { return !terminated_; }
 
   /// kInvalidInput with "FILE:LINE: found WHAT, expected WHAT" for the last line.
   [[nodiscard]] tl::unexpected<types::Error> bad(std::string_view found, std::string_view expected) const;
@@ -34,6 +36,7 @@ class LineSource {
  private:
   LineSource(std::string path, std::unique_ptr<ByteSource> source);
   types::Result<bool> refill();
+  types::Result<std::string_view> finished(std::string_view line);
 
   std::string path_;
   std::unique_ptr<ByteSource> source_;

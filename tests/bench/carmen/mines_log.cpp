@@ -12,6 +12,7 @@
 #include "tests/bench/carmen/carmen_log.hpp"
 #include "tests/bench/carmen/fields.hpp"
 #include "tests/bench/carmen/log_order.hpp"
+#include "tests/bench/carmen/passed_over.hpp"
 
 namespace topo::bench {
 
@@ -107,7 +108,8 @@ Result<CarmenLog> read_mines_log(const std::string& path) {
   CarmenLog log;
   Encoders last;
   Se2 pose;
-  const auto whole = read_lines(*source, [&](const Fields& f) -> Status {
+  PassedOver foreign;
+  const auto take = [&](const Fields& f) -> Status {
     if (f.count() < kMinColumns || f.count() > kMinColumns + 1)
       return source->bad(fmt::format("{} columns", f.count()), fmt::format("{} or one more", kMinColumns));
     const auto now = read_encoders(f);
@@ -115,11 +117,28 @@ Result<CarmenLog> read_mines_log(const std::string& path) {
     if (!log.scans.empty()) pose = drive(pose, last, *now);
     last = *now;
     return read_scan(f, pose, now->stamp_s, log);
+  };
+  const auto whole = read_lines(*source, [&](const Fields& f) -> Status {
+    if (!parse_number(f.word(0))) {
+      foreign.add(source->line(), f.word(0));
+      return {};
+    }
+    const std::size_t scans = log.scans.size();
+    const Status taken = take(f);
+    if (taken.has_value() || !source->is_cut()) return taken;
+    log.scans.resize(scans);
+    log.odometry.resize(scans);
+    log.remarks.push_back(fmt::format("passed over the last line, {}, which was cut off", source->line()));
+    return {};
   });
   if (!whole.has_value()) return tl::unexpected(whole.error());
+  if (foreign.count() > 0) log.remarks.push_back(foreign.remark("without a time at the beginning"));
+  log.foreign_lines = foreign.count();
   if (log.scans.empty()) {
     return fail(Errc::kInvalidInput,
-                fmt::format("{}: found no scan, expected lines of {} columns", path, kMinColumns));
+                fmt::format("{}: found no scan{}{}, expected lines of {} columns", path,
+                            log.remarks.empty() ? "" : ", but ",
+                            log.remarks.empty() ? "" : log.remarks.front(), kMinColumns));
   }
   log.stamp_inversions = sort_by_stamp(log.scans);
   log.odometry_inversions = sort_by_stamp(log.odometry);

@@ -3,12 +3,25 @@
 
 #include "tests/bench/topobench/log_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace topo::bench {
 
-types::Result<CarmenLog> read_log(const std::string& path) {
-  return path.find(".dat") != std::string::npos ? read_mines_log(path) : read_carmen_log(path);
+types::Result<CarmenLog> read_log(const std::string& path, const LogOptions& options) {
+  return path.find(".dat") != std::string::npos ? read_mines_log(path) : read_carmen_log(path, options);
+}
+
+LogOptions options_of(std::span<const double> beams_deg) {
+  LogOptions options;
+  if (beams_deg.size() == 2)
+    options.beams = BeamAngles{beams_deg[0] * types::kDegree_rad, beams_deg[1] * types::kDegree_rad};
+  return options;
+}
+
+void print_remarks(const std::string& path, const CarmenLog& log) {
+  for (const std::string& remark : log.remarks) fmt::print(stderr, "topobench: {}: {}\n", path, remark);
 }
 
 void fill_scan(const CarmenScan& from, double stamp_s, std::uint64_t sequence, types::Scan& to) {

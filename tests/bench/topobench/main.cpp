@@ -33,6 +33,17 @@ int exit_status(const topo::types::Error& error) {
   return users ? 2 : 1;
 }
 
+void add_beams(CLI::App& app, std::vector<double>& beams_deg) {
+  app.add_option(
+         "--beams", beams_deg,
+         "START,STEP in degrees of the beams of a log that does not state them (FLASER, RLASER), where no "
+         "known scanner has their number")
+      ->needs("--log")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(number_from(-360.0, 360.0));
+}
+
 void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   app.footer(
       "Times are processor time (match_ms: all that the mapping thread does for a scan), each stage also\n"
@@ -46,6 +57,7 @@ void add_options(CLI::App& app, topo::bench::SlamCommand& slam) {
   from->add_option("--log", slam.log, "The log");
   from->add_option("--simulate", slam.simulate,
                    "A building (map_server YAML or scene .toml): a UTM-30LX on a patrol by a seeded route");
+  add_beams(app, slam.beams_deg);
   app.add_option("--relations", slam.relations, "True relations (Kuemmerle et al. 2009) to measure against")
       ->needs("--log");
   app.add_option("--split", slam.split,
@@ -210,6 +222,7 @@ void add_options(CLI::App& app, topo::bench::GoalsCommand& goals) {
 
 void add_options(CLI::App& app, topo::bench::SessionCommand& session) {
   app.add_option("--log", session.log, "The log")->required();
+  add_beams(app, session.beams_deg);
   app.add_option("--out", session.out, "File for the session, as topoctl session save writes it")
       ->check(not_empty());
   app.add_option("--localise", session.localise, "Scans of the log that are looked for in its whole map")

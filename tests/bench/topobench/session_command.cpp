@@ -88,8 +88,9 @@ nlohmann::json localise(const SessionCommand& command, const CarmenLog& log,
 }  // namespace
 
 types::Status run_session(const SessionCommand& command) {
-  const auto log = read_log(command.log);
+  const auto log = read_log(command.log, options_of(command.beams_deg));
   if (!log) return tl::unexpected(log.error());
+  print_remarks(command.log, *log);
   if (auto made = make_folder(std::filesystem::path(command.out).parent_path()); !made) return made;
   const slam::MapperParams params = params_for(*log);
   pipeline::MappingState state(params);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/types/result.hpp"
 
@@ -11,8 +12,9 @@ namespace topo::bench {
 /// The command line of `topobench session`.
 struct SessionCommand {
   std::string log;
-  std::string out;     ///< file for the session; empty: none
-  int localise = 200;  ///< scans of the log that are looked for in its map
+  std::vector<double> beams_deg;  ///< START and STEP of the log's beams; empty: the log's or its scanner's
+  std::string out;                ///< file for the session; empty: none
+  int localise = 200;             ///< scans of the log that are looked for in its map
   bool json = false;
 };
 

@@ -69,8 +69,9 @@ types::Status finish(const SlamCommand& command, nlohmann::json& json, pipeline:
 
 types::Status map_log(const SlamCommand& command) {
   const StageTimer timer;
-  const auto log = read_log(command.log);
+  const auto log = read_log(command.log, options_of(command.beams_deg));
   if (!log) return tl::unexpected(log.error());
+  print_remarks(command.log, *log);
   StageTimes reading;
   timer.stop({&reading});
   const auto relations = relations_of(command, *log);
@@ -82,6 +83,7 @@ types::Status map_log(const SlamCommand& command) {
   json["log"] = command.log;
   json["scans"] = log->scans.size();
   json["stamp_inversions"] = log->stamp_inversions;
+  if (log->foreign_lines > 0) json["foreign_lines"] = log->foreign_lines;
   if (log->readings_beyond > 0) {
     json["range_limit_m"] = log->range_limit_m;
     json["readings_beyond_limit"] = log->readings_beyond;

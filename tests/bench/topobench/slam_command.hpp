@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/types/result.hpp"
 
@@ -12,6 +13,7 @@ namespace topo::bench {
 
 struct SlamCommand {
   std::string log;                 ///< empty: simulate
+  std::vector<double> beams_deg;   ///< START and STEP of the log's beams; empty: the log's or its scanner's
   std::string relations;           ///< empty: none
   std::string split;               ///< of a log in halves: "known" or "unknown" starts; empty: not at all
   std::filesystem::path simulate;  ///< the building; empty: a log is read

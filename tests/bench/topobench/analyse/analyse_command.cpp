@@ -112,6 +112,7 @@ types::Status run_analyse(const AnalyseCommand& command) {
   constexpr double kUsual_m = 0.05;
   const auto input = read_map_input(command.map, command.resolution_m.value_or(kUsual_m));
   if (!input) return tl::unexpected(input.error());
+  print_warnings(command.map, input->warnings);
   if (auto made = make_folder(command.out); !made) return made;
   const TimedAnalysis timed = timed_analysis(input->map, command.repeat);
   const json printed = report(command, *input, timed);

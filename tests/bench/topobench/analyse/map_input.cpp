@@ -20,8 +20,9 @@ using types::Result;
 
 constexpr std::size_t kMaxImageBytes = std::size_t{1} << 29U;
 
-MapCell cell_of(std::uint8_t grey) {
-  constexpr std::uint8_t kFree = 250, kNotOccupied = 89;  // map_server's 0.65; "under 250 not free"
+MapCell cell_of(double shade) {
+  constexpr double kFree = 250.0, kNotOccupied = 89.0;  // map_server's 0.65; "under 250 not free"
+  const double grey = std::round(255.0 * shade);
   return grey >= kFree ? MapCell::kFree : grey < kNotOccupied ? MapCell::kOccupied : MapCell::kUnknown;
 }
 
@@ -37,12 +38,12 @@ Result<daemon::MapImage> read_picture(const std::string& path, double resolution
                                                      : daemon::decode_pgm(path, *content);
   if (!image) return tl::unexpected(image.error());
   daemon::MapImage map{
-      image->width, image->height, resolution_m, {}, std::vector<MapCell>(image->pixels.size())};
+      image->width, image->height, resolution_m, {}, std::vector<MapCell>(image->pixels.size()), {}};
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       const std::size_t from = map.index(x, map.height - 1 - y);
       const bool empty = !image->transparent.empty() && image->transparent[from];
-      map.cells[map.index(x, y)] = empty ? MapCell::kUnknown : cell_of(image->pixels[from]);
+      map.cells[map.index(x, y)] = empty ? MapCell::kUnknown : cell_of(image->shade(from));
     }
   }
   return map;
@@ -86,7 +87,12 @@ Result<MapInput> read_map_input(const std::string& path, double resolution_m) {
                                    "map is not that of its places",
                                    path, image->origin.theta_rad));
   }
-  return MapInput{dense_of(*image), image->width, image->height, image->origin.translation()};
+  return MapInput{dense_of(*image), image->width, image->height, image->origin.translation(),
+                  image->warnings};
+}
+
+void print_warnings(const std::string& path, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "topobench: {}: {}\n", path, warning);
 }
 
 }  // namespace topo::bench

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/grid/dense_map.hpp"
 #include "core/types/result.hpp"
@@ -16,6 +17,7 @@ struct MapInput {
   int width = 0;       ///< of the picture
   int height = 0;
   types::Vector2 origin{0.0, 0.0};  ///< of the picture's lower left corner, in the frame of its YAML file
+  std::vector<std::string> warnings = {};  ///< of daemon::load_map
 
   /// Index of a cell in the picture, whose uppermost row is the first; the cell must be inside.
   [[nodiscard]] std::size_t pixel(grid::CellIndex cell) const {
@@ -35,5 +37,8 @@ struct MapInput {
 /// must be from 0.001 to 10. Cell (0, 0) is the picture's lower left pixel. Errors as daemon::load_map has
 /// them.
 types::Result<MapInput> read_map_input(const std::string& path, double resolution_m);
+
+/// Prints the warnings on a map to standard error, a line each.
+void print_warnings(const std::string& path, const std::vector<std::string>& warnings);
 
 }  // namespace topo::bench

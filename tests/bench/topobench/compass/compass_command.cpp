@@ -45,6 +45,7 @@ types::Status run_compass(const CompassCommand& command) {
   for (const std::filesystem::path& file : *files) {
     const auto input = read_map_input(file.string(), 0.0);
     if (!input) return tl::unexpected(input.error());
+    print_warnings(file.string(), input->warnings);
     const std::optional<double> angle_rad = direction_of(input->map);
     json turns = json::array();
     for (const double turn_deg : command.turns_deg) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "daemon/mapfile/map_image.hpp"
+#include "tests/bench/topobench/analyse/map_input.hpp"
 #include "tests/bench/topobench/explore/explore_run.hpp"
 #include "tests/bench/topobench/judge/path_error.hpp"
 #include "tests/bench/topobench/judge/pose_file.hpp"
@@ -111,6 +112,7 @@ types::Status run_judge(const JudgeCommand& command) {
   if (!world) return tl::unexpected(world.error());
   const auto map = daemon::load_map(command.map);
   if (!map) return tl::unexpected(map.error());
+  print_warnings(command.map, map->warnings);
   const auto truth = read_poses(command.truth);
   if (!truth) return tl::unexpected(truth.error());
   const auto pairs = read_pairs(command, *truth);

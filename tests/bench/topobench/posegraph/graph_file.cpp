@@ -8,10 +8,13 @@
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/slam/graph_pattern.hpp"
 #include "tests/bench/carmen/fields.hpp"
+#include "tests/bench/carmen/passed_over.hpp"
+#include "tests/bench/topobench/posegraph/graph_tags.hpp"
 
 namespace topo::bench {
 namespace {
@@ -20,48 +23,75 @@ using types::Errc;
 using types::Result;
 using types::Status;
 
-constexpr std::size_t kIdMax = std::size_t{1} << 53U;  // what a double counts exactly
-constexpr double kInformationMax = 1e15;               // a micrometre's, a thousandfold
+constexpr double kInformationMax = 1e15;  // a micrometre's, a thousandfold
 
 enum class Format { kG2o, kToro };
 
 /// Where row and column of the upper triangle, row by row, stand among a line's six numbers.
-constexpr std::array<std::size_t, 6> kG2oOrder{0, 1, 2, 3, 4, 5};   // I11 I12 I13 I22 I23 I33
-constexpr std::array<std::size_t, 6> kToroOrder{0, 1, 4, 2, 5, 3};  // I11 I12 I22 I33 I13 I23
+using Order = std::array<std::size_t, 6>;
+constexpr Order kG2oOrder{0, 1, 2, 3, 4, 5};   // I11 I12 I13 I22 I23 I33
+constexpr Order kToroOrder{0, 1, 4, 2, 5, 3};  // I11 I12 I22 I33 I13 I23
 
 /// An edge as the file names its nodes.
 struct NamedEdge {
-  std::uint64_t from = 0, to = 0;
+  NodeName from, to;
   slam::Edge edge;
   int line = 0;
 };
+
+Eigen::Matrix3d symmetric(const std::array<double, 6>& numbers, const Order& order) {
+  Eigen::Matrix3d matrix;
+  std::size_t k = 0;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = r; c < 3; ++c) matrix(r, c) = matrix(c, r) = numbers[order[k++]];
+  }
+  return matrix;
+}
+
+/// The least and the greatest eigenvalue.
+std::pair<double, double> eigenvalues_of(const Eigen::Matrix3d& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(matrix, Eigen::EigenvaluesOnly);
+  return {parts.eigenvalues()[0], parts.eigenvalues()[2]};
+}
+
+bool is_information(const Eigen::Matrix3d& matrix) {
+  const auto [least, greatest] = eigenvalues_of(matrix);
+  return greatest > 0.0 && least >= -1e-9 * greatest;
+}
 
 class Reader {
  public:
   explicit Reader(LineSource source) : source_(std::move(source)) {}
 
   Result<GraphFile> run() {
-    std::vector<std::string_view> words;
-    while (true) {
-      const auto line = source_.next();
-      if (!line) return tl::unexpected(line.error());
-      if (!line->has_value()) break;
-      split_words(**line, words);
-      if (words.empty() || words.front().front() == '#') continue;
-      if (auto taken = take(Fields(source_, words)); !taken) return tl::unexpected(taken.error());
-    }
+    auto whole = read_lines(source_, [this](const Fields& f) { return f.is_comment() ? Status{} : take(f); });
+    if (!whole) return tl::unexpected(whole.error());
     return finish();
   }
 
  private:
   Status take(const Fields& f) {
-    const std::string_view tag = f.word(0);
-    if (tag == "VERTEX_SE2") return take_vertex(f, Format::kG2o);
-    if (tag == "VERTEX2") return take_vertex(f, Format::kToro);
-    if (tag == "EDGE_SE2") return take_edge(f, Format::kG2o, kG2oOrder);
-    if (tag == "EDGE2") return take_edge(f, Format::kToro, kToroOrder);
-    if (tag == "FIX") return take_fix(f);
-    return f.bad(0, "tag", "VERTEX_SE2, EDGE_SE2 or FIX (g2o), VERTEX2 or EDGE2 (TORO)");
+    switch (graph_line_of(f.word(0))) {
+      case GraphLine::kVertexG2o:
+        return take_vertex(f, Format::kG2o);
+      case GraphLine::kVertexToro:
+        return take_vertex(f, Format::kToro);
+      case GraphLine::kEdgeG2o:
+        return take_edge(f, Format::kG2o);
+      case GraphLine::kEdgeToro:
+        return take_edge(f, Format::kToro);
+      case GraphLine::kFix:
+        return take_fix(f);
+      case GraphLine::kOther:
+        return f.bad(
+            0, meaning_of(f.word(0)),
+            "a graph of relative poses in the plane alone: VERTEX_SE2, EDGE_SE2 and FIX (g2o), VERTEX2 "
+            "and EDGE2 (TORO)");
+      case GraphLine::kForeign:
+        break;
+    }
+    passed_over_.add(source_.line(), f.word(0));
+    return {};
   }
 
   Status expect_format(const Fields& f, Format format) {
@@ -72,10 +102,16 @@ class Reader {
         *format_ == Format::kG2o ? "tags of g2o, as the lines before" : "tags of TORO, as the lines before");
   }
 
+  static Result<NodeName> name(const Fields& f, std::size_t word, std::string_view what) {
+    auto name = parse_node_name(f.word(word));
+    if (!name) return f.bad(word, what, "a whole number or a name");
+    return std::move(*name);
+  }
+
   Status take_vertex(const Fields& f, Format format) {
     if (auto s = expect_format(f, format); !s) return s;
     if (auto s = f.expect_count(5, "TAG id x y theta"); !s) return s;
-    const auto id = f.count_field(1, "id", 0, kIdMax);
+    const auto id = name(f, 1, "id");
     if (!id) return tl::unexpected(id.error());
     const auto pose = f.pose(2, "pose");
     if (!pose) return tl::unexpected(pose.error());
@@ -83,52 +119,56 @@ class Reader {
     return {};
   }
 
-  Status take_edge(const Fields& f, Format format, const std::array<std::size_t, 6>& order) {
+  Status take_edge(const Fields& f, Format format) {
+    constexpr std::size_t kBare = 6;
+    const std::string_view layout = format == Format::kG2o ? "TAG from to x y theta I11 I12 I13 I22 I23 I33"
+                                                           : "TAG from to x y theta I11 I12 I22 I33 I13 I23";
     if (auto s = expect_format(f, format); !s) return s;
-    if (auto s = f.expect_count(12, format == Format::kG2o ? "TAG from to x y theta I11 I12 I13 I22 I23 I33"
-                                                           : "TAG from to x y theta I11 I12 I22 I33 I13 I23");
-        !s)
-      return s;
-    const auto from = f.count_field(1, "from", 0, kIdMax), to = f.count_field(2, "to", 0, kIdMax);
+    if (f.count() == kBare)
+      return source_.bad("an edge without its information matrix", fmt::format("12 words: {}", layout));
+    if (auto s = f.expect_count(12, layout); !s) return s;
+    auto from = name(f, 1, "from"), to = name(f, 2, "to");
     if (!from) return tl::unexpected(from.error());
     if (!to) return tl::unexpected(to.error());
     if (*from == *to) return f.bad(2, "to", "another node than the edge comes from");
     const auto pose = f.pose(3, "measured pose");
     if (!pose) return tl::unexpected(pose.error());
-    const auto information = read_information(f, order);
+    const auto information = read_information(f, format);
     if (!information) return tl::unexpected(information.error());
-    edges_.push_back({*from, *to, {0, 0, *pose, *information, false}, source_.line()});
+    edges_.push_back({std::move(*from), std::move(*to), {0, 0, *pose, *information, false}, source_.line()});
     return {};
   }
 
-  Result<Eigen::Matrix3d> read_information(const Fields& f, const std::array<std::size_t, 6>& order) {
-    Eigen::Matrix3d information;
-    std::size_t k = 0;
-    for (int r = 0; r < 3; ++r) {
-      for (int c = r; c < 3; ++c) {
-        const auto entry = f.number(6 + order[k++], "information", -kInformationMax, kInformationMax);
-        if (!entry) return tl::unexpected(entry.error());
-        information(r, c) = information(c, r) = *entry;
-      }
+  Result<Eigen::Matrix3d> read_information(const Fields& f, Format format) {
+    std::array<double, 6> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto entry = f.number(6 + i, "information", -kInformationMax, kInformationMax);
+      if (!entry) return tl::unexpected(entry.error());
+      numbers[i] = *entry;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(information, Eigen::EigenvaluesOnly);
-    const double least = parts.eigenvalues()[0], greatest = parts.eigenvalues()[2];
-    if (!(greatest > 0.0) || least < -1e-9 * greatest) {
-      return source_.bad(
-          fmt::format("an information matrix with eigenvalues {:.3g} to {:.3g}", least, greatest),
-          "a positive semidefinite one that is not zero");
-    }
-    return information;
+    const bool g2o = format == Format::kG2o;
+    const Eigen::Matrix3d information = symmetric(numbers, g2o ? kG2oOrder : kToroOrder);
+    if (is_information(information)) return information;
+    const auto [least, greatest] = eigenvalues_of(information);
+    const bool other_order = is_information(symmetric(numbers, g2o ? kToroOrder : kG2oOrder));
+    return source_.bad(
+        fmt::format("an information matrix with eigenvalues {:.3g} to {:.3g}", least, greatest),
+        fmt::format("a positive semidefinite one that is not zero{}",
+                    !other_order ? ""
+                    : g2o
+                        ? "; its numbers seem to stand in TORO's order, I11 I12 I22 I33 I13 I23, which goes "
+                          "with the tag EDGE2"
+                        : "; its numbers seem to stand in g2o's order, I11 I12 I13 I22 I23 I33, which goes "
+                          "with the tag EDGE_SE2"));
   }
 
   Status take_fix(const Fields& f) {
-    if (auto s = expect_format(f, Format::kG2o); !s) return s;
-    if (auto s = f.expect_count(2, "FIX id"); !s) return s;
-    const auto id = f.count_field(1, "id", 0, kIdMax);
-    if (!id) return tl::unexpected(id.error());
-    if (fixed_)
-      return f.bad(1, "id", "one fixed node: it takes the freedom of the whole, more would bend it");
-    fixed_ = std::pair(std::uint64_t{*id}, source_.line());
+    if (f.count() < 2) return f.expect_count(2, "FIX id, or more ids");
+    for (std::size_t i = 1; i < f.count(); ++i) {
+      auto id = name(f, i, "id");
+      if (!id) return tl::unexpected(id.error());
+      fixed_.emplace(std::move(*id), source_.line());
+    }
     return {};
   }
 
@@ -147,37 +187,56 @@ class Reader {
       }
     }
     GraphFile file;
-    std::map<std::uint64_t, std::size_t> index;
-    for (const auto& [id, pose] : vertices_) {
-      index.emplace(id, file.ids.size());
-      file.ids.push_back(id);
+    std::map<NodeName, std::size_t> index;
+    for (const auto& [name, pose] : vertices_) {
+      index.emplace(name, file.names.size());
+      file.names.push_back(name);
       if (estimated) file.poses.push_back(pose);
     }
+    if (auto s = number_edges(index, file); !s) return tl::unexpected(s.error());
+    if (auto s = number_fixed(index, file); !s) return tl::unexpected(s.error());
+    if (!slam::is_connected(file.names.size(), file.edges, file.fixed))
+      return bad_at(source_.line(), "nodes without a chain of edges between them", "a graph in one piece");
+    if (passed_over_.count() > 0)
+      file.remarks.push_back(passed_over_.remark("without a relative pose in the plane"));
+    return file;
+  }
+
+  Status number_edges(const std::map<NodeName, std::size_t>& index, GraphFile& file) {
     for (NamedEdge& named : edges_) {
-      for (const std::uint64_t id : {named.from, named.to}) {
-        if (!index.contains(id))
-          return bad_at(named.line, fmt::format("an edge to node {}", id), "nodes that have a vertex line");
+      for (const NodeName& name : {named.from, named.to}) {
+        if (!index.contains(name)) {
+          return bad_at(named.line, fmt::format("an edge to node {}", name.text()),
+                        "nodes that have a vertex line");
+        }
       }
       named.edge.from = index.at(named.from);
       named.edge.to = index.at(named.to);
       file.edges.push_back(named.edge);
     }
-    if (fixed_) {
-      const auto found = index.find(fixed_->first);
+    return {};
+  }
+
+  Status number_fixed(const std::map<NodeName, std::size_t>& index, GraphFile& file) const {
+    for (const auto& [name, line] : fixed_) {
+      const auto found = index.find(name);
       if (found == index.end())
-        return bad_at(fixed_->second, fmt::format("FIX of node {}", fixed_->first), "a node of the graph");
-      file.fixed = found->second;
+        return bad_at(line, fmt::format("FIX of node {}", name.text()), "a node of the graph");
+      file.fixed.push_back(found->second);
     }
-    if (!slam::is_connected(file.ids.size(), file.edges))
-      return bad_at(source_.line(), "nodes without a chain of edges between them", "a graph in one piece");
-    return file;
+    if (file.fixed.size() > 1 && file.poses.empty()) {
+      return bad_at(fixed_.begin()->second, fmt::format("{} fixed nodes", file.fixed.size()),
+                    "a vertex line for each, which says where it is held");
+    }
+    return {};
   }
 
   LineSource source_;
   std::optional<Format> format_;
-  std::map<std::uint64_t, types::Se2> vertices_;
+  std::map<NodeName, types::Se2> vertices_;
   std::vector<NamedEdge> edges_;
-  std::optional<std::pair<std::uint64_t, int>> fixed_;  ///< id and line
+  std::map<NodeName, int> fixed_;  ///< and the line that says so
+  PassedOver passed_over_;
 };
 
 }  // namespace

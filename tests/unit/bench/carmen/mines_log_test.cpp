@@ -55,12 +55,25 @@ TEST(MinesLog, SaysWhereAndWhatIsWrong) {
   };
   for (const Case& c :
        {Case{"", "found no scan"}, Case{good + "1 2 3\n", "m.dat:2: found 3 columns, expected 706"},
-        Case{"x" + good, "\"x1\" in word 1 (time in microseconds)"},
-        Case{good.substr(0, good.size() - 300), "truncated file"}}) {
+        Case{"x" + good,
+             "found no scan, but passed over 1 line without a time at the beginning: 1 of x1 (line 1)"},
+        Case{good.substr(0, good.size() - 300),
+             "found no scan, but passed over the last line, 1, which was cut"}}) {
     const auto log = read_mines_log(dir.write("m.dat", c.text));
     ASSERT_FALSE(log.has_value());
     EXPECT_THAT(log.error().message, HasSubstr(c.message));
   }
+}
+
+TEST(MinesLog, PassesOverForeignLinesAndACutEnd) {
+  const daemon::testing::TempDir dir;
+  const std::string a = mines_line(1, 1, 1, 1000), b = mines_line(2, 1, 1, 1000);
+  const auto log = read_mines_log(dir.write("m.dat", "\xEF\xBB\xBF# by hand\n" + a + b + b.substr(0, 700)));
+  ASSERT_TRUE(log.has_value()) << log.error().message;
+  EXPECT_EQ(log->scans.size(), 2U);
+  EXPECT_EQ(log->odometry.size(), 2U);
+  EXPECT_EQ(log->foreign_lines, 1);
+  EXPECT_EQ(log->remarks.size(), 2U);
 }
 
 }  // namespace

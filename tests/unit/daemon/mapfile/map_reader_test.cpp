@@ -86,6 +86,78 @@ TEST_F(MapReaderTest, ReadsTheModesOfMapServer) {
   EXPECT_THAT(cells("raw"), ElementsAre(kFree, kFree, kOccupied, kUnknown, kUnknown, kUnknown));
 }
 
+TEST_F(MapReaderTest, ReadsSixteenBits) {
+  // 0.65 of occupancy is not over 0.65; one step more is. In eight bits both would be one value.
+  const auto map = load(kYaml + "occupied_thresh: 0.65\n",
+                        "P5 4 1 60000\n" + std::string("\xEA\x60\x52\x08\x52\x07\x00\x00", 8));
+  ASSERT_TRUE(map.has_value()) << map.error().message;
+  EXPECT_THAT(map->cells,
+              ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied, MapCell::kOccupied));
+  const auto text = load(kYaml, "P2 2 1 65535 65535 0");
+  ASSERT_TRUE(text.has_value()) << text.error().message;
+  EXPECT_THAT(text->cells, ElementsAre(MapCell::kFree, MapCell::kOccupied));
+}
+
+TEST_F(MapReaderTest, ATextConvertersHeadIsReadRightOrRefused) {
+  const std::string pixels("\xFE\xCD\0", 3), head = "P5\r\n# c\r\n3 1\r\n255\r\n";
+  const auto expected = ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied);
+  for (const std::string& image :
+       {head + pixels, "P5 3 1 255 \n" + pixels, "P5 3 1 255\r" + pixels, "P5 3 1 255\n" + pixels + "\n"}) {
+    const auto map = load(kYaml, image);
+    ASSERT_TRUE(map.has_value()) << map.error().message;
+    EXPECT_THAT(map->cells, expected);
+  }
+  // A first pixel of 10 or 13 is a pixel where the number of bytes says so.
+  const auto dark = load(kYaml, "P5 3 1 255\n" + std::string("\n\xCD\xFE"));
+  ASSERT_TRUE(dark.has_value()) << dark.error().message;
+  EXPECT_THAT(dark->cells, ElementsAre(MapCell::kOccupied, MapCell::kUnknown, MapCell::kFree));
+  EXPECT_THAT(error(kYaml, head + pixels + "\r\n"), HasSubstr("a text converter?"));
+  EXPECT_THAT(error(kYaml, head + std::string("\xFE\xCD\r\n", 4)), HasSubstr("a text converter?"));
+}
+
+TEST_F(MapReaderTest, ReadsYamlsWordsForNegate) {
+  for (const char* word : {"1", "true", "True", "TRUE", "yes", "Yes", "on", "y", "\"1\""}) {
+    const auto map = load(kYaml + "negate: " + word + "\n", kPgm);
+    ASSERT_TRUE(map.has_value()) << map.error().message;
+    EXPECT_EQ(map->cells[0], MapCell::kOccupied) << word;
+  }
+  for (const char* word : {"0", "false", "False", "no", "No", "off", "n"}) {
+    const auto map = load(kYaml + "negate: " + word + "\n", kPgm);
+    ASSERT_TRUE(map.has_value()) << map.error().message;
+    EXPECT_EQ(map->cells[0], MapCell::kFree) << word;
+  }
+  EXPECT_THAT(error(kYaml + "negate: perhaps\n"), HasSubstr("found \"perhaps\", expected 0 or 1, or YAML's"));
+  EXPECT_THAT(error(kYaml + "negate: [1]\n"), HasSubstr("key negate: found a list of 1"));
+}
+
+TEST_F(MapReaderTest, AYawThatIsNoNumberIsNoneWithAWarning) {
+  for (const char* yaw : {"nan", "-nan", ".nan", "-.NaN", "NaN", "nan(ind)", "-nan(ind)"}) {
+    const auto map = load("image: m.pgm\nresolution: 0.1\norigin: [1, -2, " + std::string(yaw) + "]\n", kPgm);
+    ASSERT_TRUE(map.has_value()) << map.error().message;
+    EXPECT_EQ(map->origin, (types::Se2{1, -2, 0}));
+    EXPECT_THAT(map->warnings, ElementsAre(HasSubstr("line 3: key origin: took the yaw \"")));
+  }
+  EXPECT_TRUE(load(kYaml, kPgm)->warnings.empty());
+  for (const char* origin : {"[nan, 0, 0]", "[0, -nan, 0]", "[0, 0, inf]", "[0, 0, nancy]"})
+    EXPECT_THAT(error("image: m.pgm\nresolution: 1\norigin: " + std::string(origin) + "\n"),
+                HasSubstr("key origin: found"));
+}
+
+TEST_F(MapReaderTest, TakesThePictureBesideWhereThePathIsAnothers) {
+  for (const char* path : {"/home/somebody/maps/m.pgm", "maps/m.pgm", "'C:\\maps\\m.pgm'"}) {
+    const auto map = load("image: " + std::string(path) + "\nresolution: 1\norigin: [0, 0, 0]\n", kPgm);
+    ASSERT_TRUE(map.has_value()) << map.error().message;
+    EXPECT_EQ(map->width, 3);
+    EXPECT_THAT(map->warnings, ElementsAre(HasSubstr("is not there, took ")));
+  }
+  const auto gone = load("image: /nowhere/gone.pgm\nresolution: 1\norigin: [0, 0, 0]\n", kPgm);
+  ASSERT_FALSE(gone.has_value());
+  EXPECT_THAT(gone.error().message, HasSubstr("/nowhere/gone.pgm"));
+  EXPECT_EQ(gone.error().code, Errc::kNotFound);
+  EXPECT_THAT(error("image: /nowhere/m.pgm\nresolution: 1\norigin: [0, 0, 0]\n", "P5 3"),
+              HasSubstr("m.pgm: byte"));
+}
+
 TEST_F(MapReaderTest, SaysKeyFoundAndExpected) {
   EXPECT_THAT(error(""), HasSubstr("m.yaml: found no keys"));
   EXPECT_THAT(error("image: [\n"), HasSubstr("m.yaml: line "));
@@ -119,8 +191,10 @@ TEST_F(MapReaderTest, SaysWhatIsWrongWithTheImage) {
   EXPECT_THAT(error(kYaml, "P5 3"), HasSubstr("found the end of the file as height"));
   EXPECT_THAT(error(kYaml, "P5 99999 1 255\n"), HasSubstr("found 99999 as width"));
   EXPECT_THAT(error(kYaml, "P5 32768 32768 255\n"), HasSubstr("an image of 32768 x 32768 pixels"));
-  EXPECT_THAT(error(kYaml, "P5 3 1 65535\n123456"),
-              HasSubstr("found 65535 as greatest value, expected 1 to 255"));
+  EXPECT_THAT(error(kYaml, "P5 3 1 65536\n123456"),
+              HasSubstr("found 65536 as greatest value, expected 1 to 65535"));
+  EXPECT_THAT(error(kYaml, "P5 3 1 65535\n12345"),
+              HasSubstr("found 5 bytes of pixels (truncated file), expected at least 6"));
   EXPECT_THAT(error(kYaml, kPgm.substr(0, kPgm.size() - 1)),
               HasSubstr("found 2 bytes of pixels (truncated file), expected at least 3"));
   EXPECT_THAT(error(kYaml, "P2 3 1 255 1 2 x"), HasSubstr("found no number as pixel"));

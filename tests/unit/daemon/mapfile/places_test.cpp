@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/grid/wavefront.hpp"
 #include "core/places/segmentation/segment_places.hpp"
@@ -92,6 +93,24 @@ TEST(PlacesGeojson, OfNothingIsAnEmptyCollection) {
   EXPECT_TRUE(Json::parse(places_geojson({}, {}))["features"].empty());
 }
 
+TEST(Outlines, PartCellsThatTouchOverACorner) {
+  grid::DenseMap map;
+  map.box = {{0, 0}, {6, 6}};
+  map.cells.assign(49U, CellState::kUnknown);
+  std::vector<std::uint16_t> labels(49U, 0);
+  for (const grid::CellIndex c : {grid::CellIndex{1, 1}, {2, 2}, {4, 4}, {4, 5}}) labels[map.index(c)] = 1;
+  EXPECT_EQ(parts_of(outlines_of(map, labels, 1)[0]).size(), 3U);
+  // Two holes that touch, and a bay that is closed over a corner, are rings of their own.
+  labels.assign(49U, 0);
+  for (int y = 1; y < 6; ++y)
+    for (int x = 1; x < 6; ++x) labels[map.index({x, y})] = 1;
+  labels[map.index({2, 2})] = labels[map.index({3, 3})] = 0;
+  labels[map.index({5, 5})] = labels[map.index({4, 4})] = 0;
+  const auto parts = parts_of(outlines_of(map, labels, 1)[0]);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].size(), 4U) << "the outline and three holes of a cell";
+}
+
 TEST(Outlines, EncloseEveryCellOfTheirLabelOnce) {
   EXPECT_TRUE(rc::check([] {
     grid::DenseMap map;
@@ -105,8 +124,10 @@ TEST(Outlines, EncloseEveryCellOfTheirLabelOnce) {
     for (std::uint16_t label = 1; label <= 2; ++label) {
       std::int64_t twice = 0;
       for (const Ring& ring : outlines[label - 1U]) {
+        std::set<std::pair<int, int>> corners;
         for (std::size_t k = 0; k < ring.size(); ++k) {
           const grid::CellIndex a = ring[k], b = ring[(k + 1) % ring.size()];
+          RC_ASSERT(corners.emplace(a.x, a.y).second);
           RC_ASSERT((a.x == b.x) != (a.y == b.y));
           twice += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
         }
@@ -116,7 +137,7 @@ TEST(Outlines, EncloseEveryCellOfTheirLabelOnce) {
   }));
 }
 
-/// Cells of each region of marked cells that hang together over sides and corners, in rising order.
+/// Cells of each region of marked cells that hang together over sides, in rising order.
 std::vector<std::int64_t> region_sizes(const grid::DenseMap& map, std::vector<std::uint16_t> labels) {
   std::vector<std::int64_t> sizes;
   for (std::size_t seed = 0; seed < labels.size(); ++seed) {
@@ -127,7 +148,7 @@ std::vector<std::int64_t> region_sizes(const grid::DenseMap& map, std::vector<st
       const grid::CellIndex at = map.cell(region[i]);
       for (const grid::CellIndex& by : grid::kNeighbours) {
         const std::size_t next = map.index({at.x + by.x, at.y + by.y});
-        if (labels[next] == 0) continue;
+        if (labels[next] == 0 || (by.x != 0 && by.y != 0)) continue;
         labels[next] = 0;
         region.push_back(next);
       }
