@@ -16,8 +16,8 @@ TEAM = """
 [team]
 name = "demo"
 id = %d
-interface = "lo"
-peers = ["127.0.0.1"]
+interface = "%s"
+peers = %s
 security = "off"
 start = [%r, %r, %r]
 socket = "%s"
@@ -25,9 +25,11 @@ socket = "%s"
 
 
 class Robot:
-    """`devices`: the simulator's description of this robot, with addresses and start."""
+    """`devices`: the simulator's description of this robot, with addresses and start; `place`: where its link runs
+    (demo_network.Place)."""
 
-    def __init__(self, number, devices, options, folder, processes):
+    def __init__(self, number, devices, options, folder, processes, place):
+        self.place = place
         self.number, self.devices, self.options, self.processes = number, devices, options, processes
         suffix = str(number) if options.robots > 1 else ""
         self.name = "robot %d" % number if options.robots > 1 else "the robot"
@@ -36,7 +38,7 @@ class Robot:
         self.socket = folder / ("control%s.sock" % suffix)
         self.config = folder / ("topometric%s.toml" % suffix)
         self.link_socket = folder / ("link%s.sock" % suffix)
-        self.status, self.begin_s, self.home_s, self.waiter = {}, None, None, None
+        self.status, self.team, self.begin_s, self.home_s, self.waiter = {}, {}, None, None, None
 
     def topoctl(self, *words, patience_s=150.0):
         return self.processes.run("topoctl", "--socket", self.socket, *words, patience_s=patience_s)
@@ -55,14 +57,16 @@ class Robot:
             return text
         x, y, theta = self.devices["start"]
         text = demo_processes.configure(text, {("robot", "id"): self.number})
-        return text + TEAM % (self.number, x, y, math.degrees(theta), self.link_socket)
+        return text + TEAM % (self.number, self.place.interface, json.dumps(self.place.peers), x, y, math.degrees(theta),
+                              self.link_socket)
 
     def start(self):
         self.config.write_text(self.configuration())
         self.daemon = self.processes.start("topometricd", "--config", self.config, log=self.daemon_log)
         self.threads = demo_processes.ThreadTimes(self.daemon.pid)
         if self.options.robots > 1:
-            self.link = self.processes.start("topolink", "--config", self.config, log=self.link_log)
+            self.link = self.processes.start("topolink", "--config", self.config, log=self.link_log,
+                                              enter=self.place.enter)
             self.link_threads = demo_processes.ThreadTimes(self.link.pid)
 
     def wait_ready(self):
@@ -92,6 +96,10 @@ class Robot:
                 self.link_threads.update()
         if self.has_ended() and self.home_s is None:
             self.home_s = now_s
+
+    def ask_team(self):
+        """What it holds; of all robots right after each other, because it changes while they drive."""
+        self.team = self.answer("team") or self.team
 
     def has_ended(self):
         return self.waiter is not None and self.waiter.poll() is not None
