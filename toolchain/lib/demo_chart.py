@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Charts over time for the demonstration's pictures."""
 
+import itertools
+
 from PIL import Image, ImageDraw, ImageFont
 
 INK, LINE, GAP = (60, 60, 60), (222, 222, 222), (238, 232, 214)
@@ -11,8 +13,11 @@ LEFT, RIGHT, TOP, BOTTOM = 64, 16, 46, 34
 WIDTH = 960
 
 
-def write(image, place, text, colour=INK, scale=1):
+def write(image, place, text, colour=INK, scale=1, halo=None):
     """The font that PIL brings along has one size: enlarged where more is wanted. The place is the upper left corner."""
+    if halo:
+        for dx, dy in itertools.product((-scale, 0, scale), repeat=2):
+            write(image, (place[0] + dx, place[1] + dy), text, halo, scale)
     font = ImageFont.load_default()
     box = font.getbbox(text)
     mask = Image.new("L", (box[2] + 1, box[3] + 1), 0)

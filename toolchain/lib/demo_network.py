@@ -3,7 +3,7 @@
 """Network namespaces for the links of a team: one for each robot, with a veth `radio` to a bridge in one of its own. Each
 lives as long as the process that holds it, so that nothing is left behind whatever ends the demonstration.
 
-usage: demo_network.py SPEC: exit status 2, with the reason, when what a radio does cannot be done on this machine"""
+usage: demo_network.py SPEC TIME_LIMIT_S: exit status 2, with the reason, when what a radio does cannot be done on this machine"""
 
 import dataclasses
 import os
@@ -134,8 +134,11 @@ def main():
     with tempfile.TemporaryDirectory(prefix="topometric-demo-") as name:
         processes = demo_processes.Processes(pathlib.Path(name), pathlib.Path(name))
         try:
-            Network(processes, 1, demo_radio.parse(sys.argv[1], float("inf")))
+            Network(processes, 1, demo_radio.parse(sys.argv[1], float(sys.argv[2])))
             return 0
+        except ValueError as error:
+            print("demo: --radio '%s': %s" % (sys.argv[1], error), file=sys.stderr)
+            return 2
         except Unavailable as why:
             print("demo: %s" % refusal(sys.argv[1], why), file=sys.stderr)
             return 2

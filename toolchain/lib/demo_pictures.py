@@ -93,7 +93,7 @@ def draw_ways(grid, ways, goals, visits, title):
         by = [robot for robot, visit in enumerate(visits) if any(name == number for name, _, _ in visit)]
         x, y = pixel(*place)
         demo_chart.write(image, (x - 6 * scale, y - 6 * scale), str(number), demo_chart.COLOURS[by[0]] if len(by) == 1 else (0, 0, 0),
-                         scale=scale)
+                         scale=scale, halo=(255, 255, 255))
     framed = Image.new("RGB", (max(image.width, 640), image.height + 48), (255, 255, 255))
     framed.paste(image, (0, 48))
     demo_chart.write(framed, (10, 6), title)
@@ -110,11 +110,12 @@ def draw_coverage(samples, free, ways, title):
     chart.shares()
     chart.title(title)
     entries = [("seen by all together", (0, 0, 0), 3)]
-    chart.curve(moments, joined, (0, 0, 0), 3)
+    judged = samples["covered"][0] or 1.0  # on one scale with what the robots know, which ends at what was judged
+    chart.curve(moments, [judged * share for share in joined], (0, 0, 0), 3)
     for robot in range(len(ways)):
         colour, last = demo_chart.COLOURS[robot], samples["known_m2"][-1][robot] or 1.0
         covered = samples["covered"][robot] or 1.0
-        chart.curve(moments, own[robot], colour, 1)
+        chart.curve(moments, [judged * share for share in own[robot]], colour, 1)
         chart.curve(times_s, [known[robot] / last * covered for known in samples["known_m2"]], colour, 2)
         entries += [("robot %d knows" % (robot + 1), colour, 2), ("has seen itself", colour, 1)]
     demo_chart.legend(chart.image, (demo_chart.LEFT, 24), entries)

@@ -54,11 +54,13 @@ def of_robot(robot, verdict):
 
 
 def of_radio(demo):
-    """`equal_s`: from the end of each cut, and from the end of the last mission, until all robots were seen to hold the same."""
+    """`equal_s`: from the end of each cut, and from the end of the last mission, until all robots were seen to hold the same,
+    which while they drive is so for a moment now and then; `caught_up_s`: until none lacked much of what others held."""
     radio, record = demo.options.radio, demo.record
     return {"text": demo.options.radio_text, "links": "loopback" if demo.air.network is None else "namespaces",
             "gaps_s": demo.air.gaps,
-            "cuts": [{"from_s": begin, "to_s": end, "equal_s": record.equal_after(end)} for begin, end in radio.cuts],
+            "cuts": [{"from_s": begin, "to_s": end, "caught_up_s": record.caught_up_after(end),
+                      "equal_s": record.equal_after(end)} for begin, end in radio.cuts],
             "equal_s": record.equal_after(max(demo.ended_s, radio.last_cut_end_s()))}
 
 
@@ -108,7 +110,7 @@ def tell(report, out):
             number, each["t_home_s"], "-" if each["covered"] is None else "%.1f %%" % (100 * each["covered"]),
             (each["sent_bytes"] or 0) / 1e3, each["link_cpu_percent"]))
     for cut in report.get("radio", {}).get("cuts", []):
-        print("cut from %g to %g s: all held the same %s s after it" % (
-            cut["from_s"], cut["to_s"], "-" if cut["equal_s"] is None else cut["equal_s"]))
+        print("cut from %g to %g s: caught up %s s after it, all held the same %s s after it" % (
+            cut["from_s"], cut["to_s"], *("-" if cut[key] is None else cut[key] for key in ("caught_up_s", "equal_s"))))
     print("results: %s (look at %s)" % (out, "ways.png, coverage.png and goals.png" if "each" in report else "overview.png"))
     print("PASSED" if report["passed"] else "FAILED:\n" + "\n".join("  " + line for line in report["why"]))
