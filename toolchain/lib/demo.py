@@ -141,7 +141,7 @@ class Demo:
             if robot.has_ended():
                 continue
             self.why.append("%s was not home after %.0f s of robot time, the limit (--time-limit): %s" %
-                            (robot.name, self.elapsed_s, robot.status.get("reason", "-")))
+                            (robot.name, self.elapsed_s, demo_progress.reason(robot.status)))
             robot.topoctl("stop")
         return False
 

@@ -3,9 +3,10 @@
 """Network namespaces for the links of a team: one for each robot, with a veth `radio` to a bridge in one of its own. Each
 lives as long as the process that holds it, so that nothing is left behind whatever ends the demonstration.
 
-usage: demo_network.py SPEC TIME_LIMIT_S: exit status 2, with the reason, when what a radio does cannot be done on this machine"""
+usage: demo_network.py SPEC: exit status 2, with the reason, when what a radio does cannot be done on this machine"""
 
 import dataclasses
+import math
 import os
 import pathlib
 import shutil
@@ -130,20 +131,24 @@ def refusal(text, why):
             "namespaces; without --radio the links run on the loopback" % (text, why))
 
 
-def main():
+def trouble(text):
+    """Why what the radio does cannot be done here; empty: it can."""
     with tempfile.TemporaryDirectory(prefix="topometric-demo-") as name:
         processes = demo_processes.Processes(pathlib.Path(name), pathlib.Path(name))
         try:
-            Network(processes, 1, demo_radio.parse(sys.argv[1], float(sys.argv[2])))
-            return 0
-        except ValueError as error:
-            print("demo: --radio '%s': %s" % (sys.argv[1], error), file=sys.stderr)
-            return 2
+            Network(processes, 1, demo_radio.parse(text, math.inf))
+            return ""
         except Unavailable as why:
-            print("demo: %s" % refusal(sys.argv[1], why), file=sys.stderr)
-            return 2
+            return str(why)
         finally:
             processes.end_all()
+
+
+def main():
+    why = trouble(sys.argv[1])
+    if why:
+        print("demo: %s" % refusal(sys.argv[1], why), file=sys.stderr)
+    return 2 if why else 0
 
 
 if __name__ == "__main__":

@@ -9,6 +9,12 @@ import time
 LINE_PERIOD_S = 10.0  # where no terminal is
 
 
+def reason(status):
+    """Why a robot does what it does; that it stands because its data disagree goes first."""
+    doubts = [doubt.get("found", "-") for doubt in status.get("plausibility", {}).get("doubts", [])]
+    return "stands, because " + doubts[0] if doubts else status.get("reason", "-")
+
+
 class Progress:
     """One line that is written over on a terminal; elsewhere a line every ten seconds."""
 
@@ -32,7 +38,7 @@ class Progress:
         pose, twist = status.get("pose", {}), status.get("twist", {})
         return "  %2d goals  (%6.2f, %6.2f)  %4.2f m/s  %s: %s" % (
             status.get("open_goals") or 0, pose.get("x_m", 0.0), pose.get("y_m", 0.0), twist.get("v_mps", 0.0),
-            status.get("activity", "-"), status.get("reason", "-"))
+            status.get("activity", "-"), reason(status))
 
     def end(self):
         if self.terminal:

@@ -12,7 +12,7 @@ import sys
 
 EXPECTED = ("expected perfect, or items joined by +: loss:P with a share from 0 to below 1, range:M with metres above 0, "
             "cut:FROM:TO with seconds since the start, the later one last")
-NUMBER = re.compile(r"\d{1,6}(\.\d{1,6})?")
+NUMBER = re.compile(r"[0-9]{1,6}(\.[0-9]{1,6})?")
 LOSS_STEPS = 1000  # nft draws whole numbers
 
 
