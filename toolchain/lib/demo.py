@@ -82,6 +82,8 @@ class Demo:
         print("building: %s, seed %s" % (self.options.world, self.options.seed))
 
     def start_daemons(self):
+        if len(self.robots) > 1:
+            demo_robot.make_credentials(self.processes, self.folder, len(self.robots))
         for robot in self.robots:
             robot.start()
         for robot in self.robots:

@@ -4,6 +4,7 @@
 
 import json
 import math
+import os
 import pathlib
 import subprocess
 import time
@@ -14,14 +15,32 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 READY_LIMIT_S = 60
 TEAM = """
 [team]
-name = "demo"
+name = "%s"
 id = %d
 interface = "%s"
 peers = %s
-security = "off"
+security = "%s"
 start = [%r, %r, %r]
 socket = "%s"
 """
+
+
+def team_name():
+    """Of its own, so that another demonstration on the same loopback is another team."""
+    return "demo-%d" % os.getpid()
+
+
+def credentials(folder, robot):
+    return folder / "team" / ("robot-%d" % robot)
+
+
+def make_credentials(processes, folder, robots):
+    """For as long as the folder is there: a team of its own, and an identity for each robot."""
+    tool, team = SOURCE / "daemon/link/topometric-team", folder / "team"
+    for words in [("new", team, "--name", team_name()), *(("add", robot, team) for robot in range(1, robots + 1))]:
+        done = processes.run(tool, *words)
+        if done.returncode != 0:
+            raise demo_processes.Failure("the team has no credentials: %s" % done.stderr.strip())
 
 
 class Robot:
@@ -29,7 +48,7 @@ class Robot:
     (demo_network.Place)."""
 
     def __init__(self, number, devices, options, folder, processes, place):
-        self.place = place
+        self.place, self.folder = place, folder
         self.number, self.devices, self.options, self.processes = number, devices, options, processes
         suffix = str(number) if options.robots > 1 else ""
         self.name = "robot %d" % number if options.robots > 1 else "the robot"
@@ -57,8 +76,8 @@ class Robot:
             return text
         x, y, theta = self.devices["start"]
         text = demo_processes.configure(text, {("robot", "id"): self.number})
-        return text + TEAM % (self.number, self.place.interface, json.dumps(self.place.peers), x, y, math.degrees(theta),
-                              self.link_socket)
+        return text + TEAM % (team_name(), self.number, self.place.interface, json.dumps(self.place.peers),
+                              credentials(self.folder, self.number), x, y, math.degrees(theta), self.link_socket)
 
     def start(self):
         self.config.write_text(self.configuration())
