@@ -225,7 +225,8 @@ class Demo:
         python = "/usr/bin/python3" if os.access("/usr/bin/python3", os.X_OK) else sys.executable
         done = self.processes.run(python, "-B", SOURCE / "toolchain/lib/demo_pictures.py", self.out, patience_s=DRAW_LIMIT_S)
         if done.returncode != 0:
-            self.why.append("the pictures were not drawn: %s" % (done.stderr.strip().splitlines() or ["no reason"])[-1])
+            self.why.append("the pictures were not drawn (they take Debian's python3-numpy and python3-pil): %s" %
+                            (done.stderr.strip().splitlines() or ["no reason"])[-1])
 
     def run(self):
         self.lay_network()

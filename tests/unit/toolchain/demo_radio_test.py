@@ -13,6 +13,7 @@ TOP = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(TOP / "toolchain/lib"))
 
 import demo_air  # noqa: E402
+import demo_network  # noqa: E402
 import demo_radio  # noqa: E402
 import demo_record  # noqa: E402
 from demo_radio import Radio, parse  # noqa: E402
@@ -77,6 +78,20 @@ class When(unittest.TestCase):
         self.assertEqual(Radio(range_m=4.9).far_pairs(places), {(0, 1), (0, 2), (1, 2)})
         self.assertEqual(Radio().far_pairs(places), set())
         self.assertEqual(Radio().range_m, math.inf)
+
+
+class Refusal(unittest.TestCase):
+    def test_a_missing_program_is_named_with_its_package(self):
+        with self.assertRaisesRegex(demo_network.Unavailable, "no-such-tool is missing .package some-package."):
+            demo_network.tool("no-such-tool", "some-package")
+
+    def test_it_says_what_needs_namespaces_why_there_are_none_and_what_to_do(self):
+        said = demo_network.refusal("loss:0.3", "unshare: Operation not permitted")
+        for part in ("--radio 'loss:0.3'", "unshare: Operation not permitted", "as root", "without --radio"):
+            self.assertIn(part, said)
+
+    def test_every_robot_has_a_mac_of_its_own(self):
+        self.assertEqual(len({demo_network.mac(robot) for robot in range(8)}), 8)
 
 
 class Told:
