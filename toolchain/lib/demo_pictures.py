@@ -18,7 +18,8 @@ from PIL import Image, ImageDraw
 GOAL_APART_M = 1.2  # nearer ones are one goal, seen from elsewhere or on a better map
 GOAL_LOST_S = 3.0   # so long it may be away: a robot that waits or recovers has it still
 SEEN_PERIOD_S = 1.0
-ROW_HEIGHT = 46
+GOAL_SHOWN_S = 4.0  # the map has numbers of goals that somebody had for as long
+ROW_HEIGHT, HEADER_HEIGHT = 46, 48
 GREYS = {"free": (255, 255, 255), "wall": (50, 50, 50), "unknown": (226, 226, 226)}
 
 
@@ -90,15 +91,21 @@ def draw_ways(grid, ways, goals, visits, title):
         x, y = pixel(*way[0][1][:2])
         draw.ellipse((x - 5 * scale, y - 5 * scale, x + 5 * scale, y + 5 * scale), fill=colour, outline=(0, 0, 0))
     for number, place in enumerate(goals.places, 1):
-        by = [robot for robot, visit in enumerate(visits) if any(name == number for name, _, _ in visit)]
+        by = [robot for robot, visit in enumerate(visits)
+              if any(name == number and end - begin >= GOAL_SHOWN_S for name, begin, end in visit)]
+        if not by:
+            continue
         x, y = pixel(*place)
         demo_chart.write(image, (x - 6 * scale, y - 6 * scale), str(number), demo_chart.COLOURS[by[0]] if len(by) == 1 else (0, 0, 0),
                          scale=scale, halo=(255, 255, 255))
-    framed = Image.new("RGB", (max(image.width, 640), image.height + 48), (255, 255, 255))
-    framed.paste(image, (0, 48))
-    demo_chart.write(framed, (10, 6), title)
-    demo_chart.legend(framed, (10, 26), [("robot %d" % (robot + 1), demo_chart.COLOURS[robot], 4) for robot in range(len(ways))] +
+    width = max(image.width // scale, 640)
+    header = Image.new("RGB", (width, HEADER_HEIGHT), (255, 255, 255))
+    demo_chart.write(header, (10, 6), title)
+    demo_chart.legend(header, (10, 26), [("robot %d" % (robot + 1), demo_chart.COLOURS[robot], 4) for robot in range(len(ways))] +
                       [("numbers: goals, by who went for them (black: several)", (255, 255, 255), 1)])
+    framed = Image.new("RGB", (width * scale, image.height + HEADER_HEIGHT * scale), (255, 255, 255))
+    framed.paste(header.resize((header.width * scale, header.height * scale), Image.Resampling.NEAREST), (0, 0))
+    framed.paste(image, (0, HEADER_HEIGHT * scale))
     return framed.quantize(64)
 
 

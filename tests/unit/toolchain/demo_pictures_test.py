@@ -93,7 +93,7 @@ class Drawn(unittest.TestCase):
 
     def colours_at(self, image, place, radius=3):
         """Around a place in metres of the map: the picture has two pixels a cell, and a frame above."""
-        x, y = 2 * (place[0] + 1.0) / 0.05, 48 + 2 * (80 - (place[1] + 2.0) / 0.05)
+        x, y = 2 * (place[0] + 1.0) / 0.05, 2 * demo_pictures.HEADER_HEIGHT + 2 * (80 - (place[1] + 2.0) / 0.05)
         return {image.getpixel((int(x) + dx, int(y) + dy)) for dx in range(-radius, radius + 1) for dy in range(-radius, radius + 1)}
 
     def test_a_teams_ways_are_where_they_were_driven(self):
