@@ -15,8 +15,13 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "toolchain/lib"))
+import demo_network  # noqa: E402
+
 BIN = SOURCE = None
-FILES = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png", "judge.png", "report.json")
+NO_NAMESPACES = demo_network.trouble("cut:4:64")
+FILES = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png", "judge.png", "report.json",
+         "ways.png", "coverage.png", "goals.png", "samples.json")
 KEYS = ("world", "strategy", "robots", "seed", "fidelity", "finish", "reachable_m2", "t50_s", "t90_s", "t95_s", "t99_s",
         "t_home_s", "limit_s", "distance_m", "goals_issued", "clusters_sum", "goals_sum", "decision_ms", "collisions", "home",
         "coverage", "cpu_percent", "peak_rss_mb", "ate_rmse_m", "passed", "why")
@@ -29,10 +34,10 @@ class DemoRun(unittest.TestCase):
         self.folder = pathlib.Path(holder.name)
         self.out = self.folder / "results/of/today"
 
-    def start(self, limit_s, robots=1, world="flat"):
+    def start(self, limit_s, robots=1, world="flat", radio="perfect"):
         command = [sys.executable, "-B", SOURCE / "toolchain/lib/demo.py", "--bin", BIN, "--world",
                    SOURCE / ("tests/integration/%s.toml" % world), "--seed", "5", "--strategy", "topometric", "--finish", "complete",
-                   "--out", self.out, "--time-limit", limit_s, "--robots", robots]
+                   "--out", self.out, "--time-limit", limit_s, "--robots", robots, "--radio", radio]
         process = subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                    env={**os.environ, "TMPDIR": str(self.folder), "PYTHONUNBUFFERED": "1"})
         self.addCleanup(process.kill)
@@ -59,6 +64,33 @@ class DemoRun(unittest.TestCase):
         self.assertGreater(min(report["distance_m"]), 3.0, "both drove")
         self.assertGreater(min(first["received_bytes"], second["received_bytes"]), 10000)
         self.assertTrue((self.out / "robot2/overview.png").exists())
+
+    @unittest.skipIf(NO_NAMESPACES, "no network namespaces here: %s" % NO_NAMESPACES)
+    def test_a_minute_apart_while_both_explore_loses_nothing(self):
+        process = self.start(600, robots=2, world="wings", radio="cut:4:64")
+        said = process.communicate(timeout=900)[0]
+        print(said, file=sys.stderr)
+        self.nothing_is_left()
+        report = json.loads((self.out / "report.json").read_text())
+        self.assertEqual((process.returncode, report["passed"], report["why"]), (0, True, []))
+        self.assertEqual(report["radio"]["links"], "namespaces")
+        ((apart_s, together_s),) = report["radio"]["gaps_s"]
+        self.assertTrue(4.0 <= apart_s < 6.0 and 64.0 <= together_s < 66.0, report["radio"])
+        samples = json.loads((self.out / "samples.json").read_text())
+        known = [row for t, row in zip(samples["t_s"], samples["known_m2"]) if apart_s <= t <= together_s]
+        for robot in (0, 1):
+            self.assertGreater(known[-1][robot], known[0][robot] + 10.0, "robot %d explored during the cut" % (robot + 1))
+        # Nobody heard anybody meanwhile: the links were away and heard of again.
+        for number in (1, 2):
+            self.assertRegex((self.out / ("topolink%d.log" % number)).read_text(),
+                             "(?s)radio is gone or down.*radio is back or has another address")
+        (cut,) = report["radio"]["cuts"]
+        self.assertIsNotNone(cut["caught_up_s"], report["radio"])
+        self.assertIsNotNone(cut["equal_s"], report["radio"])
+        first, second = report["each"]
+        self.assertEqual(first["held_hash"], second["held_hash"])
+        for name in ("ways.png", "coverage.png", "goals.png"):
+            self.assertTrue((self.out / name).exists(), name)
 
     def test_a_flat_is_explored_and_the_robot_comes_home(self):
         process = self.start(600)

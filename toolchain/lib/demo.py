@@ -15,48 +15,25 @@ import sys
 import tempfile
 import time
 
+import demo_air
+import demo_network
 import demo_processes
+import demo_progress
+import demo_radio
+import demo_record
 import demo_report
 import demo_robot
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png")
-ALSO = ("judge.png", "report.json", "trajectory.txt", "goals.json", "topometricd.log", "truth.tsv")
-LINE_PERIOD_S = 10.0  # where no terminal is
+PICTURES = ("ways.png", "coverage.png", "goals.png")
+ALSO = (*PICTURES, "judge.png", "report.json", "samples.json", "trajectory.txt", "goals.json", "topometricd.log", "truth.tsv")
 POLL_PERIOD_S = 0.5
-SETTLE_LIMIT_S = 20
+AIR_PERIOD_S = 0.2  # at 0.7 m/s a range is kept to within 0.3 m
+SETTLE_LIMIT_S = 60  # after ten minutes apart all is held by all within a minute
+DRAW_LIMIT_S = 120
 # Mapping runs in real time. A machine that is too slow for it makes the simulated time lag behind.
 WALL_TIME_FACTOR = 3
-
-
-class Progress:
-    """One line that is written over on a terminal; elsewhere a line every ten seconds."""
-
-    def __init__(self):
-        self.terminal = sys.stdout.isatty()
-        self.next_s = 0.0
-
-    def show(self, statuses, elapsed_s):
-        if not self.terminal and time.monotonic() < self.next_s:
-            return
-        self.next_s = time.monotonic() + LINE_PERIOD_S
-        known = max(status.get("known_m2") or 0.0 for status in statuses)
-        line = "%5.0f s  %6.1f m2" % (elapsed_s, known) + "".join(self.of_robot(status) for status in statuses)
-        if self.terminal:
-            print("\r%s\033[K" % line[:shutil.get_terminal_size().columns - 1], end="", flush=True)
-        else:
-            print(line, flush=True)
-
-    @staticmethod
-    def of_robot(status):
-        pose, twist = status.get("pose", {}), status.get("twist", {})
-        return "  %2d goals  (%6.2f, %6.2f)  %4.2f m/s  %s: %s" % (
-            status.get("open_goals") or 0, pose.get("x_m", 0.0), pose.get("y_m", 0.0), twist.get("v_mps", 0.0),
-            status.get("activity", "-"), status.get("reason", "-"))
-
-    def end(self):
-        if self.terminal:
-            print(flush=True)
 
 
 class Demo:
@@ -66,9 +43,9 @@ class Demo:
         self.out = pathlib.Path(options.out)
         self.processes = processes
         self.why = []  # it did not pass
-        self.samples = []  # robot time since the start, known area
+        self.record = demo_record.Record()
         self.robots = []
-        self.last_truths = 0.0, []
+        self.last_truths, self.begin_s = (0.0, []), None
 
     def truths(self):
         """Robot time, and the robots as they are in the building; the last known when the simulator does not answer."""
@@ -78,29 +55,61 @@ class Demo:
             self.last_truths = answer["sim_s"], answer["robots"]
         return self.last_truths
 
+    def lay_network(self):
+        """Where each robot's link is; one network for all on the loopback where a perfect radio needs no better one."""
+        count, radio = self.options.robots, self.options.radio
+        self.air, self.places = demo_air.Air(radio, None), [demo_network.LOOPBACK] * count
+        if count == 1:
+            return
+        try:
+            network = demo_network.Network(self.processes, count, radio)
+        except demo_network.Unavailable as why:
+            if not radio.is_perfect():
+                raise demo_processes.Failure(demo_network.refusal(self.options.radio_text, why)) from None
+            print("links: on the loopback (no network namespaces: %s)" % why)
+            return
+        print("links: each in a network namespace of its own, radio %s" % self.options.radio_text)
+        self.air, self.places = demo_air.Air(radio, network), [network.place(robot) for robot in range(count)]
+
     def start_simulator(self):
         self.sim_control = self.folder / "sim.sock"
         ready = self.processes.start_and_read_line(
             "toposim", "--world", self.options.world, "--tcp", "--seed", self.options.seed, "--robots", self.options.robots,
             "--control", self.sim_control, "--truth", self.folder / "truth.tsv", "--die-with-parent")
-        self.robots = [demo_robot.Robot(number + 1, devices, self.options, self.folder, self.processes)
+        self.robots = [demo_robot.Robot(number + 1, devices, self.options, self.folder, self.processes, self.places[number])
                        for number, devices in enumerate(json.loads(ready)["robots"])]
-        self.truths()
+        self.follow()
         print("building: %s, seed %s" % (self.options.world, self.options.seed))
 
     def start_daemons(self):
+        if len(self.robots) > 1:
+            demo_robot.make_credentials(self.processes, self.folder, len(self.robots))
         for robot in self.robots:
             robot.start()
         for robot in self.robots:
             robot.wait_ready()
             print("daemon: topoctl --socket %s status, in another terminal, tells more" % robot.socket)
 
+    def follow(self):
+        """Robot time since the start, 0 before it, with the radio as it is then."""
+        sim_s, truths = self.truths()
+        self.elapsed_s = sim_s - self.begin_s if self.begin_s is not None else 0.0
+        self.air.follow(self.elapsed_s if self.begin_s is not None else demo_air.BEFORE_S,
+                        [(truth["x_m"], truth["y_m"]) for truth in truths])
+
+    def pause(self):
+        end = time.monotonic() + POLL_PERIOD_S
+        while not self.options.radio.is_perfect() and time.monotonic() < end - AIR_PERIOD_S:
+            time.sleep(AIR_PERIOD_S)
+            self.follow()
+        time.sleep(max(0.0, end - time.monotonic()))
+
     def explore(self):
-        begin_s, wall_end = self.truths()[0], time.monotonic() + WALL_TIME_FACTOR * self.options.time_limit
-        progress = Progress()
-        self.elapsed_s = 0.0
+        self.begin_s, wall_end = self.truths()[0], time.monotonic() + WALL_TIME_FACTOR * self.options.time_limit
+        self.begin_steady_s = time.monotonic()
+        progress = demo_progress.Progress()
         while not all(robot.has_ended() for robot in self.robots):
-            self.elapsed_s = self.truths()[0] - begin_s
+            self.follow()
             for robot in self.robots:
                 if robot.begin_s is None and self.elapsed_s >= (robot.number - 1) * self.options.entry_delay:
                     robot.begin(self.elapsed_s)
@@ -109,8 +118,9 @@ class Demo:
             progress.show([robot.status for robot in self.robots], self.elapsed_s)
             if not self.goes_on(time.monotonic() < wall_end):
                 break
-            time.sleep(POLL_PERIOD_S)
+            self.pause()
         progress.end()
+        self.ended_s = self.elapsed_s
         for robot in self.robots:
             robot.update(self.elapsed_s)
             trouble = robot.end_mission()
@@ -119,9 +129,10 @@ class Demo:
         self.note()
 
     def note(self):
-        """The team knows what its best informed robot knows."""
-        known = max(robot.status.get("known_m2") or 0.0 for robot in self.robots)
-        self.samples.append((self.elapsed_s, known))
+        if len(self.robots) > 1:
+            for robot in self.robots:
+                robot.ask_team()
+        self.record.note(self.elapsed_s, self.robots)
 
     def goes_on(self, in_time):
         for robot in self.robots:
@@ -132,7 +143,7 @@ class Demo:
             if robot.has_ended():
                 continue
             self.why.append("%s was not home after %.0f s of robot time, the limit (--time-limit): %s" %
-                            (robot.name, self.elapsed_s, robot.status.get("reason", "-")))
+                            (robot.name, self.elapsed_s, demo_progress.reason(robot.status)))
             robot.topoctl("stop")
         return False
 
@@ -141,12 +152,21 @@ class Demo:
         return self.out if robot.number == 1 else self.out / ("robot%d" % robot.number)
 
     def settle(self):
-        """Until all robots of the team hold the same: what they found last is on its way for a moment."""
-        end = time.monotonic() + SETTLE_LIMIT_S
-        while len({robot.answer("team").get("held", {}).get("hash") for robot in self.robots}) > 1:
-            if time.monotonic() > end:
+        """Until the radio's last cut is over and all robots of the team hold the same: what they found last is on its way
+        for a moment, and what they found apart for longer."""
+        begin_s = max(self.elapsed_s, self.options.radio.last_cut_end_s())
+        if begin_s > self.elapsed_s:
+            print("all have ended; waiting for the radio's cut to end at %.0f s" % begin_s, flush=True)
+        self.note()
+        while self.record.equal_after(begin_s) is None:
+            if self.elapsed_s > begin_s + SETTLE_LIMIT_S:
                 return self.why.append("the robots did not come to hold the same within %d s" % SETTLE_LIMIT_S)
-            time.sleep(POLL_PERIOD_S)
+            self.pause()
+            self.follow()
+            for robot in self.robots:
+                robot.check_alive()
+                robot.update(self.elapsed_s)
+            self.note()
 
     def save(self):
         if len(self.robots) > 1:
@@ -160,7 +180,8 @@ class Demo:
             for name in RESULTS:
                 if not (folder / name).exists():
                     self.why.append("%s was not written" % (folder / name))
-            robot.goals, robot.latency, robot.team = robot.answer("goals"), robot.answer("latency"), robot.answer("team")
+            robot.goals, robot.latency = robot.answer("goals"), robot.answer("latency")
+            robot.ask_team()
         self.lost_s = json.loads(self.processes.run("toposim", "ctl", self.sim_control, "status").stdout or "{}").get("lost_s")
 
     def stop(self):
@@ -196,13 +217,27 @@ class Demo:
         return min(math.hypot(truth["x_m"] - other.devices["start"][0], truth["y_m"] - other.devices["start"][1])
                    for other in self.robots)
 
+    def draw(self, judged):
+        """The pictures, by the system's Python: PIL and numpy are Debian's packages of it."""
+        (self.out / "samples.json").write_text(self.record.text(
+            starts=[robot.devices["start"] for robot in self.robots], gaps=self.air.gaps, begin_steady_s=self.begin_steady_s,
+            radio=self.options.radio_text, covered=[verdict.get("covered") for verdict in judged]))
+        python = "/usr/bin/python3" if os.access("/usr/bin/python3", os.X_OK) else sys.executable
+        done = self.processes.run(python, "-B", SOURCE / "toolchain/lib/demo_pictures.py", self.out, patience_s=DRAW_LIMIT_S)
+        if done.returncode != 0:
+            self.why.append("the pictures were not drawn (they take Debian's python3-numpy and python3-pil): %s" %
+                            (done.stderr.strip().splitlines() or ["no reason"])[-1])
+
     def run(self):
+        self.lay_network()
         self.start_simulator()
         self.start_daemons()
         self.explore()
         self.save()
         self.stop()
-        report = demo_report.make(self, [self.judge(robot) for robot in self.robots])
+        judged = [self.judge(robot) for robot in self.robots]
+        self.draw(judged)
+        report = demo_report.make(self, judged)
         (self.out / "report.json").write_text(demo_report.text(report))
         demo_report.tell(report, self.out)
         return 0 if report["passed"] else 1
@@ -231,7 +266,15 @@ def main():
     parser.add_argument("--robots", type=int, default=1)
     parser.add_argument("--entry-delay", type=float, default=0.0)
     parser.add_argument("--time-limit", type=int, required=True)
+    parser.add_argument("--radio", dest="radio_text", default="perfect")
     options = parser.parse_args()
+    try:
+        options.radio = demo_radio.parse(options.radio_text, options.time_limit)
+        if options.robots == 1 and not options.radio.is_perfect():
+            raise ValueError("a robot alone has no radio, expected --robots 2 or more")
+    except ValueError as error:
+        print("demo: --radio '%s': %s" % (options.radio_text, error), file=sys.stderr)
+        return 2
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.default_int_handler)
     try:

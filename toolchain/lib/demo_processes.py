@@ -35,9 +35,10 @@ class Processes:
     def command(self, name, words):
         return [str(self.programs / name), *map(str, words)]
 
-    def start(self, name, *words, log=None, **options):
+    def start(self, name, *words, log=None, enter=(), **options):
+        """`enter`: words before the command, which make it run elsewhere. A name with a path is no program of ours."""
         with open(self.folder / ((log or name) + ".log"), "ab") as log_file:
-            process = subprocess.Popen(self.command(name, words), stdin=subprocess.DEVNULL, stderr=log_file, text=True,
+            process = subprocess.Popen([*enter, *self.command(name, words)], stdin=subprocess.DEVNULL, stderr=log_file, text=True,
                                        start_new_session=True, preexec_fn=end_with_parent, **options)
         self.running.append(process)
         return process

@@ -53,10 +53,21 @@ def of_robot(robot, verdict):
     return report
 
 
+def of_radio(demo):
+    """`equal_s`: from the end of each cut, and from the end of the last mission, until all robots were seen to hold the same,
+    which while they drive is so for a moment now and then; `caught_up_s`: until none lacked much of what others held."""
+    radio, record = demo.options.radio, demo.record
+    return {"text": demo.options.radio_text, "links": "loopback" if demo.air.network is None else "namespaces",
+            "gaps_s": demo.air.gaps,
+            "cuts": [{"from_s": begin, "to_s": end, "caught_up_s": record.caught_up_after(end),
+                      "equal_s": record.equal_after(end)} for begin, end in radio.cuts],
+            "equal_s": record.equal_after(max(demo.ended_s, radio.last_cut_end_s()))}
+
+
 def make(demo, judged):
     options, (_, truths) = demo.options, demo.last_truths
     first, verdict = demo.robots[0], judged[0]
-    curve = coverage(demo.samples, verdict.get("covered"))
+    curve = coverage(demo.record.best_known(), verdict.get("covered"))
     why = reasons(demo, judged, truths)
     run = first.latency.get("planning", {}).get("run", {})
     cpu = first.threads.percent()
@@ -65,7 +76,7 @@ def make(demo, judged):
         "strategy": options.strategy, "robots": options.robots, "seed": options.seed, "fidelity": "real processes",
         "finish": options.finish,
         **{"t%d_s" % percent: time_to(curve, percent / 100.0) for percent in (50, 90, 95, 99)},
-        "t_home_s": round(demo.elapsed_s, 1) if all_home else None,
+        "t_home_s": round(demo.ended_s, 1) if all_home else None,
         "limit_s": options.time_limit, "distance_m": [round(truth["path_m"], 2) for truth in truths],
         "collisions": sum(truth["collisions"] for truth in truths),
         **{key: first.goals[key] for key in ("goals_issued", "clusters_sum", "goals_sum") if key in first.goals},
@@ -76,6 +87,7 @@ def make(demo, judged):
     report.update({key: value for key, value in verdict.items() if key not in report})
     if options.robots > 1:
         report["each"] = [of_robot(*pair) for pair in zip(demo.robots, judged)]
+        report["radio"] = of_radio(demo)
     return {**report, "passed": not why, "why": why, "coverage": curve}
 
 
@@ -97,5 +109,8 @@ def tell(report, out):
         print("robot %d: home after %s s, %s of the area in its map, %.1f kB sent, link %.1f %% of a core" % (
             number, each["t_home_s"], "-" if each["covered"] is None else "%.1f %%" % (100 * each["covered"]),
             (each["sent_bytes"] or 0) / 1e3, each["link_cpu_percent"]))
-    print("results: %s (look at overview.png)" % out)
+    for cut in report.get("radio", {}).get("cuts", []):
+        print("cut from %g to %g s: caught up %s s after it, all held the same %s s after it" % (
+            cut["from_s"], cut["to_s"], *("-" if cut[key] is None else cut[key] for key in ("caught_up_s", "equal_s"))))
+    print("results: %s (look at %s)" % (out, "ways.png, coverage.png and goals.png" if "each" in report else "overview.png"))
     print("PASSED" if report["passed"] else "FAILED:\n" + "\n".join("  " + line for line in report["why"]))

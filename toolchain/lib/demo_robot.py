@@ -4,6 +4,7 @@
 
 import json
 import math
+import os
 import pathlib
 import subprocess
 import time
@@ -14,20 +15,40 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 READY_LIMIT_S = 60
 TEAM = """
 [team]
-name = "demo"
+name = "%s"
 id = %d
-interface = "lo"
-peers = ["127.0.0.1"]
-security = "off"
+interface = "%s"
+peers = %s
+security = "%s"
 start = [%r, %r, %r]
 socket = "%s"
 """
 
 
-class Robot:
-    """`devices`: the simulator's description of this robot, with addresses and start."""
+def team_name():
+    """Of its own, so that another demonstration on the same loopback is another team."""
+    return "demo-%d" % os.getpid()
 
-    def __init__(self, number, devices, options, folder, processes):
+
+def credentials(folder, robot):
+    return folder / "team" / ("robot-%d" % robot)
+
+
+def make_credentials(processes, folder, robots):
+    """For as long as the folder is there: a team of its own, and an identity for each robot."""
+    tool, team = SOURCE / "daemon/link/topometric-team", folder / "team"
+    for words in [("new", team, "--name", team_name()), *(("add", robot, team) for robot in range(1, robots + 1))]:
+        done = processes.run(tool, *words)
+        if done.returncode != 0:
+            raise demo_processes.Failure("the team has no credentials: %s" % done.stderr.strip())
+
+
+class Robot:
+    """`devices`: the simulator's description of this robot, with addresses and start; `place`: where its link runs
+    (demo_network.Place)."""
+
+    def __init__(self, number, devices, options, folder, processes, place):
+        self.place, self.folder = place, folder
         self.number, self.devices, self.options, self.processes = number, devices, options, processes
         suffix = str(number) if options.robots > 1 else ""
         self.name = "robot %d" % number if options.robots > 1 else "the robot"
@@ -36,7 +57,7 @@ class Robot:
         self.socket = folder / ("control%s.sock" % suffix)
         self.config = folder / ("topometric%s.toml" % suffix)
         self.link_socket = folder / ("link%s.sock" % suffix)
-        self.status, self.begin_s, self.home_s, self.waiter = {}, None, None, None
+        self.status, self.team, self.begin_s, self.home_s, self.waiter = {}, {}, None, None, None
 
     def topoctl(self, *words, patience_s=150.0):
         return self.processes.run("topoctl", "--socket", self.socket, *words, patience_s=patience_s)
@@ -55,14 +76,16 @@ class Robot:
             return text
         x, y, theta = self.devices["start"]
         text = demo_processes.configure(text, {("robot", "id"): self.number})
-        return text + TEAM % (self.number, x, y, math.degrees(theta), self.link_socket)
+        return text + TEAM % (team_name(), self.number, self.place.interface, json.dumps(self.place.peers),
+                              credentials(self.folder, self.number), x, y, math.degrees(theta), self.link_socket)
 
     def start(self):
         self.config.write_text(self.configuration())
         self.daemon = self.processes.start("topometricd", "--config", self.config, log=self.daemon_log)
         self.threads = demo_processes.ThreadTimes(self.daemon.pid)
         if self.options.robots > 1:
-            self.link = self.processes.start("topolink", "--config", self.config, log=self.link_log)
+            self.link = self.processes.start("topolink", "--config", self.config, log=self.link_log,
+                                              enter=self.place.enter)
             self.link_threads = demo_processes.ThreadTimes(self.link.pid)
 
     def wait_ready(self):
@@ -92,6 +115,10 @@ class Robot:
                 self.link_threads.update()
         if self.has_ended() and self.home_s is None:
             self.home_s = now_s
+
+    def ask_team(self):
+        """What it holds; of all robots right after each other, because it changes while they drive."""
+        self.team = self.answer("team") or self.team
 
     def has_ended(self):
         return self.waiter is not None and self.waiter.poll() is not None
