@@ -19,6 +19,7 @@ struct DoctorFacts {
   struct Device {
     std::string name, address, state, message;
     bool working = false;
+    std::string assumed{};  ///< DeviceReport::assumed
   };
   std::vector<Device> devices;
   struct Can {

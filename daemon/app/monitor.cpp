@@ -97,7 +97,8 @@ DoctorFacts Monitor::facts() const {
                                  : device.name == "front" ? c.front.address
                                                           : c.coronal.address;
     facts.devices.push_back({std::string(device.name), address, device.report.state.str(),
-                             device.report.message.str(), device.report.working});
+                             device.report.message.str(), device.report.working,
+                             device.report.assumed.str()});
     if (device.name == "base" && device.report.watchdog_ms >= 0)
       facts.watchdog_ms = device.report.watchdog_ms;
   }
@@ -133,6 +134,8 @@ void Monitor::update_devices() {
       spdlog::log(report->working ? spdlog::level::info : spdlog::level::warn, "{}: {}: {}", device.name,
                   report->state.view(), report->message.view());
     }
+    if (report->assumed.view() != device.report.assumed.view() && !report->assumed.view().empty())
+      spdlog::warn("{}: assumed: {}", device.name, report->assumed.view());
     device.report = *report;
   }
 }

@@ -11,6 +11,7 @@
 
 #include "daemon/config/polygon.hpp"
 #include "daemon/config/pose.hpp"
+#include "drivers/pioneer/robot_models.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -57,6 +58,7 @@ bool is_told_text(std::string_view text) {
   return text.size() <= 32 &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
+bool is_family(std::string_view text) { return text.empty() || pioneer::find_model(text) != nullptr; }
 bool is_group(std::string_view text) { return all_of(text, 32, "-_") && text.front() != '-'; }
 bool is_absolute(std::string_view text) {
   return text.size() > 1 && text.size() < 4096 && text.front() == '/' && text.back() != '/' &&
@@ -82,6 +84,8 @@ bool is_security(std::string_view text) { return text == "off" || is_absolute(te
 
 constexpr std::string_view kToldForm =
     "up to 32 printable characters as the robot tells them, or \"\" for any";
+constexpr std::string_view kFamilyForm =
+    "p3dx-sh, p3at-sh, p3atiw-sh, p3dx, p3at, p2d8+, p2at8+, p2dx or p2at, or \"\" for none";
 constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for none";
 
 /// A team is small; every address costs a datagram a second to where nobody may be.
@@ -116,6 +120,9 @@ void add_base(std::vector<KeySpec>& t) {
                "name that the controller must tell (SYNC2, CONFIG), exactly; \"\": any"});
   t.push_back({"base.serial_number", "", false, TextKey{&at<kS, &C::serial_number>, kToldForm, &is_told_text},
                "serial number that the controller must tell (CONFIG), exactly; \"\": any"});
+  t.push_back(
+      {"base.family", "", false, TextKey{&at<kS, &C::family>, kFamilyForm, &is_family},
+       "whose factors hold for a controller whose subclass names no known board; \"\": it is refused"});
   t.push_back({"base.v_max_mps", "m/s", false, RealKey{&at<kS, &C::v_max_mps>, 0.05, 2.0},
                "forward speed never exceeded"});
   t.push_back({"base.omega_max_radps", "rad/s", false, RealKey{&at<kS, &C::omega_max_radps>, 0.1, 5.0},

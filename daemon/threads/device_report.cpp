@@ -75,6 +75,7 @@ void fill_report(DeviceReport& report, const pioneer::Connection& connection) {
   report.working = connection.health() == pioneer::Health::kReady;
   if (connection.info()) set_identity(report, connection.info()->subclass, *connection.info());
   if (connection.info()) report.watchdog_ms = connection.info()->watchdog_ms;
+  if (connection.info()) report.assumed = connection.info()->assumed;
   const pioneer::Counters& c = connection.counters();
   report.counters = {c.status_packets, c.bad_packets, c.lost_packets, c.reconnects, c.commands, c.bytes};
   report.bus = c.bus;

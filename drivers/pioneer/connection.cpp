@@ -143,7 +143,8 @@ void Connection::Impl::open(Duration timeout) {
 
 void Connection::Impl::begin_handshake() {
   listening.reset();
-  ExpectedRobot expected{config.expected_subclass, config.expected_name, config.expected_serial_number};
+  ExpectedRobot expected{config.expected_chassis, config.expected_name, config.expected_serial_number,
+                         config.family};
   handshake.emplace(*link, std::move(expected), connector->name(), retry.good_baud, retry.may_drive_until);
   if (auto begun = handshake->begin(); !begun) {
     lose(Health::kDisconnected, begun.error().message);
@@ -221,7 +222,7 @@ void Connection::Impl::start_running() {
   const std::optional<ConfigPacket> packet = handshake->config();
   model = handshake->model();
   if (info) ++counters.reconnects;
-  info = make_robot_info(handshake->name(), model, packet);
+  info = make_robot_info(handshake->name(), handshake->subclass(), model, packet);
   retry.good_baud = handshake->baud();
   handshake.reset();
   retry.back_off = kBackOffMin;

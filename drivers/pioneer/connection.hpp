@@ -18,8 +18,9 @@ namespace topo::pioneer {
 
 /// Configuration of the base.
 struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and the firmware's limits
-  std::string expected_subclass;                ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
-  std::string expected_name;                    ///< as in SYNC2 and CONFIG, exactly; empty: any
+  std::string expected_chassis;                 ///< "p3dx", "p3at"; empty: any whose family is known
+  std::string family;         ///< whose factors hold for a subclass that names none; empty: it is refused
+  std::string expected_name;  ///< as in SYNC2 and CONFIG, exactly; empty: any
   std::string expected_serial_number;  ///< as in CONFIG, exactly; empty: any, also a base without CONFIG
   bool sonar = true;
 };
@@ -29,6 +30,7 @@ enum class Health { kDisconnected, kConnecting, kWrongDevice, kReady, kSilent, k
 /// The robot's names, its CONFIG packet, and the model's table (PROTOCOLS section 6).
 struct RobotInfo {
   std::string name, robot_class, subclass, firmware, serial_number;
+  std::string assumed;  ///< of its factors, by its family; empty: nothing
   int watchdog_ms = 0;  ///< 0 or missing: driving is refused
   int sip_cycle_ms = 100;
   double v_top_mps = 0.0, omega_top_radps = 0.0;

@@ -107,7 +107,8 @@ Handshake::Progress Handshake::on_time() {
       return sync_timed_out();
     case Phase::kFirstStatus:
       if (++tries_ >= kTries)
-        return fail(Health::kSilent, device_ + ": " + name_ + " answers SYNC but sends no status after OPEN");
+        return fail(Health::kSilent,
+                    device_ + ": " + names_.name + " answers SYNC but sends no status after OPEN");
       send_open();
       return Progress::kPending;
     case Phase::kConfig:
@@ -195,23 +196,32 @@ Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
 
 Handshake::Progress Handshake::on_names(const PacketView& packet) {
   types::ByteReader in(packet.payload.subspan(1));
-  name_ = in.text();
-  const std::string robot_class = in.text();
-  const std::string subclass = in.text();
-  if (subclass.empty())
-    return fail(Health::kWrongDevice, device_ +
-                                          ": found an answer to SYNC2 without names (a line that echoes?)" +
-                                          "; expected name, class and subclass of a Pioneer");
-  const std::string found = device_ + ": found robot \"" + name_ + "\", class \"" + robot_class +
-                            "\", subclass \"" + subclass + "\"; expected ";
-  const RobotModel* expected = find_model(expected_.subclass);
-  model_ = find_model(subclass);
-  if (!expected_.subclass.empty() && (model_ == nullptr || model_ != expected))
-    return fail(Health::kWrongDevice, found + "subclass \"" + expected_.subclass + "\"");
-  if (model_ == nullptr) return fail(Health::kWrongDevice, found + "one of " + known_subclasses());
-  // Before OPEN: another robot's connection is not opened.
-  if (!expected_.name.empty() && name_ != expected_.name)
-    return another_robot("\"" + name_ + "\"", "\"" + expected_.name + "\"");
+  names_.name = in.text();
+  names_.robot_class = in.text();
+  names_.subclass = in.text();
+  if (!names_.subclass.empty()) return judge_names();
+  return fail(Health::kWrongDevice, device_ +
+                                        ": found an answer to SYNC2 without names (a line that echoes?)" +
+                                        "; expected name, class and subclass of a Pioneer");
+}
+
+/// Before OPEN: another robot's connection is not opened. A subclass that names a family holds against the
+/// configured one, whose factors would be another board's.
+Handshake::Progress Handshake::judge_names() {
+  const std::string found = device_ + ": found robot \"" + names_.name + "\", class \"" + names_.robot_class +
+                            "\", subclass \"" + names_.subclass + "\"; expected ";
+  const RobotModel* const told = find_family(names_.subclass);
+  const RobotModel* const given = find_model(expected_.family);
+  if (told != nullptr && given != nullptr && told != given)
+    return fail(Health::kWrongDevice, found + "the family " + expected_.family + " (base.family)");
+  model_ = told != nullptr ? told : given;
+  if (model_ == nullptr)
+    return fail(Health::kWrongDevice,
+                found + "one of " + known_families() + "; if its board is like one of these: base.family");
+  if (!expected_.chassis.empty() && model_->chassis != expected_.chassis)
+    return fail(Health::kWrongDevice, found + "a " + expected_.chassis + " (robot.model)");
+  if (!expected_.name.empty() && names_.name != expected_.name)
+    return another_robot("\"" + names_.name + "\"", "\"" + expected_.name + "\"");
   tries_ = 0;
   send_open();
   return Progress::kPending;
@@ -223,7 +233,7 @@ Handshake::Progress Handshake::on_config(const PacketView& packet) {
   if (!expected_.name.empty() && config_->name != expected_.name)
     return another_robot("\"" + config_->name + "\" (by its CONFIG packet)", "\"" + expected_.name + "\"");
   if (!expected_.serial_number.empty() && config_->serial_number != expected_.serial_number)
-    return another_robot("\"" + name_ + "\" with the serial number \"" + config_->serial_number + "\"",
+    return another_robot("\"" + names_.name + "\" with the serial number \"" + config_->serial_number + "\"",
                          "the serial number \"" + expected_.serial_number + "\"");
   return Progress::kDone;
 }
@@ -231,7 +241,7 @@ Handshake::Progress Handshake::on_config(const PacketView& packet) {
 /// Old firmware does not know CONFIG and is accepted, but not as a robot that is told apart by it.
 Handshake::Progress Handshake::no_config() {
   if (expected_.serial_number.empty()) return Progress::kDone;
-  return fail(Health::kSilent, device_ + ": found robot \"" + name_ +
+  return fail(Health::kSilent, device_ + ": found robot \"" + names_.name +
                                    "\" that does not tell its serial number (no CONFIG packet); expected \"" +
                                    expected_.serial_number + "\": is the line bad, or the firmware too old?");
 }

@@ -17,7 +17,8 @@ namespace topo::pioneer {
 
 /// The robot that must answer; an empty text accepts any.
 struct ExpectedRobot {
-  std::string subclass, name, serial_number;
+  std::string chassis, name, serial_number;
+  std::string family;  ///< of a robot whose subclass names none (ConnectionConfig)
 };
 
 /// From an open port to an open connection with a known robot (PROTOCOLS sections 2 and 7): a state machine
@@ -45,7 +46,8 @@ class Handshake {
   /// True after the robot has answered SYNC0.
   [[nodiscard]] bool heard_robot() const { return heard_robot_; }
   [[nodiscard]] int baud() const { return bauds_.current; }
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& name() const { return names_.name; }
+  [[nodiscard]] const std::string& subclass() const { return names_.subclass; }
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] const std::optional<ConfigPacket>& config() const { return config_; }
   /// Valid after kFailed.
@@ -60,6 +62,10 @@ class Handshake {
     std::size_t index = 0;
     int current = 0;
   };
+  /// As SYNC2 tells them.
+  struct Names {
+    std::string name, robot_class, subclass;
+  };
   enum class Phase { kStopping, kQuiet, kSync, kFirstStatus, kConfig };
 
   void enter(Phase phase, types::Duration wait);
@@ -73,6 +79,7 @@ class Handshake {
   Progress no_answer();
   Progress on_sync_packet(const PacketView& packet);
   Progress on_names(const PacketView& packet);
+  Progress judge_names();
   Progress on_config(const PacketView& packet);
   Progress no_config();
   Progress another_robot(const std::string& found, const std::string& expected);
@@ -96,7 +103,7 @@ class Handshake {
   bool heard_robot_ = false;
   std::string foreign_;  ///< first received bytes that were not ARCOS, with their speed
 
-  std::string name_;
+  Names names_;
   const RobotModel* model_ = nullptr;
   std::optional<ConfigPacket> config_;
   Health failure_ = Health::kSilent;

@@ -33,12 +33,13 @@ void add_config(RobotInfo& info, const ConfigPacket& config) {
 
 }  // namespace
 
-RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
+RobotInfo make_robot_info(const std::string& name, const std::string& subclass, const RobotModel& model,
                           const std::optional<ConfigPacket>& config) {
   RobotInfo info;
   info.name = name;
   info.robot_class = "Pioneer";
-  info.subclass = model.subclass;
+  info.subclass = subclass;
+  info.assumed = assumption(subclass, model);
   info.v_top_mps = model.size.v_max_mps;
   info.omega_top_radps = model.size.omega_max_radps;
   info.track_m = 2e-3 / model.radps_per_mmps;

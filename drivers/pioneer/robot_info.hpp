@@ -13,7 +13,7 @@
 namespace topo::pioneer {
 
 /// Combines table and CONFIG packet; without the packet the watchdog is 0, meaning unknown.
-RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
+RobotInfo make_robot_info(const std::string& name, const std::string& subclass, const RobotModel& model,
                           const std::optional<ConfigPacket>& config);
 
 /// Empty when the firmware stops the robot within two seconds after loss of its host; otherwise the reason

@@ -92,6 +92,8 @@ TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
       {"real time", "not asked for", "\"enforce\"", [](DoctorFacts& f) { f.policy = RealtimePolicy::kOff; }},
       {"firmware watchdog", "2000 ms", "up to 1.4 m before it brakes",
        [](DoctorFacts& f) { f.watchdog_ms = 2000; }},
+      {"base", "ready", "\"p3dx-sh-lms1xx\" is driven as p3dx-sh; drive 2 m and a turn by hand",
+       [](DoctorFacts& f) { f.devices[0].assumed = "\"p3dx-sh-lms1xx\" is driven as p3dx-sh"; }},
       {"speed", "at most 0.8 m/s", "0.64 m (0.49 m at 0.7 m/s)",
        [](DoctorFacts& f) { f.configuration.base.v_max_mps = 0.8; }},
       {"team security", "off", "who is in reach of wlan0 can read, disturb and command the team",
