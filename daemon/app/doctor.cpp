@@ -36,6 +36,10 @@ std::string device_cure(const DoctorFacts::Device& d) {
         d.address, key);
   }
   if (d.state == "unsafe") return "see the check \"firmware watchdog\"";
+  if (d.state == "on trial")
+    return "with room to turn: topoctl drive 0 0.2 --for 5; the robot must stop by itself while nothing is "
+           "sent "
+           "to it, and is ready then";
   const bool on_can = d.address.starts_with("can:");
   if (d.state == "silent" && !on_can) {
     return "the port is there and nothing sensible comes: switch the device on, look at its cable, and at "
@@ -139,7 +143,8 @@ Check check_bumpers(const DoctorFacts& f) {
 
 Check permitted_watchdog(const DoctorFacts& f) {
   constexpr int kDaring_ms = 1000;
-  Check check = good("firmware watchdog", fmt::format("{} ms", *f.watchdog_ms));
+  Check check = good("firmware watchdog",
+                     fmt::format("{} ms{}", *f.watchdog_ms, f.watchdog_given ? " by base.watchdog_ms" : ""));
   if (*f.watchdog_ms > kDaring_ms) {
     check.safer = fmt::format(
         "when the computer dies, the robot runs on for up to {:.1f} m before it brakes, and it keeps as much "

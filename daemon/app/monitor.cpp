@@ -99,8 +99,10 @@ DoctorFacts Monitor::facts() const {
     facts.devices.push_back({std::string(device.name), address, device.report.state.str(),
                              device.report.message.str(), device.report.working,
                              device.report.assumed.str()});
-    if (device.name == "base" && device.report.watchdog_ms >= 0)
+    if (device.name == "base" && device.report.watchdog_ms >= 0) {
       facts.watchdog_ms = device.report.watchdog_ms;
+      facts.watchdog_given = device.report.watchdog_given;
+    }
   }
   facts.can = can_facts(c.base.address);
   if (facts.can && !tallies_.empty()) {
@@ -155,15 +157,23 @@ void Monitor::update_pulses(types::Stamp now) {
   stuck_ = std::move(stuck);
 }
 
+std::string Monitor::obstacle_of(const Device& device) {
+  const std::string_view message = device.report.message.view();
+  const std::string_view state = device.report.state.view();  // empty before the thread's first report
+  return fmt::format("{} is not ready: {}{}{}", device.name, state.empty() ? "starting" : state,
+                     message.empty() ? "" : ": ", message);
+}
+
 std::string Monitor::device_obstacle() const {
-  for (const Device& device : devices_) {
-    if (device.report.working) continue;
-    const std::string_view message = device.report.message.view();
-    const std::string_view state = device.report.state.view();  // empty before the thread's first report
-    return fmt::format("{} is not ready: {}{}{}", device.name, state.empty() ? "starting" : state,
-                       message.empty() ? "" : ": ", message);
-  }
-  return base_.ready ? "" : "base is not ready: it takes no commands yet";
+  for (const Device& device : devices_)
+    if (!device.report.working) return obstacle_of(device);
+  return base_obstacle();
+}
+
+std::string Monitor::base_obstacle() const {
+  if (base_.ready) return {};
+  const Device& base = devices_.front();
+  return base.report.working ? "base is not ready: it takes no commands yet" : obstacle_of(base);
 }
 
 /// As recent as the odometry: the last correction applied to it.

@@ -34,6 +34,7 @@ pioneer::ConnectionConfig connection_config(const Configuration& configuration) 
   pioneer::ConnectionConfig config;
   config.expected_chassis = configuration.robot.model == RobotModel::kP3at ? "p3at" : "p3dx";
   config.family = base.family;
+  config.watchdog_ms = base.watchdog_ms;
   config.expected_name = base.name;
   config.expected_serial_number = base.serial_number;
   config.take_limits(base);

@@ -9,6 +9,7 @@
 #include <array>
 #include <iterator>
 
+#include "core/types/watchdog.hpp"
 #include "daemon/config/polygon.hpp"
 #include "daemon/config/pose.hpp"
 #include "drivers/pioneer/robot_models.hpp"
@@ -123,6 +124,11 @@ void add_base(std::vector<KeySpec>& t) {
   t.push_back(
       {"base.family", "", false, TextKey{&at<kS, &C::family>, kFamilyForm, &is_family},
        "whose factors hold for a controller whose subclass names no known board; \"\": it is refused"});
+  t.push_back(
+      {"base.watchdog_ms", "ms", false,
+       IntegerKey{&at<kS, &C::watchdog_ms>, 0, static_cast<int>(types::kWatchdogMax.count())},
+       "watchdog of a firmware that does not tell it, measured with the first turn by hand; 0: such a "
+       "base is not driven"});
   t.push_back({"base.v_max_mps", "m/s", false, RealKey{&at<kS, &C::v_max_mps>, 0.05, 2.0},
                "forward speed never exceeded"});
   t.push_back({"base.omega_max_radps", "rad/s", false, RealKey{&at<kS, &C::omega_max_radps>, 0.1, 5.0},

@@ -39,6 +39,8 @@ std::string_view state_name(pioneer::Health health) {
       return "wrong device";
     case pioneer::Health::kReady:
       return "ready";
+    case pioneer::Health::kOnTrial:
+      return "on trial";
     case pioneer::Health::kSilent:
       return "silent";
     case pioneer::Health::kUnsafe:
@@ -75,6 +77,8 @@ void fill_report(DeviceReport& report, const pioneer::Connection& connection) {
   report.working = connection.health() == pioneer::Health::kReady;
   if (connection.info()) set_identity(report, connection.info()->subclass, *connection.info());
   if (connection.info()) report.watchdog_ms = connection.info()->watchdog_ms;
+  if (connection.info())
+    report.watchdog_given = connection.info()->watchdog != pioneer::WatchdogSource::kTold;
   if (connection.info()) report.assumed = connection.info()->assumed;
   const pioneer::Counters& c = connection.counters();
   report.counters = {c.status_packets, c.bad_packets, c.lost_packets, c.reconnects, c.commands, c.bytes};
