@@ -54,7 +54,7 @@ bool all_of(std::string_view text, std::size_t max, std::string_view extra) {
 }
 
 bool is_name(std::string_view text) { return all_of(text, 32, "-_"); }
-bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, ""); }
+bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, "-_."); }
 bool is_told_text(std::string_view text) {
   return text.size() <= 32 &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });

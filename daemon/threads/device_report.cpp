@@ -23,6 +23,12 @@ std::string_view state_name(hokuyo::Health health) {
       return "streaming";
     case hokuyo::Health::kSilent:
       return "silent";
+    case hokuyo::Health::kLate:
+      return "late";
+    case hokuyo::Health::kDamaged:
+      return "damaged";
+    case hokuyo::Health::kUnusable:
+      return "unusable";
     case hokuyo::Health::kFault:
       return "fault";
   }
@@ -43,6 +49,10 @@ std::string_view state_name(pioneer::Health health) {
       return "on trial";
     case pioneer::Health::kSilent:
       return "silent";
+    case pioneer::Health::kRefuses:
+      return "refuses";
+    case pioneer::Health::kUnidentified:
+      return "unidentified";
     case pioneer::Health::kUnsafe:
       return "unsafe";
     case pioneer::Health::kReset:
@@ -67,6 +77,7 @@ void fill_report(DeviceReport& report, const hokuyo::Connection& connection) {
   report.message = connection.message();
   report.working = connection.health() == hokuyo::Health::kStreaming;
   if (connection.info()) set_identity(report, connection.info()->model, *connection.info());
+  if (connection.info()) report.assumed = connection.info()->assumed;
   const hokuyo::Counters& c = connection.counters();
   report.counters = {c.scans, c.checksum_errors, c.resyncs, c.reconnects, c.lost_scans, c.bytes};
 }

@@ -32,7 +32,9 @@ enum class Health {
   kWrongDevice,
   kReady,
   kOnTrial,  ///< as kReady, but the given watchdog was not measured yet: it turns on the spot, and no more
-  kSilent,
+  kSilent,   ///< a line, and nothing comes
+  kRefuses,  ///< it answers, and does not take up a connection
+  kUnidentified,  ///< it does not tell the serial number that is expected
   kUnsafe,
   kReset
 };

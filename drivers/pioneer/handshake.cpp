@@ -110,8 +110,8 @@ Handshake::Progress Handshake::begin_quiet() {
 
 Handshake::Progress Handshake::restart(const char* why) {
   if (++restarts_ > kRestarts)
-    return fail(Health::kSilent, device_ + ": " + why + " (" + std::to_string(kRestarts) +
-                                     " attempts); switch the robot off and on");
+    return fail(Health::kRefuses, device_ + ": " + why + " (" + std::to_string(kRestarts) +
+                                      " attempts); switch the robot off and on");
   return begin_quiet();
 }
 
@@ -133,7 +133,7 @@ Handshake::Progress Handshake::on_time() {
       return sync_timed_out();
     case Phase::kFirstStatus:
       if (++tries_ >= kTries)
-        return fail(Health::kSilent,
+        return fail(Health::kRefuses,
                     device_ + ": " + names_.name + " answers SYNC but sends no status after OPEN");
       send_open();
       return Progress::kPending;
@@ -288,13 +288,13 @@ Handshake::Progress Handshake::no_config() {
   if (expected_.serial_number.empty()) return Progress::kDone;
   const std::string robot = device_ + ": found robot \"" + names_.name + "\"";
   if (config_.damaged > 0)
-    return fail(Health::kSilent, robot + " whose CONFIG packet, with the serial number, came damaged (" +
-                                     std::to_string(config_.damaged) + " times); expected \"" +
-                                     expected_.serial_number +
-                                     "\": mend the line, or leave base.serial_number out");
-  return fail(Health::kSilent, robot +
-                                   " that does not tell its serial number (no CONFIG packet); expected \"" +
-                                   expected_.serial_number + "\": is the line bad, or the firmware too old?");
+    return fail(Health::kUnidentified,
+                robot + " whose CONFIG packet, with the serial number, came damaged (" +
+                    std::to_string(config_.damaged) + " times); expected \"" + expected_.serial_number +
+                    "\": mend the line, or leave base.serial_number out");
+  return fail(Health::kUnidentified,
+              robot + " that does not tell its serial number (no CONFIG packet); expected \"" +
+                  expected_.serial_number + "\": is the line bad, or the firmware too old?");
 }
 
 Handshake::Progress Handshake::another_robot(const std::string& found, const std::string& expected) {

@@ -35,8 +35,8 @@ class Handshake {
   enum class Progress { kPending, kDone, kFailed };
   enum class Opening { kFull, kSyncAlone };
 
-  /// A robot other than `expected` ends in kFailed with kWrongDevice; so does, with kSilent, one that does
-  /// not tell its serial number while one is expected. `first_baud` is tried before the other speeds; 0:
+  /// A robot other than `expected` ends in kFailed with kWrongDevice; so does, with kUnidentified, one that
+  /// does not tell its serial number while one is expected. `first_baud` is tried before the other speeds; 0:
   /// unknown. Until `may_drive_until` the robot may still follow a setpoint of a lost connection; kSyncAlone
   /// has no effect until then.
   Handshake(Link& link, ExpectedRobot expected, std::string_view device, int first_baud,

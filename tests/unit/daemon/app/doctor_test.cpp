@@ -14,6 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// A robot that nothing is wrong with.
 DoctorFacts healthy() {
@@ -242,6 +243,9 @@ TEST(Doctor, DevicesByTheirStateAndTheSystemsWords) {
   EXPECT_THAT(cure("disconnected", std::strerror(ECONNREFUSED)), HasSubstr("scanner.front.address"));
   EXPECT_THAT(cure("wrong device", "found a base"), HasSubstr("exchange the plugs"));
   EXPECT_THAT(cure("silent", ""), HasSubstr("switch the device on"));
+  EXPECT_THAT(cure("starting", ""), HasSubstr("wait"));
+  EXPECT_THAT(cure("damaged", ""), HasSubstr("cable"));
+  EXPECT_THAT(cure("unusable", ""), HasSubstr("nothing is wrong with the scanner"));
   EXPECT_THAT(cure("fault", ""), HasSubstr("repaired"));
 }
 
@@ -253,6 +257,14 @@ TEST(Doctor, FirmwareWatchdog) {
   EXPECT_EQ(the_bad_one(facts).found, "2001 ms");
   facts.watchdog_ms.reset();
   EXPECT_EQ(the_bad_one(facts).name, "firmware watchdog");
+}
+
+TEST(Doctor, BlindBeamsOfAnUnknownModelAreNotADirtyWindow) {
+  DoctorFacts facts = healthy();
+  facts.base.control.reason = motion::GateReason::kBlindScan;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("clean it"));
+  facts.devices[1].assumed = "the model \"UAM-05LP\" is not known";
+  EXPECT_THAT(the_bad_one(facts).cure, AllOf(HasSubstr("model is not known"), Not(HasSubstr("clean"))));
 }
 
 TEST(Doctor, StopButtonAndLatch) {

@@ -51,7 +51,7 @@ TEST_F(PioneerSession, AStaleSessionThatIgnoresCloseIsNamed) {
   robot.open = true;
   robot.deaf_to_close = true;
   start();
-  EXPECT_TRUE(run_until(Health::kSilent));
+  EXPECT_TRUE(run_until(Health::kRefuses));
   EXPECT_THAT(connection->message(), HasSubstr("CLOSE"));
   EXPECT_EQ(robot.count(kSync0), 0);
 }

@@ -83,7 +83,7 @@ TEST_F(PioneerIdentity, AnotherSerialNumberIsRefusedAndItsConnectionClosed) {
 TEST_F(PioneerIdentity, ARobotThatDoesNotTellItsSerialNumberIsNotIdentified) {
   robot.answers_config = false;
   start();
-  ASSERT_TRUE(run_until(Health::kSilent));
+  ASSERT_TRUE(run_until(Health::kUnidentified));
   EXPECT_THAT(connection->message(),
               HasSubstr("does not tell its serial number (no CONFIG packet); expected \"SN123\""));
   EXPECT_EQ(robot.count(kConfig), 3);

@@ -67,7 +67,7 @@ TEST_F(PioneerWatchdog, ADamagedPacketDoesNotIdentifyTheRobot) {
   config.watchdog_ms = 1000;
   config.expected_serial_number = "SN123";
   start();
-  ASSERT_TRUE(run_until(Health::kSilent));
+  ASSERT_TRUE(run_until(Health::kUnidentified));
   EXPECT_THAT(connection->message(), AllOf(HasSubstr("came damaged (3 times); expected \"SN123\""),
                                            HasSubstr("leave base.serial_number out")));
 }
