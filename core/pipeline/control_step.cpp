@@ -54,6 +54,16 @@ Wish by_hand(const Teleop& teleop, const motion::GateInput& gate_in,
   return wish;
 }
 
+/// A robot whose watchdog is being measured turns on the spot, by hand: it might go on when the host fails.
+Wish on_trial(const Wish& wish, const types::RobotLimits& limits) {
+  if (wish.mode != ControlMode::kTeleop) return {};
+  Wish turn = wish;
+  turn.twist = {0.0,
+                std::clamp(wish.twist.omega_radps, -limits.omega_beside_radps, limits.omega_beside_radps)};
+  turn.backing = motion::Backing::kNone;
+  return turn;
+}
+
 bool is_by_hand(const ControlSetup& setup, const ControlInput& in) {
   return in.teleop != nullptr && in.teleop->stamp != Stamp{} &&
          in.now - in.teleop->stamp <= setup.limits.request_age_max;
@@ -109,9 +119,10 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   const bool follows = fresh && plan->moving && plan->points > 0 && !hold.held && !memory.gate.estop_latched;
   const bool hand = is_by_hand(setup, input);
   if (hand || !follows) memory.following.rest(input.now);
-  const Wish wish = hand      ? by_hand(*input.teleop, gate_in, memory.senses.breadcrumbs())
-                    : follows ? memory.following.follow(*plan, gate_in, memory.senses, memory.last)
-                              : Wish{};
+  Wish wish = hand      ? by_hand(*input.teleop, gate_in, memory.senses.breadcrumbs())
+              : follows ? memory.following.follow(*plan, gate_in, memory.senses, memory.last)
+                        : Wish{};
+  if (input.watchdog_on_trial) wish = on_trial(wish, gate_in.limits);
   Stamp wanted_at = wish.moving ? input.now : memory.wanted_at;
   gate_in.request.twist = wish.twist;
   gate_in.backing = wish.backing;

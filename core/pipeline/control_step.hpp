@@ -47,6 +47,8 @@ struct ControlInput {
   types::PlaceStanding place = types::PlaceStanding::kKnown;  ///< of the plan's T_map_odom
   std::span<const types::Se2> T_base_sonar;
   types::Duration firmware_watchdog{};
+  /// The watchdog is claimed and being measured: nothing but a slow turn on the spot by hand is wished.
+  bool watchdog_on_trial = false;
   double firmware_deceleration_mps2 = 0.0;  ///< the most that it brakes with; 0: unknown
   bool base_released = false;               ///< plausibility::Evidence::base_released
 };

@@ -11,6 +11,7 @@
 
 #include "core/types/watchdog.hpp"
 #include "daemon/app/battery_text.hpp"
+#include "daemon/app/device_cure.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -26,49 +27,20 @@ bool mentions(const std::string& message, int error) {
   return message.find(std::strerror(error)) != std::string::npos;
 }
 
-/// The cure for a device that does not work, by its state and the system's error text in its message.
-std::string device_cure(const DoctorFacts::Device& d) {
-  const std::string key = d.name == "base" ? "base.address" : fmt::format("scanner.{}.address", d.name);
-  if (d.state == "wrong device") {
-    return fmt::format(
-        "another device answers at {} than the configured one: exchange the plugs, or mend {} "
-        "and the model, name or serial number that is expected there",
-        d.address, key);
-  }
-  if (d.state == "unsafe") return "see the check \"firmware watchdog\"";
-  const bool on_can = d.address.starts_with("can:");
-  if (d.state == "silent" && !on_can) {
-    return "the port is there and nothing sensible comes: switch the device on, look at its cable, and at "
-           "what else may hold the port";
-  }
-  if (d.state == "fault")
-    return "the sensor reports a fault of its own: switch it off and on; if it stays, "
-           "it has to be repaired";
-  if (on_can) return "see the check \"can\"; if that is good, switch the robot on";
-  if (mentions(d.message, EACCES)) {
-    return fmt::format(
-        "the daemon's user may not open {}: add it to the group that owns the device "
-        "(usermod -aG dialout topometric) and start the service again",
-        d.address);
-  }
-  if (mentions(d.message, ENOENT)) {
-    return fmt::format(
-        "there is no {}: plug the device in and switch it on (ls -l /dev/serial/by-id shows "
-        "what is there), or mend {}",
-        d.address, key);
-  }
-  if (mentions(d.message, EBUSY) || d.message.find("another program") != std::string::npos)
-    return fmt::format("another program holds {} (fuser shows which): end it", d.address);
-  return fmt::format(
-      "nothing answers at {}: switch the device on, look at cable and network (ping its "
-      "host), or mend {}",
-      d.address, key);
+/// How what was assumed of a device that is not known exactly can be seen to be right.
+std::string assumption_check(std::string_view device) {
+  if (device == "base")
+    return "drive 2 m and a turn by hand and compare with topoctl status; base.family takes another board's";
+  return "compare a few distances with a tape, and what it shows of nothing near (topoctl status --json)";
 }
 
 Check check_device(const DoctorFacts::Device& d) {
   const std::string found =
       fmt::format("{}{}{}", d.state.empty() ? "starting" : d.state, d.message.empty() ? "" : ": ", d.message);
-  return d.working ? good(d.name, found) : bad(d.name, found, device_cure(d));
+  if (!d.working) return bad(d.name, found, device_cure(d));
+  Check check = good(d.name, found);
+  if (!d.assumed.empty()) check.safer = d.assumed + "; " + assumption_check(d.name);
+  return check;
 }
 
 Check check_can(const DoctorFacts::Can& can) {
@@ -129,7 +101,8 @@ Check check_bumpers(const DoctorFacts& f) {
 
 Check permitted_watchdog(const DoctorFacts& f) {
   constexpr int kDaring_ms = 1000;
-  Check check = good("firmware watchdog", fmt::format("{} ms", *f.watchdog_ms));
+  Check check = good("firmware watchdog",
+                     fmt::format("{} ms{}", *f.watchdog_ms, f.watchdog_given ? " by base.watchdog_ms" : ""));
   if (*f.watchdog_ms > kDaring_ms) {
     check.safer = fmt::format(
         "when the computer dies, the robot runs on for up to {:.1f} m before it brakes, and it keeps as much "
@@ -159,6 +132,18 @@ Check check_battery(const DoctorFacts& f) {
   return bad("battery", found, "charge it; " + battery_limits_text(f.battery));
 }
 
+/// Beams that measured nothing: of a model that is not known it is not known either which of its codes mean
+/// that nothing is there.
+std::string blind_cure(const DoctorFacts& f) {
+  const bool guessed = std::any_of(f.devices.begin(), f.devices.end(), [](const DoctorFacts::Device& d) {
+    return d.name == "front" && !d.assumed.empty();
+  });
+  return guessed ? "the front scanner's model is not known, and what it says of its beams ahead is taken for "
+                   "failed measurements: bring it where there are walls within its range; if it sees none of "
+                   "them, take away what covers its window"
+                 : "take away what covers the front scanner's window, and clean it";
+}
+
 /// The restriction on the base's motion at this moment.
 Check check_gate(const DoctorFacts& f) {
   const std::string name = "motion";
@@ -173,7 +158,7 @@ Check check_gate(const DoctorFacts& f) {
                  "the front scanner's data come late or not at all: see the check \"front\", "
                  "and topoctl latency for a computer that is too busy");
     case GateReason::kBlindScan:
-      return bad(name, found, "clean the front scanner's window, and take away what covers it");
+      return bad(name, found, blind_cure(f));
     case GateReason::kBlocked:
       return bad(name, found, "something stands too near: move it, or turn away with topoctl drive");
     case GateReason::kStaleStatus:

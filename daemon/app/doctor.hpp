@@ -19,6 +19,7 @@ struct DoctorFacts {
   struct Device {
     std::string name, address, state, message;
     bool working = false;
+    std::string assumed{};  ///< DeviceReport::assumed
   };
   std::vector<Device> devices;
   struct Can {
@@ -32,6 +33,7 @@ struct DoctorFacts {
   std::string estop_trouble;       ///< what is wrong with the keeping of its latch; empty: nothing
   bool estop_latched = false;      ///< according to the operator's state; `base` may be from before a clear
   std::optional<int> watchdog_ms;  ///< of the firmware; nothing before the connection
+  bool watchdog_given = false;     ///< by base.watchdog_ms
   types::BatteryLimits battery;
   bool has_map = false;
   std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: scans that matched nothing

@@ -97,9 +97,12 @@ DoctorFacts Monitor::facts() const {
                                  : device.name == "front" ? c.front.address
                                                           : c.coronal.address;
     facts.devices.push_back({std::string(device.name), address, device.report.state.str(),
-                             device.report.message.str(), device.report.working});
-    if (device.name == "base" && device.report.watchdog_ms >= 0)
+                             device.report.message.str(), device.report.working,
+                             device.report.assumed.str()});
+    if (device.name == "base" && device.report.watchdog_ms >= 0) {
       facts.watchdog_ms = device.report.watchdog_ms;
+      facts.watchdog_given = device.report.watchdog_given;
+    }
   }
   facts.can = can_facts(c.base.address);
   if (facts.can && !tallies_.empty()) {
@@ -133,6 +136,8 @@ void Monitor::update_devices() {
       spdlog::log(report->working ? spdlog::level::info : spdlog::level::warn, "{}: {}: {}", device.name,
                   report->state.view(), report->message.view());
     }
+    if (report->assumed.view() != device.report.assumed.view() && !report->assumed.view().empty())
+      spdlog::warn("{}: assumed: {}", device.name, report->assumed.view());
     device.report = *report;
   }
 }
@@ -152,15 +157,23 @@ void Monitor::update_pulses(types::Stamp now) {
   stuck_ = std::move(stuck);
 }
 
+std::string Monitor::obstacle_of(const Device& device) {
+  const std::string_view message = device.report.message.view();
+  const std::string_view state = device.report.state.view();  // empty before the thread's first report
+  return fmt::format("{} is not ready: {}{}{}", device.name, state.empty() ? "starting" : state,
+                     message.empty() ? "" : ": ", message);
+}
+
 std::string Monitor::device_obstacle() const {
-  for (const Device& device : devices_) {
-    if (device.report.working) continue;
-    const std::string_view message = device.report.message.view();
-    const std::string_view state = device.report.state.view();  // empty before the thread's first report
-    return fmt::format("{} is not ready: {}{}{}", device.name, state.empty() ? "starting" : state,
-                       message.empty() ? "" : ": ", message);
-  }
-  return base_.ready ? "" : "base is not ready: it takes no commands yet";
+  for (const Device& device : devices_)
+    if (!device.report.working) return obstacle_of(device);
+  return base_obstacle();
+}
+
+std::string Monitor::base_obstacle() const {
+  if (base_.ready) return {};
+  const Device& base = devices_.front();
+  return base.report.working ? "base is not ready: it takes no commands yet" : obstacle_of(base);
 }
 
 /// As recent as the odometry: the last correction applied to it.

@@ -34,6 +34,8 @@ class Monitor {
   [[nodiscard]] bool has_map() const { return mapping_.keyframes > 0; }
   /// The first device that does not work, and the reason; empty when all work and the base accepts commands.
   [[nodiscard]] std::string device_obstacle() const;
+  /// Why the base takes no commands, by hand either; empty: it takes them.
+  [[nodiscard]] std::string base_obstacle() const;
   /// One line for the service manager.
   [[nodiscard]] std::string summary() const;
 
@@ -64,6 +66,7 @@ class Monitor {
     std::uint64_t beats = 0;
     types::Stamp changed{};
   };
+  [[nodiscard]] static std::string obstacle_of(const Device& device);
   void update_devices();
   void tell_doubts(const plausibility::DoubtSet& before, const plausibility::DoubtSet& now) const;
   void update_pulses(types::Stamp now);

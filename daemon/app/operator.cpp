@@ -222,6 +222,7 @@ Status Operator::drive(const types::Twist2& twist) {
     return fail(Errc::kInvalidInput, fmt::format("omega_radps: found {}, expected at most {} either way",
                                                  twist.omega_radps, base.omega_max_radps));
   }
+  if (const std::string absent = monitor_.base_obstacle(); !absent.empty()) return fail(Errc::kBusy, absent);
   // The base's report follows a clear with delay; the gate decides in any case.
   if (estop_.pressed()) return fail(Errc::kBusy, estop_.obstacle());
   if (is_held(sessions_.standing())) return fail(Errc::kBusy, sessions_.obstacle());

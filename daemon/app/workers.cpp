@@ -32,7 +32,9 @@ hokuyo::ConnectionConfig connection_config(const std::string& name, const Scanne
 pioneer::ConnectionConfig connection_config(const Configuration& configuration) {
   const BaseConfig& base = configuration.base;
   pioneer::ConnectionConfig config;
-  config.expected_subclass = configuration.robot.model == RobotModel::kP3at ? "p3at-sh" : "p3dx-sh";
+  config.expected_chassis = configuration.robot.model == RobotModel::kP3at ? "p3at" : "p3dx";
+  config.family = base.family;
+  config.watchdog_ms = base.watchdog_ms;
   config.expected_name = base.name;
   config.expected_serial_number = base.serial_number;
   config.take_limits(base);

@@ -36,6 +36,8 @@ struct BaseConfig : types::DriveLimits {
   std::string address;        ///< format: drivers/io/make_connector.hpp
   std::string name;           ///< that the controller tells of itself; empty: any
   std::string serial_number;  ///< of the controller; empty: any
+  std::string family;         ///< whose factors hold for a controller that names none; empty: it is refused
+  int watchdog_ms = 0;        ///< of a firmware that does not tell its own; 0: such is not driven
   bool sonar = true;
 };
 

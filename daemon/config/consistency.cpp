@@ -8,6 +8,7 @@
 #include <array>
 
 #include "daemon/config/forward_view.hpp"
+#include "drivers/pioneer/robot_models.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -117,6 +118,11 @@ void check_model(LoadedConfiguration& loaded) {
   const Configuration& c = loaded.values;
   if (place_of(loaded, "robot.model") == Place{}) return;
   const types::ModelSize model = model_size(c.robot.model);
+  const pioneer::RobotModel* family = pioneer::find_model(c.base.family);
+  if (family != nullptr && family->chassis != (c.robot.model == RobotModel::kP3at ? "p3at" : "p3dx")) {
+    contradict(loaded, "base.family", "robot.model",
+               fmt::format("found \"{}\", which is a {}", c.base.family, family->chassis));
+  }
   struct Least {
     std::string_view key;
     double value, least;

@@ -9,8 +9,10 @@
 #include <array>
 #include <iterator>
 
+#include "core/types/watchdog.hpp"
 #include "daemon/config/polygon.hpp"
 #include "daemon/config/pose.hpp"
+#include "drivers/pioneer/robot_models.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -51,11 +53,12 @@ bool all_of(std::string_view text, std::size_t max, std::string_view extra) {
 }
 
 bool is_name(std::string_view text) { return all_of(text, 32, "-_"); }
-bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, ""); }
+bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, "-_."); }
 bool is_told_text(std::string_view text) {
   return text.size() <= 32 &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
+bool is_family(std::string_view text) { return text.empty() || pioneer::find_model(text) != nullptr; }
 bool is_group(std::string_view text) { return all_of(text, 32, "-_") && text.front() != '-'; }
 bool is_absolute(std::string_view text) {
   return text.size() > 1 && text.size() < 4096 && text.front() == '/' && text.back() != '/' &&
@@ -81,6 +84,8 @@ bool is_security(std::string_view text) { return text == "off" || is_absolute(te
 
 constexpr std::string_view kToldForm =
     "up to 32 printable characters as the robot tells them, or \"\" for any";
+constexpr std::string_view kFamilyForm =
+    "p3dx-sh, p3at-sh, p3atiw-sh, p3dx, p3at, p2d8+, p2at8+, p2dx or p2at, or \"\" for none";
 constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for none";
 
 /// A team is small; every address costs a datagram a second to where nobody may be.
@@ -115,6 +120,14 @@ void add_base(std::vector<KeySpec>& t) {
                "name that the controller must tell (SYNC2, CONFIG), exactly; \"\": any"});
   t.push_back({"base.serial_number", "", false, TextKey{&at<kS, &C::serial_number>, kToldForm, &is_told_text},
                "serial number that the controller must tell (CONFIG), exactly; \"\": any"});
+  t.push_back(
+      {"base.family", "", false, TextKey{&at<kS, &C::family>, kFamilyForm, &is_family},
+       "whose factors hold for a controller whose subclass names no known board; \"\": it is refused"});
+  t.push_back(
+      {"base.watchdog_ms", "ms", false,
+       IntegerKey{&at<kS, &C::watchdog_ms>, 0, static_cast<int>(types::kWatchdogMax.count())},
+       "watchdog of a firmware that does not tell it, measured with the first turn by hand; 0: such a "
+       "base is not driven"});
   t.push_back({"base.v_max_mps", "m/s", false, RealKey{&at<kS, &C::v_max_mps>, 0.05, 2.0},
                "forward speed never exceeded"});
   t.push_back({"base.omega_max_radps", "rad/s", false, RealKey{&at<kS, &C::omega_max_radps>, 0.1, 5.0},

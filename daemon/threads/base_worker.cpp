@@ -73,10 +73,11 @@ pipeline::ControlInput BaseWorker::gather() {
   input.matched = hand_overs_.mapping.to_base.read();
   input.base_released = connection_->releases() != std::exchange(releases_, connection_->releases());
   input.place = hand_overs_.place.now();
-  const bool ready = connection_->health() == pioneer::Health::kReady;
+  const bool ready = pioneer::takes_commands(connection_->health());
   input.state = ready && has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {
     input.firmware_watchdog = std::chrono::milliseconds(info->watchdog_ms);
+    input.watchdog_on_trial = connection_->health() == pioneer::Health::kOnTrial;
     input.firmware_deceleration_mps2 = info->deceleration_top_mps2;
     input.T_base_sonar = {info->T_base_sonar.data(), std::min(info->sonars, info->T_base_sonar.size())};
   }
@@ -89,7 +90,7 @@ void BaseWorker::decide() {
   connection_->set_silence(output.command.silence);
   // A command that cannot be sent shows in the connection's health; without commands the connection stops the
   // base.
-  if (connection_->health() == pioneer::Health::kReady) (void)connection_->command(output.command);
+  if (pioneer::takes_commands(connection_->health())) (void)connection_->command(output.command);
 }
 
 void BaseWorker::report() {
@@ -97,7 +98,7 @@ void BaseWorker::report() {
   hand_overs_.base.device.publish();
   BaseReport& report = hand_overs_.base.report.writable();
   report.state = state_;
-  report.ready = connection_->health() == pioneer::Health::kReady;
+  report.ready = pioneer::takes_commands(connection_->health());
   report.control = control_report_;
   hand_overs_.base.report.publish();
   hand_overs_.to_planning.control.store(control_report_);

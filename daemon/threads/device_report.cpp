@@ -23,6 +23,12 @@ std::string_view state_name(hokuyo::Health health) {
       return "streaming";
     case hokuyo::Health::kSilent:
       return "silent";
+    case hokuyo::Health::kLate:
+      return "late";
+    case hokuyo::Health::kDamaged:
+      return "damaged";
+    case hokuyo::Health::kUnusable:
+      return "unusable";
     case hokuyo::Health::kFault:
       return "fault";
   }
@@ -39,8 +45,14 @@ std::string_view state_name(pioneer::Health health) {
       return "wrong device";
     case pioneer::Health::kReady:
       return "ready";
+    case pioneer::Health::kOnTrial:
+      return "on trial";
     case pioneer::Health::kSilent:
       return "silent";
+    case pioneer::Health::kRefuses:
+      return "refuses";
+    case pioneer::Health::kUnidentified:
+      return "unidentified";
     case pioneer::Health::kUnsafe:
       return "unsafe";
     case pioneer::Health::kReset:
@@ -65,6 +77,7 @@ void fill_report(DeviceReport& report, const hokuyo::Connection& connection) {
   report.message = connection.message();
   report.working = connection.health() == hokuyo::Health::kStreaming;
   if (connection.info()) set_identity(report, connection.info()->model, *connection.info());
+  if (connection.info()) report.assumed = connection.info()->assumed;
   const hokuyo::Counters& c = connection.counters();
   report.counters = {c.scans, c.checksum_errors, c.resyncs, c.reconnects, c.lost_scans, c.bytes};
 }
@@ -75,6 +88,9 @@ void fill_report(DeviceReport& report, const pioneer::Connection& connection) {
   report.working = connection.health() == pioneer::Health::kReady;
   if (connection.info()) set_identity(report, connection.info()->subclass, *connection.info());
   if (connection.info()) report.watchdog_ms = connection.info()->watchdog_ms;
+  if (connection.info())
+    report.watchdog_given = connection.info()->watchdog != pioneer::WatchdogSource::kTold;
+  if (connection.info()) report.assumed = connection.info()->assumed;
   const pioneer::Counters& c = connection.counters();
   report.counters = {c.status_packets, c.bad_packets, c.lost_packets, c.reconnects, c.commands, c.bytes};
   report.bus = c.bus;

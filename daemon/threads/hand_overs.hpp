@@ -38,8 +38,10 @@ struct DeviceReport {
   FixedText<24> state;      ///< "streaming"
   FixedText<240> message;   ///< one sentence for the operator
   FixedText<120> identity;  ///< model, serial number, firmware
+  FixedText<160> assumed;   ///< what is taken for granted of a device that is not known exactly
   bool working = false;
   int watchdog_ms = -1;                     ///< of the base's firmware; negative: unknown
+  bool watchdog_given = false;              ///< by the configuration, not by the firmware
   std::array<std::uint64_t, 6> counters{};  ///< as the driver's Counters
   io::BusFaults bus;                        ///< of the base, when it is on a bus
 };

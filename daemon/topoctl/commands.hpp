@@ -20,6 +20,14 @@ inline constexpr int kMissionFailed = 5;
 
 inline constexpr types::Duration kPatience = std::chrono::seconds(5);
 
+/// Of the commands for a scanner.
+struct LaserArguments {
+  std::string address, new_address, netmask = "255.255.255.0";
+  std::string gateway;        ///< empty: the first host of the new address's network
+  std::string serial_number;  ///< that it must report; empty: any
+  double patience_s = 120.0;  ///< for the power cycle; 0: no wait
+};
+
 /// The command line.
 struct Arguments {
   std::string socket = ControlConfig{}.socket;
@@ -33,6 +41,7 @@ struct Arguments {
   double x_m = 0.0, y_m = 0.0;
   double timeout_s = 0.0;   ///< 0: no limit
   double interval_s = 1.0;  ///< of the command watch
+  LaserArguments laser;
 };
 
 /// True after SIGINT, SIGTERM or SIGHUP, once catch_signals() was called.
@@ -68,6 +77,7 @@ int show(const Arguments& arguments, const char* method, std::string (*table)(co
 
 int drive_for(const Arguments& arguments);
 int drive_by_keys(const Arguments& arguments);
+int set_laser_ip(const Arguments& arguments);
 int watch(const Arguments& arguments);
 int doctor(const Arguments& arguments);
 int wait_done(const Arguments& arguments);

@@ -222,6 +222,9 @@ std::string health_table(const Json& health) {
   const Json& faults = at(health, "/faults");
   if (!faults.is_array()) return out;
   for (const Json& fault : faults) out += row("fault", fault.is_string() ? fault.get<std::string>() : "-");
+  const Json& assumed = at(health, "/assumed");
+  if (!assumed.is_array()) return out;
+  for (const Json& one : assumed) out += row("assumed", one.is_string() ? one.get<std::string>() : "-");
   return out;
 }
 

@@ -139,6 +139,22 @@ void add_sessions(CLI::App& cli, Arguments& a, int& status) {
       ->excludes(pose);
 }
 
+void add_lasers(CLI::App& cli, Arguments& a, int& status) {
+  auto* laser = cli.add_subcommand("laser", "a scanner's own settings");
+  laser->require_subcommand(1);
+  add(*laser, "set-ip", "give a Hokuyo Ethernet scanner another address; not while it is in use", status,
+      [&a] { return set_laser_ip(a); });
+  auto* set = laser->get_subcommand("set-ip");
+  set->add_option("AT", a.laser.address, "where it answers now: 192.168.0.10, or tcp:HOST:PORT")->required();
+  set->add_option("NEW", a.laser.new_address, "its new address")->required();
+  set->add_option("--netmask", a.laser.netmask, "of its network")->capture_default_str();
+  set->add_option("--gateway", a.laser.gateway, "of its network (the new address with 1 at its end)");
+  set->add_option("--serial", a.laser.serial_number, "serial number that it must report (any)");
+  set->add_option("--wait", a.laser.patience_s, "seconds to wait for it at its new address; 0: do not")
+      ->capture_default_str()
+      ->check(number_from(0.0, 3600.0));
+}
+
 void add_missions(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "start", "explore, and come home", status, [&a] { return show(a, "start", &nothing); });
   add(cli, "pause", "stand; the mission is kept", status, [&a] { return show(a, "pause", &nothing); });
@@ -180,6 +196,7 @@ int start(int argc, char** argv) {
   add_missions(cli, arguments, status);
   add_commands(cli, arguments, status);
   add_sessions(cli, arguments, status);
+  add_lasers(cli, arguments, status);
   if (const auto ended = parse_command_line(cli, "topoctl", argc, argv)) return *ended;
   return status;
 }

@@ -23,12 +23,24 @@ struct ConnectionConfig {
   double stamp_offset_s = 0.0;  ///< added to every stamp (PROTOCOLS section 12: step 0 or rear mark)
 };
 
-/// State of the connection; every change is reported once.
-enum class Health { kDisconnected, kConnecting, kWrongDevice, kStarting, kStreaming, kSilent, kFault };
+/// State of the connection; every change is reported once. Each has one cure.
+enum class Health {
+  kDisconnected,  ///< no line
+  kConnecting,
+  kWrongDevice,
+  kStarting,
+  kStreaming,
+  kSilent,    ///< a line, and nothing comes
+  kLate,      ///< scans wait on their line
+  kDamaged,   ///< what it tells of itself comes damaged
+  kUnusable,  ///< what it tells of itself is not what can be worked with
+  kFault,     ///< by its own word
+};
 
 /// Identity and measurement constants, from VV, PP and II.
 struct SensorInfo {
   std::string vendor, product, firmware, protocol, serial_number, model, status;
+  std::string assumed;  ///< of a model that PROTOCOLS does not list; empty: nothing
   int distance_min_mm = 0, distance_max_mm = 0;
   int steps_per_turn = 0, step_min = 0, step_max = 0, step_front = 0;
   int rpm = 0;

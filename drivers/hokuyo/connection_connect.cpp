@@ -25,6 +25,11 @@ constexpr int kSamples = 10;
 constexpr Duration kSpinUpLimit = 10s;
 constexpr Duration kLaserPause = 500ms;
 
+/// What a reply that cannot be taken says of the sensor.
+Health unread(const types::Error& error) {
+  return error.code == types::Errc::kUnsupported ? Health::kUnusable : Health::kDamaged;
+}
+
 bool is_good(std::string_view status) { return status == "00" || status == "02"; }
 
 }  // namespace
@@ -102,7 +107,7 @@ void Connection::Impl::retry_version() {
 void Connection::Impl::on_version() {
   if (auto read = read_version(line.reply(), found); !read) {
     if (++pending.tries < kMaxTries) return enter_version();
-    return lose(Health::kFault, place() + ": " + read.error().message);
+    return lose(unread(read.error()), place() + ": " + read.error().message);
   }
   if (!config.serial_number.empty() && !same_serial(config.serial_number, found.serial_number)) {
     return lose(Health::kWrongDevice, place() + ": the " + found.product + " here has the serial number " +
@@ -116,7 +121,7 @@ void Connection::Impl::on_version() {
 void Connection::Impl::on_parameters() {
   if (auto read = read_parameters(line.reply(), found); !read) {
     if (++pending.tries < kMaxTries) return enter(Phase::kParameters, "PP", kAskLimit);
-    return lose(Health::kFault, place() + ": " + read.error().message);
+    return lose(unread(read.error()), place() + ": " + read.error().message);
   }
   pending.tries = 0;
   enter(Phase::kState, "II", kAskLimit);
@@ -127,16 +132,18 @@ StreamRequest Connection::Impl::make_request() const {
   made.kind = stream.intensity ? StreamRequest::Kind::kRangeIntensity : StreamRequest::Kind::kRange;
   made.start = static_cast<std::uint16_t>(found.step_min);
   made.end = static_cast<std::uint16_t>(found.step_max);
+  made.cluster = static_cast<std::uint8_t>(cluster_of(found));
   made.interval = static_cast<std::uint8_t>(std::clamp(config.skip_scans, 0, 9));
   // Intensities over a wide angle corrupt or crash a UTM-30LX on USB: at most 95 degrees per cluster unit,
   // 190 with firmware 1.16.01 (section 13).
   if (stream.intensity && stream.family == Family::kUtm)
-    made.cluster = found.firmware.starts_with("1.16.01") ? 2 : 3;
+    made.cluster = std::max<std::uint8_t>(made.cluster, found.firmware.starts_with("1.16.01") ? 2 : 3);
   return made;
 }
 
 /// Computes all constants of streaming once, from validated parameters.
 void Connection::Impl::prepare_stream() {
+  found.assumed = assumption(found);
   info = found;
   stream.family = family_of(found.product);
   stream.intensity = config.intensity && has_intensity(stream.family);
@@ -153,7 +160,8 @@ void Connection::Impl::prepare_stream() {
   stream.geometry.angle_increment_rad = static_cast<float>(stream.request.cluster * step_rad);
   stream.geometry.time_increment_s = static_cast<float>(stream.request.cluster * step_s);
   stream.geometry.period_s = static_cast<float>(period_s);
-  stream.geometry.range_min_m = static_cast<float>(found.distance_min_mm * 1e-3);
+  stream.geometry.range_min_m =
+      static_cast<float>(std::max(found.distance_min_mm, RangeDecoder::kLeast_mm) * 1e-3);
   stream.geometry.range_max_m = static_cast<float>(found.distance_max_mm * 1e-3);
   stream.turn = types::from_seconds(turn_s);
   stream.first_offset = types::from_seconds(centre * step_s + config.stamp_offset_s);
@@ -235,8 +243,10 @@ void Connection::Impl::on_start_reply() {
     stream.request = make_request();
     return enter(Phase::kStart, encode(stream.request).view(), stream.silence_limit);
   }
-  faults.faulty = true;
-  set_health(Health::kFault, what);
+  // A request that it does not take is no fault of the sensor.
+  const bool refused = status.size() == 2 && status.front() == '0' && status != "0L";
+  faults.faulty = !refused;
+  set_health(refused ? Health::kUnusable : Health::kFault, what);
   probe();
 }
 

@@ -64,7 +64,7 @@ bool Connection::Impl::is_late(const SensorClock::Result& time) {
   constexpr int kInARow = 20;  // half a second
   faults.late_in_a_row = time.late > kLate ? faults.late_in_a_row + 1 : 0;
   if (time.late <= kLatestMax && faults.late_in_a_row < kInARow) return false;
-  set_health(Health::kSilent,
+  set_health(Health::kLate,
              place() +
                  ": scans come late by the sensor's clock: the line is too slow, or the clock was set; "
                  "starting the stream anew");

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 #include <string>
+
+#include "drivers/hokuyo/range_decoder.hpp"
 
 namespace topo::hokuyo {
 namespace {
@@ -54,9 +57,9 @@ std::string good_value(const Reply& reply, std::string_view key) {
 }
 
 bool is_serial(std::string_view text) {
-  return text.size() >= 4 && text.size() <= 16 && std::all_of(text.begin(), text.end(), [](char c) {
-           return std::isalnum(static_cast<unsigned char>(c)) != 0;
-         });
+  return !text.empty() && text.size() <= 16 && std::all_of(text.begin(), text.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
+  });
 }
 
 struct NumberField {
@@ -67,7 +70,7 @@ struct NumberField {
 
 /// Steps are bounded by the four decimal digits of a request, ranges by three characters of six bits.
 constexpr NumberField kNumberFields[] = {
-    {"DMIN", &SensorInfo::distance_min_mm, 1, 262143},
+    {"DMIN", &SensorInfo::distance_min_mm, 0, 262143},
     {"DMAX", &SensorInfo::distance_max_mm, 1, 262143},
     {"ARES", &SensorInfo::steps_per_turn, 1, 100000},
     {"AMIN", &SensorInfo::step_min, 0, 9999},
@@ -86,9 +89,9 @@ Status read_number(const Reply& reply, const NumberField& field, SensorInfo& inf
   const char* const end = line->value.data() + line->value.size();
   const auto [stop, error] = std::from_chars(line->value.data(), end, value);
   if (error != std::errc{} || stop != end || value < field.min || value > field.max) {
-    return fail(Errc::kProtocol, "the sensor's parameter " + name + " is \"" + std::string(line->value) +
-                                     "\"; expected " + std::to_string(field.min) + " to " +
-                                     std::to_string(field.max));
+    return fail(Errc::kUnsupported, "the sensor's parameter " + name + " is \"" + std::string(line->value) +
+                                        "\"; expected " + std::to_string(field.min) + " to " +
+                                        std::to_string(field.max));
   }
   info.*field.member = value;
   return {};
@@ -105,6 +108,36 @@ Family family_of(std::string_view product) {
   return Family::kUnknown;
 }
 
+bool is_listed(std::string_view product) {
+  constexpr std::string_view kListed[] = {"UTM-30LX-EW", "UTM-30LX",      "UST-10LX",     "UST-20LX",
+                                          "URG-04LX",    "URG-04LX-UG01", "UBG-04LX-F01", "UHG-08LX"};
+  return std::any_of(std::begin(kListed), std::end(kListed), [&](std::string_view name) {
+    const std::size_t at = product.find(name);
+    if (at == std::string_view::npos) return false;
+    const std::string_view rest = product.substr(at + name.size());  // "UST-10LXFA" is another model
+    return rest.empty() || rest.front() == ' ' || rest.front() == '(';
+  });
+}
+
+int cluster_of(const SensorInfo& info) {
+  constexpr int kMost = static_cast<int>(types::Scan::kMaxBeams);
+  return (info.step_max - info.step_min) / kMost + 1;
+}
+
+std::string assumption(const SensorInfo& info) {
+  if (is_listed(info.product)) return {};
+  std::string text = "the model \"" + info.product + "\" is not known: ";
+  text += family_of(info.product) == Family::kUnknown
+              ? "below " + std::to_string(std::max(info.distance_min_mm, RangeDecoder::kLeast_mm)) +
+                    " mm it measured nothing"
+              : "its codes are those of its family";
+  const int cluster = cluster_of(info);
+  if (cluster > 1)
+    text += ", " + std::to_string(info.step_max - info.step_min + 1) + " steps come " +
+            std::to_string(cluster) + " by " + std::to_string(cluster);
+  return text;
+}
+
 bool has_intensity(Family family) {
   return family == Family::kUtm || family == Family::kUtmEw || family == Family::kUst;
 }
@@ -119,9 +152,12 @@ Status read_version(const Reply& reply, SensorInfo& info) {
   const auto serial = find(reply, "SERI");
   // Some URG-04LX firmware sends this one line with a wrong check character (section 13).
   const bool tolerated = serial && family_of(info.product) == Family::kUrg;
-  if (!serial || !(serial->good || tolerated) || !is_serial(serial->value)) {
+  if (!serial || !(serial->good || tolerated))
     return fail(Errc::kProtocol, "the sensor's version reply (VV) has no readable serial number (SERI)");
-  }
+  if (!is_serial(serial->value))
+    return fail(Errc::kUnsupported,
+                "the sensor's serial number (SERI) is no text of 1 to 16 letters, digits, "
+                "- _ .");
   info.serial_number = std::string(serial->value);
   if (info.serial_number.front() == '0') info.serial_number.front() = 'H';
   return {};
@@ -134,19 +170,19 @@ Status read_parameters(const Reply& reply, SensorInfo& info) {
   }
   const int beams = info.step_max - info.step_min + 1;
   const auto steps = std::to_string(info.step_min) + ".." + std::to_string(info.step_max);
-  if (beams < 1 || beams > static_cast<int>(types::Scan::kMaxBeams) || beams > info.steps_per_turn) {
-    return fail(Errc::kProtocol, "the sensor's steps (AMIN..AMAX) are " + steps + " of " +
-                                     std::to_string(info.steps_per_turn) + " a turn (ARES); expected 1 to " +
-                                     std::to_string(types::Scan::kMaxBeams) + " steps within one turn");
+  if (beams < 1 || beams > info.steps_per_turn) {
+    return fail(Errc::kUnsupported, "the sensor's steps (AMIN..AMAX) are " + steps + " of " +
+                                        std::to_string(info.steps_per_turn) +
+                                        " a turn (ARES); expected one step or more, within one turn");
   }
   if (info.step_front < info.step_min || info.step_front > info.step_max) {
-    return fail(Errc::kProtocol, "the sensor's front step (AFRT) is " + std::to_string(info.step_front) +
-                                     "; expected it within " + steps);
+    return fail(Errc::kUnsupported, "the sensor's front step (AFRT) is " + std::to_string(info.step_front) +
+                                        "; expected it within " + steps);
   }
   if (info.distance_max_mm <= info.distance_min_mm) {
-    return fail(Errc::kProtocol, "the sensor's range (DMIN..DMAX) is " +
-                                     std::to_string(info.distance_min_mm) + ".." +
-                                     std::to_string(info.distance_max_mm) + " mm; expected DMIN below DMAX");
+    return fail(Errc::kUnsupported,
+                "the sensor's range (DMIN..DMAX) is " + std::to_string(info.distance_min_mm) + ".." +
+                    std::to_string(info.distance_max_mm) + " mm; expected DMIN below DMAX");
   }
   return {};
 }

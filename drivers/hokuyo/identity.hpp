@@ -23,14 +23,20 @@ enum class Family : std::uint8_t {
 };
 
 [[nodiscard]] Family family_of(std::string_view product);
+/// False for a model that PROTOCOLS section 11 does not list, also when its family is known.
+[[nodiscard]] bool is_listed(std::string_view product);
+/// Neighbouring steps that are merged into one beam, so that a scan holds them. 1: none are.
+[[nodiscard]] int cluster_of(const SensorInfo& info);
+/// What is taken for granted of a model that is not listed; empty when it is.
+[[nodiscard]] std::string assumption(const SensorInfo& info);
 [[nodiscard]] bool has_intensity(Family family);
 
-/// Reads vendor, product, firmware, protocol and serial number from VV. kProtocol when PROD is missing or the
-/// serial number is unreadable.
+/// Reads vendor, product, firmware, protocol and serial number from VV. kProtocol when PROD or the serial
+/// number is missing or damaged, kUnsupported when it is none.
 [[nodiscard]] types::Status read_version(const Reply& reply, SensorInfo& info);
 
 /// Reads the measurement constants from PP and validates them: later code cannot index or divide out of
-/// bounds.
+/// bounds. kProtocol when one is missing or damaged, kUnsupported when it is out of what can be.
 [[nodiscard]] types::Status read_parameters(const Reply& reply, SensorInfo& info);
 
 /// Reads the sensor's state text (STAT) from II; unchanged when there is none.

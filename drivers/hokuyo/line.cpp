@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A request has about a dozen bytes: a device that does not accept them at once is faulty.
+/// A request has at most 48 bytes ($IP): a device that does not accept them at once is faulty.
 constexpr types::Duration kWriteLimit = 20ms;
 
 }  // namespace
@@ -23,7 +23,7 @@ void Line::open(std::unique_ptr<io::ByteStream> stream) {
 }
 
 types::Status Line::send(std::string_view request) {
-  std::array<char, 32> text{};
+  std::array<char, 64> text{};
   const std::size_t size = std::min(request.size(), text.size() - 1);
   std::copy_n(request.data(), size, text.data());
   text[size] = '\n';

@@ -12,6 +12,9 @@ namespace topo::hokuyo {
 /// minimum is a code, never a distance.
 class RangeDecoder {
  public:
+  /// No Hokuyo measures below, and all their codes are below (PROTOCOLS section 10.2), also where DMIN is 0.
+  static constexpr int kLeast_mm = 20;
+
   RangeDecoder() = default;
   RangeDecoder(Family family, int distance_min_mm, int distance_max_mm);
 

@@ -115,7 +115,14 @@ PacketParser::Candidate PacketParser::judge() {
   const unsigned found = value(bytes_[count + 1]) << 8U | value(bytes_[count + 2]);
   if (found == checksum({bytes_.data() + 3, count - 2})) return Candidate::kPacket;
   ++counters_.bad_checksums;
+  count_damage();
   return Candidate::kBroken;
+}
+
+void PacketParser::count_damage() {
+  constexpr std::size_t kType = 3;
+  if (size_ > kType && value(bytes_[kType]) == static_cast<unsigned>(PacketType::kConfig))
+    ++counters_.bad_configs;
 }
 
 /// True when a complete packet is at the front; otherwise the buffer is empty or begins with part of a
@@ -153,6 +160,7 @@ void PacketParser::abandon_incomplete() {
     return;
   }
   ++counters_.abandoned;
+  count_damage();
   drop_to_next_sync();
 }
 

@@ -90,6 +90,7 @@ struct PacketView {
 struct ParserCounters {
   std::uint64_t packets = 0;
   std::uint64_t bad_checksums = 0;
+  std::uint64_t bad_configs = 0;    ///< of the damaged packets, those whose type is that of CONFIG
   std::uint64_t bad_counts = 0;     ///< N below 3 or above 204
   std::uint64_t abandoned = 0;      ///< a gap of more than 100 ms inside
   std::uint64_t skipped_bytes = 0;  ///< bytes that belonged to no packet
@@ -113,6 +114,7 @@ class PacketParser {
 
   [[nodiscard]] std::size_t wanted() const;
   Candidate judge();
+  void count_damage();
   bool seek_packet();
   void drop(std::size_t bytes);
   void drop_to_next_sync();

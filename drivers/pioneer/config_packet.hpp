@@ -28,6 +28,12 @@ struct ConfigPacket {
   int shutdown_decivolt = 0;
 };
 
+/// The answer to the requests for CONFIG.
+struct ConfigAnswer {
+  std::optional<ConfigPacket> packet;
+  int damaged = 0;  ///< how many came with a wrong checksum or cut short; 0 and no packet: none came
+};
+
 /// Decodes a payload that begins with type 0x20. Nothing for another type, or when no field follows the
 /// robot's name: the limits before the name, without which the robot cannot be driven, may be missing.
 std::optional<ConfigPacket> decode_config(std::span<const std::byte> payload);

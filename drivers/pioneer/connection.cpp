@@ -41,6 +41,8 @@ struct Connection::Impl {
   struct Retry {
     int good_baud = 0;  ///< at which the base answered last; 0: none yet
     bool first_attempt = true;
+    Handshake::Opening opening = Handshake::Opening::kFull;
+    std::string measured{};  ///< name and subclass of the robot whose watchdog was measured
     Duration back_off = kBackOffMin;
     Stamp retry_at{};
     Stamp
@@ -73,6 +75,10 @@ struct Connection::Impl {
   void release();
   void advance(Handshake::Progress progress);
   void start_running();
+  [[nodiscard]] std::string robot() const;
+  void tell_ready();
+  void tell_trial(const ConfigAnswer& answer);
+  void judge_trial();
   bool run(types::BaseState& out, Stamp deadline);
   bool on_packet(const PacketView& packet, types::BaseState& out);
   bool on_status(const PacketView& packet, types::BaseState& out);
@@ -117,6 +123,10 @@ void Connection::Impl::lose(Health value, std::string text) {
     if (drive->may_be_moving() && value != Health::kReset)
       retry.may_drive_until = time + milliseconds(info->watchdog_ms);
   }
+  const bool refused = handshake && connector->name().starts_with("tcp:") &&
+                       handshake->opening_refused(value == Health::kDisconnected);
+  retry.opening = refused ? Handshake::Opening::kSyncAlone : Handshake::Opening::kFull;
+  if (refused) retry.back_off = kBackOffMin;
   drive.reset();
   handshake.reset();
   listening.reset();
@@ -143,8 +153,10 @@ void Connection::Impl::open(Duration timeout) {
 
 void Connection::Impl::begin_handshake() {
   listening.reset();
-  ExpectedRobot expected{config.expected_subclass, config.expected_name, config.expected_serial_number};
-  handshake.emplace(*link, std::move(expected), connector->name(), retry.good_baud, retry.may_drive_until);
+  ExpectedRobot expected{config.expected_chassis, config.expected_name, config.expected_serial_number,
+                         config.family};
+  handshake.emplace(*link, std::move(expected), connector->name(), retry.good_baud, retry.may_drive_until,
+                    retry.opening);
   if (auto begun = handshake->begin(); !begun) {
     lose(Health::kDisconnected, begun.error().message);
     return;
@@ -218,28 +230,64 @@ void Connection::Impl::advance(Handshake::Progress progress) {
 }
 
 void Connection::Impl::start_running() {
-  const std::optional<ConfigPacket> packet = handshake->config();
+  const ConfigAnswer answer = handshake->config();
   model = handshake->model();
   if (info) ++counters.reconnects;
-  info = make_robot_info(handshake->name(), model, packet);
+  info = make_robot_info(handshake->name(), handshake->subclass(), model, answer, config.watchdog_ms);
+  if (info->watchdog == WatchdogSource::kGiven && retry.measured == robot())
+    info->watchdog = WatchdogSource::kMeasured;
   retry.good_baud = handshake->baud();
   handshake.reset();
   retry.back_off = kBackOffMin;
-  const std::string fault = watchdog_fault(packet);
-  drive.emplace(link->outbox(), drive_limits(config, *info, packet), config.sonar, fault.empty(), now());
+  const std::string fault = watchdog_fault(answer, config.watchdog_ms);
+  drive.emplace(link->outbox(), drive_limits(config, *info, answer.packet), config.sonar, fault.empty(),
+                now());
+  if (info->watchdog == WatchdogSource::kGiven)
+    drive->put_on_trial({.given = milliseconds(info->watchdog_ms)});
   delay.emplace(milliseconds(info->sip_cycle_ms));
   trip = {};
   // Physical limits instead of the configured ones: a push must not be taken for a reset of the controller.
   constexpr double kPushed = 2.0;
   dead_reckoning.restart(model, kPushed * model.size.v_max_mps, kPushed * model.size.omega_max_radps);
   last_status = now();
-  const std::string who = device() + ": " + info->subclass + " \"" + info->name + "\"";
-  if (fault.empty())
-    set_health(Health::kReady, who + ", serial number " + info->serial_number + ", firmware " +
-                                   info->firmware + ", watchdog " + std::to_string(info->watchdog_ms) +
-                                   " ms");
-  else
-    set_health(Health::kUnsafe, who + ": " + fault);
+  if (!fault.empty()) return set_health(Health::kUnsafe, device() + ": " + robot() + ": " + fault);
+  info->watchdog == WatchdogSource::kGiven ? tell_trial(answer) : tell_ready();
+}
+
+std::string Connection::Impl::robot() const { return info->subclass + " \"" + info->name + "\""; }
+
+void Connection::Impl::tell_ready() {
+  const char* const source =
+      info->watchdog == WatchdogSource::kMeasured ? " (base.watchdog_ms, measured)" : "";
+  set_health(Health::kReady, device() + ": " + robot() + ", serial number " + info->serial_number +
+                                 ", firmware " + info->firmware + ", watchdog " +
+                                 std::to_string(info->watchdog_ms) + " ms" + source);
+}
+
+void Connection::Impl::tell_trial(const ConfigAnswer& answer) {
+  const std::string why = answer.packet        ? "tells no watchdog"
+                          : answer.damaged > 0 ? "sends damaged CONFIG packets"
+                                               : "sends no CONFIG packet";
+  set_health(Health::kOnTrial, device() + ": " + robot() + " " + why +
+                                   "; base.watchdog_ms = " + std::to_string(info->watchdog_ms) +
+                                   " is measured with the first turn on the spot by hand: topoctl drive 0 "
+                                   "0.2 --for 5");
+}
+
+/// The trial's result becomes the connection's health.
+void Connection::Impl::judge_trial() {
+  if (verdict.health != Health::kOnTrial || !drive->trial()) return;
+  const WatchdogTrial& trial = *drive->trial();
+  if (trial.result() == WatchdogTrial::Result::kPassed) {
+    info->watchdog = WatchdogSource::kMeasured;
+    retry.measured = robot();
+    tell_ready();
+  } else if (trial.result() == WatchdogTrial::Result::kFailed) {
+    set_health(Health::kUnsafe,
+               device() + ": " + robot() + ": the wheels turned on " + std::to_string(info->watchdog_ms) +
+                   " ms and more after the last packet (base.watchdog_ms): driving is refused until "
+                   "WatchDog in its FLASH is on");
+  }
 }
 
 bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out) {
@@ -263,6 +311,7 @@ bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out
   state.sequence = ++counters.status_packets;
   counters.lost_packets += static_cast<std::uint64_t>(delay->last_step() - 1);
   drive->on_state(state, arrival);
+  judge_trial();
   out = state;
   return true;
 }
@@ -292,6 +341,7 @@ bool Connection::Impl::run(types::BaseState& out, Stamp deadline) {
   if (!drive->is_silent() && trip.is_due(link->now()) && link->outbox().push(encode(Command::kEncoder, 1)))
     trip.asked(link->now());
   drive->keep_alive(link->now(), link->last_send());
+  judge_trial();
   exchange(std::min({deadline, silent_at, drive->next_due(link->last_send())}));
   return false;
 }

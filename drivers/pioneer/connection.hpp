@@ -18,18 +18,39 @@ namespace topo::pioneer {
 
 /// Configuration of the base.
 struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and the firmware's limits
-  std::string expected_subclass;                ///< "p3dx-sh"; empty: any Pioneer whose parameters are known
-  std::string expected_name;                    ///< as in SYNC2 and CONFIG, exactly; empty: any
+  std::string expected_chassis;                 ///< "p3dx", "p3at"; empty: any whose family is known
+  std::string family;         ///< whose factors hold for a subclass that names none; empty: it is refused
+  std::string expected_name;  ///< as in SYNC2 and CONFIG, exactly; empty: any
   std::string expected_serial_number;  ///< as in CONFIG, exactly; empty: any, also a base without CONFIG
+  int watchdog_ms = 0;  ///< of a firmware that does not tell it, measured before driving; 0: such is refused
   bool sonar = true;
 };
 
-enum class Health { kDisconnected, kConnecting, kWrongDevice, kReady, kSilent, kUnsafe, kReset };
+enum class Health {
+  kDisconnected,
+  kConnecting,
+  kWrongDevice,
+  kReady,
+  kOnTrial,  ///< as kReady, but the given watchdog was not measured yet: it turns on the spot, and no more
+  kSilent,   ///< a line, and nothing comes
+  kRefuses,  ///< it answers, and does not take up a connection
+  kUnidentified,  ///< it does not tell the serial number that is expected
+  kUnsafe,
+  kReset
+};
+[[nodiscard]] constexpr bool takes_commands(Health health) {
+  return health == Health::kReady || health == Health::kOnTrial;
+}
+
+/// Where a firmware's watchdog is known from.
+enum class WatchdogSource : std::uint8_t { kTold, kGiven, kMeasured };
 
 /// The robot's names, its CONFIG packet, and the model's table (PROTOCOLS section 6).
 struct RobotInfo {
   std::string name, robot_class, subclass, firmware, serial_number;
-  int watchdog_ms = 0;  ///< 0 or missing: driving is refused
+  std::string assumed;  ///< of its factors, by its family; empty: nothing
+  int watchdog_ms = 0;  ///< 0: unknown, driving is refused
+  WatchdogSource watchdog = WatchdogSource::kTold;
   int sip_cycle_ms = 100;
   double v_top_mps = 0.0, omega_top_radps = 0.0;
   double deceleration_top_mps2 = 0.0;  ///< that the firmware permits; 0: unknown
@@ -57,8 +78,9 @@ enum class StepOutcome {
 };
 
 /// Connection to one Pioneer, from connect to controlled close. The first bytes on every opened port are
-/// E_STOP, VEL 0, RVEL 0, CLOSE, then SYNC0; none while the base does not obey. Used by one thread. Allocates
-/// while connecting, never while running.
+/// E_STOP, VEL 0, RVEL 0, CLOSE, then SYNC0; none while the base does not obey. On TCP, where what answers
+/// takes these for SYNC (simulators do), the next attempt listens for an open connection and begins with
+/// SYNC0. Used by one thread. Allocates while connecting, never while running.
 class Connection {
  public:
   Connection(ConnectionConfig config, std::unique_ptr<io::Connector> connector);

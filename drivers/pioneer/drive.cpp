@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "core/types/se2.hpp"
@@ -66,10 +67,12 @@ types::Status Drive::command(const types::BaseCommand& command, types::Stamp now
   const bool refused = !may_move_ && asks_for_motion(command);
   if (!command.enable_motors) enable_blocked_ = false;
   want_motors_ = may_move_ && command.enable_motors && !enable_blocked_;
-  const Setpoints setpoints = want_motors_ && !command.estop
-                                  ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
-                                  : Setpoints{};
+  Setpoints setpoints = want_motors_ && !command.estop
+                            ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
+                            : Setpoints{};
+  if (on_trial() && setpoints.v_mmps != 0) setpoints = {};
   asked_ = setpoints != Setpoints{};
+  if (trial_ && trial_->withholds(setpoints, command.estop, now)) return {};
   // On a line that loses bytes RVEL 0 may arrive without VEL 0, and then feeds the watchdog of a robot that
   // drives on: a robot without status is stopped by E_STOP, which needs no second packet.
   const bool stop_unheard = !asked_ && !stands_ && now - last_heard_ > kUnheard;
@@ -87,6 +90,12 @@ void Drive::on_state(const types::BaseState& state, types::Stamp now) {
   stands_ = std::abs(twist.v_mps) < kStands_mps && std::abs(twist.omega_radps) < kStands_radps;
   if (state.stop_button) enable_blocked_ = true;
   if (enable_blocked_) want_motors_ = false;
+  if (on_trial()) {
+    trial_->on_state(state, now);
+    // The firmware resumes its last setpoint with the next packet; the caller's next command decides.
+    if (trial_->result() == WatchdogTrial::Result::kPassed) outbox_.set_estop();
+    end_trial_if_due(now);
+  }
   switch_motors(state, now);
 }
 
@@ -100,6 +109,14 @@ void Drive::switch_motors(const types::BaseState& state, types::Stamp now) {
   outbox_.push(encode(Command::kEnable, want_motors_ ? 1 : 0));
 }
 
+void Drive::end_trial_if_due(types::Stamp now) {
+  if (!trial_->must_stop(now)) return;
+  outbox_.set_estop();
+  stopping_ = true;
+  last_stop_ = now;
+  if (trial_->result() == WatchdogTrial::Result::kFailed) may_move_ = want_motors_ = false;
+}
+
 void Drive::stop(types::Stamp now) {
   last_stop_ = now;
   outbox_.set_velocity({});
@@ -107,6 +124,12 @@ void Drive::stop(types::Stamp now) {
 
 void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
   if (silent_) return;
+  if (trial_ && trial_->silent()) {
+    const bool called = now - last_command_ < kCallerSilence;
+    if (called) end_trial_if_due(now);
+    if (!called) std::ignore = trial_->withholds({}, false, now);  // the stop below ends the silence
+    if (trial_->silent()) return;
+  }
   if (commanded_ && now - last_command_ >= kCallerSilence) {
     commanded_ = false;
     stopping_ = true;
@@ -121,6 +144,7 @@ void Drive::keep_alive(types::Stamp now, types::Stamp last_send) {
 
 types::Stamp Drive::next_due(types::Stamp last_send) const {
   if (silent_) return types::Stamp::max();
+  if (trial_ && trial_->silent()) return std::min(trial_->deadline(), last_command_ + kCallerSilence);
   types::Stamp due = last_send + kPulse;
   if (commanded_) due = std::min(due, last_command_ + kCallerSilence);
   if (stopping_) due = std::min(due, last_stop_ + kStopAgain);

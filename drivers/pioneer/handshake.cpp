@@ -19,16 +19,25 @@ constexpr std::array<int, 5> kBaudOrder{9600, 38400, 19200, 115200, 57600};  // 
 constexpr types::Duration kStopAgainUnheard = milliseconds(10);
 constexpr types::Duration kQuietTime = milliseconds(200);
 constexpr types::Duration kStillStreaming = milliseconds(150);
+// Three status cycles: the robot streams them on an open connection whether its host is there or not.
+constexpr types::Duration kListenTime = milliseconds(330);
 constexpr types::Duration kSyncTime = milliseconds(300);
 constexpr types::Duration kFirstStatusTime = milliseconds(400);
 constexpr types::Duration kConfigTime = milliseconds(300);
 constexpr int kTries = 3;
 constexpr int kRestarts = 10;
+constexpr std::string_view kTcp = "tcp:";
 
 /// True for a status packet of a standing robot.
 bool stands(const PacketView& packet) {
   const auto status = decode_status(packet.payload);
   return status && status->left_velocity == 0 && status->right_velocity == 0;
+}
+
+/// A command of the opening, which no robot sends.
+bool is_echo_of_opening(const PacketView& packet) {
+  const auto is = [&](Command command) { return packet.type() == static_cast<std::uint8_t>(command); };
+  return is(Command::kEStop) || is(Command::kVel) || is(Command::kRvel);
 }
 
 bool is_reset(const PacketView& packet) {
@@ -38,8 +47,12 @@ bool is_reset(const PacketView& packet) {
 }  // namespace
 
 Handshake::Handshake(Link& link, ExpectedRobot expected, std::string_view device, int first_baud,
-                     types::Stamp may_drive_until)
-    : link_(link), expected_(std::move(expected)), device_(device), may_drive_until_(may_drive_until) {
+                     types::Stamp may_drive_until, Opening opening)
+    : link_(link),
+      expected_(std::move(expected)),
+      device_(device),
+      may_drive_until_(may_drive_until),
+      beginning_{.opening = opening, .echoed = false, .heard = false} {
   static_assert(kBaudOrder.size() + 1 == std::tuple_size_v<decltype(bauds_.rates)>,
                 "every rate, and the first one");
   if (!link.has_baud()) return;
@@ -54,8 +67,17 @@ types::Status Handshake::begin() {
     auto set = link_.set_baud(bauds_.current);
     if (!set) return set;
   }
-  begin_stopping();
+  if (beginning_.opening == Opening::kSyncAlone && link_.now() >= may_drive_until_)
+    enter(Phase::kListening, kListenTime);
+  else
+    begin_stopping();
   return {};
+}
+
+bool Handshake::opening_refused(bool line_lost) const {
+  if (beginning_.opening == Opening::kSyncAlone) return false;
+  const bool at_the_beginning = phase_ == Phase::kQuiet || (phase_ == Phase::kSync && sync_index_ == 0);
+  return beginning_.echoed || (line_lost && at_the_beginning && !beginning_.heard);
 }
 
 void Handshake::enter(Phase phase, types::Duration wait) {
@@ -75,6 +97,7 @@ Handshake::Progress Handshake::begin_stopping() {
 }
 
 Handshake::Progress Handshake::begin_quiet() {
+  beginning_.opening = Opening::kFull;
   Outbox& out = link_.outbox();
   link_.clear();
   out.set_estop();
@@ -87,8 +110,8 @@ Handshake::Progress Handshake::begin_quiet() {
 
 Handshake::Progress Handshake::restart(const char* why) {
   if (++restarts_ > kRestarts)
-    return fail(Health::kSilent, device_ + ": " + why + " (" + std::to_string(kRestarts) +
-                                     " attempts); switch the robot off and on");
+    return fail(Health::kRefuses, device_ + ": " + why + " (" + std::to_string(kRestarts) +
+                                      " attempts); switch the robot off and on");
   return begin_quiet();
 }
 
@@ -99,6 +122,9 @@ Handshake::Progress Handshake::on_time() {
   }
   if (link_.now() < deadline_) return Progress::kPending;
   switch (phase_) {
+    case Phase::kListening:
+      send_sync(0);
+      return Progress::kPending;
     case Phase::kStopping:
       return begin_stopping();
     case Phase::kQuiet:
@@ -107,7 +133,8 @@ Handshake::Progress Handshake::on_time() {
       return sync_timed_out();
     case Phase::kFirstStatus:
       if (++tries_ >= kTries)
-        return fail(Health::kSilent, device_ + ": " + name_ + " answers SYNC but sends no status after OPEN");
+        return fail(Health::kRefuses,
+                    device_ + ": " + names_.name + " answers SYNC but sends no status after OPEN");
       send_open();
       return Progress::kPending;
     case Phase::kConfig:
@@ -135,7 +162,7 @@ void Handshake::send_sync(unsigned index) {
 Handshake::Progress Handshake::sync_timed_out() {
   if (++tries_ < kTries) {
     // The packets before may have been lost, and on a connection that is still open SYNC0 is a PULSE.
-    if (sync_index_ == 0) link_.outbox().set_estop();
+    if (sync_index_ == 0 && beginning_.opening == Opening::kFull) link_.outbox().set_estop();
     send_sync(sync_index_);
     return Progress::kPending;
   }
@@ -162,17 +189,21 @@ Handshake::Progress Handshake::no_answer() {
 
 Handshake::Progress Handshake::on_packet(const PacketView& packet) {
   if (packet.is_status()) last_status_ = packet.last_byte;
+  beginning_.heard = true;
   switch (phase_) {
+    case Phase::kListening:
+      return packet.is_status() ? begin_quiet() : Progress::kPending;
     case Phase::kStopping:
       return stands(packet) ? begin_quiet() : Progress::kPending;
     case Phase::kQuiet:
-      return Progress::kPending;  // answers to packets from before this connection
+      return on_quiet_packet(packet);
     case Phase::kSync:
       return on_sync_packet(packet);
     case Phase::kFirstStatus:
       if (is_reset(packet)) return restart("the controller resets at OPEN");
       if (!decode_status(packet.payload)) return Progress::kPending;
       tries_ = 0;
+      damaged_before_ = link_.damaged_configs();
       send_config_request();
       return Progress::kPending;
     case Phase::kConfig:
@@ -180,6 +211,15 @@ Handshake::Progress Handshake::on_packet(const PacketView& packet) {
       return on_config(packet);
   }
   return Progress::kPending;
+}
+
+/// Other packets are answers to what was sent before this connection.
+Handshake::Progress Handshake::on_quiet_packet(const PacketView& packet) {
+  if (!device_.starts_with(kTcp) || !is_echo_of_opening(packet)) return Progress::kPending;
+  beginning_.echoed = true;
+  return fail(Health::kConnecting, device_ +
+                                       ": takes the opening E_STOP for SYNC, as simulators do; connecting "
+                                       "again with SYNC0 alone");
 }
 
 Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
@@ -195,45 +235,66 @@ Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
 
 Handshake::Progress Handshake::on_names(const PacketView& packet) {
   types::ByteReader in(packet.payload.subspan(1));
-  name_ = in.text();
-  const std::string robot_class = in.text();
-  const std::string subclass = in.text();
-  if (subclass.empty())
-    return fail(Health::kWrongDevice, device_ +
-                                          ": found an answer to SYNC2 without names (a line that echoes?)" +
-                                          "; expected name, class and subclass of a Pioneer");
-  const std::string found = device_ + ": found robot \"" + name_ + "\", class \"" + robot_class +
-                            "\", subclass \"" + subclass + "\"; expected ";
-  const RobotModel* expected = find_model(expected_.subclass);
-  model_ = find_model(subclass);
-  if (!expected_.subclass.empty() && (model_ == nullptr || model_ != expected))
-    return fail(Health::kWrongDevice, found + "subclass \"" + expected_.subclass + "\"");
-  if (model_ == nullptr) return fail(Health::kWrongDevice, found + "one of " + known_subclasses());
-  // Before OPEN: another robot's connection is not opened.
-  if (!expected_.name.empty() && name_ != expected_.name)
-    return another_robot("\"" + name_ + "\"", "\"" + expected_.name + "\"");
+  names_.name = in.text();
+  names_.robot_class = in.text();
+  names_.subclass = in.text();
+  if (!names_.subclass.empty()) return judge_names();
+  return fail(Health::kWrongDevice, device_ +
+                                        ": found an answer to SYNC2 without names (a line that echoes?)" +
+                                        "; expected name, class and subclass of a Pioneer");
+}
+
+/// Before OPEN: another robot's connection is not opened. A subclass that names a family holds against the
+/// configured one, whose factors would be another board's.
+Handshake::Progress Handshake::judge_names() {
+  const std::string found = device_ + ": found robot \"" + names_.name + "\", class \"" + names_.robot_class +
+                            "\", subclass \"" + names_.subclass + "\"; expected ";
+  const RobotModel* const told = find_family(names_.subclass);
+  const RobotModel* const given = find_model(expected_.family);
+  if (told != nullptr && given != nullptr && told != given)
+    return fail(Health::kWrongDevice, found + "the family " + expected_.family + " (base.family)");
+  model_ = told != nullptr ? told : given;
+  if (model_ == nullptr)
+    return fail(Health::kWrongDevice,
+                found + "one of " + known_families() + "; if its board is like one of these: base.family");
+  if (!expected_.chassis.empty() && model_->chassis != expected_.chassis)
+    return fail(Health::kWrongDevice, found + "a " + expected_.chassis + " (robot.model)");
+  if (!expected_.name.empty() && names_.name != expected_.name)
+    return another_robot("\"" + names_.name + "\"", "\"" + expected_.name + "\"");
   tries_ = 0;
   send_open();
   return Progress::kPending;
 }
 
 Handshake::Progress Handshake::on_config(const PacketView& packet) {
-  config_ = decode_config(packet.payload);
-  if (!config_) return Progress::kPending;
-  if (!expected_.name.empty() && config_->name != expected_.name)
-    return another_robot("\"" + config_->name + "\" (by its CONFIG packet)", "\"" + expected_.name + "\"");
-  if (!expected_.serial_number.empty() && config_->serial_number != expected_.serial_number)
-    return another_robot("\"" + name_ + "\" with the serial number \"" + config_->serial_number + "\"",
+  config_.packet = decode_config(packet.payload);
+  if (!config_.packet) {
+    if (packet.is(PacketType::kConfig))
+      ++config_.damaged;  // its checksum is right, and its text is cut short
+    return Progress::kPending;
+  }
+  const ConfigPacket& told = *config_.packet;
+  if (!expected_.name.empty() && told.name != expected_.name)
+    return another_robot("\"" + told.name + "\" (by its CONFIG packet)", "\"" + expected_.name + "\"");
+  if (!expected_.serial_number.empty() && told.serial_number != expected_.serial_number)
+    return another_robot("\"" + names_.name + "\" with the serial number \"" + told.serial_number + "\"",
                          "the serial number \"" + expected_.serial_number + "\"");
   return Progress::kDone;
 }
 
 /// Old firmware does not know CONFIG and is accepted, but not as a robot that is told apart by it.
 Handshake::Progress Handshake::no_config() {
+  config_.damaged += static_cast<int>(link_.damaged_configs() - damaged_before_);
   if (expected_.serial_number.empty()) return Progress::kDone;
-  return fail(Health::kSilent, device_ + ": found robot \"" + name_ +
-                                   "\" that does not tell its serial number (no CONFIG packet); expected \"" +
-                                   expected_.serial_number + "\": is the line bad, or the firmware too old?");
+  const std::string robot = device_ + ": found robot \"" + names_.name + "\"";
+  if (config_.damaged > 0)
+    return fail(Health::kUnidentified,
+                robot + " whose CONFIG packet, with the serial number, came damaged (" +
+                    std::to_string(config_.damaged) + " times); expected \"" + expected_.serial_number +
+                    "\": mend the line, or leave base.serial_number out");
+  return fail(Health::kUnidentified,
+              robot + " that does not tell its serial number (no CONFIG packet); expected \"" +
+                  expected_.serial_number + "\": is the line bad, or the firmware too old?");
 }
 
 Handshake::Progress Handshake::another_robot(const std::string& found, const std::string& expected) {
@@ -255,8 +316,7 @@ void Handshake::send_config_request() {
 }
 
 Handshake::Progress Handshake::fail(Health health, std::string message) {
-  failure_ = health;
-  message_ = std::move(message);
+  failure_ = {health, std::move(message)};
   return Progress::kFailed;
 }
 

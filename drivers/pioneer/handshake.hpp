@@ -17,7 +17,8 @@ namespace topo::pioneer {
 
 /// The robot that must answer; an empty text accepts any.
 struct ExpectedRobot {
-  std::string subclass, name, serial_number;
+  std::string chassis, name, serial_number;
+  std::string family;  ///< of a robot whose subclass names none (ConnectionConfig)
 };
 
 /// From an open port to an open connection with a known robot (PROTOCOLS sections 2 and 7): a state machine
@@ -25,15 +26,21 @@ struct ExpectedRobot {
 /// that lost its host resumes its last setpoint on any packet. On a line that loses bytes, any one of them
 /// may be the only one to arrive; therefore a robot that may still drive is sent only E_STOP until it reports
 /// standstill or its watchdog must have expired.
+///
+/// A simulator (AMRISim) takes the first bytes for wrong SYNCs: it echoes them or closes the connection. Such
+/// a refusal is told, and the next attempt may begin with kSyncAlone: nothing is sent while status packets
+/// could show an open connection, which would get the full opening; then SYNC0.
 class Handshake {
  public:
   enum class Progress { kPending, kDone, kFailed };
+  enum class Opening { kFull, kSyncAlone };
 
-  /// A robot other than `expected` ends in kFailed with kWrongDevice; so does, with kSilent, one that does
-  /// not tell its serial number while one is expected. `first_baud` is tried before the other speeds; 0:
-  /// unknown. Until `may_drive_until` the robot may still follow a setpoint of a lost connection.
+  /// A robot other than `expected` ends in kFailed with kWrongDevice; so does, with kUnidentified, one that
+  /// does not tell its serial number while one is expected. `first_baud` is tried before the other speeds; 0:
+  /// unknown. Until `may_drive_until` the robot may still follow a setpoint of a lost connection; kSyncAlone
+  /// has no effect until then.
   Handshake(Link& link, ExpectedRobot expected, std::string_view device, int first_baud,
-            types::Stamp may_drive_until = {});
+            types::Stamp may_drive_until = {}, Opening opening = Opening::kFull);
 
   /// Sets the first speed and queues the first bytes.
   types::Status begin();
@@ -45,12 +52,15 @@ class Handshake {
   /// True after the robot has answered SYNC0.
   [[nodiscard]] bool heard_robot() const { return heard_robot_; }
   [[nodiscard]] int baud() const { return bauds_.current; }
-  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::string& name() const { return names_.name; }
+  [[nodiscard]] const std::string& subclass() const { return names_.subclass; }
   [[nodiscard]] const RobotModel& model() const { return *model_; }
-  [[nodiscard]] const std::optional<ConfigPacket>& config() const { return config_; }
+  [[nodiscard]] const ConfigAnswer& config() const { return config_; }
+  /// True when the full opening was echoed, or when the line was lost after it before a packet was heard.
+  [[nodiscard]] bool opening_refused(bool line_lost) const;
   /// Valid after kFailed.
-  [[nodiscard]] Health failure() const { return failure_; }
-  [[nodiscard]] const std::string& message() const { return message_; }
+  [[nodiscard]] Health failure() const { return failure_.health; }
+  [[nodiscard]] const std::string& message() const { return failure_.message; }
 
  private:
   /// The line speeds in the order in which they are tried; none on a line without a speed.
@@ -60,11 +70,26 @@ class Handshake {
     std::size_t index = 0;
     int current = 0;
   };
-  enum class Phase { kStopping, kQuiet, kSync, kFirstStatus, kConfig };
+  /// As SYNC2 tells them.
+  struct Names {
+    std::string name, robot_class, subclass;
+  };
+  struct Failure {
+    Health health = Health::kSilent;
+    std::string message;
+  };
+  /// How the connection begins, and what was heard of it.
+  struct Beginning {
+    Opening opening = Opening::kFull;
+    bool echoed = false;
+    bool heard = false;  ///< any packet
+  };
+  enum class Phase { kListening, kStopping, kQuiet, kSync, kFirstStatus, kConfig };
 
   void enter(Phase phase, types::Duration wait);
   Progress begin_stopping();
   Progress begin_quiet();
+  Progress on_quiet_packet(const PacketView& packet);
   Progress restart(const char* why);
   Progress end_quiet();
   void send_sync(unsigned index);
@@ -73,6 +98,7 @@ class Handshake {
   Progress no_answer();
   Progress on_sync_packet(const PacketView& packet);
   Progress on_names(const PacketView& packet);
+  Progress judge_names();
   Progress on_config(const PacketView& packet);
   Progress no_config();
   Progress another_robot(const std::string& found, const std::string& expected);
@@ -85,6 +111,7 @@ class Handshake {
   std::string device_;
   Bauds bauds_;
   types::Stamp may_drive_until_;
+  Beginning beginning_;
 
   Phase phase_ = Phase::kQuiet;
   types::Duration wait_{};
@@ -96,11 +123,11 @@ class Handshake {
   bool heard_robot_ = false;
   std::string foreign_;  ///< first received bytes that were not ARCOS, with their speed
 
-  std::string name_;
+  Names names_;
   const RobotModel* model_ = nullptr;
-  std::optional<ConfigPacket> config_;
-  Health failure_ = Health::kSilent;
-  std::string message_;
+  ConfigAnswer config_;
+  std::uint64_t damaged_before_ = 0;  ///< Link::damaged_configs() at the first request
+  Failure failure_;
 };
 
 }  // namespace topo::pioneer

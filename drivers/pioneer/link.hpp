@@ -50,6 +50,9 @@ class Link {
   [[nodiscard]] types::Stamp last_read() const { return last_read_; }
   std::optional<PacketView> next_packet();
 
+  /// CONFIG packets that came damaged, since the construction.
+  [[nodiscard]] std::uint64_t damaged_configs() const { return parser_.counters().bad_configs; }
+
   /// Also discards a partial packet and the recorded first bytes.
   types::Status set_baud(int baud);
   [[nodiscard]] types::Duration wire_time(std::size_t bytes) const;

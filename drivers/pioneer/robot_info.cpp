@@ -33,12 +33,13 @@ void add_config(RobotInfo& info, const ConfigPacket& config) {
 
 }  // namespace
 
-RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
-                          const std::optional<ConfigPacket>& config) {
+RobotInfo make_robot_info(const std::string& name, const std::string& subclass, const RobotModel& model,
+                          const ConfigAnswer& config, int given_watchdog_ms) {
   RobotInfo info;
   info.name = name;
   info.robot_class = "Pioneer";
-  info.subclass = model.subclass;
+  info.subclass = subclass;
+  info.assumed = assumption(subclass, model);
   info.v_top_mps = model.size.v_max_mps;
   info.omega_top_radps = model.size.omega_max_radps;
   info.track_m = 2e-3 / model.radps_per_mmps;
@@ -50,19 +51,28 @@ RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
   std::copy(model.T_base_sonar.begin(), model.T_base_sonar.end(), info.T_base_sonar.begin());
   info.sonars = RobotModel::kSonars;
   info.sonar_range_max_m = kSonarRangeMax_m;
-  if (config) add_config(info, *config);
+  if (config.packet) add_config(info, *config.packet);
+  if (info.watchdog_ms > 0 || given_watchdog_ms <= 0) return info;
+  info.watchdog_ms = given_watchdog_ms;
+  info.watchdog = WatchdogSource::kGiven;
   return info;
 }
 
-std::string watchdog_fault(const std::optional<ConfigPacket>& config) {
-  const std::string needed = "; driving is refused until the robot's WatchDog parameter (FLASH) is 1 to " +
-                             std::to_string(types::kWatchdogMax.count()) +
-                             " ms, so that it stops by itself when this computer fails";
-  if (!config) return "the robot sent no CONFIG packet, so its watchdog is unknown" + needed;
-  if (config->watchdog_ms == 0) return "the firmware's watchdog is off or not reported (WatchDog 0)" + needed;
-  if (!types::is_watchdog_safe(std::chrono::milliseconds(config->watchdog_ms)))
-    return "the firmware's watchdog takes " + std::to_string(config->watchdog_ms) + " ms" + needed;
-  return {};
+std::string watchdog_fault(const ConfigAnswer& config, int given_watchdog_ms) {
+  const std::string within = "1 to " + std::to_string(types::kWatchdogMax.count()) + " ms";
+  const int told_ms = config.packet ? config.packet->watchdog_ms : 0;
+  if (told_ms > 0 && types::is_watchdog_safe(std::chrono::milliseconds(told_ms))) return {};
+  if (told_ms > 0)
+    return "the firmware's watchdog takes " + std::to_string(told_ms) +
+           " ms; driving is refused until WatchDog in its FLASH is " + within;
+  if (given_watchdog_ms > 0) return {};
+  const std::string cure = "; driving is refused until base.watchdog_ms gives it, " + within +
+                           (config.packet ? " (WatchDog in FLASH)" : ", to be measured");
+  if (config.packet) return "the firmware's watchdog is off or not reported (WatchDog 0)" + cure;
+  if (config.damaged > 0)
+    return "its CONFIG packet came damaged (" + std::to_string(config.damaged) +
+           " times), so its watchdog is unknown" + cure;
+  return "the robot sent no CONFIG packet, so its watchdog is unknown" + cure;
 }
 
 DriveLimits drive_limits(const ConnectionConfig& wanted, const RobotInfo& info,

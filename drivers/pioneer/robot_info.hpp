@@ -12,13 +12,15 @@
 
 namespace topo::pioneer {
 
-/// Combines table and CONFIG packet; without the packet the watchdog is 0, meaning unknown.
-RobotInfo make_robot_info(const std::string& name, const RobotModel& model,
-                          const std::optional<ConfigPacket>& config);
+/// Combines table and CONFIG packet. Without the packet the watchdog is the configured one, 0 when there is
+/// none: unknown.
+RobotInfo make_robot_info(const std::string& name, const std::string& subclass, const RobotModel& model,
+                          const ConfigAnswer& config, int given_watchdog_ms);
 
-/// Empty when the firmware stops the robot within two seconds after loss of its host; otherwise the reason
-/// why driving is refused, and the cure. No command sets the watchdog: it is a parameter in FLASH.
-std::string watchdog_fault(const std::optional<ConfigPacket>& config);
+/// Empty when the firmware stops the robot within two seconds after loss of its host, by its own word or,
+/// where it gives none, by configuration (which is then measured); otherwise the reason why driving is
+/// refused, and the cure. No command sets the watchdog: it is a parameter in FLASH.
+std::string watchdog_fault(const ConfigAnswer& config, int given_watchdog_ms);
 
 /// The configured limits, bounded by the robot's limits. All positive.
 struct DriveLimits {

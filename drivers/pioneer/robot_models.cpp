@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <numbers>
 
 namespace topo::pioneer {
@@ -61,27 +62,37 @@ Sonars p3at_sonars() {
                      {-144, 136, 90}}});
 }
 
-RobotModel make_dx(std::string_view subclass, double mm_per_count) {
+RobotModel make_dx(std::string_view subclass, double mm_per_count, double mm_per_sonar_unit = 1.0) {
   return {.subclass = subclass,
+          .chassis = "p3dx",
           .mm_per_count = mm_per_count,
+          .mm_per_sonar_unit = mm_per_sonar_unit,
           .radps_per_mmps = 0.0056,
           .size = types::kP3dx,
           .T_base_sonar = p3dx_sonars()};
 }
 
-RobotModel make_at(std::string_view subclass, double mm_per_count) {
+RobotModel make_at(std::string_view subclass, double mm_per_count, double mm_per_sonar_unit = 1.0) {
   return {.subclass = subclass,
+          .chassis = "p3at",
           .mm_per_count = mm_per_count,
+          .mm_per_sonar_unit = mm_per_sonar_unit,
           .radps_per_mmps = 0.0034,
           .size = types::kP3at,
           .T_base_sonar = p3at_sonars()};
 }
 
-const std::array<RobotModel, 4>& models() {
-  static const std::array<RobotModel, 4> kModels{make_dx("p3dx-sh", 1.0), make_at("p3at-sh", 1.0),
-                                                 make_dx("p3dx", 0.485), make_at("p3at", 0.465)};
+/// PROTOCOLS section 6.1, board by board: SH-2, H8S, C166.
+const std::array<RobotModel, 9>& models() {
+  constexpr double kOldSonar = 0.268;
+  static const std::array<RobotModel, 9> kModels{
+      make_dx("p3dx-sh", 1.0),  make_at("p3at-sh", 1.0),          make_at("p3atiw-sh", 1.0),
+      make_dx("p3dx", 0.485),   make_at("p3at", 0.465),           make_dx("p2d8+", 0.485),
+      make_at("p2at8+", 0.465), make_dx("p2dx", 0.84, kOldSonar), make_at("p2at", 1.32, kOldSonar)};
   return kModels;
 }
+
+constexpr std::string_view kNewBoard = "-sh";
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -99,7 +110,28 @@ const RobotModel* find_model(std::string_view subclass) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::string known_subclasses() {
+const RobotModel* find_family(std::string_view subclass) {
+  if (const RobotModel* exact = find_model(subclass)) return exact;
+  const auto& all = models();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const RobotModel& m) {
+    const std::size_t size = m.subclass.size();
+    return m.subclass.ends_with(kNewBoard) && subclass.size() > size + 1 && subclass[size] == '-' &&
+           equal_ignoring_case(m.subclass, subclass.substr(0, size));
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string assumption(std::string_view subclass, const RobotModel& family) {
+  const bool own = family.subclass == "p3dx-sh" || family.subclass == "p3at-sh";
+  if (own && equal_ignoring_case(subclass, family.subclass)) return {};
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "\" is driven as %.*s: %g mm a count, track %.3f m, hull of a %.*s",
+                static_cast<int>(family.subclass.size()), family.subclass.data(), family.mm_per_count,
+                2e-3 / family.radps_per_mmps, static_cast<int>(family.chassis.size()), family.chassis.data());
+  return "\"" + std::string(subclass) + text.data();
+}
+
+std::string known_families() {
   std::string out;
   for (const RobotModel& m : models()) out.append(out.empty() ? "" : ", ").append(m.subclass);
   return out;

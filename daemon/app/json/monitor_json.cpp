@@ -102,11 +102,10 @@ Json Monitor::devices() const {
                                {"reconnects", c[3]}, {"lost_scans", c[4]},      {"bytes", c[5]}};
     if (device.name == "base" && configuration_.base.address.starts_with("can:"))
       counters["bus"] = bus_json(device.report.bus);
-    json[std::string(device.name)] = {{"state", device.report.state.view()},
-                                      {"message", device.report.message.view()},
-                                      {"identity", device.report.identity.view()},
-                                      {"working", device.report.working},
-                                      {"counters", std::move(counters)}};
+    json[std::string(device.name)] = {
+        {"state", device.report.state.view()},       {"message", device.report.message.view()},
+        {"identity", device.report.identity.view()}, {"assumed", device.report.assumed.view()},
+        {"working", device.report.working},          {"counters", std::move(counters)}};
   }
   return json;
 }
@@ -124,7 +123,15 @@ Json Monitor::health() const {
       faults.push_back(std::string(plausibility::doubt_texts()[i].found));
   }
   const bool healthy = faults.empty();
-  return {{"healthy", healthy}, {"alive", alive()}, {"faults", std::move(faults)}};
+  Json assumed = Json::array();
+  for (const Device& device : devices_) {
+    if (!device.report.assumed.view().empty())
+      assumed.push_back(fmt::format("{}: {}", device.name, device.report.assumed.view()));
+  }
+  return {{"healthy", healthy},
+          {"alive", alive()},
+          {"faults", std::move(faults)},
+          {"assumed", std::move(assumed)}};
 }
 
 Json Monitor::latency() const {

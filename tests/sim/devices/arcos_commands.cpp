@@ -18,12 +18,16 @@ enum Number : std::uint8_t {
   kSetA = 5,
   kSetV = 6,
   kSetOrigin = 7,
+  kMove = 8,
   kRotate = 9,
   kSetRv = 10,
   kVel = 11,
+  kHead = 12,
+  kDhead = 13,
   kConfig = 18,
   kEncoder = 19,
   kRvel = 21,
+  kDchead = 22,
   kSetRa = 23,
   kSonar = 28,
   kStop = 29,
@@ -38,6 +42,7 @@ enum Number : std::uint8_t {
   kBatteryTest = 250,
   kReset = 253
 };
+constexpr int kMoveMost_mm = 5000;  // PROTOCOLS section 3
 constexpr std::uint8_t kSyncSteps = 3;
 constexpr std::uint8_t kWrongSync = 0xFF;
 
@@ -47,7 +52,8 @@ int signed_byte(int value, int shift) { return static_cast<std::int8_t>(value >>
 }  // namespace
 
 bool ArcosDevice::swallows(const arcos::Command& command) {
-  static constexpr std::array<std::uint8_t, 7> kMotion{kRotate, kVel, kRvel, kStop, kVel2, kEStop, kQStop};
+  static constexpr std::array<std::uint8_t, 11> kMotion{kMove,   kRotate, kVel,  kHead,  kDhead, kRvel,
+                                                        kDchead, kStop,   kVel2, kEStop, kQStop};
   return faults_.disobeys && std::find(kMotion.begin(), kMotion.end(), command.number) != kMotion.end();
 }
 
@@ -95,6 +101,7 @@ void ArcosDevice::handle_open(const arcos::Command& command, SimTime now) {
     case kEnable:
       return enable_motors(command.value != 0);
     case kSetOrigin:
+      drive_.origin_set(reckoning());
       x_mm_ = y_mm_ = heading_rad_ = 0.0;
       return;
     case kSonar:
@@ -129,6 +136,14 @@ void ArcosDevice::handle_motion(const arcos::Command& command) {
       return drive_.set_max_rotation(command.value);
     case kSetRa:
       return drive_.set_rotation_acceleration(command.value);
+    case kMove:
+      return drive_.move(std::clamp(command.value, -kMoveMost_mm, kMoveMost_mm), reckoning());
+    case kHead:
+      return drive_.turn_to(command.value);
+    case kDhead:
+      return drive_.turn_by(command.value, reckoning());
+    case kDchead:
+      return drive_.turn_on(command.value, reckoning());
     case kVel:
       return drive_.set_velocity(command.value);
     case kRotate:

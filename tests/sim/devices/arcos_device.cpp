@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/types/se2.hpp"
+
 namespace topo::sim {
 namespace {
 
@@ -134,6 +136,7 @@ void ArcosDevice::dead_reckon(const BaseInputs& inputs) {
     const double right_mm = static_cast<double>(right - right_ticks_) / parameters_.ticks_per_mm;
     const double way = (left_mm + right_mm) / 2.0;
     const double turn = (right_mm - left_mm) / parameters_.track_mm;
+    way_mm_ += way;
     x_mm_ += way * std::cos(heading_rad_ + turn / 2.0);
     y_mm_ += way * std::sin(heading_rad_ + turn / 2.0);
     heading_rad_ = std::remainder(heading_rad_ + turn, 2.0 * kPi);
@@ -142,6 +145,8 @@ void ArcosDevice::dead_reckon(const BaseInputs& inputs) {
   left_ticks_ = left;
   right_ticks_ = right;
 }
+
+arcos::Reckoning ArcosDevice::reckoning() const { return {way_mm_, heading_rad_ / topo::types::kDegree_rad}; }
 
 void ArcosDevice::bump_stall() {
   const bool front =
@@ -173,7 +178,7 @@ arcos::WheelTargets ArcosDevice::control(SimTime now, SimTime dt, const BaseInpu
     drive_.blocked(0.0, 0.0);
     return {};
   }
-  return drive_.step(seconds_of(dt), watchdog_holds(now));
+  return drive_.step(seconds_of(dt), watchdog_holds(now), reckoning());
 }
 
 void ArcosDevice::tick(SimTime now) {

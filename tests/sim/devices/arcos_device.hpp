@@ -91,6 +91,7 @@ class ArcosDevice final : public WireDevice {
   void bump_stall();
 
   void dead_reckon(const BaseInputs& inputs);
+  [[nodiscard]] arcos::Reckoning reckoning() const;
   void send_sip(SimTime now);
   [[nodiscard]] arcos::Sip compose_sip(SimTime now);
   [[nodiscard]] int stall_bump_bits() const;
@@ -129,6 +130,7 @@ class ArcosDevice final : public WireDevice {
   bool have_ticks_ = false;
   std::int64_t left_ticks_ = 0;
   std::int64_t right_ticks_ = 0;
+  double way_mm_ = 0.0;
   double x_mm_ = 0.0;
   double y_mm_ = 0.0;
   double heading_rad_ = 0.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "tests/sim/devices/arcos_model.hpp"
 
 namespace topo::sim::arcos {
@@ -11,8 +13,15 @@ struct WheelTargets {
   double right_mps = 0.0;
 };
 
+/// The firmware's own dead reckoning, which closes the loops of MOVE and HEAD.
+struct Reckoning {
+  double way_mm = 0.0;       ///< driven since the start, backwards negative
+  double heading_deg = 0.0;  ///< wrapped
+};
+
 /// The firmware's motion: setpoints, working limits, first-order ramps (PROTOCOLS sections 3 and 8).
-/// Setpoints persist: while the watchdog stops the robot, `hold` of step() overrides them.
+/// Setpoints persist: while the watchdog stops the robot, `hold` of step() overrides them. MOVE and VEL
+/// replace each other, and so do HEAD and RVEL; VEL2 replaces all.
 class Drive {
  public:
   explicit Drive(const Parameters& parameters);
@@ -20,7 +29,12 @@ class Drive {
   void set_velocity(int mm_s);                         ///< VEL
   void set_rotation(int deg_s);                        ///< RVEL
   void set_wheels(int left_counts, int right_counts);  ///< VEL2
-  void stop();                                         ///< STOP: setpoints 0, normal deceleration
+  void move(int mm, const Reckoning& at);              ///< MOVE, at SETV
+  void turn_to(double heading_deg);                    ///< HEAD, the shorter way, at SETRV
+  void turn_by(double deg, const Reckoning& at) { turn_to(at.heading_deg + deg); }  ///< DHEAD
+  void turn_on(double deg, const Reckoning& at);                                    ///< DCHEAD
+  void origin_set(const Reckoning& before);  ///< SETO: the heading became 0, where the robot turns did not
+  void stop();                               ///< STOP: setpoints 0, normal deceleration
   void emergency_stop();             ///< E_STOP: setpoints 0, greatest deceleration; ignores setpoints until
                                      ///< it stands
   void set_max_velocity(int mm_s);   ///< SETV
@@ -35,12 +49,14 @@ class Drive {
   void blocked(double velocity_mm_s, double rotation_deg_s);
 
   /// Ramps towards the setpoints, or towards 0 when held.
-  WheelTargets step(double dt_s, bool hold);
+  WheelTargets step(double dt_s, bool hold, const Reckoning& at);
 
   [[nodiscard]] bool moving() const { return velocity_mm_s_ != 0.0 || rotation_deg_s_ != 0.0; }
   [[nodiscard]] double velocity_setpoint_mm_s() const { return velocity_setpoint_; }
 
  private:
+  void approach_goals(const Reckoning& at);
+
   const Parameters flash_;
   Parameters working_;
   double velocity_setpoint_ = 0.0;
@@ -48,6 +64,9 @@ class Drive {
   double velocity_mm_s_ = 0.0;
   double rotation_deg_s_ = 0.0;
   bool emergency_ = false;
+  std::optional<double> way_goal_mm_;
+  std::optional<double> heading_goal_deg_;
+  std::optional<double> last_heading_goal_deg_;  ///< also after RVEL, for DCHEAD
 };
 
 }  // namespace topo::sim::arcos

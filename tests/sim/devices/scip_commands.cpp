@@ -17,8 +17,9 @@ struct ScipDevice::Command {
 };
 
 std::span<const ScipDevice::Command> ScipDevice::commands() {
-  constexpr std::size_t kSingle = 10;  // SSSSEEEECC
-  constexpr std::size_t kStream = 13;  // SSSSEEEECCINN
+  constexpr std::size_t kSingle = 10;   // SSSSEEEECC
+  constexpr std::size_t kStream = 13;   // SSSSEEEECCINN
+  constexpr std::size_t kNetwork = 36;  // address, netmask, gateway: twelve digits each
   static constexpr std::array kCommands{
       Command{"VV", 0, &ScipDevice::version},
       Command{"PP", 0, &ScipDevice::parameters},
@@ -43,6 +44,7 @@ std::span<const ScipDevice::Command> ScipDevice::commands() {
       Command{"ND", kStream, &ScipDevice::stream},
       Command{"NE", kStream, &ScipDevice::stream},
       Command{"%ST", 0, &ScipDevice::state_number},
+      Command{"$IP", kNetwork, &ScipDevice::set_address},
   };
   return kCommands;
 }
@@ -50,7 +52,7 @@ std::span<const ScipDevice::Command> ScipDevice::commands() {
 bool ScipDevice::offers(const Command& command) const {
   const std::string_view name = command.name;
   if (name == "RB") return model_.ethernet;
-  if (name == "%ST") return model_.ethernet;
+  if (name == "%ST" || name == "$IP") return model_.ethernet;
   if (name == "GS" || name == "MS") return model_.two_character;
   if (name == "GE" || name == "ME") return model_.intensity;
   if (name == "ND" || name == "NE" || name == "HD" || name == "HE") return model_.multi_echo;
@@ -266,6 +268,19 @@ void ScipDevice::state_number(const scip::Request& request, SimTime now) {
   std::string lines;
   scip::append_summed_line(lines, number);
   reply_lines(request, std::move(lines), now);
+}
+
+/// Kept until a power cycle puts it into effect (PROTOCOLS section 13).
+void ScipDevice::set_address(const scip::Request& request, SimTime now) {
+  const std::string_view text = request.body.substr(3);
+  constexpr std::size_t kPart = 3;
+  for (std::size_t at = 0; at < text.size(); at += kPart) {
+    const auto part = scip::parse_digits(text.substr(at, kPart));
+    if (!part || *part > 255) return reply(request.line, "01", now);
+  }
+  if (streaming_) return reply(request.line, "10", now);
+  network_.next = std::string(text);
+  reply(request.line, "00", now);
 }
 
 void ScipDevice::wedge(const scip::Request& /*request*/, SimTime /*now*/) {

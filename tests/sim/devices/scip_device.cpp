@@ -87,6 +87,7 @@ void ScipDevice::client_gone(SimTime now) {
 void ScipDevice::power_cycle(SimTime now) {
   client_gone(now);
   clock_.reset(now);
+  network_.in_effect = network_.next;
   health_ = ScipHealth::kGood;
   wedged_ = false;
   sensitive_ = false;

@@ -60,6 +60,9 @@ class ScipDevice final : public WireDevice {
   /// Another sensor by its serial number, as the host hears when it asks.
   void set_serial(std::string serial) { options_.serial = std::move(serial); }
   [[nodiscard]] ScanFaults& faults() { return faults_; }
+  /// Address, netmask and gateway in twelve digits each, as taken by $IP and in effect since a power cycle;
+  /// empty: the factory's.
+  [[nodiscard]] const std::string& network() const { return network_.in_effect; }
   /// Sends other steps from the next scan on, as if another host had asked for them, until the next request.
   /// False when it does not stream, or has no such steps.
   bool change_steps(int start, int end);
@@ -91,6 +94,7 @@ class ScipDevice final : public WireDevice {
   void stream(const scip::Request& request, SimTime now);
   void state_number(const scip::Request& request, SimTime now);
   void wedge(const scip::Request& request, SimTime now);
+  void set_address(const scip::Request& request, SimTime now);
 
   void reply(std::string_view echo, std::string_view status, SimTime now);
   void reply_lines(const scip::Request& request, std::string lines, SimTime now);
@@ -127,6 +131,10 @@ class ScipDevice final : public WireDevice {
   int sent_ = 0;
   int skip_ = 0;
   std::optional<scip::Turn> latest_;
+  struct Network {
+    std::string in_effect, next;
+  };
+  Network network_;
   std::optional<SimTime> reboot_asked_;
   std::optional<SimTime> reboot_at_;
 };

@@ -74,6 +74,22 @@ TEST_F(ControlStepTest, DrivesAsTheOperatorWants) {
   EXPECT_NEAR(decision.command.twist.v_mps, 0.3, 1e-9);
 }
 
+TEST_F(ControlStepTest, AWatchdogOnTrialPermitsASlowTurnByHandAlone) {
+  input.watchdog_on_trial = true;
+  EXPECT_EQ(run(40).command.twist, types::Twist2{});
+  drive.twist = {0.3, 1.0};
+  const auto turn = run(40).command.twist;
+  EXPECT_EQ(turn.v_mps, 0.0);
+  EXPECT_NEAR(turn.omega_radps, setup.limits.omega_beside_radps, 1e-9);
+  input.teleop = nullptr;
+  Plan plan;
+  plan.stamp = now;
+  plan.moving = true;
+  plan.points = 1;
+  input.plan = &plan;
+  EXPECT_EQ(run(1).report.mode, ControlMode::kStanding);
+}
+
 TEST_F(ControlStepTest, StandsWithMotorsOffBeforeAnybodyAsks) {
   input.teleop = nullptr;
   const auto decision = run(5);

@@ -14,6 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// A robot that nothing is wrong with.
 DoctorFacts healthy() {
@@ -92,6 +93,8 @@ TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
       {"real time", "not asked for", "\"enforce\"", [](DoctorFacts& f) { f.policy = RealtimePolicy::kOff; }},
       {"firmware watchdog", "2000 ms", "up to 1.4 m before it brakes",
        [](DoctorFacts& f) { f.watchdog_ms = 2000; }},
+      {"base", "ready", "\"p3dx-sh-lms1xx\" is driven as p3dx-sh; drive 2 m and a turn by hand",
+       [](DoctorFacts& f) { f.devices[0].assumed = "\"p3dx-sh-lms1xx\" is driven as p3dx-sh"; }},
       {"speed", "at most 0.8 m/s", "0.64 m (0.49 m at 0.7 m/s)",
        [](DoctorFacts& f) { f.configuration.base.v_max_mps = 0.8; }},
       {"team security", "off", "who is in reach of wlan0 can read, disturb and command the team",
@@ -240,6 +243,9 @@ TEST(Doctor, DevicesByTheirStateAndTheSystemsWords) {
   EXPECT_THAT(cure("disconnected", std::strerror(ECONNREFUSED)), HasSubstr("scanner.front.address"));
   EXPECT_THAT(cure("wrong device", "found a base"), HasSubstr("exchange the plugs"));
   EXPECT_THAT(cure("silent", ""), HasSubstr("switch the device on"));
+  EXPECT_THAT(cure("starting", ""), HasSubstr("wait"));
+  EXPECT_THAT(cure("damaged", ""), HasSubstr("cable"));
+  EXPECT_THAT(cure("unusable", ""), HasSubstr("nothing is wrong with the scanner"));
   EXPECT_THAT(cure("fault", ""), HasSubstr("repaired"));
 }
 
@@ -251,6 +257,14 @@ TEST(Doctor, FirmwareWatchdog) {
   EXPECT_EQ(the_bad_one(facts).found, "2001 ms");
   facts.watchdog_ms.reset();
   EXPECT_EQ(the_bad_one(facts).name, "firmware watchdog");
+}
+
+TEST(Doctor, BlindBeamsOfAnUnknownModelAreNotADirtyWindow) {
+  DoctorFacts facts = healthy();
+  facts.base.control.reason = motion::GateReason::kBlindScan;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("clean it"));
+  facts.devices[1].assumed = "the model \"UAM-05LP\" is not known";
+  EXPECT_THAT(the_bad_one(facts).cure, AllOf(HasSubstr("model is not known"), Not(HasSubstr("clean"))));
 }
 
 TEST(Doctor, StopButtonAndLatch) {

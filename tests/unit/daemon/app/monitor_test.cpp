@@ -60,6 +60,41 @@ TEST_F(MonitorOf, ADeviceThatHasNotBeenHeardOfIsStarting) {
   EXPECT_EQ(monitor_->device_obstacle(), "base is not ready: starting");
 }
 
+TEST_F(MonitorOf, ABaseThatIsNotThereRefusesTheHandToo) {
+  watch("tcp:localhost:8101");
+  EXPECT_EQ(monitor_->base_obstacle(), "base is not ready: starting");
+  DeviceReport report;
+  report.state = "disconnected";
+  report.message = "nothing answers";
+  hand_overs_->base.device.store(report);
+  monitor_->update(types::Stamp{seconds(100)});
+  EXPECT_EQ(monitor_->base_obstacle(), "base is not ready: disconnected: nothing answers");
+  report.working = true;
+  hand_overs_->base.device.store(report);
+  monitor_->update(types::Stamp{seconds(101)});
+  EXPECT_EQ(monitor_->base_obstacle(), "base is not ready: it takes no commands yet");
+  // On trial it is no base to explore with, and one to turn by hand.
+  report.working = false;
+  report.state = "on trial";
+  BaseReport ready;
+  ready.ready = true;
+  hand_overs_->base.device.store(report);
+  hand_overs_->base.report.store(ready);
+  monitor_->update(types::Stamp{seconds(102)});
+  EXPECT_EQ(monitor_->base_obstacle(), "");
+  EXPECT_NE(monitor_->device_obstacle(), "");
+}
+
+TEST_F(MonitorOf, WhatIsAssumedOfADeviceIsInTheHealth) {
+  watch("tcp:localhost:8101");
+  DeviceReport report;
+  report.assumed = "\"p3dx-sh-lms1xx\" is driven as p3dx-sh";
+  hand_overs_->base.device.store(report);
+  monitor_->update(types::Stamp{seconds(100)});
+  EXPECT_EQ(monitor_->health()["assumed"], Json::array({"base: \"p3dx-sh-lms1xx\" is driven as p3dx-sh"}));
+  EXPECT_EQ(monitor_->facts().devices[0].assumed, "\"p3dx-sh-lms1xx\" is driven as p3dx-sh");
+}
+
 TEST_F(MonitorOf, ABaseOnASerialPortHasNoBus) {
   watch("tcp:localhost:8101");
   report_passive(0, types::Stamp{seconds(100)});

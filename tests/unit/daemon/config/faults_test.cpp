@@ -91,6 +91,21 @@ cpus = [0, -1]
           "found there -1"));
 }
 
+TEST(Configuration, TheFamilyOfTheBaseIsOneOfItsModel) {
+  const auto faults = [](const char* model, const char* family) {
+    return faults_of(std::string("[robot]\nmodel = \"") + model +
+                     "\"\n[base]\naddress = \"tcp:localhost:8101\"\nfamily = \"" + family +
+                     "\"\n[scanner.front]\naddress = \"tcp:localhost:10940\"\n");
+  };
+  EXPECT_THAT(faults("p3dx", "p3dx-sh"), IsEmpty());
+  EXPECT_THAT(faults("p3at", "p3atiw-sh"), IsEmpty());
+  EXPECT_THAT(
+      faults("p3dx", "p3at"),
+      ElementsAre("5:1: base.family contradicts robot.model (line 2): found \"p3at\", which is a p3at"));
+  EXPECT_THAT(faults("p3dx", "seekur"),
+              ElementsAre(StartsWith("5:10: base.family: found \"seekur\", expected a string: p3dx-sh, ")));
+}
+
 TEST(Configuration, SyntaxFaultsDoNotHideTheOthers) {
   const auto faults = faults_of(R"([robot]
 model =

@@ -70,6 +70,25 @@ TEST_F(SessionConnect, NeverTriesIntensityOnAUrg) {
   EXPECT_THAT(connection->message(), HasSubstr("no intensities"));
 }
 
+/// "KEY:value;c" with its check character.
+std::string summed(const std::string& text) { return text + ";" + std::string(1, checksum(text)) + "\n"; }
+
+TEST_F(SessionConnect, AModelThatIsNotKnownStreamsAndIsNamed) {
+  start(ust());
+  sensor->vv = summed("VEND:Hokuyo Automatic Co., Ltd.") + summed("PROD:UST-30LX") + summed("FIRM:1.0.0") +
+               summed("PROT:SCIP 2.2") + summed("SERI:17");
+  sensor->pp = summed("MODL:UST-30LX") + summed("DMIN:0") + summed("DMAX:30000") + summed("ARES:2880") +
+               summed("AMIN:0") + summed("AMAX:2160") + summed("AFRT:1080") + summed("SCAN:2400");
+  ASSERT_TRUE(run_scans(5, 5s)) << connection->message();
+  EXPECT_THAT(sensor->heard, Contains("MD0000216002000")) << "2 by 2";
+  EXPECT_EQ(scan.beams, 1081);
+  EXPECT_NEAR(scan.geometry.angle_increment_rad, 4.0 * std::numbers::pi / 2880.0, 1e-7);
+  EXPECT_NEAR(scan.geometry.range_min_m, 0.02, 1e-6) << "DMIN 0 is no distance";
+  EXPECT_EQ(connection->info()->serial_number, "17");
+  EXPECT_THAT(connection->info()->assumed, HasSubstr("\"UST-30LX\" is not known"));
+  EXPECT_EQ(connection->health(), Health::kStreaming);
+}
+
 TEST_F(SessionConnect, StreamsIntensity) {
   start(utm_ew(), {.intensity = true});
   ASSERT_TRUE(run_scans(3, 5s));

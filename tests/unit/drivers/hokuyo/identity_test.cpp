@@ -68,6 +68,50 @@ TEST(Identity, WrongChecksumOnTheSerialNumberIsForgivenToUrgOnly) {
   EXPECT_THAT(refused.error().message, HasSubstr("SERI"));
 }
 
+TEST(Identity, AnyPrintedSerialNumberIsTaken) {
+  for (const char* serial : {"7", "H12", "0902", "A-12.3_b", "H123456789012345"}) {
+    SensorInfo info;
+    EXPECT_TRUE(
+        read_version(make_reply("VV", key("PROD:UAM-05LP") + key(std::string("SERI:") + serial)), info))
+        << serial;
+  }
+  for (const char* serial : {"", "H1 2", "H1234567890123456"}) {
+    SensorInfo info;
+    const auto read =
+        read_version(make_reply("VV", key("PROD:UAM-05LP") + key(std::string("SERI:") + serial)), info);
+    ASSERT_FALSE(read) << serial;
+    EXPECT_EQ(read.error().code, types::Errc::kUnsupported);
+  }
+}
+
+TEST(Identity, AModelThatIsNotListedIsNamed) {
+  for (const char* product : {"UTM-30LX-EW", "SOKUIKI Sensor TOP-URG UTM-30LX", "UST-10LX", "UST-20LX",
+                              "SOKUIKI Sensor URG-04LX", "SOKUIKI Sensor URG-04LX-UG01"})
+    EXPECT_TRUE(is_listed(product)) << product;
+  for (const char* product : {"UST-30LX", "UTX-05LX", "UAM-05LP-T301", "UST-10LXFA", "UTM-30LX-FEW", ""})
+    EXPECT_FALSE(is_listed(product)) << product;
+  SensorInfo info;
+  info.product = "UST-30LX";
+  info.step_max = 2160;
+  EXPECT_EQ(assumption(info),
+            "the model \"UST-30LX\" is not known: its codes are those of its family, 2161 steps come 2 by 2");
+  info.product = "UAM-05LP";
+  info.step_max = 1080;
+  EXPECT_EQ(assumption(info), "the model \"UAM-05LP\" is not known: below 20 mm it measured nothing");
+  info.product = "UST-10LX";
+  EXPECT_EQ(assumption(info), "");
+}
+
+TEST(Identity, StepsBeyondAScanAreMerged) {
+  SensorInfo info;
+  for (const auto& [last, cluster] :
+       {std::pair{0, 1}, {1439, 1}, {1440, 2}, {2160, 2}, {2879, 2}, {9999, 7}}) {
+    info.step_max = last;
+    EXPECT_EQ(cluster_of(info), cluster) << last;
+    EXPECT_LE((last + cluster) / cluster, static_cast<int>(types::Scan::kMaxBeams));
+  }
+}
+
 TEST(Identity, TakesEveryKnownWayToSumALine) {
   SensorInfo info;
   const std::string text = "STAT:fine<-set by user";
@@ -91,13 +135,14 @@ TEST(Identity, RefusesParametersThatWouldHarm) {
                                  {"ARES:1440;^\n", key("ARES:100")},
                                  {"AFRT:540;0\n", key("AFRT:2000")},
                                  {"SCAN:2400;U\n", key("SCAN:0")},
-                                 {"DMIN:23;7\n", key("DMIN:0")},
+                                 {"DMIN:23;7\n", key("DMIN:-1")},
                                  {"DMIN:23;7\n", key("DMIN:2x")},
                                  {"DMAX:60000;J\n", key("DMAX:20")}}) {
     SensorInfo info;
     const auto read = read_parameters(make_reply("PP", replaced(pp, from, to)), info);
     ASSERT_FALSE(read) << to;
-    EXPECT_EQ(read.error().code, types::Errc::kProtocol);
+    const bool damaged = to.empty() || to == "AMAX:1080;0\n";
+    EXPECT_EQ(read.error().code, damaged ? types::Errc::kProtocol : types::Errc::kUnsupported) << to;
     EXPECT_THAT(read.error().message, HasSubstr(from.substr(0, 4))) << to;
   }
 }

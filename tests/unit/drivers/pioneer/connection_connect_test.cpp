@@ -51,7 +51,7 @@ TEST_F(PioneerSession, AStaleSessionThatIgnoresCloseIsNamed) {
   robot.open = true;
   robot.deaf_to_close = true;
   start();
-  EXPECT_TRUE(run_until(Health::kSilent));
+  EXPECT_TRUE(run_until(Health::kRefuses));
   EXPECT_THAT(connection->message(), HasSubstr("CLOSE"));
   EXPECT_EQ(robot.count(kSync0), 0);
 }
@@ -244,15 +244,15 @@ TEST_F(PioneerSession, AnotherRobotIsNamed) {
   EXPECT_THAT(connection->message(), HasSubstr("p3at-sh"));
   connection.reset();
   robot.subclass = "p3at-sh";
-  config.expected_subclass = "p3dx-sh";
+  config.expected_chassis = "p3dx";
   start();
   ASSERT_TRUE(run_until(Health::kWrongDevice));
-  EXPECT_THAT(connection->message(), HasSubstr("expected subclass \"p3dx-sh\""));
+  EXPECT_THAT(connection->message(), HasSubstr("expected a p3dx (robot.model)"));
 }
 
 TEST_F(PioneerSession, TheP3AtHasItsOwnNumbers) {
   robot.subclass = "p3at-sh";
-  config.expected_subclass = "p3at-sh";
+  config.expected_chassis = "p3at";
   connect();
   EXPECT_NEAR(connection->info()->track_m, 0.588, 1e-3);
   EXPECT_DOUBLE_EQ(connection->info()->v_top_mps, 0.7);

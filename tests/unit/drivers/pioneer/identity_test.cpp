@@ -18,7 +18,7 @@ using testing::Not;
 
 struct PioneerIdentity : PioneerSession {
   PioneerIdentity() {
-    config.expected_subclass = "p3dx-sh";
+    config.expected_chassis = "p3dx";
     config.expected_name = "scripted";
     config.expected_serial_number = "SN123";
   }
@@ -83,7 +83,7 @@ TEST_F(PioneerIdentity, AnotherSerialNumberIsRefusedAndItsConnectionClosed) {
 TEST_F(PioneerIdentity, ARobotThatDoesNotTellItsSerialNumberIsNotIdentified) {
   robot.answers_config = false;
   start();
-  ASSERT_TRUE(run_until(Health::kSilent));
+  ASSERT_TRUE(run_until(Health::kUnidentified));
   EXPECT_THAT(connection->message(),
               HasSubstr("does not tell its serial number (no CONFIG packet); expected \"SN123\""));
   EXPECT_EQ(robot.count(kConfig), 3);
@@ -99,6 +99,49 @@ TEST_F(PioneerIdentity, ALostConfigPacketIsAskedForAgain) {
   robot.loses = [&](int command) { return command == kConfig && lost++ < 2; };
   connect();
   EXPECT_EQ(lost, 3);
+}
+
+TEST_F(PioneerIdentity, ARobotOfAKnownFamilyIsDrivenAsItsBoard) {
+  robot.subclass = "p3dx-sh-lms1xx";
+  connect();
+  EXPECT_EQ(connection->info()->subclass, "p3dx-sh-lms1xx");
+  EXPECT_THAT(connection->info()->assumed, HasSubstr("driven as p3dx-sh"));
+  drive(move(0.2), milliseconds(1000));
+  EXPECT_EQ(robot.velocity_mmps, 200);
+}
+
+TEST_F(PioneerIdentity, AnOlderBoardIsDrivenWithItsOwnFactors) {
+  robot.subclass = "p3dx";
+  connect();
+  EXPECT_THAT(connection->info()->assumed, HasSubstr("0.485 mm a count"));
+  drive(move(0.2), milliseconds(2000));
+  drive(move(0.0), milliseconds(500));
+  ASSERT_GT(robot.x_mm, 300.0);
+  EXPECT_NEAR(state.odometry.T_odom_base.x_m(), 0.485e-3 * robot.x_mm, 2e-3);
+}
+
+TEST_F(PioneerIdentity, AnUnknownBoardNeedsTheKey) {
+  robot.subclass = "p3dx-lms200";
+  start();
+  ASSERT_TRUE(run_until(Health::kWrongDevice));
+  EXPECT_THAT(connection->message(), AllOf(HasSubstr("\"p3dx-lms200\""), HasSubstr("base.family")));
+  expect_refused_for_good();
+  config.family = "p3dx-sh";
+  connect();
+  EXPECT_THAT(connection->info()->assumed, HasSubstr("\"p3dx-lms200\" is driven as p3dx-sh"));
+}
+
+TEST_F(PioneerIdentity, TheKeyDoesNotOverruleAKnownBoardOrModel) {
+  config.family = "p3dx";  // twice the counts of the SH board that answers
+  start();
+  ASSERT_TRUE(run_until(Health::kWrongDevice));
+  EXPECT_THAT(connection->message(), HasSubstr("expected the family p3dx (base.family)"));
+  expect_refused_for_good();
+  config.family = "p3at-sh";
+  robot.subclass = "seekur";
+  start();
+  ASSERT_TRUE(run_until(Health::kWrongDevice));
+  EXPECT_THAT(connection->message(), HasSubstr("expected a p3dx (robot.model)"));
 }
 
 TEST_F(PioneerIdentity, WithoutAnExpectationAnyIsTaken) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/types/se2.hpp"
+
 namespace topo::pioneer {
 namespace {
 
@@ -45,7 +47,15 @@ types::Result<std::unique_ptr<io::ByteStream>> ScriptedConnector::connect(Durati
   if (!robot_.port_exists) return types::fail(types::Errc::kNotFound, "/dev/scripted: no such device");
   ++robot_.opened_ports;
   robot_.cut = false;
+  robot_.connected();
   return std::unique_ptr<io::ByteStream>(std::make_unique<ScriptedStream>(robot_));
+}
+
+void ScriptedRobot::connected() {
+  confused_ = false;
+  if (simulator == Simulator::kNone) return;
+  sync_ = 0;
+  open = false;
 }
 
 ScriptedRobot::ScriptedRobot() { received.reserve(100000); }
@@ -140,6 +150,13 @@ void ScriptedRobot::on_packet(std::span<const std::byte> payload) {
 }
 
 void ScriptedRobot::on_handshake(int command, bool has_argument) {
+  if (confused_) return;
+  if (simulator != Simulator::kNone && command != sync_ && sync_ < 3) {
+    confused_ = true;
+    cut = simulator == Simulator::kCloses;
+    if (!cut) send({static_cast<std::byte>(command)});
+    return;
+  }
   if (command == 2 && has_argument) sync_ = 0;  // a CLOSE, not SYNC2
   if (command > 2 || has_argument) return;
   if (sync_ < 3 && command != sync_) {
@@ -164,8 +181,15 @@ void ScriptedRobot::on_command(int command, int argument) {
   if (command == 11) setpoint_mmps = argument;
   if (command == 21) setpoint_degps = argument;
   if (command == 55 || command == 29) setpoint_mmps = setpoint_degps = 0;
-  if (command == 18 && answers_config) send(config_payload(config));
+  if (command == 18 && answers_config) send_config();
   if (!motors) velocity_mmps = rotation_degps = 0;
+}
+
+void ScriptedRobot::send_config() {
+  Bytes payload = config_payload(config);
+  if (cuts_config) payload.resize(20);
+  send(payload);
+  if (damages_config) out_[out_size_ - 1] ^= std::byte{1};
 }
 
 void ScriptedRobot::advance(Duration duration) {
@@ -204,8 +228,10 @@ void ScriptedRobot::send_status() {
   u16(static_cast<int>(std::floor(x_mm)) & 0x7FFF);
   u16(0);
   u16(heading_units);
-  u16(velocity_mmps);
-  u16(velocity_mmps);
+  constexpr double kHalfTrack_mm = 1.0 / 0.0056;
+  const int turn_mmps = static_cast<int>(std::lround(rotation_degps * types::kDegree_rad * kHalfTrack_mm));
+  u16(velocity_mmps - turn_mmps);
+  u16(velocity_mmps + turn_mmps);
   u8(127);
   u16(static_cast<int>(stall_bump));
   u16(0);

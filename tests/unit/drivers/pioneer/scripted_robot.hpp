@@ -37,7 +37,9 @@ class ScriptedRobot {
   std::string robot_class = "Pioneer", subclass = "p3dx-sh", name = "scripted";  ///< in SYNC2
   ConfigValues config;
   bool answers_config = true;
-  bool powered = true;  ///< off: silence
+  bool damages_config = false;  ///< its checksum is wrong, every time
+  bool cuts_config = false;     ///< its checksum is right, and it ends within the robot's name
+  bool powered = true;          ///< off: silence
   bool sends_status = true;
   bool port_exists = true;
   bool cut = false;  ///< reads and writes fail: unplugged
@@ -47,6 +49,10 @@ class ScriptedRobot {
   bool echoes = false;  ///< a loop-back plug
   std::string chatter;  ///< sent on every write instead of ARCOS: another device
   bool deaf_to_close = false;
+  std::string port = "/dev/scripted";
+  /// A simulator that takes every number before the connection for a SYNC.
+  enum class Simulator { kNone, kEchoes, kCloses };
+  Simulator simulator = Simulator::kNone;
   std::function<bool(int command)> loses;  ///< on the line, before the robot hears it
   unsigned flags = 0;                      ///< besides the motors' bit
   unsigned stall_bump = 0;
@@ -71,6 +77,7 @@ class ScriptedRobot {
   [[nodiscard]] const Received* last(int command) const;
 
   // The stream's side.
+  void connected();
   types::Result<io::ReadResult> read(std::span<std::byte> buffer, types::Duration timeout);
   types::Status write(std::span<const std::byte> bytes);
   void advance(types::Duration duration);
@@ -81,9 +88,11 @@ class ScriptedRobot {
   void on_command(int command, int argument);
   void tick();
   void send_status();
+  void send_config();
 
   int sync_ = 0;
-  bool asleep_ = true;  ///< no packet for a watchdog's time
+  bool confused_ = false;  ///< a simulator whose count of SYNCs is beyond the last
+  bool asleep_ = true;     ///< no packet for a watchdog's time
   types::Stamp last_packet_{};
   types::Stamp next_status_{};
   std::array<std::byte, 8192> out_{};  ///< to the host
@@ -96,7 +105,7 @@ class ScriptedConnector final : public io::Connector {
  public:
   explicit ScriptedConnector(ScriptedRobot& robot) : robot_(robot) {}
   types::Result<std::unique_ptr<io::ByteStream>> connect(types::Duration timeout) override;
-  [[nodiscard]] std::string_view name() const override { return "/dev/scripted"; }
+  [[nodiscard]] std::string_view name() const override { return robot_.port; }
   [[nodiscard]] types::Stamp now() const override { return robot_.now; }
   void pause(types::Duration duration) override { robot_.advance(duration); }
 

@@ -138,7 +138,33 @@ TEST(RobotModels, KnowsBothRobotsWithBothBoards) {
   EXPECT_EQ(find_model(""), nullptr);
   EXPECT_NEAR(2.0 / find_model("p3at-sh")->radps_per_mmps, 588.0, 0.5);
   EXPECT_EQ(find_model("p3dx")->mm_per_count, 0.485);
-  EXPECT_NE(known_subclasses().find("p3at-sh"), std::string::npos);
+  EXPECT_NE(known_families().find("p3at-sh"), std::string::npos);
+}
+
+TEST(RobotModels, AFamilyIsKnownByItsBoard) {
+  struct Row {
+    const char* subclass;
+    const char* family;  ///< null: refused
+  };
+  for (const Row& row :
+       {Row{"p3dx-sh-lms1xx", "p3dx-sh"}, Row{"P3DX-SH-LMS500", "p3dx-sh"}, Row{"p3at-sh-lms1xx", "p3at-sh"},
+        Row{"p3atiw-sh", "p3atiw-sh"}, Row{"p3atiw-sh-lms500", "p3atiw-sh"}, Row{"p3dx", "p3dx"},
+        Row{"p3at", "p3at"}, Row{"p2d8+", "p2d8+"}, Row{"p3dx-lms200", nullptr}, Row{"p3dx-sh-", nullptr},
+        Row{"p3dx-shx", nullptr}, Row{"p3dx-s", nullptr}, Row{"", nullptr}, Row{"pioneer-lx", nullptr}}) {
+    const RobotModel* family = find_family(row.subclass);
+    ASSERT_EQ(family != nullptr, row.family != nullptr) << row.subclass;
+    EXPECT_EQ(family != nullptr ? family->subclass : "", row.family != nullptr ? row.family : "");
+  }
+  EXPECT_EQ(find_family("p3atiw-sh")->chassis, "p3at");
+}
+
+TEST(RobotModels, WhatIsAssumedIsNamed) {
+  EXPECT_EQ(assumption("p3dx-sh", *find_family("p3dx-sh")), "");
+  EXPECT_EQ(assumption("P3AT-SH", *find_family("P3AT-SH")), "");
+  EXPECT_EQ(assumption("p3dx-sh-lms1xx", *find_family("p3dx-sh-lms1xx")),
+            "\"p3dx-sh-lms1xx\" is driven as p3dx-sh: 1 mm a count, track 0.357 m, hull of a p3dx");
+  EXPECT_EQ(assumption("p3at", *find_family("p3at")),
+            "\"p3at\" is driven as p3at: 0.465 mm a count, track 0.588 m, hull of a p3at");
 }
 
 TEST(RobotModels, SonarsAreMirroredLeftToRight) {

@@ -87,6 +87,130 @@ TEST(ArcosDevice, Vel2DrivesTheWheelsInBothForms) {
   }
 }
 
+/// What the wheels did, which the firmware's counts do not enter.
+struct Truth {
+  explicit Truth(const Robot& robot)
+      : way_mm((robot.inputs.left_m + robot.inputs.right_m) * 500.0),
+        turn_deg((robot.inputs.right_m - robot.inputs.left_m) * 1e3 / robot.device.parameters().track_mm *
+                 180.0 / 3.14159265358979) {}
+  double way_mm, turn_deg;
+};
+
+TEST(ArcosDevice, MoveDrivesItsWayAtSetvAndStands) {
+  for (const int way_mm : {1500, -1500, 40, -5000}) {
+    Robot robot;
+    robot.connect();
+    robot.ask(command(4, 1) + command(6, 400) + command(8, way_mm));
+    robot.run_fed(2s);
+    if (std::abs(way_mm) > 1000) {
+      EXPECT_NEAR(robot.speed_mm_s(), std::copysign(400.0, way_mm), 1.0);
+    }
+    robot.run_fed(16s);
+    EXPECT_EQ(robot.speed_mm_s(), 0.0) << way_mm;
+    EXPECT_NEAR(Truth(robot).way_mm, way_mm, 2.0);
+  }
+}
+
+TEST(ArcosDevice, MoveIsBoundedAndEndsWithVelOrStop) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(8, 32000));
+  robot.run_fed(15s);
+  EXPECT_NEAR(Truth(robot).way_mm, 5000.0, 2.0) << "PROTOCOLS section 3: within 5 m";
+  robot.ask(command(8, 3000));
+  robot.run_fed(1s);
+  robot.ask(command(11, 100));
+  robot.run_fed(3s);
+  EXPECT_NEAR(robot.speed_mm_s(), 100.0, 1.0);
+  robot.ask(command(8, 3000));
+  robot.run_fed(1s);
+  robot.ask(command(29));
+  robot.run_fed(3s);
+  EXPECT_EQ(robot.speed_mm_s(), 0.0);
+}
+
+TEST(ArcosDevice, HeadTurnsTheShorterWay) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(12, 170));
+  robot.run_fed(6s);
+  EXPECT_NEAR(Truth(robot).turn_deg, 170.0, 0.3);
+  robot.ask(command(12, 200));
+  robot.run_fed(4s);
+  EXPECT_NEAR(Truth(robot).turn_deg, 200.0, 0.3);
+  robot.ask(command(12, 0));
+  robot.run_fed(6s);
+  EXPECT_NEAR(Truth(robot).turn_deg, 360.0, 0.3) << "160 degrees on, not 200 back";
+}
+
+TEST(ArcosDevice, DheadIsFromHereAndDcheadFromTheLastSetpoint) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(13, 90));
+  robot.run_fed(400ms);
+  ASSERT_LT(Truth(robot).turn_deg, 30.0) << "under way";
+  robot.ask(command(22, -30));
+  robot.run_fed(5s);
+  EXPECT_NEAR(Truth(robot).turn_deg, 60.0, 0.3) << "90 - 30";
+  robot.ask(command(13, -90));
+  robot.run_fed(400ms);
+  const double from_deg = Truth(robot).turn_deg;
+  robot.ask(command(13, 45));
+  robot.run_fed(5s);
+  EXPECT_NEAR(Truth(robot).turn_deg, from_deg + 45.0, 0.5);
+}
+
+TEST(ArcosDevice, MoveAndHeadGoTogetherAndRvelEndsTheTurn) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(8, 1000) + command(12, 45));
+  robot.run_fed(6s);
+  EXPECT_NEAR(Truth(robot).way_mm, 1000.0, 2.0);
+  EXPECT_NEAR(Truth(robot).turn_deg, 45.0, 0.3);
+  robot.ask(command(12, 180));
+  robot.run_fed(500ms);
+  robot.ask(command(21, 10));
+  robot.run_fed(2s);
+  const double before_deg = Truth(robot).turn_deg;
+  robot.run_fed(1s);
+  EXPECT_NEAR(Truth(robot).turn_deg - before_deg, 10.0, 0.1);
+}
+
+TEST(ArcosDevice, TheOriginMovesTheHeadingGoalWithIt) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(12, 90));
+  robot.run_fed(500ms);
+  robot.ask(command(7));
+  robot.run_fed(5s);
+  EXPECT_NEAR(Truth(robot).turn_deg, 90.0, 0.5);
+}
+
+TEST(ArcosDevice, TheWatchdogHoldsAMoveAndAPacketResumesIt) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(6, 300) + command(8, 3000));
+  robot.run(5s);
+  EXPECT_EQ(robot.speed_mm_s(), 0.0);
+  const double held_mm = Truth(robot).way_mm;
+  EXPECT_LT(held_mm, 900.0);
+  robot.run_fed(12s);
+  EXPECT_NEAR(Truth(robot).way_mm, 3000.0, 2.0);
+}
+
+TEST(ArcosDevice, EStopEndsMoveAndHead) {
+  Robot robot;
+  robot.connect();
+  robot.ask(command(4, 1) + command(8, 3000) + command(13, 90));
+  robot.run_fed(1s);
+  robot.ask(command(55));
+  robot.run_fed(1s);
+  const Truth before(robot);
+  robot.run_fed(3s);
+  EXPECT_EQ(Truth(robot).way_mm, before.way_mm);
+  EXPECT_EQ(Truth(robot).turn_deg, before.turn_deg);
+}
+
 TEST(ArcosDevice, DeadReckonsInWholeMillimetresThatWrap) {
   Robot robot;
   robot.connect();

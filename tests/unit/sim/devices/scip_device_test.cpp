@@ -413,5 +413,25 @@ TEST(ScipDevice, SurvivesAnyBytes) {
   }));
 }
 
+TEST(ScipDevice, TakesAnAddressThatHoldsFromThePowerCycleOn) {
+  const std::string network = "192168000011255255255000192168000001";
+  Talk talk(ScipModel::kUst10Lx);
+  EXPECT_EQ(talk.ask("$IP" + network + "\n"), "$IP" + network + "\n00P\n\n");
+  EXPECT_EQ(talk.device.network(), "");
+  talk.device.power_cycle(talk.now);
+  EXPECT_EQ(talk.device.network(), network);
+  EXPECT_EQ(second_line(talk.ask("$IP192\n")).substr(0, 2), "0C");
+  EXPECT_EQ(second_line(talk.ask("$IP" + network + "0\n")).substr(0, 2), "0D");
+  EXPECT_EQ(second_line(talk.ask("$IP999" + network.substr(3) + "\n")).substr(0, 2), "01");
+  talk.device.power_cycle(talk.now);
+  EXPECT_EQ(talk.device.network(), network) << "what was refused has no effect";
+}
+
+TEST(ScipDevice, AModelOnUsbHasNoAddress) {
+  Talk talk(ScipModel::kUrg04Lx);
+  talk.ask("SCIP2.0\n");
+  EXPECT_EQ(second_line(talk.ask("$IP192168000011255255255000192168000001\n")).substr(0, 2), "0E");
+}
+
 }  // namespace
 }  // namespace topo::sim
