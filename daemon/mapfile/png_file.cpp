@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "daemon/mapfile/atomic_file.hpp"
@@ -28,6 +30,23 @@ struct PngImage {
   PngImage& operator=(const PngImage&) = delete;
 };
 
+/// Most bytes that one byte of a deflate stream can become (RFC 1951: 258 from two bits at best).
+constexpr std::int64_t kInflates = 1032;
+
+std::int64_t bits_of_pixel(std::string_view content) {
+  constexpr std::size_t kDepth = 24, kColours = 25;  // in IHDR, which is the first chunk
+  constexpr std::array<int, 7> kChannels{1, 1, 3, 1, 2, 1, 4};
+  const auto at = [content](std::size_t i) { return static_cast<std::uint8_t>(content[i]); };
+  return std::int64_t{at(kDepth)} * kChannels[std::min<std::size_t>(at(kColours), kChannels.size() - 1)];
+}
+
+/// True when a file of this size cannot contain so many pixels: memory is not reserved for what a file of
+/// some bytes claims.
+bool is_too_short(std::string_view content, const png_image& image) {
+  const std::int64_t row = (std::int64_t{image.width} * bits_of_pixel(content) + 7) / 8 + 1;
+  return row * image.height > kInflates * static_cast<std::int64_t>(content.size());
+}
+
 }  // namespace
 
 Result<GreyImage> decode_png(const std::string& path, std::string_view content) {
@@ -38,6 +57,12 @@ Result<GreyImage> decode_png(const std::string& path, std::string_view content) 
   if (png_image_begin_read_from_memory(&png.image, content.data(), content.size()) == 0) return damaged();
   if (auto s = check_size(path, png.image.width, png.image.height); !s.has_value())
     return tl::unexpected(s.error());
+  if (is_too_short(content, png.image)) {
+    return bad_file(path, "",
+                    fmt::format("a PNG file of {} bytes that claims {} x {} pixels", content.size(),
+                                png.image.width, png.image.height),
+                    "one that contains its pixels");
+  }
   png.image.format = PNG_FORMAT_RGBA;
   std::vector<png_byte> rgba(PNG_IMAGE_SIZE(png.image));
   if (png_image_finish_read(&png.image, nullptr, rgba.data(), 0, nullptr) == 0) return damaged();

@@ -25,11 +25,19 @@ struct ContentFault {
   std::function<void(WireRig&)> undo{};  ///< before `lift`
   const char* order = nullptr;           ///< by the operator, half a second after the blow
   bool sonar_only = false, tcp_only = false;
-  bool journal = false;  ///< sessions are kept
+  bool journal = false;   ///< sessions are kept
+  bool process = false;   ///< the daemon is one of its own
+  bool guest = false;     ///< runs in the emulated guest only (tests/vm/host_faults_test.py)
+  std::string cgroup{};   ///< of the daemon
+  bool deaf = false;      ///< the daemon cannot answer while the fault is there
+  bool harmless = false;  ///< it is not to stop the robot
 };
 std::ostream& operator<<(std::ostream& out, const ContentFault& fault);
 
 std::vector<ContentFault> content_faults();
+
+/// Faults of the whole machine, for an emulated guest of the test's own.
+std::vector<ContentFault> host_faults();
 
 /// What no test on a developer's machine does to it, and where it is done.
 struct Elsewhere {
