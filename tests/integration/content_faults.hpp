@@ -27,7 +27,7 @@ struct ContentFault {
   bool sonar_only = false, tcp_only = false;
   bool journal = false;   ///< sessions are kept
   bool process = false;   ///< the daemon is one of its own
-  bool guest = false;     ///< runs in the emulated guest only (tests/vm/host_faults_test.py)
+  bool guest = false;     ///< of a machine of its own (tests/vm/machine_faults_test.py)
   std::string cgroup{};   ///< of the daemon
   bool deaf = false;      ///< the daemon cannot answer while the fault is there
   bool harmless = false;  ///< it is not to stop the robot
@@ -36,7 +36,8 @@ std::ostream& operator<<(std::ostream& out, const ContentFault& fault);
 
 std::vector<ContentFault> content_faults();
 
-/// Faults of the whole machine, for an emulated guest of the test's own.
+/// Faults for which the test has to be root and the daemon to have real-time rights; ContentFault::guest:
+/// those that are done to the whole machine.
 std::vector<ContentFault> host_faults();
 
 /// What no test on a developer's machine does to it, and where it is done.

@@ -60,6 +60,7 @@ bool WireRig::start_simulator(const WireSetup& setup) {
   config.robots.push_back(setup.wires == Wires::kTcp ? sim::tcp_robot() : sim::pty_robot(folder_.str()));
   config.robots[0].watchdog_ms = setup.watchdog_ms;
   config.seed = setup.seed;
+  if (setup.slow) config.robots[0].coronal = sim::ScipModel::kUrg04Lx;
   auto started = sim::SimHarness::start(std::move(*world), config);
   if (!started) return ADD_FAILURE() << started.error().message, false;
   simulator_ = std::move(*started);
@@ -80,13 +81,13 @@ std::string WireRig::configuration() {
   const std::string sonar = setup_.sonar ? "true" : "false";
   const std::string session =
       setup_.journal ? "[session]\nfolder = \"" + sessions() + "\"\njournal_period_s = 0.2\n" : "";
-  const std::string rate = setup_.guest ? "skip_scans = 3\n" : "";
+  const std::string rate = setup_.slow ? "skip_scans = 3\n" : "";
   // Quick to get fast, so that more faults fit into a minute; how it brakes is as configured by default.
   return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\nsonar = " + sonar + "\n" +
          address(DeviceId::kBase) + "[scanner.front]\n" + address(DeviceId::kFront) + "x_m = 0.021\n" + rate +
-         "[scanner.coronal]\n" + address(DeviceId::kCoronal) + rate + "[control]\nsocket = \"" + socket() +
+         "[scanner.coronal]\n" + address(DeviceId::kCoronal) + "[control]\nsocket = \"" + socket() +
          "\"\nstate_folder = \"" + (setup_.process ? state_folder() : "") + "\"\n[realtime]\npolicy = \"" +
-         (setup_.guest ? "require" : "off") + "\"\n[log]\nlevel = \"error\"\n" + session;
+         (setup_.realtime ? "enforce" : "off") + "\"\n[log]\nlevel = \"error\"\n" + session;
 }
 
 bool WireRig::start_daemon() {
@@ -96,7 +97,7 @@ bool WireRig::start_daemon() {
   EXPECT_TRUE(wait(kPatience_s, [this] {
     if (auto connected = daemon::Client::connect(socket()); connected) client_.emplace(std::move(*connected));
     return client_.has_value();
-  }));
+  })) << daemon::testing::read_all(folder_.file("topometricd.log"));
   return client_.has_value();
 }
 

@@ -57,11 +57,11 @@ struct WireSetup {
   int watchdog_ms = 2000;
   bool sonar = true;
   std::uint64_t seed = 1;
-  bool journal = false;  ///< sessions are kept, a journal every 0.2 s
-  bool process = false;  ///< the daemon is a process of its own, which keeps its latches
-  /// An emulated machine, which is slow: scans at 10 Hz, and real-time rights for the daemon.
-  bool guest = false;
-  std::string cgroup;  ///< of the daemon's process (ChildProcess)
+  bool journal = false;   ///< sessions are kept, a journal every 0.2 s
+  bool process = false;   ///< the daemon is a process of its own, which keeps its latches
+  bool realtime = false;  ///< the daemon has real-time rights
+  bool slow = false;      ///< for an emulated machine: scans at 10 Hz, the coronal scanner a URG
+  std::string cgroup;     ///< of the daemon's process (ChildProcess)
   friend bool operator==(const WireSetup&, const WireSetup&) = default;
 };
 

@@ -5,7 +5,7 @@
 while the daemon drives a simulated robot, in an emulated guest with Debian's kernel (guest.py): the suite Guest of
 wire_faults_test, unchanged.
 
-usage: host_faults_test.py BUILD_FOLDER [GTEST_FILTER]
+usage: machine_faults_test.py BUILD_FOLDER [GTEST_FILTER]
 
 Needs what can_test.py needs. With TOPOMETRIC_FAULT_TABLE set its rows go into that file. Exit status 77: not run; with
 TOPOMETRIC_VM=required that is a failure, with TOPOMETRIC_VM=off nothing is tried."""
