@@ -266,7 +266,9 @@ GateOutput gate(GateState& state, const GateInput& input) {
   GateOutput out;
   out.command.estop = state.estop_latched;
   const bool asked = !is_stale(input.request.stamp, input.now, input.limits.request_age_max);
-  out.command.enable_motors = asked && input.request.enable_motors && !state.estop_latched;
+  const bool kept_off =
+      state.estop_latched || plausibility::has(input.doubts, plausibility::Doubt::kMotorsOff);
+  out.command.enable_motors = asked && input.request.enable_motors && !kept_off;
   if (plausibility::has(input.doubts, plausibility::Doubt::kDisobeys)) out.command.silence = true;
   if (const auto fault = first_fault(state, input))
     out.reason = *fault;

@@ -14,10 +14,10 @@ types::RobotLimits limits_now(const ControlSetup& setup, const ControlInput& in)
 }
 
 plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& in,
-                                const types::RobotLimits& limits, const types::Twist2& commanded) {
+                                const types::RobotLimits& limits, const Granted& last) {
   plausibility::Evidence evidence{
       .now = in.now,
-      .commanded = commanded,
+      .commanded = last.given,
       .base = in.state != nullptr && motion::is_finite(*in.state) ? in.state : nullptr,
       .front = in.front,
       .matched = in.matched,
@@ -25,7 +25,8 @@ plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& i
       .limits = {},
       .model = setup.model,
       .cleared = in.estop_cleared,
-      .base_released = in.base_released};
+      .base_released = in.base_released,
+      .motors_wanted = last.motors};
   evidence.limits.take_limits(limits);
   return evidence;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/pipeline/control_step.hpp"
+#include "core/pipeline/wish.hpp"
 
 namespace topo::pipeline {
 
@@ -11,7 +12,6 @@ namespace topo::pipeline {
 
 /// What core/plausibility compares; a base whose status is not finite counts as absent.
 [[nodiscard]] plausibility::Evidence evidence(const ControlSetup& setup, const ControlInput& in,
-                                              const types::RobotLimits& limits,
-                                              const types::Twist2& commanded);
+                                              const types::RobotLimits& limits, const Granted& last);
 
 }  // namespace topo::pipeline

@@ -110,7 +110,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   motion::GateInput gate_in = memory.senses.perceive(setup, input);
   gate_in.limits = limits_now(setup, input);
   const plausibility::Opinion opinion =
-      memory.plausibility.judge(evidence(setup, input, gate_in.limits, memory.gate.last));
+      memory.plausibility.judge(evidence(setup, input, gate_in.limits, memory.last));
   gate_in.doubts = opinion.doubts;
   gate_in.lag = opinion.lag;
   const Plan* plan = input.plan;
@@ -134,7 +134,8 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
     wanted_at = {};
     hold = latched(hold, plan);
   }
-  memory.last = {out.reason, wish.twist, memory.gate.last};
+  const bool motors = out.command.enable_motors && !out.command.silence;
+  memory.last = {out.reason, wish.twist, memory.gate.last, motors};
   memory.hold = hold;
   memory.touches = counted(memory.touches, setup, input);
   memory.wanted_at = wanted_at;

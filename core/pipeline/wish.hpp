@@ -22,6 +22,7 @@ struct Wish {
 struct Granted {
   motion::GateReason reason = motion::GateReason::kFree;
   types::Twist2 wished, given;
+  bool motors = false;  ///< were to be on
 };
 
 /// After an e-stop, a plan must have stood or have another goal before a plan moves the robot.

@@ -10,6 +10,9 @@ const std::array<DoubtText, kDoubts>& doubt_texts() {
        "the base gets an emergency stop and then nothing, so that its own watchdog stops it: press its stop "
        "button, look at cable and controller; ends when its motors are off, its controller was reset, or by "
        "`topoctl clear-estop` while it stands"},
+      {"motors_off", "the motors were switched off on the robot",
+       "somebody pressed its MOTORS button, or the firmware did it: they stay off; ends by `topoctl "
+       "clear-estop` while it stands"},
       {"answers_late", "the wheels follow the commands too late",
        "look for a slow or buffering line to the base (a bridge, a hub, a loaded radio); ends by itself, and "
        "after the third time in a minute by `topoctl clear-estop`"},
@@ -27,6 +30,9 @@ const std::array<DoubtText, kDoubts>& doubt_texts() {
       {"blind", "the front scanner reports nothing in front of the robot",
        "is it covered by something that it cannot see, or defect? In a place without walls within its range "
        "set plausibility.open_space = true; ends when it sees something"},
+      {"failed", "the front scanner's beams report faults",
+       "a strong light or another scanner shines into it, or it is defect: switch its power off and on; ends "
+       "when it measures again"},
       {"frozen", "the front scanner repeats one picture",
        "switch its power off and on; ends with the next different picture"},
       {"covered", "something lies on the front scanner",

@@ -13,16 +13,18 @@ namespace topo::plausibility {
 /// Graver ones first: the first of a set is shown.
 enum class Doubt : std::uint8_t {
   kDisobeys,          ///< the base moves faster than commanded, or against the command
+  kMotorsOff,         ///< the motors were switched off, and not by the host
   kAnswersLate,       ///< the wheels follow the commands too late
   kImpossibleMotion,  ///< a speed that the model does not reach, or a jump of the pose
   kMatchDisagrees,    ///< odometry and scan matching measure different motions
   kLateScans,         ///< the scans wait on their line
   kLateStatuses,      ///< the status packets wait on their line
   kBlind,             ///< the front scanner reports nothing in front of the robot
+  kFailed,            ///< the front scanner's beams report faults in place of ranges
   kFrozen,            ///< the front scanner repeats one picture
   kCovered,           ///< something lies on the front scanner
 };
-inline constexpr std::size_t kDoubts = 9;
+inline constexpr std::size_t kDoubts = 11;
 
 using DoubtSet = std::bitset<kDoubts>;
 [[nodiscard]] inline bool has(const DoubtSet& doubts, Doubt doubt) {

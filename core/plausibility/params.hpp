@@ -66,14 +66,23 @@ struct MatchParams {
 
 /// The front scanner's picture. Forward: within 90 degrees of the robot's heading.
 struct PictureParams {
-  double blind_share = 0.95;  ///< of the forward beams without a return
+  double blind_share = 0.95;  ///< of the forward beams without a return; or failed
   types::Duration blind_for = std::chrono::seconds(1);
-  bool open_space = false;             ///< true: a place without walls in range is normal
-  std::uint64_t frozen_pictures = 10;  ///< equal to the bit; real ranges have noise of millimetres
-  bool noiseless = false;              ///< true: equal pictures are normal (a simulator without noise)
-  double covered_share = 0.2;          ///< of the forward beams nearer than covered_m
-  double covered_m = 0.08;             ///< from the scanner's centre: its own window
+  bool open_space = false;  ///< true: a place without walls in range is normal
+  /// Equal to the bit; real ranges have noise of millimetres. A picture without any range, which has no
+  /// noise, is blind, failed or covered after so many.
+  std::uint64_t frozen_pictures = 10;
+  bool noiseless = false;      ///< true: equal pictures are normal (a simulator without noise)
+  double covered_share = 0.2;  ///< of the forward beams nearer than covered_m
+  double covered_m = 0.08;     ///< from the scanner's centre: its own window
   types::Duration covered_for = std::chrono::seconds(1);
+};
+
+/// Motors that go off (motors_check.hpp).
+struct MotorsParams {
+  /// Wanted for less, they may go off by the host's own request before: it is repeated after half a second,
+  /// and its effect is seen a lag and a status cycle later.
+  types::Duration wanted_for = std::chrono::seconds(1);
 };
 
 /// Which robot counts as standing, and which as newly connected.
@@ -89,6 +98,7 @@ struct PlausibilityParams {
   StandingParams standing;
   ObedienceParams obedience;
   MotionParams motion;
+  MotorsParams motors;
   MatchParams match;
   PictureParams picture;
   /// Longest wait of data on a line, beyond its shortest (types::Scan::late, types::BaseState::late).

@@ -20,10 +20,27 @@ bool lasts(types::Stamp begun, types::Stamp now, types::Duration at_least) {
   return begun != types::Stamp{} && now - begun >= at_least;
 }
 
+/// A range that was measured has noise.
+bool has_a_range(const types::Scan& scan, double covered_m) {
+  const auto ranges = scan.ranges();
+  return std::any_of(ranges.begin(), ranges.end(), [covered_m](float range_m) {
+    return std::isfinite(range_m) && range_m >= static_cast<float>(covered_m);
+  });
+}
+
+/// Which of the three a picture without any range is.
+PictureOpinion without_ranges(const ForwardShares& shares, bool open_space) {
+  PictureOpinion opinion;
+  opinion.failed = shares.failed > 0.0 && shares.failed >= std::max(shares.empty, shares.covered);
+  opinion.covered = !opinion.failed && shares.covered > 0.0 && shares.covered >= shares.empty;
+  opinion.blind = !opinion.failed && !opinion.covered && !open_space;
+  return opinion;
+}
+
 }  // namespace
 
 ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_laser, double covered_m) {
-  std::size_t forward = 0, empty = 0, covered = 0;
+  std::size_t forward = 0, empty = 0, failed = 0, covered = 0;
   const auto ranges = scan.ranges();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const double angle_rad =
@@ -31,11 +48,13 @@ ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_l
     if (!(std::abs(angle_rad) <= std::numbers::pi / 2.0)) continue;
     ++forward;
     if (ranges[i] == types::kNoReturn) ++empty;
+    if (std::isnan(ranges[i])) ++failed;
     if (ranges[i] < static_cast<float>(covered_m)) ++covered;  // kTooNear is -infinity
   }
   if (forward == 0) return {};
   const auto all = static_cast<double>(forward);
-  return {static_cast<double>(empty) / all, static_cast<double>(covered) / all};
+  return {static_cast<double>(empty) / all, static_cast<double>(failed) / all,
+          static_cast<double>(covered) / all};
 }
 
 std::uint64_t PictureCheck::equal_pictures(const types::Scan& scan) {
@@ -56,11 +75,17 @@ std::uint64_t PictureCheck::equal_pictures(const types::Scan& scan) {
 PictureOpinion PictureCheck::judge(const types::Scan& scan, const types::Se2& T_base_laser) {
   const ForwardShares shares = forward_shares(scan, T_base_laser, params_.covered_m);
   empty_since_ = since(empty_since_, shares.empty > params_.blind_share, scan.arrival);
+  failed_since_ = since(failed_since_, shares.failed > params_.blind_share, scan.arrival);
   covered_since_ = since(covered_since_, shares.covered >= params_.covered_share, scan.arrival);
-  const std::uint64_t equal = equal_pictures(scan);
-  return {!params_.open_space && lasts(empty_since_, scan.arrival, params_.blind_for),
-          !params_.noiseless && equal >= params_.frozen_pictures,
-          lasts(covered_since_, scan.arrival, params_.covered_for)};
+  const bool repeats = equal_pictures(scan) >= params_.frozen_pictures && !params_.noiseless;
+  const bool measured = has_a_range(scan, params_.covered_m);
+  PictureOpinion opinion =
+      repeats && !measured ? without_ranges(shares, params_.open_space) : PictureOpinion{};
+  opinion.frozen = repeats && measured;
+  opinion.blind |= !params_.open_space && lasts(empty_since_, scan.arrival, params_.blind_for);
+  opinion.failed |= lasts(failed_since_, scan.arrival, params_.blind_for);
+  opinion.covered |= lasts(covered_since_, scan.arrival, params_.covered_for);
+  return opinion;
 }
 
 }  // namespace topo::plausibility

@@ -14,13 +14,14 @@ namespace topo::plausibility {
 /// Shares of the beams within 90 degrees of the robot's heading; 0 when the scanner has none there.
 struct ForwardShares {
   double empty = 0.0;    ///< without a return
+  double failed = 0.0;   ///< with a fault in place of a range
   double covered = 0.0;  ///< nearer than PictureParams::covered_m, or below the scanner's least range
 };
 [[nodiscard]] ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_laser,
                                            double covered_m);
 
 struct PictureOpinion {
-  bool blind = false, frozen = false, covered = false;
+  bool blind = false, failed = false, frozen = false, covered = false;
 };
 
 /// Judges the pictures of the front scanner one after another. Allocates nothing.
@@ -37,8 +38,8 @@ class PictureCheck {
   std::uint64_t equal_pictures(const types::Scan& scan);
 
   PictureParams params_;
-  types::Stamp empty_since_{}, covered_since_{};  ///< zero: not now
-  std::uint64_t first_equal_ = 0, newest_ = 0;    ///< sequence numbers
+  types::Stamp empty_since_{}, failed_since_{}, covered_since_{};  ///< zero: not now
+  std::uint64_t first_equal_ = 0, newest_ = 0;                     ///< sequence numbers
   std::uint16_t beams_ = 0;
   std::array<float, types::Scan::kMaxBeams> last_{};
 };

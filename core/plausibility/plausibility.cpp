@@ -24,6 +24,7 @@ Plausibility::Plausibility(const PlausibilityParams& params, bool disobeyed)
       commands_(params.commands),
       obedience_(params.obedience),
       match_(params.match),
+      motors_(params.motors),
       picture_(params.picture),
       braking_(params.braking) {
   held_[at(Doubt::kDisobeys)].latched = disobeyed;
@@ -34,8 +35,10 @@ void Plausibility::judge_status(const Evidence& evidence) {
   if (base.arrival == last_status_) return;
   const bool anew = last_status_ != types::Stamp{} && base.arrival - last_status_ > params_.standing.silence;
   if (anew) obedience_.reset();
+  if (anew) obeys_ = {};
   const bool first = anew || last_status_ == types::Stamp{};
   last_status_ = heard_ = base.arrival;
+  switched_off_ = motors_.judge(base, first);
   impossible_ =
       is_impossible(first ? nullptr : &last_odometry_, base.odometry, evidence.model, params_.motion);
   last_odometry_ = base.odometry;
@@ -49,8 +52,10 @@ DoubtSet Plausibility::causes(const Evidence& evidence) {
   // Motors that are off follow no command.
   const bool driven = evidence.base != nullptr && evidence.base->motors_enabled;
   commands_.add(evidence.now, driven ? evidence.commanded : types::Twist2{}, evidence.limits);
+  motors_.want(evidence.now, evidence.motors_wanted);
   if (evidence.base != nullptr) {
     judge_status(evidence);
+    now.set(at(Doubt::kMotorsOff), switched_off_);
     now.set(at(Doubt::kDisobeys), obeys_.disobeys);
     now.set(at(Doubt::kAnswersLate), obeys_.late || evidence.base->round_trip > params_.round_trip_max);
     now.set(at(Doubt::kImpossibleMotion), impossible_);
@@ -63,6 +68,7 @@ DoubtSet Plausibility::causes(const Evidence& evidence) {
     }
     now.set(at(Doubt::kLateScans), evidence.front->late > params_.late_max);
     now.set(at(Doubt::kBlind), sees_.blind);
+    now.set(at(Doubt::kFailed), sees_.failed);
     now.set(at(Doubt::kFrozen), sees_.frozen);
     now.set(at(Doubt::kCovered), sees_.covered);
   }
@@ -82,7 +88,7 @@ void Plausibility::hold(std::size_t doubt, bool cause, bool standing, const Evid
       held.first = evidence.now;
       held.strikes = 0;
     }
-    held.latched = disobeys || ++held.strikes >= params_.strikes;
+    held.latched = disobeys || doubt == at(Doubt::kMotorsOff) || ++held.strikes >= params_.strikes;
   }
   if (cause) held.until = evidence.now + params_.hold;
   const bool motors_off = evidence.base != nullptr && !evidence.base->motors_enabled;

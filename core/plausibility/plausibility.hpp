@@ -7,6 +7,7 @@
 #include "core/plausibility/braking.hpp"
 #include "core/plausibility/doubt.hpp"
 #include "core/plausibility/match_check.hpp"
+#include "core/plausibility/motors_check.hpp"
 #include "core/plausibility/obedience.hpp"
 #include "core/plausibility/params.hpp"
 #include "core/plausibility/picture_check.hpp"
@@ -26,6 +27,7 @@ struct Evidence {
   bool cleared = false;  ///< by the operator, in this period
   /// Since the period before, the base was heard with its motors off, or after a reset of its controller.
   bool base_released = false;
+  bool motors_wanted = false;  ///< by the command that was sent in the period before
 };
 
 struct Opinion {
@@ -38,10 +40,11 @@ struct Opinion {
 /// Compares commanded, measured, matched and seen, once a control period (DESIGN "Motion and safety").
 ///
 /// A doubt lasts while its cause lasts and PlausibilityParams::hold longer, and until the robot stands. A
-/// doubt that came the third time within a minute lasts until the operator clears it at a standing robot. A
-/// base that disobeys is doubted until its motors are off, its controller was reset, or the operator cleared
-/// it at a standing robot, also over new connections and restarts: nothing that the daemon does by itself may
-/// feed its watchdog again. Allocates nothing.
+/// doubt that came the third time within a minute lasts until the operator clears it at a standing robot, and
+/// so does the one of motors that were switched off: nothing else may switch them on again. A base that
+/// disobeys is doubted until its motors are off, its controller was reset, or the operator cleared it at a
+/// standing robot, also over new connections and restarts: nothing that the daemon does by itself may feed
+/// its watchdog again. Allocates nothing.
 class Plausibility {
  public:
   /// `disobeyed`: the base did not obey before the start, and was not released since.
@@ -68,11 +71,12 @@ class Plausibility {
   CommandHistory commands_;
   Obedience obedience_;
   MatchCheck match_;
+  MotorsCheck motors_;
   PictureCheck picture_;
   Braking braking_;
   ObedienceOpinion obeys_;
   PictureOpinion sees_;
-  bool impossible_ = false;
+  bool impossible_ = false, switched_off_ = false;
   types::Odometry last_odometry_;
   types::Stamp last_status_{}, last_scan_{}, last_match_{};
   types::Stamp heard_{};  ///< the newest status, or the start

@@ -5,6 +5,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "daemon/mapfile/atomic_file.hpp"
@@ -71,6 +72,23 @@ void take_words(const std::vector<png_uint_16>& rgba, GreyImage& grey) {
   grey.greatest = kOpaque;
 }
 
+/// Most bytes that one byte of a deflate stream can become (RFC 1951: 258 from two bits at best).
+constexpr std::int64_t kInflates = 1032;
+
+std::int64_t bits_of_pixel(std::string_view content) {
+  constexpr std::size_t kDepth = 24, kColours = 25;  // in IHDR, which is the first chunk
+  constexpr std::array<int, 7> kChannels{1, 1, 3, 1, 2, 1, 4};
+  const auto at = [content](std::size_t i) { return static_cast<std::uint8_t>(content[i]); };
+  return std::int64_t{at(kDepth)} * kChannels[std::min<std::size_t>(at(kColours), kChannels.size() - 1)];
+}
+
+/// True when a file of this size cannot contain so many pixels: memory is not reserved for what a file of
+/// some bytes claims.
+bool is_too_short(std::string_view content, const png_image& image) {
+  const std::int64_t row = (std::int64_t{image.width} * bits_of_pixel(content) + 7) / 8 + 1;
+  return row * image.height > kInflates * static_cast<std::int64_t>(content.size());
+}
+
 }  // namespace
 
 Result<GreyImage> decode_png(const std::string& path, std::string_view content) {
@@ -82,6 +100,12 @@ Result<GreyImage> decode_png(const std::string& path, std::string_view content) 
   if (png_image_begin_read_from_memory(&png.image, numbers.data(), numbers.size()) == 0) return damaged();
   if (auto s = check_size(path, png.image.width, png.image.height); !s.has_value())
     return tl::unexpected(s.error());
+  if (is_too_short(numbers, png.image)) {
+    return bad_file(path, "",
+                    fmt::format("a PNG file of {} bytes that claims {} x {} pixels", content.size(),
+                                png.image.width, png.image.height),
+                    "one that contains its pixels");
+  }
   const std::size_t pixels = std::size_t{png.image.width} * png.image.height;
   GreyImage grey{static_cast<int>(png.image.width), static_cast<int>(png.image.height),
                  std::vector<std::uint16_t>(pixels), std::vector<bool>(pixels), 0};

@@ -74,7 +74,8 @@ pipeline::ControlInput BaseWorker::gather() {
   input.base_released = connection_->releases() != std::exchange(releases_, connection_->releases());
   input.place = hand_overs_.place.now();
   const bool ready = pioneer::takes_commands(connection_->health());
-  input.state = ready && has_state_ ? &state_ : nullptr;
+  has_state_ = has_state_ && ready;  // a new connection is not judged by the last status of the one before
+  input.state = has_state_ ? &state_ : nullptr;
   if (const auto& info = connection_->info(); info) {
     input.firmware_watchdog = std::chrono::milliseconds(info->watchdog_ms);
     input.watchdog_on_trial = connection_->health() == pioneer::Health::kOnTrial;

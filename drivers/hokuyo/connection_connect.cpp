@@ -185,18 +185,18 @@ void Connection::Impl::restart_stream() {
     set_health(Health::kStarting,
                place() + ": " + found.product + " " + found.serial_number + " is starting");
   }
-  enter(Phase::kAdjust, "TM0", 300ms);
+  enter(Phase::kAdjust, "TM0", kClockLimit);
 }
 
 void Connection::Impl::on_adjust_reply() {
-  if (is_good(line.reply().status())) return enter(Phase::kSample, "TM1", 300ms);
+  if (is_good(line.reply().status())) return enter(Phase::kSample, "TM1", kClockLimit);
   enter(Phase::kAdjusted, "TM2", 300ms);  // no clock by TM: the assumed latency is used
 }
 
 void Connection::Impl::on_sample() {
   const auto time = read_time(line.reply());
   if (time) clock.add_round_trip(*time, pending.asked, line.arrival());
-  if (++samples < kSamples) return enter(Phase::kSample, "TM1", 300ms);
+  if (++samples < kSamples) return enter(Phase::kSample, "TM1", kClockLimit);
   enter(Phase::kAdjusted, "TM2", 300ms);
 }
 

@@ -15,6 +15,9 @@
 
 namespace topo::hokuyo {
 
+/// Of TM0 and TM1. On a line that holds its data for longer nothing else comes up either: BM and the first
+/// scan have half a second.
+constexpr types::Duration kClockLimit = std::chrono::seconds(1);
 constexpr types::Duration kBackoffMin = std::chrono::milliseconds(500);  ///< restored after enough good scans
 
 /// Phase of a connection between two losses of its stream.

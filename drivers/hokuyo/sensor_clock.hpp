@@ -68,7 +68,8 @@ class SensorClock {
 
   bool synchronised_ = false;
   types::Duration best_round_trip_{};
-  Point sync_;  ///< from the best round trip
+  Point sync_;                 ///< from the best round trip
+  std::int64_t asked_ns_ = 0;  ///< the same when it began: the device was read no earlier
 
   bool started_ = false;
   bool calibrated_ = false;

@@ -28,12 +28,11 @@ std::uint16_t checksum(std::span<const std::byte> payload) {
   return static_cast<std::uint16_t>(sum);
 }
 
-bool CommandPacket::is_setpoint() const {
-  return bytes_[3] == static_cast<std::byte>(Command::kVel) ||
-         bytes_[3] == static_cast<std::byte>(Command::kRvel);
-}
+bool CommandPacket::is(Command command) const { return bytes_[3] == static_cast<std::byte>(command); }
 
-bool CommandPacket::is_emergency_stop() const { return bytes_[3] == static_cast<std::byte>(Command::kEStop); }
+bool CommandPacket::is_setpoint() const { return is(Command::kVel) || is(Command::kRvel); }
+
+bool CommandPacket::is_emergency_stop() const { return is(Command::kEStop); }
 
 /// Fills a CommandPacket: head, payload byte by byte, count and checksum at the end.
 class CommandWriter {

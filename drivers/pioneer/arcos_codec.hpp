@@ -60,6 +60,7 @@ class CommandPacket {
  public:
   CommandPacket() = default;
   [[nodiscard]] std::span<const std::byte> bytes() const { return {bytes_.data(), size_}; }
+  [[nodiscard]] bool is(Command command) const;
   /// VEL or RVEL.
   [[nodiscard]] bool is_setpoint() const;
   [[nodiscard]] bool is_emergency_stop() const;

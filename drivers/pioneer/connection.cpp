@@ -322,7 +322,10 @@ bool Connection::Impl::on_packet(const PacketView& packet, types::BaseState& out
     lose(Health::kReset, device() + ": the robot's controller was reset; connecting again");
     return false;
   }
-  if (packet.is(PacketType::kEncoder)) trip.answered(packet.last_byte);
+  if (packet.is(PacketType::kEncoder)) {
+    trip.left(link->last_request());
+    trip.answered(link->heard_after());
+  }
   return packet.is_status() && on_status(packet, out);
 }
 
@@ -337,7 +340,7 @@ bool Connection::Impl::run(types::BaseState& out, Stamp deadline) {
                               " cycles; connecting again");
     return false;
   }
-  trip.expire(link->now());
+  trip.expire(link->last_read());
   if (!drive->is_silent() && trip.is_due(link->now()) && link->outbox().push(encode(Command::kEncoder, 1)))
     trip.asked(link->now());
   drive->keep_alive(link->now(), link->last_send());

@@ -12,7 +12,10 @@ Link::Link(std::unique_ptr<io::ByteStream> stream, Counters& counters)
       counters_(counters),
       last_send_(stream_->now()),
       send_after_(last_send_),
-      last_read_(last_send_) {}
+      last_read_(last_send_),
+      read_ended_(last_send_),
+      heard_after_(last_send_),
+      last_request_(last_send_) {}
 
 types::Status Link::pump() {
   if (outbox_.empty()) return {};
@@ -66,7 +69,9 @@ types::Status Link::send(const CommandPacket& packet) {
   last_send_ = now();
   send_after_ = last_send_ + kSpacing + wire_time(packet.bytes().size());
   ++counters_.commands;
-  return stream_->write(packet.bytes(), kWriteTimeout);
+  auto written = stream_->write(packet.bytes(), kWriteTimeout);
+  if (packet.is(Command::kEncoder)) last_request_ = now();
+  return written;
 }
 
 types::Stamp Link::next_send() const {
@@ -78,6 +83,7 @@ types::Status Link::receive(types::Duration timeout) {
   last_read_ = now();
   const bool under_way = !stream_->ready();
   const auto got = stream_->read(buffer_, std::max(timeout, types::Duration::zero()));
+  heard_after_ = std::exchange(read_ended_, now());
   // The controller has a command when its last byte has arrived: the spacing begins then.
   if (under_way && stream_->ready()) send_after_ = now() + kSpacing;
   count_bus_faults();

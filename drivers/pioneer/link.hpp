@@ -48,6 +48,10 @@ class Link {
   types::Status receive(types::Duration timeout);
   /// Start of the last actual read: all input from before it has been processed.
   [[nodiscard]] types::Stamp last_read() const { return last_read_; }
+  /// What next_packet() gives now had not ended before: the end of the read before the one that it came by.
+  [[nodiscard]] types::Stamp heard_after() const { return heard_after_; }
+  /// When the last ENCODER had been written; the connection's start before the first.
+  [[nodiscard]] types::Stamp last_request() const { return last_request_; }
   std::optional<PacketView> next_packet();
 
   /// CONFIG packets that came damaged, since the construction.
@@ -82,7 +86,8 @@ class Link {
   int baud_ = 0;  ///< 0: the line has no speed
   types::Stamp last_send_;
   types::Stamp send_after_;
-  types::Stamp last_read_;
+  types::Stamp last_read_, read_ended_, heard_after_;
+  types::Stamp last_request_;
   std::array<std::byte, 2048> buffer_{};
   std::span<const std::byte> pending_;
   types::Stamp pending_stamp_{};

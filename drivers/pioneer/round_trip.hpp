@@ -15,8 +15,11 @@ namespace topo::pioneer {
 /// (PROTOCOLS section 3).
 ///
 /// Answers carry no number: the next request waits until the last one is answered or lost, so that a late
-/// answer is known to be one. A base that never answered is not asked for ever. Sans-I/O; time is passed as
-/// stamps.
+/// answer is known to be one. A base that never answered is not asked for ever.
+///
+/// What is measured is the shortest time that the trip may have taken: from when the request had left this
+/// host, until when the answer may have come, which is when this host last looked and found none. A host that
+/// was late by itself sees nothing late of the base. Sans-I/O; time is passed as stamps.
 class RoundTrip {
  public:
   static constexpr types::Duration kEvery = std::chrono::milliseconds(500);
@@ -26,15 +29,21 @@ class RoundTrip {
   [[nodiscard]] bool is_due(types::Stamp now) const {
     return !open_since_ && now - last_ >= kEvery && (answers_ || lost_ < kLostInARow);
   }
+  /// The request waits to be sent.
   void asked(types::Stamp now) { last_ = now, open_since_ = now; }
-  void answered(types::Stamp now) {
+  /// It has left this host; without effect when none is open.
+  void left(types::Stamp sent) {
+    if (open_since_) open_since_ = std::max(*open_since_, sent);
+  }
+  /// `earliest`: not before it the answer arrived.
+  void answered(types::Stamp earliest) {
     if (!open_since_) return;  // of a request that was given up
     answers_ = true;
     lost_ = 0;
-    trip_ = now - *open_since_;
+    trip_ = std::max(earliest - *open_since_, kShortest);
     open_since_.reset();
   }
-  /// To be called regularly: gives up a request that is lost.
+  /// To be called regularly: gives up a request that is lost. `now`: until when the answers were looked for.
   void expire(types::Stamp now) {
     if (!open_since_ || now - *open_since_ <= kLost) return;
     open_since_.reset();
@@ -46,6 +55,7 @@ class RoundTrip {
   [[nodiscard]] types::Duration trip() const { return trip_; }
 
  private:
+  static constexpr types::Duration kShortest{1};  ///< 0 is a base that never answered
   std::optional<types::Stamp> open_since_;
   types::Stamp last_{};
   bool answers_ = false;

@@ -150,7 +150,8 @@ Faults base_content() {
       fault("base: heading jumps", {lie("heading", 1.5)}, {honest}, impossible),
       fault("base: the left encoder is dead", {encoder("left", true)}, {encoder("left", false)}, ""),
       fault("base: the right encoder is dead", {encoder("right", true)}, {encoder("right", false)}, ""),
-      fault("base: motors off by the button", {command(Json::object(), "motors-off")}, {}, "", kNever),
+      fault("base: motors off by the button", {command(Json::object(), "motors-off")}, {},
+            "motors were switched off", kNever),
       fault("base: wheels stuck for 2 s", {command({{"seconds", 2.0}}, "stall")}, {}, "stall", kNever),
       fault("base: front bumper stuck", {command({{"front", 4}, {"seconds", kPressed_s}}, "bumper")},
             {command({{"seconds", 0.0}}, "bumper")}, "bumper", kNever),
@@ -192,7 +193,7 @@ ContentFault hung_threads(const std::string& name, const std::vector<std::string
 ContentFault killed_and_carried() {
   ContentFault made =
       fault("daemon: killed, the robot carried to a place that looks alike", {}, {}, "", kNever);
-  made.journal = true;
+  made.journal = made.process = true;
   const auto was = std::make_shared<types::Se2>();
   const auto carry = [](const types::Se2& to) {
     return command({{"x_m", to.x_m}, {"y_m", to.y_m}, {"theta_rad", to.theta_rad}}, "carry");
@@ -221,6 +222,7 @@ Faults of_the_machine() {
       hung_threads("daemon: thread journal hung", {"journal"}, 1.5),
       hung_threads("daemon: thread main hung", {"daemon-main"}, 1.5),
   };
+  faults[0].deaf = faults[8].deaf = true;
   faults[7].journal = true;
   ContentFault hog = fault("machine: four threads that never wait", {}, {}, "", 1.5);
   const auto hogs = std::make_shared<std::unique_ptr<CpuHog>>();

@@ -25,11 +25,20 @@ struct ContentFault {
   std::function<void(WireRig&)> undo{};  ///< before `lift`
   const char* order = nullptr;           ///< by the operator, half a second after the blow
   bool sonar_only = false, tcp_only = false;
-  bool journal = false;  ///< sessions are kept
+  bool journal = false;   ///< sessions are kept
+  bool process = false;   ///< the daemon is one of its own
+  bool guest = false;     ///< of a machine of its own (tests/vm/machine_faults_test.py)
+  std::string cgroup{};   ///< of the daemon
+  bool deaf = false;      ///< the daemon cannot answer while the fault is there
+  bool harmless = false;  ///< it is not to stop the robot
 };
 std::ostream& operator<<(std::ostream& out, const ContentFault& fault);
 
 std::vector<ContentFault> content_faults();
+
+/// Faults for which the test has to be root and the daemon to have real-time rights; ContentFault::guest:
+/// those that are done to the whole machine.
+std::vector<ContentFault> host_faults();
 
 /// What no test on a developer's machine does to it, and where it is done.
 struct Elsewhere {

@@ -6,10 +6,13 @@
 #include "tests/integration/content_faults.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 #include "tests/integration/fault_table.hpp"
 #include "tests/integration/said.hpp"
@@ -24,12 +27,14 @@ struct ContentCase {
 };
 std::ostream& operator<<(std::ostream& out, const ContentCase& c) { return out << c.fault; }
 
-std::vector<ContentCase> content_cases(Wires wires, bool sonar) {
+std::vector<ContentCase> cases_of(const std::vector<ContentFault>& faults, Wires wires, bool sonar) {
   std::vector<ContentCase> all;
   std::size_t number = 0;
-  for (const ContentFault& fault : content_faults()) {
+  for (const ContentFault& fault : faults) {
     for (WireSetup setup : setups_of(number++)) {
       setup.journal = fault.journal;
+      setup.process = fault.process;
+      setup.cgroup = fault.cgroup;
       if (!is_cross() && fault.tcp_only) setup.wires = Wires::kTcp;
       if (!is_cross() && fault.sonar_only) setup.sonar = true;
       if (fault.tcp_only && setup.wires != Wires::kTcp) continue;
@@ -38,6 +43,34 @@ std::vector<ContentCase> content_cases(Wires wires, bool sonar) {
     }
   }
   return all;
+}
+
+std::vector<ContentCase> content_cases(Wires wires, bool sonar) {
+  return cases_of(content_faults(), wires, sonar);
+}
+
+bool in_guest() { return std::getenv("TOPOMETRIC_GUEST") != nullptr; }
+
+/// All on TCP with sonar: what differs is the machine.
+std::vector<ContentCase> host_cases(bool guest) {
+  std::vector<ContentCase> all;
+  for (ContentFault& fault : host_faults()) {
+    if (guest ? !in_guest() : fault.guest) continue;
+    fault.tcp_only = fault.sonar_only = true;
+    for (ContentCase one : cases_of({fault}, Wires::kTcp, true)) {
+      one.setup.realtime = true;
+      one.setup.slow = guest;
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
+/// As the daemon needs it; not everywhere is root permitted to.
+bool has_realtime_rights() {
+  const sched_param wanted{1}, usual{0};
+  const bool permitted = ::sched_setscheduler(0, SCHED_FIFO, &wanted) == 0;
+  return permitted && ::sched_setscheduler(0, SCHED_OTHER, &usual) == 0;
 }
 
 std::string name_of_content(const testing::TestParamInfo<ContentCase>& info) {
@@ -50,6 +83,8 @@ std::string name_of_content(const testing::TestParamInfo<ContentCase>& info) {
 class ContentFaults : public testing::TestWithParam<ContentCase> {
  protected:
   void SetUp() override {
+    if (GetParam().setup.realtime && (::geteuid() != 0 || !has_realtime_rights()))
+      GTEST_SKIP() << "needs root and real-time rights";
     rig_ = WireRig::start(GetParam().setup);
     ASSERT_NE(rig_, nullptr);
   }
@@ -58,8 +93,6 @@ class ContentFaults : public testing::TestWithParam<ContentCase> {
   void watch(const ContentFault& fault, const Moment& hit) {
     constexpr double kOrder_s = 0.5, kAfterBox_s = 6.0, kWithoutBox_s = 6.0, kEnough_s = 1.0;
     const double end_s = fault.box_after_s < 0.0 ? kWithoutBox_s : fault.box_after_s + kAfterBox_s;
-    const bool is_deaf = fault.name.find("main hung") != std::string::npos ||
-                         fault.name.find("all threads") != std::string::npos;
     bool ordered = false;
     int standing = 0;
     WireRig::wait(2.0 * end_s, [&] {
@@ -71,7 +104,7 @@ class ContentFaults : public testing::TestWithParam<ContentCase> {
             rig_->strike_and_hear({{{"command", "obstacle"}, {"distance_m", 1.0}}});
         box_ = answers[0]["id"];
       }
-      if (!is_deaf) said_.listen(*rig_);
+      if (!fault.deaf) said_.listen(*rig_);
       standing = now.stands ? standing + 1 : 0;
       if (standing == 1 && stood_s_ < 0.0) last_ = now;
       if (standing == 4 && stood_s_ < 0.0) {
@@ -116,6 +149,10 @@ INSTANTIATE_TEST_SUITE_P(Terminal, ContentFaults, testing::ValuesIn(content_case
 INSTANTIATE_TEST_SUITE_P(TerminalWithoutSonar, ContentFaults,
                          testing::ValuesIn(content_cases(Wires::kPty, false)), name_of_content);
 
+INSTANTIATE_TEST_SUITE_P(Host, ContentFaults, testing::ValuesIn(host_cases(false)), name_of_content);
+// Nothing where there is no guest (tests/vm/machine_faults_test.py).
+INSTANTIATE_TEST_SUITE_P(Guest, ContentFaults, testing::ValuesIn(host_cases(true)), name_of_content);
+
 TEST_P(ContentFaults, TouchNothingAreNamedAndPass) {
   const ContentFault& fault = GetParam().fault;
   ASSERT_TRUE(rig_->reach_full_speed()) << rig_->status().dump(2);
@@ -131,6 +168,10 @@ TEST_P(ContentFaults, TouchNothingAreNamedAndPass) {
                               }))
         << "expected: " << fault.says << ", found: " << said_.text();
   }
+  if (fault.harmless) {
+    EXPECT_FALSE(stood_s_ >= 0.0 && stood_s_ < fault.box_after_s) << said_.text();
+    EXPECT_TRUE(rig_->status()["plausibility"]["doubts"].empty()) << said_.text();
+  }
   if (fault.undo) fault.undo(*rig_);
   said_.listen(*rig_);
   EXPECT_EQ(rig_->moment().truth.collisions, hit.truth.collisions) << "it touched something";
@@ -144,7 +185,8 @@ TEST_P(ContentFaults, TouchNothingAreNamedAndPass) {
   const std::string does = stood_s_ < 0.0 ? on : stands_after(stood_m_, stood_s_);
   std::printf("%s; %s; back: %s; at %.2f m/s, the machine was up to %.0f ms late\n", does.c_str(),
               said_.text().c_str(), back.c_str(), hit.v_mps, 1e3 * rig_->machine().late_s());
-  record({fault.name, form_of(GetParam().setup), does + (touched > 0 ? ", TOUCHED something" : ""),
+  const std::string where = GetParam().setup.slow ? ", an emulated guest" : "";
+  record({fault.name, form_of(GetParam().setup) + where, does + (touched > 0 ? ", TOUCHED something" : ""),
           said_.text(fault.says), back});
 }
 

@@ -75,6 +75,7 @@ plausibility::MatchedMotion Matcher::operator()() {
   sim::Se2 step = last.inverse() * here;
   last = here;
   if (other_robots) step = {};
+  step.y_m += carried_mps * types::to_seconds(types::kBasePeriod);
   if (upside_down) step = {step.x_m, -step.y_m, -step.theta_rad};
   motion = plausibility::after_scan(motion, rig.report().odometry.stamp, step,
                                     rig.report().odometry.T_odom_base.se2(), true);
@@ -149,6 +150,13 @@ std::vector<ValueFault> lies() {
          rig.match = matcher;
        },
        2.5},
+      {"robot: carried at walking pace while it drives", Doubt::kMatchDisagrees,
+       [](DriveRig& rig) {
+         Matcher matcher(rig);
+         matcher.carried_mps = 0.8;
+         rig.match = matcher;
+       },
+       2.5},
       {"front: scans late by 50 ms more every second", Doubt::kLateScans,
        [](DriveRig& rig) {
          rig.spoil_scan = [&rig, from_s = rig.now_s()](types::Scan& s) {
@@ -216,7 +224,7 @@ std::vector<ValueFault> plain_faults() {
       {"front: silence", std::nullopt, [](DriveRig& r) { r.front_silent = true; }},
       {"base: silence", std::nullopt, [](DriveRig& r) { r.base_silent = true; }},
       {"daemon: no new plan", std::nullopt, [](DriveRig& r) { r.planner_silent = true; }},
-      {"front: every beam failed", Doubt::kFrozen,
+      {"front: every beam failed", Doubt::kFailed,
        scans([](types::Scan& s) { s.range_m.fill(types::kInvalid); })},
       {"front: every beam too near", Doubt::kCovered,
        scans([](types::Scan& s) { s.range_m.fill(types::kTooNear); })},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 
 #include "daemon/app/device_connectors.hpp"
@@ -47,6 +48,7 @@ std::unique_ptr<WireRig> WireRig::start(const WireSetup& setup) {
   std::unique_ptr<WireRig> rig(new WireRig);
   rig->setup_ = setup;
   if (setup.journal) std::filesystem::create_directories(rig->sessions());
+  std::filesystem::create_directories(rig->state_folder());
   if (!rig->start_simulator(setup) || !rig->start_daemon()) return nullptr;
   return rig;
 }
@@ -58,6 +60,7 @@ bool WireRig::start_simulator(const WireSetup& setup) {
   config.robots.push_back(setup.wires == Wires::kTcp ? sim::tcp_robot() : sim::pty_robot(folder_.str()));
   config.robots[0].watchdog_ms = setup.watchdog_ms;
   config.seed = setup.seed;
+  if (setup.slow) config.robots[0].coronal = sim::ScipModel::kUrg04Lx;
   auto started = sim::SimHarness::start(std::move(*world), config);
   if (!started) return ADD_FAILURE() << started.error().message, false;
   simulator_ = std::move(*started);
@@ -78,19 +81,36 @@ std::string WireRig::configuration() {
   const std::string sonar = setup_.sonar ? "true" : "false";
   const std::string session =
       setup_.journal ? "[session]\nfolder = \"" + sessions() + "\"\njournal_period_s = 0.2\n" : "";
+  const std::string rate = setup_.slow ? "skip_scans = 3\n" : "";
   // Quick to get fast, so that more faults fit into a minute; how it brakes is as configured by default.
   return "[robot]\nmodel = \"p3dx\"\n[base]\nacceleration_mps2 = 1.0\nsonar = " + sonar + "\n" +
-         address(DeviceId::kBase) + "[scanner.front]\n" + address(DeviceId::kFront) +
-         "x_m = 0.021\n[scanner.coronal]\n" + address(DeviceId::kCoronal) + "[control]\nsocket = \"" +
-         folder_.file("control.sock") +
-         "\"\nstate_folder = \"\"\n[realtime]\npolicy = \"off\"\n[log]\nlevel = \"error\"\n" + session;
+         address(DeviceId::kBase) + "[scanner.front]\n" + address(DeviceId::kFront) + "x_m = 0.021\n" + rate +
+         "[scanner.coronal]\n" + address(DeviceId::kCoronal) + "[control]\nsocket = \"" + socket() +
+         "\"\nstate_folder = \"" + (setup_.process ? state_folder() : "") + "\"\n[realtime]\npolicy = \"" +
+         (setup_.realtime ? "enforce" : "off") + "\"\n[log]\nlevel = \"error\"\n" + session;
 }
 
 bool WireRig::start_daemon() {
-  const auto loaded = daemon::parse_configuration(configuration(), "test.toml");
+  const std::string text = configuration();
+  if (!(setup_.process ? start_process(text) : start_threads(text))) return false;
+  constexpr double kPatience_s = 20.0;  // a process has to come up first
+  EXPECT_TRUE(wait(kPatience_s, [this] {
+    if (auto connected = daemon::Client::connect(socket()); connected) client_.emplace(std::move(*connected));
+    return client_.has_value();
+  })) << daemon::testing::read_all(folder_.file("topometricd.log"));
+  return client_.has_value();
+}
+
+bool WireRig::start_process(const std::string& configuration) {
+  process_ = ChildProcess::start("topometricd", {"--config", folder_.write("robot.toml", configuration)},
+                                 folder_.file("topometricd.log"), setup_.cgroup);
+  return process_ != nullptr;
+}
+
+bool WireRig::start_threads(const std::string& configuration) {
+  const auto loaded = daemon::parse_configuration(configuration, "test.toml");
   if (!loaded.faults.empty()) return ADD_FAILURE() << faults_text(loaded), false;
-  const std::string socket = folder_.file("control.sock");
-  auto listening = io::ListeningSocket::open(socket);
+  auto listening = io::ListeningSocket::open(socket());
   if (!listening) return ADD_FAILURE() << listening.error().message, false;
   auto made = daemon::App::make(
       {loaded.values, effective_text(loaded), std::move(*listening), daemon::device_connectors(nullptr), {}});
@@ -100,9 +120,6 @@ bool WireRig::start_daemon() {
     ::pthread_setname_np(::pthread_self(), "daemon-main");
     ran_ = app_->run();
   });
-  auto connected = daemon::Client::connect(socket);
-  if (!connected) return ADD_FAILURE() << connected.error().message, false;
-  client_.emplace(std::move(*connected));
   return true;
 }
 
@@ -113,18 +130,35 @@ void WireRig::restart_daemon() {
   EXPECT_TRUE(start_daemon());
 }
 
-void WireRig::kill_daemon(const std::function<void()>& meanwhile) {
-  const std::string kept = folder_.file("kept");
-  std::filesystem::copy(sessions(), kept, std::filesystem::copy_options::recursive);
-  end_daemon();
-  std::filesystem::remove_all(sessions());
-  std::filesystem::rename(kept, sessions());
+void WireRig::kill_at_once(pid_t process) { EXPECT_EQ(::kill(process, SIGKILL), 0); }
+
+void WireRig::kill_daemon(const std::function<void()>& meanwhile, const std::function<void(pid_t)>& kill) {
+  ASSERT_NE(process_, nullptr) << "needs WireSetup::process";
+  client_.reset();
+  kill(process_->pid());
+  EXPECT_EQ(process_->wait(), 128 + SIGKILL);
+  process_.reset();
   meanwhile();
   EXPECT_TRUE(start_daemon());
 }
 
+int WireRig::run_estop() {
+  const auto estop = ChildProcess::start("topometric-estop", {"--config", folder_.file("robot.toml")},
+                                         folder_.file("topometric-estop.log"));
+  return estop == nullptr ? -1 : estop->wait();
+}
+
+std::string WireRig::state_file(std::string_view name) const {
+  return state_folder() + "/" + std::string(name);
+}
+
 void WireRig::end_daemon() {
   client_.reset();
+  if (process_ != nullptr) {
+    process_->signal(SIGTERM);
+    EXPECT_EQ(process_->wait(), 0);
+    process_.reset();
+  }
   if (app_ != nullptr) app_->request_stop();
   if (thread_.joinable()) thread_.join();
   EXPECT_TRUE(ran_) << ran_.error().message;
@@ -141,6 +175,7 @@ Moment look(sim::SimRig& rig) {
   now.omega_radps = body.true_twist().omega_radps;
   now.stands = body.encoder_left_mps() == 0.0 && body.encoder_right_mps() == 0.0;
   now.e_stops = rig.robot(0).base().e_stops();
+  now.base_bytes = rig.robot(0).base().bytes_heard();
   for (std::size_t i = 0; i < now.laser_ms.size(); ++i)
     now.laser_ms[i] = rig.robot(0).laser(static_cast<DeviceId>(i)).clock_ms(rig.now());
   return now;

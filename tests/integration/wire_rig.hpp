@@ -13,6 +13,7 @@
 
 #include "daemon/app/app.hpp"
 #include "daemon/topoctl/client.hpp"
+#include "tests/integration/child_process.hpp"
 #include "tests/sim/devices/sim_harness.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
 
@@ -30,6 +31,7 @@ struct Moment {
   double omega_radps = 0;  ///< the body's
   bool stands = false;     ///< no wheel turns
   std::uint64_t e_stops = 0;
+  std::uint64_t base_bytes = 0;             ///< that the base heard since the start
   std::array<std::uint32_t, 2> laser_ms{};  ///< the counters of the two scanners
 };
 
@@ -55,13 +57,18 @@ struct WireSetup {
   int watchdog_ms = 2000;
   bool sonar = true;
   std::uint64_t seed = 1;
-  bool journal = false;  ///< sessions are kept, a journal every 0.2 s
+  bool journal = false;   ///< sessions are kept, a journal every 0.2 s
+  bool process = false;   ///< the daemon is a process of its own, which keeps its latches
+  bool realtime = false;  ///< the daemon has real-time rights
+  bool slow = false;      ///< for an emulated machine: scans at 10 Hz, the coronal scanner a URG
+  std::string cgroup;     ///< of the daemon's process (ChildProcess)
   friend bool operator==(const WireSetup&, const WireSetup&) = default;
 };
 
 /// One robot in a hall of 30 x 8 m: toposim's devices on real sockets and terminals, and against them all of
-/// the daemon, driven over its control socket. Both in this process, so that a test reads the truth of the
-/// very moment in which it strikes. Wires, sessions, threads and clocks are the real ones.
+/// the daemon, driven over its control socket. The devices are in this process, so that a test reads the
+/// truth of the very moment in which it strikes, and so is the daemon, unless it is to be killed. Wires,
+/// sessions, threads and clocks are the real ones.
 class WireRig {
  public:
   static constexpr double kV_mps = 0.7;              ///< base.v_max_mps of the configuration
@@ -88,9 +95,17 @@ class WireRig {
   bool try_ask(const char* method, const Json& params = Json::object());
   /// The daemon's end, in order, and its next start.
   void restart_daemon();
-  /// The same for one that is killed, as far as its session goes: the journal stays as it was; what happens
-  /// meanwhile. Needs WireSetup::journal.
-  void kill_daemon(const std::function<void()>& meanwhile);
+  /// The same for one that ends by SIGKILL, and what happens meanwhile. `kill`: makes it end so. Needs
+  /// WireSetup::process.
+  void kill_daemon(const std::function<void()>& meanwhile,
+                   const std::function<void(pid_t)>& kill = kill_at_once);
+  static void kill_at_once(pid_t process);
+  [[nodiscard]] pid_t daemon_pid() const { return process_->pid(); }
+  /// topometric-estop with the daemon's configuration: its exit status.
+  int run_estop();
+  /// A file in the folder of what a daemon leaves to the next one. Needs WireSetup::process.
+  [[nodiscard]] std::string state_file(std::string_view name) const;
+  [[nodiscard]] std::string sessions() const { return folder_.file("sessions"); }
   Json status() { return ask("status"); }
   bool is_ready();
 
@@ -107,14 +122,18 @@ class WireRig {
   WireRig() = default;
   bool start_simulator(const WireSetup& setup);
   bool start_daemon();
+  bool start_threads(const std::string& configuration);
+  bool start_process(const std::string& configuration);
   void end_daemon();
-  std::string sessions() { return folder_.file("sessions"); }
+  [[nodiscard]] std::string state_folder() const { return folder_.file("state"); }
+  [[nodiscard]] std::string socket() const { return folder_.file("control.sock"); }
   std::string configuration();
   void order_down_the_hall(bool to_the_east);
 
   WireSetup setup_;
   daemon::testing::TempDir folder_;
   std::unique_ptr<sim::SimHarness> simulator_;
+  std::unique_ptr<ChildProcess> process_;
   std::unique_ptr<daemon::App> app_;
   std::thread thread_;
   types::Status ran_;

@@ -28,6 +28,7 @@ ArcosDevice::ArcosDevice(arcos::Parameters parameters, std::uint64_t seed)
       baud_code_(parameters_.host_baud_code) {}
 
 void ArcosDevice::receive(std::span<const std::uint8_t> bytes, SimTime now) {
+  bytes_heard_ += bytes.size();
   receiver_.feed(bytes, [this, now](const arcos::Command& command) { handle(command, now); });
 }
 

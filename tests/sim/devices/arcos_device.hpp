@@ -76,6 +76,8 @@ class ArcosDevice final : public WireDevice {
   [[nodiscard]] std::uint64_t bad_packets() const { return receiver_.bad_checksums(); }
   /// E_STOP packets since the start, in any state.
   [[nodiscard]] std::uint64_t e_stops() const { return e_stops_; }
+  /// Bytes since the start, of whatever kind.
+  [[nodiscard]] std::uint64_t bytes_heard() const { return bytes_heard_; }
 
  private:
   void handle(const arcos::Command& command, SimTime now);
@@ -108,6 +110,7 @@ class ArcosDevice final : public WireDevice {
   int baud_code_;
   SimTime last_packet_{0};
   std::uint64_t e_stops_ = 0;
+  std::uint64_t bytes_heard_ = 0;
   SimTime next_sip_{0};
 
   bool motors_on_ = false;

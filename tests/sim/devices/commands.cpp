@@ -46,6 +46,7 @@ json device_status(SimRig& rig, std::size_t i) {
   devices["base"]["motors_on"] = robot.base().motors_on();
   devices["base"]["watchdog_holds"] = robot.base().watchdog_holds(rig.now());
   devices["base"]["e_stops"] = robot.base().e_stops();
+  devices["base"]["bytes_heard"] = robot.base().bytes_heard();
   devices["base"]["bad_packets"] = robot.base().bad_packets();
   return devices;
 }

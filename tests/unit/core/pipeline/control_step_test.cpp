@@ -109,6 +109,24 @@ TEST_F(ControlStepTest, DeadManStops) {
   EXPECT_TRUE(later.command.enable_motors);
 }
 
+TEST_F(ControlStepTest, MotorsSwitchedOffByHandStayOff) {
+  state.motors_enabled = true;
+  run(40);
+  state.motors_enabled = false;
+  auto decision = run(2);
+  EXPECT_TRUE(has(decision.report.plausibility.doubts, plausibility::Doubt::kMotorsOff));
+  EXPECT_EQ(decision.report.reason, GateReason::kImplausible);
+  EXPECT_EQ(decision.command.twist, types::Twist2{});
+  EXPECT_FALSE(decision.command.enable_motors);
+  decision = run(400);
+  EXPECT_FALSE(decision.command.enable_motors) << "the operator still asks for motion";
+  input.estop_cleared = true;
+  run(1);
+  input.estop_cleared = false;
+  decision = run(60);
+  EXPECT_TRUE(decision.command.enable_motors);
+}
+
 TEST_F(ControlStepTest, EstopLatchesUntilClearedAndThenWantsANewCommand) {
   run(40);
   input.estop = true;

@@ -51,7 +51,7 @@ TEST(PictureCheck, believesARoomWithNoise) {
   for (int i = 0; i < 400; ++i) {
     pictures.fill(2.0);
     const PictureOpinion opinion = pictures.show(check);
-    ASSERT_FALSE(opinion.blind || opinion.frozen || opinion.covered) << i;
+    ASSERT_FALSE(opinion.blind || opinion.failed || opinion.frozen || opinion.covered) << i;
   }
 }
 
@@ -89,6 +89,59 @@ TEST(PictureCheck, aScannerStartedAnewBeginsToCountAnew) {
   for (int i = 1; i <= 9; ++i) ASSERT_FALSE(pictures.show(check).frozen) << i;
   pictures.scan->sequence = 0;
   EXPECT_FALSE(pictures.show(check).frozen);
+}
+
+// A picture without ranges has no noise: what it is made of says more than that it repeats.
+TEST(PictureCheck, aPictureWithoutRangesIsNamedByWhatItHas) {
+  struct Case {
+    float range_m;
+    bool blind, failed, covered;
+  };
+  for (const Case& expected :
+       {Case{types::kNoReturn, true, false, false}, Case{types::kInvalid, false, true, false},
+        Case{types::kTooNear, false, false, true}, Case{0.03F, false, false, true}}) {
+    Pictures pictures;
+    PictureCheck check;
+    pictures.set(-200.0, 200.0, expected.range_m);
+    for (int i = 1; i <= 9; ++i) {
+      const PictureOpinion early = pictures.show(check);
+      ASSERT_FALSE(early.blind || early.failed || early.covered) << i;
+    }
+    for (int i = 0; i < 100; ++i) {
+      const PictureOpinion opinion = pictures.show(check);
+      EXPECT_FALSE(opinion.frozen);
+      EXPECT_EQ(opinion.blind, expected.blind) << expected.range_m;
+      EXPECT_EQ(opinion.failed, expected.failed) << expected.range_m;
+      EXPECT_EQ(opinion.covered, expected.covered) << expected.range_m;
+    }
+    pictures.fill(2.0);
+    const PictureOpinion over = pictures.show(check);
+    EXPECT_FALSE(over.blind || over.failed || over.covered);
+  }
+}
+
+TEST(PictureCheck, nothingAtAllIsNoFaultInOpenSpace) {
+  Pictures pictures;
+  PictureParams params;
+  params.open_space = true;
+  PictureCheck check(params);
+  pictures.set(-200.0, 200.0, types::kNoReturn);
+  for (int i = 0; i < 100; ++i) {
+    const PictureOpinion opinion = pictures.show(check);
+    ASSERT_FALSE(opinion.blind || opinion.failed || opinion.frozen || opinion.covered);
+  }
+}
+
+TEST(PictureCheck, failedBeamsAheadForASecondAreTold) {
+  Pictures pictures;
+  PictureCheck check;
+  for (int i = 0; i < 50; ++i) {
+    pictures.fill(2.0);
+    pictures.set(-91.0, 91.0, types::kInvalid);
+    const PictureOpinion opinion = pictures.show(check);
+    EXPECT_EQ(opinion.failed, i >= 40) << i;
+    EXPECT_FALSE(opinion.blind || opinion.frozen);
+  }
 }
 
 TEST(PictureCheck, aNoiselessScannerMayRepeat) {

@@ -203,6 +203,67 @@ TEST(Plausibility, lateCommandsAreKnownAndLatchAtLast) {
   EXPECT_NEAR(robot.base.v_mps(), 0.0, 1e-9);
 }
 
+// It decides every 250 ms and reads statuses that wait for 150 ms by then, as under a thread of a higher
+// priority: commands and statuses are late by the same.
+TEST(Plausibility, aHostThatIsLateItselfIsNotTheBasesFault) {
+  testing::DrivenBase base;
+  testing::Ramp ramp;
+  Plausibility plausibility;
+  for (int period = 0; period < 240; ++period) {
+    const types::Twist2 sent = ramp.towards({period / 12 % 2 == 0 ? 0.7 : 0.0, 0.0});
+    types::BaseState waiting;
+    for (int i = 0; i < 5; ++i) {
+      if (base.step(sent) && i < 2) waiting = base.state;
+    }
+    waiting.arrival = waiting.odometry.stamp = base.now;
+    Evidence evidence;
+    evidence.now = base.now;
+    evidence.commanded = sent;
+    evidence.base = waiting.sequence > 0 ? &waiting : nullptr;
+    ASSERT_TRUE(plausibility.judge(evidence).doubts.none()) << period;
+  }
+}
+
+TEST(Plausibility, aNewConnectionMeasuresTheLagAnew) {
+  Robot robot;
+  robot.base.lag = milliseconds(600);
+  for (int i = 0; i < 100 && !robot.doubts(Doubt::kAnswersLate); ++i) robot.run(0.1, 0.7);
+  ASSERT_TRUE(robot.doubts(Doubt::kAnswersLate));
+  robot.base.lag = milliseconds(100);
+  robot.run(3.0, 0.0, [&](Evidence& evidence) {
+    robot.base.push(0.0);
+    evidence.base = nullptr;
+  });
+  robot.run(0.2, 0.0);
+  EXPECT_LE(robot.opinion.lag, milliseconds(300)) << "of the old connection";
+  for (int leg = 0; leg < 6; ++leg) robot.run(3.0, leg % 2 == 0 ? 0.7 : 0.0);
+  EXPECT_LE(robot.opinion.lag, milliseconds(300));
+  EXPECT_TRUE(robot.opinion.doubts.none()) << found_text(robot.opinion.doubts);
+}
+
+TEST(Plausibility, motorsThatWereSwitchedOffStayOff) {
+  Robot robot;
+  robot.run(4.0, 0.5, [](Evidence& evidence) { evidence.motors_wanted = true; });
+  robot.base.state.motors_enabled = false;
+  const auto still = [&](Evidence& evidence) {
+    robot.base.push(0.0);
+    evidence.motors_wanted = true;
+  };
+  robot.run(0.2, 0.5, still);
+  ASSERT_TRUE(robot.doubts(Doubt::kMotorsOff));
+  robot.run(60.0, 0.5, still);
+  EXPECT_TRUE(robot.doubts(Doubt::kMotorsOff));
+  robot.base.state.motors_enabled = true;
+  robot.run(5.0, 0.5, still);
+  EXPECT_TRUE(robot.doubts(Doubt::kMotorsOff)) << "also when the button is pressed again";
+  robot.run(0.1, 0.5, [&](Evidence& evidence) {
+    still(evidence);
+    evidence.cleared = true;
+  });
+  robot.run(2.0, 0.5, still);
+  EXPECT_FALSE(robot.doubts(Doubt::kMotorsOff));
+}
+
 TEST(Plausibility, everyDoubtHasWordsAndACure) {
   for (const DoubtText& text : doubt_texts()) {
     EXPECT_FALSE(text.name.empty());

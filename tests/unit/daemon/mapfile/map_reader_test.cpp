@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include "daemon/mapfile/map_image.hpp"
 #include "daemon/mapfile/picture.hpp"
@@ -70,6 +71,25 @@ TEST_F(MapReaderTest, ReadsPng) {
       load_map(dir_.write("m.yaml", "image: m.png\nresolution: 0.1\norigin: [0, 0, 0]\nmode: trinary\n"));
   ASSERT_TRUE(map.has_value()) << map.error().message;
   EXPECT_THAT(map->cells, ElementsAre(MapCell::kFree, MapCell::kUnknown, MapCell::kOccupied));
+}
+
+TEST_F(MapReaderTest, RefusesAPngThatClaimsMoreThanItHolds) {
+  ASSERT_TRUE(save_png(dir_.file("m.png"), Picture(300, 200, {254, 254, 254})).has_value());
+  const std::string yaml =
+      dir_.write("m.yaml", "image: m.png\nresolution: 0.1\norigin: [0, 0, 0]\nmode: trinary\n");
+  const auto even = load_map(yaml);
+  ASSERT_TRUE(even.has_value()) << "one colour packs best: " << even.error().message;
+  std::string bytes = testing::read_all(dir_.file("m.png"));
+  constexpr std::size_t kWidth = 16, kCrc = 29;
+  const std::string wide("\x00\x00\x27\x10\x00\x00\x27\x10", 8);  // 10,000 x 10,000
+  bytes.replace(kWidth, wide.size(), wide);
+  const auto crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + 12), 17);
+  for (std::size_t i = 0; i < 4; ++i) bytes[kCrc + i] = static_cast<char>(crc >> (24 - 8 * i));
+  static_cast<void>(dir_.write("m.png", bytes));
+  const auto map = load_map(yaml);
+  ASSERT_FALSE(map.has_value());
+  EXPECT_EQ(map.error().code, Errc::kInvalidInput);
+  EXPECT_THAT(map.error().message, HasSubstr("claims 10000 x 10000 pixels"));
 }
 
 TEST_F(MapReaderTest, ReadsTheModesOfMapServer) {

@@ -218,5 +218,13 @@ TEST_F(SessionStream, BytesInSmallPiecesGiveTheSameScans) {
   EXPECT_FLOAT_EQ(scan.range_m[17], 1.017F);
 }
 
+TEST_F(SessionStream, AStreamThatBeginsOnALateLineIsLate) {
+  start(utm_ew());
+  sensor->back = sensor->latency = 400ms;
+  ASSERT_TRUE(run_scans(1, 30s)) << connection->message();
+  EXPECT_GT(scan.late, 370ms) << "not even the first scan is taken for a fresh one";
+  EXPECT_EQ(sensor->count("TM1"), 10) << "each was waited for";
+}
+
 }  // namespace
 }  // namespace topo::hokuyo

@@ -147,6 +147,31 @@ TEST(SensorClock, ALateBurstDoesNotMoveTheClock) {
   }
 }
 
+TEST(SensorClock, ALineThatIsLateFromTheBeginningIsKnown) {
+  SensorClock clock;
+  clock.reset(18750us);
+  Rig rig;
+  rig.back = 400ms;  // both the answers to TM1 and the scans
+  rig.latency = 419ms;
+  for (int i = 0; i < 10; ++i) rig.round_trip(clock, rig.start + i * 401ms);
+  for (int i = 0; i < 4000; ++i) {
+    (void)rig.scan_error_ms(clock, rig.start + 5s + i * 25ms);
+    ASSERT_NEAR(types::to_seconds(rig.last.late), 0.4, 0.025) << i;  // 200 ppm of 100 s, and the counter
+  }
+}
+
+TEST(SensorClock, AGoodLineIsNotLateFromTheBeginning) {
+  SensorClock clock;
+  clock.reset(18750us);
+  Rig rig;
+  rig.out = rig.back = 8ms;  // USB 1.1 at its worst
+  for (int i = 0; i < 10; ++i) rig.round_trip(clock, rig.start + i * 20ms);
+  for (int i = 0; i < 400; ++i) {
+    (void)rig.scan_error_ms(clock, rig.start + 500ms + i * 25ms);
+    ASSERT_LT(types::to_seconds(rig.last.late), 0.012) << i;
+  }
+}
+
 TEST(SensorClock, AFrozenCounterIsToldAtTheThirdSameValue) {
   SensorClock clock;
   clock.reset(18750us);

@@ -195,5 +195,38 @@ TEST_F(PioneerSession, AllocatesNothingWhileRunning) {
   EXPECT_EQ(test::allocations() - before, 0U);
 }
 
+TEST_F(PioneerSession, AnAnswerThatTheHostReadsLateIsNotLate) {
+  robot.answers_encoder = true;
+  robot.encoder_delay = milliseconds(60);
+  connect();
+  for (int stall = 0; stall < 10; ++stall) {
+    drive(move(0.3), milliseconds(700));
+    EXPECT_LT(state.round_trip, milliseconds(120));
+    EXPECT_GT(state.round_trip, milliseconds(0));
+    robot.advance(milliseconds(450));  // the host does not run, whether a request is open or not
+  }
+  robot.encoder_delay = milliseconds(600);
+  drive(move(0.3), milliseconds(2500));
+  EXPECT_GT(state.round_trip, milliseconds(500)) << "the base's own";
+}
+
+TEST_F(PioneerSession, ANewConnectionMeasuresTheRoundTripAnew) {
+  robot.answers_encoder = true;
+  robot.encoder_delay = milliseconds(600);
+  connect();
+  drive(move(0.3), milliseconds(2500));
+  ASSERT_GT(state.round_trip, milliseconds(500));
+  robot.encoder_delay = milliseconds(60);
+  robot.cut = true;
+  run(milliseconds(100));
+  robot.cut = false;
+  states = 0;
+  ASSERT_TRUE(run_until(Health::kReady)) << connection->message();
+  while (states == 0) step();
+  EXPECT_LT(state.round_trip, milliseconds(120));
+  drive(move(0.3), milliseconds(1500));
+  EXPECT_LT(state.round_trip, milliseconds(120));
+}
+
 }  // namespace
 }  // namespace topo::pioneer

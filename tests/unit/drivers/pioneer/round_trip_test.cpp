@@ -67,6 +67,25 @@ TEST(RoundTrip, aDelayIsKnownByTheNextAnswer) {
   }
 }
 
+TEST(RoundTrip, itBeginsWhenTheRequestHasLeft) {
+  RoundTrip trip;
+  const types::Stamp begin = types::stamp_from_seconds(50.0);
+  trip.asked(begin);
+  trip.left(begin - milliseconds(500));  // of the one before
+  trip.left(begin + milliseconds(450));
+  trip.answered(begin + milliseconds(500));
+  EXPECT_EQ(trip.trip(), milliseconds(50));
+}
+
+TEST(RoundTrip, anAnswerThatMayHaveComeAtOnceIsOne) {
+  RoundTrip trip;
+  const types::Stamp begin = types::stamp_from_seconds(50.0);
+  trip.asked(begin);
+  trip.answered(begin - milliseconds(20));  // when the host looked last
+  EXPECT_GT(trip.trip(), types::Duration{}) << "0 is a base that never answered";
+  EXPECT_LT(trip.trip(), milliseconds(1));
+}
+
 TEST(RoundTrip, lostPacketsAreNoDelay) {
   Line line;
   line.loss = 0.02;

@@ -182,6 +182,7 @@ void ScriptedRobot::on_command(int command, int argument) {
   if (command == 21) setpoint_degps = argument;
   if (command == 55 || command == 29) setpoint_mmps = setpoint_degps = 0;
   if (command == 18 && answers_config) send_config();
+  if (command == 19 && answers_encoder) encoder_due_ = now + encoder_delay;
   if (!motors) velocity_mmps = rotation_degps = 0;
 }
 
@@ -201,6 +202,10 @@ void ScriptedRobot::advance(Duration duration) {
 }
 
 void ScriptedRobot::tick() {
+  if (encoder_due_ && now >= *encoder_due_) {
+    encoder_due_.reset();
+    send(Bytes(9, std::byte{0x90}));
+  }
   if (sync_ == 3 && !open && !received.empty() && received.back().command == 1 &&
       received.back().has_argument) {
     open = true;

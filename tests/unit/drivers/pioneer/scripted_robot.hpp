@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,9 +38,11 @@ class ScriptedRobot {
   std::string robot_class = "Pioneer", subclass = "p3dx-sh", name = "scripted";  ///< in SYNC2
   ConfigValues config;
   bool answers_config = true;
-  bool damages_config = false;  ///< its checksum is wrong, every time
-  bool cuts_config = false;     ///< its checksum is right, and it ends within the robot's name
-  bool powered = true;          ///< off: silence
+  bool damages_config = false;   ///< its checksum is wrong, every time
+  bool cuts_config = false;      ///< its checksum is right, and it ends within the robot's name
+  bool answers_encoder = false;  ///< ENCODER by an ENCODERpac, after encoder_delay
+  types::Duration encoder_delay{};
+  bool powered = true;  ///< off: silence
   bool sends_status = true;
   bool port_exists = true;
   bool cut = false;  ///< reads and writes fail: unplugged
@@ -95,6 +98,7 @@ class ScriptedRobot {
   bool asleep_ = true;     ///< no packet for a watchdog's time
   types::Stamp last_packet_{};
   types::Stamp next_status_{};
+  std::optional<types::Stamp> encoder_due_;
   std::array<std::byte, 8192> out_{};  ///< to the host
   std::size_t out_size_ = 0;
   std::array<std::byte, 512> in_{};
