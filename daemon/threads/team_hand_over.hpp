@@ -94,6 +94,8 @@ struct TeamHandOver {
   Wakeup wakeup;  ///< of the team's thread
   sync::Ring<OwnMapAsk, 2> asks;
   sync::Ring<Parcel<OwnMapNews>, 2> own;
+  /// From the thread that reads sessions, once: keyframes of all robots in the one to go on with.
+  sync::Ring<Parcel<std::vector<slam::KeyframePtr>>, 2> journalled;
   sync::Ring<Parcel<MatesMapNews>, 8> mates;
   sync::Latest<MatesPlaces> places;                         ///< to mapping
   sync::Latest<team::StatusMessage> status;                 ///< from planning

@@ -259,6 +259,7 @@ class Watch(threading.Thread):
                 pair = (b.name, a.name)
                 if self.on_one_goal(status_a, status_b) and knows(team_a, b) and knows(team_b, a):
                     begin = self.since.setdefault(pair, now)
+                    print("CONFLICT", round(now,2), pair, round(now-begin,2), status_a["goal"], status_a["activity"], status_a["reason"], status_b["goal"], status_b["activity"], status_b["reason"], [p["status"] for p in team_a["peers"] if p["robot"]==b.number], [p["status"] for p in team_b["peers"] if p["robot"]==a.number], flush=True)
                     if now - begin > self.longest.get(pair, (0.0,))[0]:
                         self.longest[pair] = (now - begin, status_a["goal"], status_b["goal"])
                 else:
