@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 
 #include "core/slam/local_map.hpp"
 #include "core/slam/refine.hpp"
@@ -132,8 +131,6 @@ TrialEvidence ArrivalTrial::evidence_at(const Point& sensor, const types::Se2& T
   prior.information.diagonal() << trans, trans, 1.0 / (params_.drift_rad * params_.drift_rad);
   const Match match = refine(old_, points_, sensor, T_map_base, prior, mapper_.refine);
   const double through = seen_through_share(sensor, match.T_map_base);
-  fprintf(stderr, "TRIAL ground %.3f through %.3f at %.2f %.2f\n",
-          ground_.contradiction(old_, points_, match.T_map_base), through, T_map_base.x_m, T_map_base.y_m);
   const double contradiction = ground_.contradiction(old_, points_, match.T_map_base) + through;
   return {true, match.overlap, match.fit(), contradiction, false};
 }

@@ -30,6 +30,7 @@ socket = "{socket}"
 """
 PATIENCE_S = 60.0
 SAME_GOAL_M = 1.5  # team::kSameGoal_m
+CONTACT_S = 0.8  # presence is told every 0.5 s, a status every 0.4 s
 
 
 def ask(path, request, patience_s=20.0):
@@ -259,7 +260,6 @@ class Watch(threading.Thread):
                 pair = (b.name, a.name)
                 if self.on_one_goal(status_a, status_b) and knows(team_a, b) and knows(team_b, a):
                     begin = self.since.setdefault(pair, now)
-                    print("CONFLICT", round(now,2), pair, round(now-begin,2), status_a["goal"], status_a["activity"], status_a["reason"], status_b["goal"], status_b["activity"], status_b["reason"], [p["status"] for p in team_a["peers"] if p["robot"]==b.number], [p["status"] for p in team_b["peers"] if p["robot"]==a.number], flush=True)
                     if now - begin > self.longest.get(pair, (0.0,))[0]:
                         self.longest[pair] = (now - begin, status_a["goal"], status_b["goal"])
                 else:
@@ -278,7 +278,9 @@ class Watch(threading.Thread):
 
 
 def knows(team, robot):
-    return any(peer["robot"] == robot.number and peer["alive"] and peer["map_joined"] for peer in team.get("peers", []))
+    """They are in contact: one that is out of reach counts as alive for some seconds more."""
+    return any(peer["robot"] == robot.number and peer["heard_s_ago"] < CONTACT_S and peer["map_joined"]
+               for peer in team.get("peers", []))
 
 
 def canonical(rig, robots):
