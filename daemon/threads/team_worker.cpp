@@ -70,6 +70,7 @@ void TeamWorker::take_journalled(types::Stamp now) {
   const auto* parcel = hand_overs_.team.journalled.front();
   if (parcel == nullptr) return;
   late_keyframes_ = std::move(*parcel->content);
+  own_.goes_on = !late_keyframes_.empty();
   hand_overs_.team.journalled.pop();
   awaits_journal_ = false;
 }
@@ -146,6 +147,12 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
   met_.clear();
 }
 
+/// The map of a start that is to go on with a session begins where the robot happens to stand, which is not
+/// the configured start; it is thrown away when the place is found.
+bool TeamWorker::is_held_back(const OwnMapNews& news) const {
+  return news.map == 1 && own_.goes_on && !hand_overs_.team.begun_anew.load(std::memory_order_acquire);
+}
+
 void TeamWorker::take_own(types::Stamp now) {
   TeamHandOver& team = hand_overs_.team;
   for (const auto* parcel = team.own.front(); parcel != nullptr; parcel = team.own.front()) {
@@ -153,6 +160,12 @@ void TeamWorker::take_own(types::Stamp now) {
     team.own.pop();
     own_.waits = false;
     if (!exchange_ || news->map != own_.asked.map) begin_map(*news);
+    if (is_held_back(*news)) {
+      own_.asked = {news->map, 0, 0, {}};
+      own_.anchors.clear();
+      own_.in_common_frame = false;
+      continue;
+    }
     for (const slam::KeyframePtr& keyframe : news->keyframes)
       if (const auto added = exchange_->add_keyframe(*keyframe); !added) warn(now, added.error().message);
     for (const slam::FoundRelation& found : news->relations)
@@ -163,7 +176,7 @@ void TeamWorker::take_own(types::Stamp now) {
     own_.anchors = news->anchors;
     // A session that was taken over lies where it was made: only the map of this start is in the common
     // frame.
-    own_.in_common_frame = settings_.in_common_frame && news->map == 1;
+    own_.in_common_frame = settings_.in_common_frame && news->map == 1 && !own_.goes_on;
     const team::PoseOf pose_of = [&](const slam::KeyframeId& id) -> std::optional<types::Se2> {
       const auto at = std::ranges::find(news->poses, id, &std::pair<slam::KeyframeId, types::Se2>::first);
       return at == news->poses.end() ? std::nullopt : std::optional(at->second);

@@ -46,7 +46,8 @@ class TeamWorker final : public Worker {
     OwnMapAsk asked;  ///< the newest question that was answered, with the counts that follow from it
     std::vector<team::Anchor> anchors;
     bool in_common_frame = false;
-    bool waits = false;  ///< a question is under way
+    bool goes_on = false;  ///< a session of before is there
+    bool waits = false;    ///< a question is under way
     types::Stamp next_ask{};
   };
 
@@ -56,6 +57,7 @@ class TeamWorker final : public Worker {
   void listen();
   void turn(types::Stamp now);
   void take_own(types::Stamp now);
+  [[nodiscard]] bool is_held_back(const OwnMapNews& news) const;
   void begin_map(const OwnMapNews& news);
   void ask_mapping(types::Stamp now);
   void take_requests(types::Stamp now);

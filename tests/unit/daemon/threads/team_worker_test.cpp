@@ -222,6 +222,12 @@ TEST_F(TeamWorkerTest, WhatTheJournalHoldsIsNotFetchedAgain) {
   for (int i = 0; i < 500; ++i) one_turn();
   EXPECT_EQ(again.report.hash, a.report.hash);
   EXPECT_EQ(again.joined.size(), 40U) << "the map that was begun gets them";
+  again.make_keyframe();
+  for (int i = 0; i < 500; ++i) one_turn();
+  EXPECT_EQ(a.report.items, 40U) << "the map of this start begins at no known place";
+  again.hand_overs->team.begun_anew = true;
+  for (int i = 0; i < 30'000 && a.report.items < 41; ++i) one_turn();
+  EXPECT_EQ(a.report.items, 41U) << "it stays, on the operator's word";
   std::size_t bytes = 0;
   for (const auto& keyframe : b.joined) bytes += slam::encode_keyframe(*keyframe).size();
   EXPECT_LT(again.report.counters.received_bytes, bytes / 2);
