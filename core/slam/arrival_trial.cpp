@@ -35,14 +35,17 @@ double quality_of(const TrialEvidence& found) {
   return found.overlap > 0.0 ? found.fit - kContradictionCounts * found.contradiction / found.overlap : 0.0;
 }
 
-bool crosses(const SurfelMap& map, const Point& from, const Point& to) {
+/// A surface that the map's own rays crossed is left out: a person or a team-mate stood there for a while.
+bool crosses(const SurfelMap& map, const FreeGround& ground, const Point& from, const Point& to) {
   const Point way = to - from;
   const float length = way.norm();
   const Point direction = way / length;
   for (float at = kBehind_m; at + kBehind_m < length; at += kRayStep_m) {
     const Point p = from + direction * at;
     const Surfel* surfel = map.nearest(p);
-    if (surfel == nullptr || (surfel->position - p).norm() > kOnSurface_m) continue;
+    if (surfel == nullptr || (surfel->position - p).norm() > kOnSurface_m ||
+        ground.is_crossed(surfel->position))
+      continue;
     if (std::abs(surfel->normal.dot(direction)) > kAcross) return true;
   }
   return false;
@@ -139,7 +142,7 @@ double ArrivalTrial::seen_through_share(const Point& sensor, const types::Se2& T
   const Point from = in_map(sensor);
   std::size_t rays = 0, through = 0;
   for (std::size_t i = 0; i < points_.size(); i += kComparedRayStride, ++rays)
-    if (crosses(old_, from, in_map(points_[i]))) ++through;
+    if (crosses(old_, ground_, from, in_map(points_[i]))) ++through;
   return rays > 0 ? static_cast<double>(through) / static_cast<double>(rays) : 0.0;
 }
 

@@ -30,6 +30,11 @@ void FreeGround::add_ray(const Point& from, const Point& to) {
   }
 }
 
+bool FreeGround::is_crossed(const Point& p_map) const {
+  const std::size_t cell = at(p_map);
+  return cell < passed_.size() && passed_[cell] >= params_.rays_min;
+}
+
 double FreeGround::contradiction(const SurfelMap& map, std::span<const Point> points,
                                  const types::Se2& T_map_base) const {
   if (points.empty()) return 0.0;

@@ -25,6 +25,9 @@ class FreeGround {
   [[nodiscard]] double contradiction(const SurfelMap& map, std::span<const Point> points,
                                      const types::Se2& T_map_base) const;
 
+  /// True when enough rays crossed the ground at a point of the map: what stood there once is gone.
+  [[nodiscard]] bool is_crossed(const Point& p_map) const;
+
  private:
   /// Index of a point's cell; the number of cells when the point is outside.
   [[nodiscard]] std::size_t at(const Point& p) const;

@@ -48,10 +48,20 @@ void MapGraph::add(const Edge& edge) {
     unlinked_.push_back(edges_.size());
   else
     links_.add(edge);
+  related_.emplace(key_of(edge), edges_.size());
   edges_.push_back(edge);
-  related_.insert(key_of(edge));
   const bool from_own = is_own(edge.from), to_own = is_own(edge.to);
   if (from_own != to_own && is_as_certain_as_a_match(edge)) tied_.insert(from_own ? edge.to : edge.from);
+}
+
+void MapGraph::keep_lower(const RelationKey& key, const Relation& relation) {
+  const auto at = related_.find(key);
+  if (at == related_.end()) return;
+  Edge& edge = edges_[at->second];
+  if (!is_lower(relation, {edge.T_from_to, edge.information, edge.robust})) return;
+  edge.T_from_to = relation.T_from_to;
+  edge.information = relation.information;
+  edge.robust = relation.robust;
 }
 
 void MapGraph::move(std::vector<types::Se2> poses) {

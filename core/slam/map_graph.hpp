@@ -33,6 +33,9 @@ class MapGraph {
   /// Inserts a keyframe into its origin's path, in the order of the keys. Returns its node.
   std::size_t add_mates(KeyframePtr keyframe, const types::Se2& pose);
   void add(const Edge& edge);
+  /// Of two relations under one key all robots of a team keep the lower one, whichever came first. Nothing
+  /// happens where the graph has no relation under the key. Poses follow with the next solution.
+  void keep_lower(const RelationKey& key, const Relation& relation);
   /// Replaces all poses; edges that these obey are links from now on.
   void move(std::vector<types::Se2> poses);
 
@@ -78,10 +81,10 @@ class MapGraph {
   std::map<KeyframeId, std::size_t> nodes_;
   std::vector<std::size_t> own_;
   std::map<Origin, std::vector<std::size_t>> mates_;
-  std::set<RelationKey> related_;      ///< pairs with an edge
-  GraphLinks links_;                   ///< edges that the poses obey
-  std::vector<std::size_t> unlinked_;  ///< the other edges
-  std::set<std::size_t> tied_;         ///< nodes of team-mates with a certain edge to the own path
+  std::map<RelationKey, std::size_t> related_;  ///< edges by their ends
+  GraphLinks links_;                            ///< edges that the poses obey
+  std::vector<std::size_t> unlinked_;           ///< the other edges
+  std::set<std::size_t> tied_;                  ///< nodes of team-mates with a certain edge to the own path
 };
 
 /// Part of a path as a group for the search for closures.

@@ -28,6 +28,8 @@ bool comes_first(const FoundRelation& a, const FoundRelation& b) {
 
 }  // namespace
 
+bool is_lower(const Relation& a, const Relation& b) { return numbers_of(a) < numbers_of(b); }
+
 types::Status check_relation(const FoundRelation& found) {
   const auto wrong = [&](const std::string& what) {
     return types::fail(types::Errc::kInvalidInput, "relation " + std::to_string(found.id.sequence) +
@@ -48,7 +50,7 @@ types::Status check_relation(const FoundRelation& found) {
 bool RelationSet::insert(const Key& key, const Relation& relation) {
   const auto [at, added] = relations_.try_emplace(key, relation);
   if (added) return true;
-  if (numbers_of(at->second) <= numbers_of(relation)) return false;
+  if (!is_lower(relation, at->second)) return false;
   at->second = relation;
   return true;
 }

@@ -20,6 +20,9 @@ struct Relation {
   bool robust = false;
 };
 
+/// True when `a` is the one that is kept of two relations under one key.
+[[nodiscard]] bool is_lower(const Relation& a, const Relation& b);
+
 /// The keyframes of a relation: from, to.
 using RelationKey = std::pair<KeyframeId, KeyframeId>;
 

@@ -59,7 +59,12 @@ JoinVerdict TeamIntake::join(std::span<const KeyframePtr> keyframes, std::span<c
                              MapGraph& graph) {
   Joining joining{*this, graph};
   for (const FoundRelation& found : relations) {
-    if (!graph.has(found.key) && joined_.insert(found.key).second) unplaced_.add(found.key, found.relation);
+    if (graph.has(found.key))
+      graph.keep_lower(found.key, found.relation);
+    else if (joined_.insert(found.key).second)
+      unplaced_.add(found.key, found.relation);
+    else
+      unplaced_.keep_lower(found.key, found.relation);
     joining.consider(found.key);
   }
   for (const KeyframePtr& keyframe : keyframes) {

@@ -12,6 +12,11 @@ void Unplaced::add(const RelationKey& key, const Relation& relation) {
   by_end_[key.second].push_back(key);
 }
 
+void Unplaced::keep_lower(const RelationKey& key, const Relation& relation) {
+  const auto at = relations_.find(key);
+  if (at != relations_.end() && is_lower(relation, at->second)) at->second = relation;
+}
+
 const Relation* Unplaced::find(const RelationKey& key) const {
   const auto at = relations_.find(key);
   return at == relations_.end() ? nullptr : &at->second;

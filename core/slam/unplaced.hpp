@@ -16,6 +16,8 @@ class Unplaced {
  public:
   void add(const KeyframePtr& keyframe) { keyframes_.try_emplace(keyframe->id, keyframe); }
   void add(const RelationKey& key, const Relation& relation);
+  /// As MapGraph::keep_lower().
+  void keep_lower(const RelationKey& key, const Relation& relation);
 
   [[nodiscard]] bool contains(const KeyframeId& id) const { return keyframes_.contains(id); }
   [[nodiscard]] const Relation* find(const RelationKey& key) const;

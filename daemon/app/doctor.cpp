@@ -283,6 +283,18 @@ Check check_session(const DoctorFacts& f) {
                  : "see that it is a folder that the daemon's user may write to");
 }
 
+Check check_team(const DoctorFacts::Team& team) {
+  const std::string name = "team";
+  if (team.trouble.empty()) {
+    Check check = good(name, team.found);
+    check.safer = team.warning;
+    return check;
+  }
+  return bad(name, team.trouble,
+             "the robot goes on alone, but for a number that two have; topoctl team shows more, and so does "
+             "the log of topometric-link");
+}
+
 constexpr std::uint64_t kEnoughBytes = 200ULL << 20U;
 
 Check check_disks(const DoctorFacts& f) {
@@ -319,6 +331,7 @@ std::vector<Check> examine(const DoctorFacts& facts) {
   checks.push_back(check_real_time(facts));
   checks.push_back(check_session(facts));
   checks.push_back(check_disks(facts));
+  if (facts.team) checks.push_back(check_team(*facts.team));
   std::ranges::move(examine_choices(facts.configuration), std::back_inserter(checks));
   return checks;
 }

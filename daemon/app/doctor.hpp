@@ -50,6 +50,12 @@ struct DoctorFacts {
   std::string session_obstacle;  ///< why a session prevents a mission; empty: none does
   types::PlaceStanding place = types::PlaceStanding::kKnown;  ///< in the session
   JournalReport journal;                                      ///< state of the current session's journal
+  struct Team {
+    std::string trouble;  ///< empty: none
+    std::string warning;  ///< empty: none
+    std::string found;    ///< when there is no trouble
+  };
+  std::optional<Team> team{};
 };
 
 /// One finding.

@@ -64,7 +64,7 @@ void Operator::collect(std::size_t i) {
 
 void Operator::tick(types::Stamp now) {
   plan_.update();
-  team_.tick();
+  team_.tick(now);
   add_distance();
   estop_.tick();
   silence_.tick(now);
@@ -115,6 +115,7 @@ void Operator::watch_readiness() {
 std::string Operator::obstacle() const {
   if (std::string stopped = estop_.obstacle(); !stopped.empty()) return stopped;
   if (std::string device = monitor_.device_obstacle(); !device.empty()) return device;
+  if (std::string team = team_.obstacle(); !team.empty()) return team;
   const auto* report = plan_.report();
   if (!monitor_.has_map() || report == nullptr)
     return "there is no map yet: no scan was matched since the start";

@@ -77,6 +77,7 @@ Status SessionControl::begin_anew() {
       !loading_->stage.compare_exchange_strong(stage, Stage::kDropped, std::memory_order_acq_rel))
     return fail(Errc::kBusy, "the session is being taken over at this moment");
   if (loading_ != nullptr || resuming_) spdlog::info("session: begun anew, on the operator's word");
+  hand_overs_.team.begun_anew.store(true, std::memory_order_release);
   loading_.reset();  // its job ends when it notices; the next request waits behind it
   resuming_ = false;
   if (place_.on_trial() || place_.wants_fresh_map())

@@ -101,6 +101,8 @@ class SessionControl {
   void release();
   // On the background thread.
   Resumed try_resume(Loading& loading);
+  Resumed resume_last(Loading& loading);
+  void give_to_team(std::vector<slam::KeyframePtr> keyframes);
   types::Result<Json> save_now(const std::string& path);
   types::Result<Loaded> load_now(const std::string& path, Loading& loading);
   types::Result<Loaded> go_on(const LoadedSession& file, Loading& loading);
@@ -113,7 +115,8 @@ class SessionControl {
   const Configuration& configuration_;
   HandOvers& hand_overs_;
   Background& files_;
-  SessionClient client_;  ///< used on the background thread
+  SessionClient client_;        ///< used on the background thread
+  bool given_to_team_ = false;  ///< the same
   std::uint64_t params_hash_;
   std::set<std::string> passed_over_;  ///< unusable journals that were reported
   PlaceWatch place_;

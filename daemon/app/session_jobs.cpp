@@ -53,6 +53,12 @@ Result<LastUsable> SessionControl::wanted() const {
 
 /// Loads the session of session.resume. With "killed", a session that was closed in order is not resumed.
 SessionControl::Resumed SessionControl::try_resume(Loading& loading) {
+  Resumed resumed = resume_last(loading);
+  give_to_team({});  // unless there was a session: nothing more comes
+  return resumed;
+}
+
+SessionControl::Resumed SessionControl::resume_last(Loading& loading) {
   Resumed resumed;
   const auto last = wanted();
   if (!last) {
@@ -64,8 +70,22 @@ SessionControl::Resumed SessionControl::try_resume(Loading& loading) {
   resumed.name = last->session->entry.name;
   resumed.path = last->session->entry.path;
   const LoadedSession& file = last->session->loaded;
-  if (!file.closed || configuration_.session.resume != "killed") resumed.loaded = go_on(file, loading);
+  if (!file.closed || configuration_.session.resume != "killed") {
+    // Before the robot is looked for in it, which may take long, or be left to the operator.
+    give_to_team(claimed(file.session, configuration_.robot.id).keyframes);
+    resumed.loaded = go_on(file, loading);
+  }
   return resumed;
+}
+
+/// The items of a team stay true wherever this robot is now.
+void SessionControl::give_to_team(std::vector<slam::KeyframePtr> keyframes) {
+  if (!configuration_.team.present || std::exchange(given_to_team_, true)) return;
+  auto* slot = hand_overs_.team.journalled.try_acquire();
+  if (slot == nullptr) return;
+  slot->content = std::make_unique<std::vector<slam::KeyframePtr>>(std::move(keyframes));
+  hand_overs_.team.journalled.commit();
+  hand_overs_.team.wakeup.post();
 }
 
 Result<Json> SessionControl::save_now(const std::string& path) {

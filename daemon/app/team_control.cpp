@@ -36,7 +36,9 @@ Json status_json(const team::StatusMessage& status) {
 }
 
 Json link_json(const TeamReport& report) {
-  Json json{{"joined", report.joined}, {"why_not", report.joined ? "" : report.words}};
+  Json json{{"joined", report.joined},
+            {"why_not", report.joined ? "" : report.words},
+            {"not_sent", {{"full", report.socket.dropped_full}, {"alone", report.socket.dropped_alone}}}};
   if (!report.link) return json;
   json["radio"] = report.link->radio;
   json["mates"] = report.link->mates;
@@ -67,7 +69,25 @@ Json counters_json(const team::ExchangeCounters& c) {
             {"duplicate_ids", c.duplicate_ids}}}};
 }
 
+std::string two_robots(int number, bool own) {
+  return fmt::format("two robots have the number {}{}: give one of them another robot.id", number,
+                     own ? ", which is this robot's" : "");
+}
+
 }  // namespace
+
+void RecentDrops::note(const LinkStats& link, types::Stamp now) {
+  const std::uint64_t dropped = link.dropped_by(kind_);
+  const std::uint64_t more = dropped >= seen_ ? dropped - seen_ : dropped;
+  seen_ = dropped;
+  if (more == 0) return;
+  count_ += more;
+  last_ = now;
+}
+
+void RecentDrops::tick(types::Stamp now) {
+  if (now - last_ > lately_) count_ = 0;
+}
 
 std::uint64_t TeamControl::order(team::OrderKind kind) {
   if (!configuration_.present) return 0;
@@ -97,22 +117,50 @@ void TeamControl::collect() {
   }
 }
 
-void TeamControl::tick() {
+void TeamControl::tick(types::Stamp now) {
   if (const TeamReport* report = team_.report.take_new(); report != nullptr) report_ = *report;
+  for (RecentDrops* drops : {&own_number_, &not_trusted_}) {
+    if (report_.link) drops->note(*report_.link, now);
+    drops->tick(now);
+  }
 }
 
 std::string TeamControl::trouble() const {
   if (!configuration_.present) return {};
   if (!report_.duplicates.empty()) {
     const team::DuplicateId& two = report_.duplicates.front();
-    return fmt::format("two robots have the number {}{}: give one of them another robot.id", two.robot,
-                       two.own ? ", which is this robot's" : "");
+    return two_robots(two.robot, two.own);
   }
+  // The link lets nothing of that robot through.
+  if (own_number_.count() > 0) return two_robots(configuration_.id, true);
   if (!report_.joined) {
     return report_.words.empty() ? "alone: no link is connected; is topometric-link running?"
                                  : "alone: " + report_.words;
   }
   return {};
+}
+
+std::string TeamControl::warning() const {
+  if (!configuration_.present || not_trusted_.count() == 0) return {};
+  return fmt::format(
+      "a robot in reach has false credentials, or this one has: {} handshakes were refused (topolink's log "
+      "names it); it is not heard",
+      not_trusted_.count());
+}
+
+std::string TeamControl::obstacle() const {
+  if (!configuration_.present) return {};
+  const bool is_double =
+      own_number_.count() > 0 || std::ranges::any_of(report_.duplicates, &team::DuplicateId::own);
+  return is_double ? two_robots(configuration_.id, true) : std::string();
+}
+
+std::optional<DoctorFacts::Team> TeamControl::facts() const {
+  if (!configuration_.present) return {};
+  const auto alive = std::ranges::count_if(report_.peers, &team::PeerView::alive);
+  return DoctorFacts::Team{
+      trouble(), warning(),
+      fmt::format("{}: {} other robot{} in reach", configuration_.name, alive, alive == 1 ? "" : "s")};
 }
 
 Json TeamControl::brief() const {
@@ -145,7 +193,8 @@ Json TeamControl::json(types::Stamp now) const {
        {{"items", report_.items}, {"bytes", report_.bytes}, {"hash", fmt::format("{:016x}", report_.hash)}}},
       {"peers", std::move(peers)},
       {"order", {{"number", report_.order}, {"acknowledged", report_.acknowledged}}},
-      {"trouble", trouble()}};
+      {"trouble", trouble()},
+      {"warning", warning()}};
 }
 
 }  // namespace topo::daemon

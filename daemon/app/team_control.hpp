@@ -4,12 +4,33 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 
+#include "daemon/app/doctor.hpp"
 #include "daemon/config/configuration.hpp"
 #include "daemon/control/json_rpc.hpp"
 #include "daemon/threads/team_hand_over.hpp"
 
 namespace topo::daemon {
+
+/// Whether the link dropped something of a kind lately. A value.
+class RecentDrops {
+ public:
+  RecentDrops(LinkDrop kind, types::Duration lately) : kind_(kind), lately_(lately) {}
+  /// What the link tells of itself, now; its counts begin anew with its process.
+  void note(const LinkStats& link, types::Stamp now);
+  /// Forgets what is long ago.
+  void tick(types::Stamp now);
+  /// Since the first of those lately; 0: none lately.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  LinkDrop kind_;
+  types::Duration lately_;
+  std::uint64_t seen_ = 0, count_ = 0;
+  types::Stamp last_{};
+};
 
 /// The team on main: orders to it and from it, and what is shown of it. Main only.
 class TeamControl {
@@ -28,12 +49,18 @@ class TeamControl {
   [[nodiscard]] int fd() const { return team_.orders_here.fd(); }
 
   /// Every tick.
-  void tick();
+  void tick(types::Stamp now);
 
   /// {"present": false}, or what `topoctl team` shows; times in seconds.
   [[nodiscard]] Json json(types::Stamp now) const;
   /// What is wrong with the team; empty: nothing.
   [[nodiscard]] std::string trouble() const;
+  /// What the operator should know although nothing is wrong with this robot; empty: nothing.
+  [[nodiscard]] std::string warning() const;
+  /// Why no mission may begin; empty: the team is no reason.
+  [[nodiscard]] std::string obstacle() const;
+  /// For the doctor; nothing without a team.
+  [[nodiscard]] std::optional<DoctorFacts::Team> facts() const;
   /// One line for the status.
   [[nodiscard]] Json brief() const;
 
@@ -43,6 +70,8 @@ class TeamControl {
   Obey obey_;
   std::uint64_t orders_ = 0;
   TeamReport report_;
+  RecentDrops own_number_{LinkDrop::kOwnNumber, std::chrono::seconds(5)};
+  RecentDrops not_trusted_{LinkDrop::kNotTrusted, std::chrono::minutes(1)};
 };
 
 }  // namespace topo::daemon

@@ -48,6 +48,7 @@ TeamSettings team_settings(const Configuration& c) {
   settings.robot = static_cast<std::uint16_t>(c.robot.id);
   settings.in_common_frame = c.team.start.has_value();
   settings.socket = c.team.socket;
+  settings.awaits_journal = !c.session.folder.empty() && !c.session.resume.empty();
   settings.exchange.rates.unicast = !c.team.peers.empty();
   return settings;
 }

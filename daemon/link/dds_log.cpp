@@ -17,6 +17,7 @@ namespace {
 struct Sink {
   std::mutex mutex;
   LineLimit limit;
+  std::function<void()> refused;
 };
 
 void take_line(void* argument, const dds_log_data_t* data) {
@@ -24,6 +25,7 @@ void take_line(void* argument, const dds_log_data_t* data) {
   std::string_view line(data->message, data->size);
   while (!line.empty() && (line.back() == '\n' || line.back() == '\0')) line.remove_suffix(1);
   const std::lock_guard lock(sink.mutex);
+  if (is_refused_handshake(line) && sink.refused) sink.refused();
   if (const auto text = sink.limit.pass(io::monotonic_now(), line)) spdlog::warn("DDS: {}", *text);
 }
 
@@ -43,8 +45,16 @@ std::optional<std::string> LineLimit::pass(types::Stamp now, std::string_view li
   return before == 0 ? std::string(line) : fmt::format("{} ({} lines left out before)", line, before);
 }
 
-void log_of_dds() {
+bool is_refused_handshake(std::string_view line) {
+  return line.find("handshake") != std::string_view::npos && line.find("failed") != std::string_view::npos;
+}
+
+void log_of_dds(std::function<void()> refused) {
   static Sink sink;
+  {
+    const std::lock_guard lock(sink.mutex);
+    sink.refused = std::move(refused);
+  }
   dds_set_log_mask(DDS_LC_FATAL | DDS_LC_ERROR | DDS_LC_WARNING);
   dds_set_log_sink(&take_line, &sink);
 }

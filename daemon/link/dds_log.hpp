@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,13 @@ class LineLimit {
   int left_out_ = 0;
 };
 
-/// What Cyclone DDS says goes to the log, warnings as warnings, a few lines a minute.
-void log_of_dds();
+/// True when a line of Cyclone's says that it refused the credentials of another participant: what it tells
+/// of that, it tells here only.
+[[nodiscard]] bool is_refused_handshake(std::string_view line);
+
+/// What Cyclone DDS says goes to the log, warnings as warnings, a few lines a minute. `refused` is called for
+/// each refused handshake, logged or not, by any of its threads.
+void log_of_dds(std::function<void()> refused);
 
 /// Nothing of it goes there any more: before the log ends.
 void end_log_of_dds();

@@ -59,6 +59,8 @@ std::string_view drop_name(LinkDrop drop) {
       return "own number used by another robot";
     case LinkDrop::kRepeated:
       return "repeated";
+    case LinkDrop::kNotTrusted:
+      return "not trusted";
   }
   return "unknown";
 }

@@ -20,7 +20,7 @@ namespace topo::daemon {
 inline constexpr std::size_t kDatagramMax_bytes = 1200;
 /// Of the messages below. Both programs come from one package; they differ while one of them is not restarted
 /// yet.
-inline constexpr std::uint16_t kLinkVersion = 1;
+inline constexpr std::uint16_t kLinkVersion = 2;
 
 /// Who speaks: the same at both ends of the socket.
 struct LinkIdentity {
@@ -54,8 +54,9 @@ enum class LinkDrop : std::uint8_t {
   kOtherTeam,     ///< from the radio
   kOwnNumber,     ///< from the radio: another robot has this robot's number
   kRepeated,      ///< from the radio: received before, or older than all that can still be told apart
+  kNotTrusted,    ///< handshakes, not datagrams: a robot in reach has no credentials that this one accepts
 };
-inline constexpr std::size_t kLinkDrops = 11;
+inline constexpr std::size_t kLinkDrops = 12;
 
 /// In the words of the log: "no radio".
 [[nodiscard]] std::string_view drop_name(LinkDrop drop);

@@ -185,7 +185,7 @@ Radio::Radio(RadioPlan plan, const LinkIdentity& own)
     : plan_(std::move(plan)), own_(own), shared_(std::make_shared<Shared>()) {}
 
 void Radio::start() {
-  log_of_dds();
+  log_of_dds([shared = shared_] { count(*shared, LinkDrop::kNotTrusted); });
   std::thread([shared = shared_, plan = plan_, own = own_] { run_radio(shared, plan, own); }).detach();
 }
 

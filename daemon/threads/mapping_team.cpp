@@ -38,6 +38,25 @@ std::vector<team::Anchor> anchors_of(const slam::Mapper& mapper) {
   return anchors;
 }
 
+void add_poses(const OwnMapAsk& ask, const slam::Mapper& mapper, OwnMapNews& news) {
+  for (const slam::KeyframeId& id : ask.poses_of)
+    if (const auto node = mapper.node_of(id)) news.poses.emplace_back(id, mapper.poses()[*node]);
+}
+
+/// Of a map that may be thrown away: nothing new, but what it was begun with, and where mates are in it.
+std::unique_ptr<OwnMapNews> news_on_trial(const OwnMapAsk& ask, const slam::Mapper& mapper,
+                                          std::uint64_t map) {
+  auto news = std::make_unique<OwnMapNews>();
+  news->map = map;
+  news->origin = mapper.origin();
+  if (ask.map != map) {
+    for (const slam::KeyframePtr& keyframe : mapper.keyframes())
+      if (keyframe->id.origin() != mapper.origin()) news->held.push_back(keyframe);
+  }
+  add_poses(ask, mapper, *news);
+  return news;
+}
+
 std::unique_ptr<OwnMapNews> news_for(const OwnMapAsk& ask, const slam::Mapper& mapper, std::uint64_t map) {
   auto news = std::make_unique<OwnMapNews>();
   news->map = map;
@@ -55,8 +74,7 @@ std::unique_ptr<OwnMapNews> news_for(const OwnMapAsk& ask, const slam::Mapper& m
   const auto found = mapper.found_since(is_same ? ask.relations : 0);
   news->relations.assign(found.begin(), found.end());
   news->anchors = anchors_of(mapper);
-  for (const slam::KeyframeId& id : ask.poses_of)
-    if (const auto node = mapper.node_of(id)) news->poses.emplace_back(id, mapper.poses()[*node]);
+  add_poses(ask, mapper, *news);
   return news;
 }
 
@@ -68,20 +86,21 @@ MappingTeam::MappingTeam(TeamHandOver& team, const slam::MapperParams& params)
       T_base_coronal_{params.coronal.x_m, params.coronal.y_m, 0.0} {}
 
 void MappingTeam::serve(pipeline::MappingState& state, std::uint64_t map) {
-  for (const auto* parcel = team_.mates.front(); parcel != nullptr; parcel = team_.mates.front()) {
+  // While it is open whether the robot is where it was found, mates are given nothing of this map, and what
+  // they say waits: the map may be thrown away.
+  const slam::TrialVerdict verdict = state.trial().verdict;
+  const bool is_open = verdict == slam::TrialVerdict::kRunning || verdict == slam::TrialVerdict::kDropped;
+  for (const auto* parcel = team_.mates.front(); parcel != nullptr && !is_open;
+       parcel = team_.mates.front()) {
     const std::unique_ptr<MatesMapNews> news = std::move(parcel->content);
     team_.mates.pop();
     if (news->map != map) continue;
     for (const auto& [key, relation] : news->known) state.relate(key, relation);
     state.join(news->keyframes, news->relations);
   }
-  // While it is open whether the robot is where it was found, mates are given nothing of this map: it may be
-  // thrown away.
-  const slam::TrialVerdict verdict = state.trial().verdict;
-  if (verdict == slam::TrialVerdict::kRunning || verdict == slam::TrialVerdict::kDropped) return;
   for (const OwnMapAsk* ask = team_.asks.front(); ask != nullptr; ask = team_.asks.front()) {
     if (auto* slot = team_.own.try_acquire(); slot != nullptr) {
-      slot->content = news_for(*ask, state.mapper(), map);
+      slot->content = (is_open ? news_on_trial : news_for)(*ask, state.mapper(), map);
       team_.own.commit();
       team_.wakeup.post();
     }

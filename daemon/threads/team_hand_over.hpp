@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -94,6 +95,10 @@ struct TeamHandOver {
   Wakeup wakeup;  ///< of the team's thread
   sync::Ring<OwnMapAsk, 2> asks;
   sync::Ring<Parcel<OwnMapNews>, 2> own;
+  /// From the thread that reads sessions, once: keyframes of all robots in the one to go on with; none: there
+  /// is no such session.
+  sync::Ring<Parcel<std::vector<slam::KeyframePtr>>, 2> journalled;
+  std::atomic<bool> begun_anew{false};  ///< from main: the map of this start stays, on the operator's word
   sync::Ring<Parcel<MatesMapNews>, 8> mates;
   sync::Latest<MatesPlaces> places;                         ///< to mapping
   sync::Latest<team::StatusMessage> status;                 ///< from planning

@@ -26,6 +26,11 @@ constexpr types::Duration kListenAgain = std::chrono::seconds(5);
 /// Mates not heard for so long are no longer shown to planning; the roster judges those that are.
 constexpr types::Duration kForget = std::chrono::minutes(30);
 
+/// They are news again every PeriodParams::alive_s while they last.
+constexpr types::Duration kDuplicatesLast = std::chrono::seconds(7);
+/// A robot whose journal is not read by then joins its team without: it has to hear an order to stop.
+constexpr types::Duration kJournalPatience = std::chrono::seconds(20);
+
 /// What is new, and the next of what is late, at most `most` of that.
 template <class T>
 std::vector<T> with_late(std::vector<T> now, std::vector<T>& late, std::size_t most) {
@@ -56,6 +61,20 @@ void TeamWorker::run() noexcept {
   }
 }
 
+/// What the journal holds of the team is held from the first datagram on, so that no mate sends it again; it
+/// is news to the map that was begun at the start.
+void TeamWorker::take_journalled(types::Stamp now) {
+  if (!awaits_journal_) return;
+  if (!journal_limit_) journal_limit_ = now + kJournalPatience;
+  if (now > *journal_limit_) awaits_journal_ = false;
+  const auto* parcel = hand_overs_.team.journalled.front();
+  if (parcel == nullptr) return;
+  late_keyframes_ = std::move(*parcel->content);
+  own_.goes_on = !late_keyframes_.empty();
+  hand_overs_.team.journalled.pop();
+  awaits_journal_ = false;
+}
+
 void TeamWorker::listen() {
   auto socket = LinkSocket::listen(settings_.socket, {team_hash(settings_.name), settings_.robot});
   if (!socket) return warn(io::monotonic_now(), socket.error().message);
@@ -68,6 +87,7 @@ void TeamWorker::warn(types::Stamp now, const std::string& words) {
 }
 
 void TeamWorker::turn(types::Stamp now) {
+  take_journalled(now);
   take_own(now);
   if (link_) {
     const auto changed = link_->turn(now, [&](std::span<const std::byte> datagram) {
@@ -106,9 +126,10 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
     restore(exchange_->restore_keyframe(*keyframe));
     held.insert(keyframe->id);
   }
-  late_keyframes_.clear();
-  late_relations_.clear();
+  for (const slam::KeyframePtr& keyframe : late_keyframes_) restore(exchange_->restore_keyframe(*keyframe));
   if (before) {
+    late_keyframes_.clear();
+    late_relations_.clear();
     // What mates said before this map was taken over is not in it.
     const slam::KeyframeSet keyframes = team::keyframes_of(before->items());
     for (const auto& [id, keyframe] : keyframes.keyframes()) {
@@ -126,6 +147,12 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
   met_.clear();
 }
 
+/// The map of a start that is to go on with a session begins where the robot happens to stand, which is not
+/// the configured start; it is thrown away when the place is found.
+bool TeamWorker::is_held_back(const OwnMapNews& news) const {
+  return news.map == 1 && own_.goes_on && !hand_overs_.team.begun_anew.load(std::memory_order_acquire);
+}
+
 void TeamWorker::take_own(types::Stamp now) {
   TeamHandOver& team = hand_overs_.team;
   for (const auto* parcel = team.own.front(); parcel != nullptr; parcel = team.own.front()) {
@@ -133,6 +160,12 @@ void TeamWorker::take_own(types::Stamp now) {
     team.own.pop();
     own_.waits = false;
     if (!exchange_ || news->map != own_.asked.map) begin_map(*news);
+    if (is_held_back(*news)) {
+      own_.asked = {news->map, 0, 0, {}};
+      own_.anchors.clear();
+      own_.in_common_frame = false;
+      continue;
+    }
     for (const slam::KeyframePtr& keyframe : news->keyframes)
       if (const auto added = exchange_->add_keyframe(*keyframe); !added) warn(now, added.error().message);
     for (const slam::FoundRelation& found : news->relations)
@@ -143,7 +176,7 @@ void TeamWorker::take_own(types::Stamp now) {
     own_.anchors = news->anchors;
     // A session that was taken over lies where it was made: only the map of this start is in the common
     // frame.
-    own_.in_common_frame = settings_.in_common_frame && news->map == 1;
+    own_.in_common_frame = settings_.in_common_frame && news->map == 1 && !own_.goes_on;
     const team::PoseOf pose_of = [&](const slam::KeyframeId& id) -> std::optional<types::Se2> {
       const auto at = std::ranges::find(news->poses, id, &std::pair<slam::KeyframeId, types::Se2>::first);
       return at == news->poses.end() ? std::nullopt : std::optional(at->second);
@@ -166,7 +199,7 @@ team::StatusMessage TeamWorker::said(team::StatusMessage status) const {
 }
 
 void TeamWorker::ask_mapping(types::Stamp now) {
-  if (own_.waits || now < own_.next_ask) return;
+  if (awaits_journal_ || own_.waits || now < own_.next_ask) return;
   OwnMapAsk* slot = hand_overs_.team.asks.try_acquire();
   if (slot == nullptr) return;
   *slot = own_.asked;
@@ -211,6 +244,7 @@ void TeamWorker::take_news(types::Stamp now) {
   for (team::HeardStatus& heard : news.statuses) note_status(std::move(heard));
   if (!news.duplicates.empty()) {
     report_.duplicates = news.duplicates;
+    duplicates_until_ = now + kDuplicatesLast;
     const team::DuplicateId& id = news.duplicates.front();
     post(vitals_.events, now.time_since_epoch().count(), EventId::kTwoRobotsOneNumber, sync::Severity::kError,
          {id.robot, id.run_a, id.run_b});
@@ -281,7 +315,7 @@ void TeamWorker::report(types::Stamp now) {
     report_.bytes = exchange_->items().bytes();
     report_.hash = exchange_->items().hash();
     if (order_) report_.acknowledged = exchange_->acknowledged_by(*order_);
-    if (std::ranges::none_of(report_.peers, &team::PeerView::alive)) report_.duplicates.clear();
+    if (now > duplicates_until_) report_.duplicates.clear();
   }
   report_.statuses.clear();
   report_.located.clear();

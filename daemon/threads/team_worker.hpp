@@ -21,6 +21,7 @@ struct TeamSettings {
   std::uint16_t robot = 0;
   bool in_common_frame = false;  ///< the map begins at a configured pose in the team's common frame
   std::string socket;            ///< where the link connects
+  bool awaits_journal = false;   ///< a session may be gone on with: TeamHandOver::journalled will come
   team::ExchangeParams exchange;
 };
 
@@ -45,15 +46,18 @@ class TeamWorker final : public Worker {
     OwnMapAsk asked;  ///< the newest question that was answered, with the counts that follow from it
     std::vector<team::Anchor> anchors;
     bool in_common_frame = false;
-    bool waits = false;  ///< a question is under way
+    bool goes_on = false;  ///< a session of before is there
+    bool waits = false;    ///< a question is under way
     types::Stamp next_ask{};
   };
 
   /// A status as mates get it: with the robot's number and where its map lies.
   [[nodiscard]] team::StatusMessage said(team::StatusMessage status) const;
+  void take_journalled(types::Stamp now);
   void listen();
   void turn(types::Stamp now);
   void take_own(types::Stamp now);
+  [[nodiscard]] bool is_held_back(const OwnMapNews& news) const;
   void begin_map(const OwnMapNews& news);
   void ask_mapping(types::Stamp now);
   void take_requests(types::Stamp now);
@@ -77,6 +81,9 @@ class TeamWorker final : public Worker {
   std::vector<slam::KeyframePtr> late_keyframes_;
   std::vector<slam::FoundRelation> late_relations_;
   std::optional<team::EntryId> order_;
+  bool awaits_journal_ = settings_.awaits_journal;
+  std::optional<types::Stamp> journal_limit_;
+  types::Stamp duplicates_until_{};
   TeamReport report_;
   types::Stamp next_report_{};
 };

@@ -33,6 +33,8 @@ std::string team_table(const Json& team) {
   out += fmt::format("link        {}\n", team["link"].value("joined", false) ? "up" : "down");
   if (const std::string trouble = text_at(team, "/trouble"); is_said(trouble))
     out += "trouble     " + trouble + "\n";
+  if (const std::string warning = text_at(team, "/warning"); is_said(warning))
+    out += "warning     " + warning + "\n";
   out += fmt::format("holds       {} items, {:.1f} kB\n", text_at(team, "/held/items"),
                      team["held"].value("bytes", 0.0) / 1e3);
   out += fmt::format("{:>5} {:>9} {:>10} {:>6} {:>10} {:>10} {:>8} {:>6}  {}\n", "robot", "heard",

@@ -297,7 +297,10 @@ void take_datagram(ExchangeState& state, std::span<const std::byte> datagram, ty
   if (hearing == Hearing::kRepeated) ++state.counters.replayed;
   if (hearing == Hearing::kTooMany) ++state.counters.too_many;
   if (hearing != Hearing::kFresh) return;
-  if (head.sender.robot == state.identity.robot) ++state.counters.duplicate_ids;
+  if (state.peers.is_double(head.sender.robot, state.self(), state.params.periods, now)) {
+    ++state.counters.duplicate_ids;
+    return;
+  }
   Peer& peer = *state.peers.find(head.sender);
   Intake intake(state, head, peer, now);
   MessageReader messages(datagram);

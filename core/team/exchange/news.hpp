@@ -104,7 +104,7 @@ struct ExchangeCounters {
   std::uint64_t claims_ours = 0;     ///< items of this very run that this robot never made; dropped
   std::uint64_t contradicting = 0;   ///< items under a key that is held with other bytes
   std::uint64_t repeated = 0;        ///< pieces and items that were held already
-  std::uint64_t duplicate_ids = 0;   ///< datagrams from a robot whose id another live one has
+  std::uint64_t duplicate_ids = 0;   ///< datagrams from a robot whose id another live one has; dropped
 };
 
 }  // namespace topo::team

@@ -57,6 +57,18 @@ void Peers::forget(const PeriodParams& periods, types::Stamp now) {
   });
 }
 
+bool Peers::is_double(std::uint16_t robot, const slam::Origin& self, const PeriodParams& periods,
+                      types::Stamp now) const {
+  // Nearly always there is one run, and nothing to look for.
+  const auto first = peers_.lower_bound({robot, 0});
+  const bool has_two =
+      first != peers_.end() && first->first.robot == robot &&
+      (robot == self.robot || (std::next(first) != peers_.end() && std::next(first)->first.robot == robot));
+  if (!has_two) return false;
+  const std::vector<DuplicateId> found = duplicates(self, periods, now);
+  return std::ranges::any_of(found, [&](const DuplicateId& id) { return id.robot == robot; });
+}
+
 std::vector<DuplicateId> Peers::duplicates(const slam::Origin& self, const PeriodParams& periods,
                                            types::Stamp now) const {
   const types::Duration overlap = types::from_seconds(periods.overlap_s);

@@ -51,6 +51,9 @@ class Peers {
   [[nodiscard]] const Map& all() const { return peers_; }
   /// Drops those that were not heard for `forget_s`.
   void forget(const PeriodParams& periods, types::Stamp now);
+  /// True when two runs of a robot are both heard now: what they say cannot be told apart.
+  [[nodiscard]] bool is_double(std::uint16_t robot, const slam::Origin& self, const PeriodParams& periods,
+                               types::Stamp now) const;
   /// Robots of which two runs are both heard; `self` is heard all the time.
   [[nodiscard]] std::vector<DuplicateId> duplicates(const slam::Origin& self, const PeriodParams& periods,
                                                     types::Stamp now) const;

@@ -100,6 +100,7 @@ void Operator::doctor(std::function<void(Json)> done) {
   facts.session_obstacle = sessions_.obstacle();
   facts.place = sessions_.standing();
   facts.journal = sessions_.journal();
+  facts.team = team_.facts();
   // The disk may be slow.
   auto job = [facts = std::move(facts), done]() mutable -> Background::Finish {
     for (DoctorFacts::Disk& disk : facts.disks) disk.free_bytes = free_bytes(disk.folder);

@@ -9,6 +9,7 @@
 #include "drivers/io/run_program.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/segment_command.hpp"
+#include "tests/bench/topobench/canonical/canonical_command.hpp"
 #include "tests/bench/topobench/compass/compass_command.hpp"
 #include "tests/bench/topobench/contact/contact_command.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
@@ -291,6 +292,11 @@ int start(int argc, char** argv) {
   CLI::App* compass_app = app.add_subcommand(
       "compass", "The direction of turned maps against that of the maps: how far the compass is off");
   add_options(*compass_app, compass);
+  topo::bench::CanonicalCommand canonical;
+  CLI::App* canonical_app = app.add_subcommand(
+      "canonical", "Hashes of saved sessions of a team: of keyframes, relations, and the maps they make");
+  canonical_app->add_option("sessions", canonical.sessions, "Files that topoctl session save wrote")
+      ->required();
   topo::bench::ContactCommand contact;
   CLI::App* contact_app = app.add_subcommand(
       "contact", "How long robots that were apart take to have the same sets, and what they send afterwards");
@@ -329,6 +335,7 @@ int start(int argc, char** argv) {
   if (*segment_app) return finish(topo::bench::run_segment(segment));
   if (*explore_app) return finish(topo::bench::run_explore(explore));
   if (*compass_app) return finish(topo::bench::run_compass(compass));
+  if (*canonical_app) return finish(topo::bench::run_canonical(canonical));
   if (*contact_app) return finish(topo::bench::run_contact_command(contact));
   if (*goals_app) return finish(topo::bench::run_goals(goals));
   if (*bound_app) return finish(topo::bench::run_bound(bound));

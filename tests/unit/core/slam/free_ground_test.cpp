@@ -39,6 +39,15 @@ TEST(FreeGround, WhatStandsWhereRaysPassedContradicts) {
   EXPECT_EQ(seen.at(1.5F, 0.5F), 0.0) << "nor beside it";
 }
 
+TEST(FreeGround, WhatEnoughRaysCrossedIsCrossed) {
+  const LookedThrough seen(3), hardly(2);
+  EXPECT_TRUE(seen.ground.is_crossed(Point(1.5F, 0.05F)));
+  EXPECT_FALSE(hardly.ground.is_crossed(Point(1.5F, 0.05F)));
+  EXPECT_FALSE(seen.ground.is_crossed(Point(1.5F, 0.5F))) << "beside the rays";
+  EXPECT_FALSE(seen.ground.is_crossed(Point(kWall_m, 0.05F))) << "where they end stands a wall";
+  EXPECT_FALSE(seen.ground.is_crossed(Point(50.0F, 0.05F))) << "outside";
+}
+
 TEST(FreeGround, AFewRaysMayBeNoiseAndManyAreNot) {
   for (const int rays : {0, 1, 2}) EXPECT_EQ(LookedThrough(rays).at(1.5F, 0.05F), 0.0) << rays;
   for (const int rays : {3, 10, 255, 256, 257, 600})

@@ -107,6 +107,35 @@ TEST(MapperTeam, takesKeyframesAndRelationsInAnyOrder) {
   }));
 }
 
+TEST(MapperTeam, ofTwoMatchesOfOnePairTheLowerOneIsKept) {
+  TwoMappers robots;
+  const auto known = robots.known();
+  Relation lower = known.second, higher = known.second;
+  lower.T_from_to.x_m -= 0.01;
+  higher.T_from_to.x_m += 0.01;
+  const auto of = [&](std::uint16_t finder, const Relation& relation) {
+    return FoundRelation{{finder, 500, 0}, known.first, relation};
+  };
+  const auto x_of = [&](const Mapper& mapper) {
+    for (const Edge& edge : mapper.edges()) {
+      const RelationKey key{mapper.keyframes()[edge.from]->id, mapper.keyframes()[edge.to]->id};
+      if (key == known.first) return edge.T_from_to.x_m;
+    }
+    return std::nan("");
+  };
+  const std::vector<FoundRelation> rising{of(1, lower), of(2, higher)}, falling{of(2, higher), of(1, lower)};
+  for (const auto& order : {rising, falling}) {
+    for (const bool keyframes_first : {true, false}) {
+      Mapper mapper = robots.first;
+      if (keyframes_first) mapper.join(robots.second.keyframes(), {});
+      mapper.join({}, {&order[0], 1});
+      mapper.join({}, {&order[1], 1});
+      if (!keyframes_first) mapper.join(robots.second.keyframes(), {});
+      EXPECT_EQ(x_of(mapper), lower.T_from_to.x_m) << keyframes_first;
+    }
+  }
+}
+
 TEST(MapperTeam, joinedMapsHaveOneCanonicalMapOnEitherSide) {
   TwoMappers robots;
   const auto known = robots.known();

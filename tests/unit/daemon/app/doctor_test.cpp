@@ -90,6 +90,10 @@ TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
          f.configuration.coronal.serial_number.clear();
        }},
       {"session", "none is kept", "session.journal = true", [](DoctorFacts& f) { f.sessions.clear(); }},
+      {"team", "office: 1 other robot in reach", "handshakes",
+       [](DoctorFacts& f) {
+         f.team = {"", "4 handshakes were refused", "office: 1 other robot in reach"};
+       }},
       {"real time", "not asked for", "\"enforce\"", [](DoctorFacts& f) { f.policy = RealtimePolicy::kOff; }},
       {"firmware watchdog", "2000 ms", "up to 1.4 m before it brakes",
        [](DoctorFacts& f) { f.watchdog_ms = 2000; }},

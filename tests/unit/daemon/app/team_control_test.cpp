@@ -22,10 +22,19 @@ class TeamControlTest : public ::testing::Test {
   }
   void report(const TeamReport& of_thread) {
     team->report.store(of_thread);
-    control.tick();
+    control.tick(now);
+  }
+  /// What a link tells that dropped so many of a kind.
+  void report_dropped(LinkDrop kind, std::uint64_t count) {
+    TeamReport told;
+    told.joined = true;
+    told.link.emplace();
+    told.link->dropped[static_cast<std::size_t>(kind)] = count;
+    report(told);
   }
 
   TeamConfig configuration;
+  types::Stamp now = types::stamp_from_seconds(100.0);
   std::unique_ptr<TeamHandOver> team = std::make_unique<TeamHandOver>();
   std::vector<std::pair<team::OrderKind, std::uint16_t>> obeyed;
   TeamControl control{configuration, *team,
@@ -74,6 +83,35 @@ TEST_F(TeamControlTest, TellsWhyTheRobotIsAlone) {
   EXPECT_THAT(control.trouble(), HasSubstr("robot.id"));
   configuration.present = false;
   EXPECT_EQ(control.trouble(), "");
+}
+
+TEST_F(TeamControlTest, ARobotWithThisNumberIsToldAndNothingBegins) {
+  report_dropped(LinkDrop::kOwnNumber, 0);
+  EXPECT_EQ(control.trouble(), "");
+  EXPECT_EQ(control.obstacle(), "");
+  report_dropped(LinkDrop::kOwnNumber, 3);
+  EXPECT_THAT(control.trouble(), HasSubstr("two robots have the number 1, which is this robot's"));
+  EXPECT_EQ(control.obstacle(), control.trouble());
+  EXPECT_EQ(control.facts()->trouble, control.trouble());
+  now += std::chrono::seconds(6);
+  report_dropped(LinkDrop::kOwnNumber, 3);
+  EXPECT_EQ(control.trouble(), "") << "it has gone";
+  report_dropped(LinkDrop::kOwnNumber, 1);
+  EXPECT_NE(control.obstacle(), "") << "a new link counts from zero";
+}
+
+TEST_F(TeamControlTest, FalseCredentialsAreAWarning) {
+  report_dropped(LinkDrop::kNotTrusted, 2);
+  report_dropped(LinkDrop::kNotTrusted, 5);
+  EXPECT_THAT(control.warning(), HasSubstr("5 handshakes were refused"));
+  EXPECT_EQ(control.trouble(), "");
+  EXPECT_EQ(control.obstacle(), "");
+  EXPECT_EQ(control.facts()->warning, control.warning());
+  now += std::chrono::seconds(61);
+  report_dropped(LinkDrop::kNotTrusted, 5);
+  EXPECT_EQ(control.warning(), "");
+  configuration.present = false;
+  EXPECT_FALSE(control.facts().has_value());
 }
 
 TEST_F(TeamControlTest, ShowsMatesWithWhatTheyLack) {

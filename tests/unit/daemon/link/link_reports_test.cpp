@@ -53,6 +53,13 @@ TEST(LineLimit, FewAPeriodAndTheRestCounted) {
   EXPECT_EQ(limit.pass(now + 61s, "f"), "f");
 }
 
+TEST(RefusedHandshake, IsToldFromOtherLines) {
+  EXPECT_TRUE(is_refused_handshake(
+      "Begin handshake reply failed: Certificate not valid: error: certificate signature failure"));
+  EXPECT_FALSE(is_refused_handshake("ddsi_udp_conn_write to udp/239.255.0.1:7650 failed with retcode -1"));
+  EXPECT_FALSE(is_refused_handshake(""));
+}
+
 TEST(Carried, IsReadBack) {
   Carried carried;
   carried.daemon_fd = 12;

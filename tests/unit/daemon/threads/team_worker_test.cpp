@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "core/slam/keyframe_codec.hpp"
 #include "core/team/exchange/exchange.hpp"
 #include "daemon/link/daemon_line.hpp"
 #include "drivers/io/posix.hpp"
@@ -23,9 +24,9 @@ using team::testing::sample_keyframe;
 /// A robot of which the team's thread is true; mapping, planning, main and link are played by the test.
 class Robot {
  public:
-  Robot(std::uint16_t number, std::uint32_t run, const testing::TempDir& folder)
+  Robot(std::uint16_t number, std::uint32_t run, const testing::TempDir& folder, bool awaits_journal = false)
       : origin_{number, run},
-        settings_(settings_of(number, folder)),
+        settings_(settings_of(number, folder, awaits_journal)),
         line_(settings_.socket, {team_hash("test"), number}) {}
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -84,11 +85,12 @@ class Robot {
   std::uint64_t map = 1;
 
  private:
-  static TeamSettings settings_of(std::uint16_t number, const testing::TempDir& folder) {
+  static TeamSettings settings_of(std::uint16_t number, const testing::TempDir& folder, bool awaits_journal) {
     TeamSettings settings;
     settings.name = "test";
     settings.robot = number;
     settings.in_common_frame = true;
+    settings.awaits_journal = awaits_journal;
     settings.socket = folder.file("link" + std::to_string(number));
     return settings;
   }
@@ -200,6 +202,35 @@ TEST_F(TeamWorkerTest, AnotherMapKeepsWhatMatesSaid) {
   ++b.map;  // a session was taken over that holds nothing of the mate
   EXPECT_TRUE(until([&] { return b.joined.size() == 10; })) << "mapping gets them again, for the new map";
   EXPECT_TRUE(until([&] { return b.report.items == 10; }));
+}
+
+TEST_F(TeamWorkerTest, WhatTheJournalHoldsIsNotFetchedAgain) {
+  for (int i = 0; i < 40; ++i) a.make_keyframe();
+  ASSERT_TRUE(until([&] { return b.joined.size() == 40; }));
+  Robot again(3, 33, folder_, true);
+  const auto one_turn = [&] {
+    a.turn([&](auto datagram) { again.receive(datagram); });
+    again.turn([&](auto datagram) { a.receive(datagram); });
+    std::this_thread::sleep_for(1ms);
+  };
+  for (int i = 0; i < 500; ++i) one_turn();
+  EXPECT_EQ(again.report.items, 0U) << "nothing is asked for before the journal is read";
+  auto* slot = again.hand_overs->team.journalled.try_acquire();
+  slot->content = std::make_unique<std::vector<slam::KeyframePtr>>(b.joined);
+  again.hand_overs->team.journalled.commit();
+  for (int i = 0; i < 30'000 && !(again.report.items == 40 && again.joined.size() == 40); ++i) one_turn();
+  for (int i = 0; i < 500; ++i) one_turn();
+  EXPECT_EQ(again.report.hash, a.report.hash);
+  EXPECT_EQ(again.joined.size(), 40U) << "the map that was begun gets them";
+  again.make_keyframe();
+  for (int i = 0; i < 500; ++i) one_turn();
+  EXPECT_EQ(a.report.items, 40U) << "the map of this start begins at no known place";
+  again.hand_overs->team.begun_anew = true;
+  for (int i = 0; i < 30'000 && a.report.items < 41; ++i) one_turn();
+  EXPECT_EQ(a.report.items, 41U) << "it stays, on the operator's word";
+  std::size_t bytes = 0;
+  for (const auto& keyframe : b.joined) bytes += slam::encode_keyframe(*keyframe).size();
+  EXPECT_LT(again.report.counters.received_bytes, bytes / 2);
 }
 
 TEST_F(TeamWorkerTest, WithoutALinkTheRobotIsAlone) {

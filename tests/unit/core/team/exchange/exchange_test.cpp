@@ -308,6 +308,7 @@ TEST(Exchange, TwoWithOneIdAreSeenByBothAndByOthers) {
   EXPECT_TRUE(found[0].front().own && found[1].front().own);
   EXPECT_FALSE(found[2].front().own);
   EXPECT_GT(one.exchange.counters().duplicate_ids, 0U);
+  EXPECT_GT(mate.exchange.counters().duplicate_ids, 0U) << "what neither can be told from is not taken";
 }
 
 TEST(Exchange, TheSameRunWithALaterCounterIsAnother) {

@@ -74,6 +74,22 @@ TEST(Peers, TwoRunsHeardTogetherAreADuplicate) {
   EXPECT_TRUE(peers.duplicates(kSelf, {}, at(9.0)).empty()) << "both are gone";
 }
 
+TEST(Peers, OnlyTheDoubleOneIsDouble) {
+  Peers peers;
+  for (int i = 0; i < 40; ++i) {
+    for (const slam::Origin& mate : {kMate, kMateAgain, slam::Origin{7, 1}})
+      peers.hear(mate, static_cast<std::uint32_t>(i), {}, at(0.05 * i));
+  }
+  EXPECT_TRUE(peers.is_double(kMate.robot, kSelf, {}, at(2.0)));
+  EXPECT_FALSE(peers.is_double(7, kSelf, {}, at(2.0)));
+  EXPECT_FALSE(peers.is_double(99, kSelf, {}, at(2.0)));
+  EXPECT_FALSE(peers.is_double(kMate.robot, kSelf, {}, at(9.0))) << "both are gone";
+  peers.hear({kSelf.robot, 5}, 0, {}, at(9.0));
+  EXPECT_FALSE(peers.is_double(kSelf.robot, kSelf, {}, at(9.0))) << "perhaps of an earlier run";
+  peers.hear({kSelf.robot, 5}, 1, {}, at(10.5));
+  EXPECT_TRUE(peers.is_double(kSelf.robot, kSelf, {}, at(10.5)));
+}
+
 TEST(Peers, AnotherWithThisRobotsIdIsADuplicate) {
   Peers peers;
   peers.hear({kSelf.robot, 5}, 0, {}, at(0.0));
