@@ -78,6 +78,31 @@ TEST(GraphPattern, VariablesAreTheNodesButTheFixedOne) {
   }
 }
 
+TEST(GraphPattern, SeveralFixedNodesAreNoVariables) {
+  std::mt19937 random(5);
+  const std::vector<Edge> edges = plain_edges(testing::random_ties(9, 6, random));
+  const std::size_t fixed[] = {0, 4, 8};
+  const GraphPattern pattern(9, edges, fixed);
+  std::vector<std::size_t> nodes;
+  for (std::size_t v = 0; v < pattern.elimination().variables(); ++v) nodes.push_back(pattern.node(v));
+  EXPECT_EQ(nodes, (std::vector<std::size_t>{1, 2, 3, 5, 6, 7}));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    EXPECT_EQ(pattern.links()[i].has_from, edges[i].from % 4 != 0);
+    EXPECT_EQ(pattern.links()[i].has_to, edges[i].to % 4 != 0);
+  }
+}
+
+TEST(IsConnected, FixedNodesTieTheirPieces) {
+  std::vector<Edge> edges(2);
+  edges[0].to = 1;
+  edges[1].from = 2;
+  edges[1].to = 3;
+  const std::size_t both[] = {1, 3}, one[] = {3};
+  EXPECT_FALSE(is_connected(4, edges));
+  EXPECT_FALSE(is_connected(4, edges, one));
+  EXPECT_TRUE(is_connected(4, edges, both));
+}
+
 /// Springs between nodes on a line, of which one is held: the blocks that the pattern names are those of the
 /// graph's stiffness matrix without the row and column of the fixed node.
 TEST(GraphPattern, PlacesAreThoseOfTheNormalEquations) {

@@ -348,5 +348,30 @@ TEST(Solve, ARobustEdgeThatFitsIsAsGoodAsAnother) {
   EXPECT_LT(testing::greatest_difference(poses, truth), 1e-6);
 }
 
+/// A chain of steps that measure 2.2 m between ends that are held 2 m apart: each step gives way alike, and
+/// the ends stay where they are. The linear start, exact without turns, is there at once.
+TEST(PoseGraph, SeveralFixedNodesStay) {
+  const std::vector<types::Se2> start{{0, 0, 0}, {1, 0.3, 0.1}, {2, 0, 0}};
+  std::vector<Edge> edges(2);
+  edges[0].to = edges[1].from = 1;
+  edges[1].to = 2;
+  for (Edge& edge : edges) edge.T_from_to = {1.1, 0, 0};
+  const std::size_t ends[] = {0, 2};
+  std::vector<types::Se2> solved = start, linear = start, held = start;
+  const SolveReport report = solve(solved, edges, exact(), ends);
+  EXPECT_TRUE(report.solved);
+  EXPECT_NEAR(report.chi2_end, 0.02, 1e-9);
+  ASSERT_TRUE(start_linearly(linear, edges, ends));
+  for (const auto* poses : {&solved, &linear}) {
+    EXPECT_EQ((*poses)[0], start[0]);
+    EXPECT_EQ((*poses)[2], start[2]);
+    EXPECT_NEAR((*poses)[1].x_m, 1.0, 1e-6);
+    EXPECT_NEAR((*poses)[1].y_m, 0.0, 1e-6);
+  }
+  const std::size_t all[] = {0, 1, 2};
+  EXPECT_TRUE(solve(held, edges, exact(), all).solved);
+  EXPECT_EQ(held, start);
+}
+
 }  // namespace
 }  // namespace topo::slam

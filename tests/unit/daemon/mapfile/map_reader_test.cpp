@@ -164,7 +164,7 @@ TEST_F(MapReaderTest, AYawThatIsNoNumberIsNoneWithAWarning) {
 }
 
 TEST_F(MapReaderTest, TakesThePictureBesideWhereThePathIsAnothers) {
-  for (const char* path : {"/home/somebody/maps/m.pgm", "maps/m.pgm", "'C:\\maps\\m.pgm'"}) {
+  for (const char* path : {"/nowhere/maps/m.pgm", "maps/m.pgm", "'C:\\maps\\m.pgm'"}) {
     const auto map = load("image: " + std::string(path) + "\nresolution: 1\norigin: [0, 0, 0]\n", kPgm);
     ASSERT_TRUE(map.has_value()) << map.error().message;
     EXPECT_EQ(map->width, 3);
