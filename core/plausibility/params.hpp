@@ -80,9 +80,9 @@ struct PictureParams {
 
 /// Motors that go off (motors_check.hpp).
 struct MotorsParams {
-  /// Wanted for less, they may go off by the host's own request before: it is repeated after half a second,
-  /// and its effect is seen a lag and a status cycle later.
-  types::Duration wanted_for = std::chrono::seconds(1);
+  /// Wanted for less, they may go off by the host's own request before, which shows within
+  /// ObedienceParams::lag_max and a status cycle.
+  types::Duration wanted_for = std::chrono::milliseconds(500);
 };
 
 /// Which robot counts as standing, and which as newly connected.

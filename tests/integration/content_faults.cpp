@@ -251,15 +251,13 @@ std::vector<ContentFault> content_faults() {
 }
 
 std::vector<Elsewhere> faults_elsewhere() {
-  return {
-      {"machine: CAN at full load", "tests/vm/can_test.py --figures (an emulated guest with a bus)"},
-      {"machine: CPU hog at a higher priority", "nowhere yet: it needs real-time rights (tests/vm guest)"},
-      {"machine: suspend", "nowhere yet: it stops the whole machine (tests/vm guest)"},
-      {"machine: the clock is set", "nowhere yet: it needs CAP_SYS_TIME (tests/vm guest)"},
-      {"machine: memory pressure, MemoryMax", "nowhere yet: it needs a control group (tests/vm guest)"},
-      {"machine: LimitRTTIME is used up", "nowhere yet: it needs real-time rights (tests/vm guest)"},
-      {"machine: disk read-only", "nowhere yet: it needs a mount (tests/vm guest); a full disk is above"},
-  };
+  static const std::string kGuest =
+      "tests/vm/machine_faults_test.py: it needs a machine of its own, that keeps time";
+  std::vector<Elsewhere> all{
+      {"machine: CAN at full load", "tests/vm/can_test.py --figures (an emulated guest with a bus)"}};
+  for (const ContentFault& fault : host_faults())
+    if (fault.guest) all.push_back({fault.name, kGuest});
+  return all;
 }
 
 }  // namespace topo::test

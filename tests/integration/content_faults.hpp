@@ -20,10 +20,11 @@ struct ContentFault {
   /// A part of what state, doubts or health have to say, or one of several with a bar between them; empty:
   /// the daemon need not know.
   std::string says;
-  double box_after_s = 1.5;              ///< until a box appears 1 m ahead; below 0: none appears
-  std::function<void(WireRig&)> act{};   ///< after `strike`
-  std::function<void(WireRig&)> undo{};  ///< before `lift`
-  const char* order = nullptr;           ///< by the operator, half a second after the blow
+  double box_after_s = 1.5;                ///< until a box appears 1 m ahead; below 0: none appears
+  std::function<void(WireRig&)> before{};  ///< the robot drives
+  std::function<void(WireRig&)> act{};     ///< after `strike`
+  std::function<void(WireRig&)> undo{};    ///< before `lift`
+  const char* order = nullptr;             ///< by the operator, half a second after the blow
   bool sonar_only = false, tcp_only = false;
   bool journal = false;   ///< sessions are kept
   bool process = false;   ///< the daemon is one of its own

@@ -155,6 +155,7 @@ INSTANTIATE_TEST_SUITE_P(Guest, ContentFaults, testing::ValuesIn(host_cases(true
 
 TEST_P(ContentFaults, TouchNothingAreNamedAndPass) {
   const ContentFault& fault = GetParam().fault;
+  if (fault.before) fault.before(*rig_);
   ASSERT_TRUE(rig_->reach_full_speed()) << rig_->status().dump(2);
   const Moment hit = rig_->strike(fault.strike);
   if (fault.act) fault.act(*rig_);

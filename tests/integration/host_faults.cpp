@@ -259,10 +259,10 @@ void make_read_only(const std::string& folder) {
 }
 
 ContentFault read_only() {
-  ContentFault fault = of_the_host("disk read-only when the daemon is started again", kNoBox);
+  ContentFault fault = of_the_host("disk read-only", 1.5);
   fault.journal = true;
   fault.says = "not being kept";
-  fault.act = [](WireRig& rig) { rig.kill_daemon([&rig] { make_read_only(rig.sessions()); }); };
+  fault.before = [](WireRig& rig) { rig.kill_daemon([&rig] { make_read_only(rig.sessions()); }); };
   fault.undo = [](WireRig& rig) { EXPECT_EQ(::umount2(rig.sessions().c_str(), MNT_DETACH), 0); };
   return fault;
 }

@@ -18,20 +18,20 @@ namespace {
 struct Release {
   std::string name;
   Wires wires = Wires::kTcp;
-  std::string back;  ///< as in the table
+  std::string by, back;  ///< as in the table
   void (*release)(WireRig& rig) = nullptr;
 };
 std::ostream& operator<<(std::ostream& out, const Release& release) { return out << release.name; }
 
 std::vector<Release> releases() {
   return {
-      {"ByTheOperator", Wires::kTcp, "clear-estop and a new order",
+      {"ByTheOperator", Wires::kTcp, "clear-estop", "clear-estop and a new order",
        [](WireRig& rig) { rig.ask("clear_estop"); }},
-      {"ByMotorsOff", Wires::kPty, "its motors off, and a new order",
+      {"ByMotorsOff", Wires::kPty, "motors off", "its motors off, and a new order",
        [](WireRig& rig) {
          rig.strike({{{"command", "motors-off"}}});
        }},
-      {"ByAReset", Wires::kPty, "a reset of its controller, and a new order",
+      {"ByAReset", Wires::kPty, "a reset", "a reset of its controller, and a new order",
        [](WireRig& rig) {
          rig.strike({{{"command", "reset"}, {"device", "base"}}});
        }},
@@ -127,8 +127,7 @@ TEST_P(SilenceOutlivesTheDaemon, UntilTheBaseIsReleased) {
   std::printf("killed while its base does not obey: stands after %.2f m, %.2f s\n", way_m, time_s);
   WireSetup setup;
   setup.wires = GetParam().wires;
-  record({"base: swallows every command, then the daemon is killed, released " +
-              GetParam().back.substr(0, GetParam().back.find(" and")),
+  record({"base: swallows every command, then the daemon is killed; released by " + GetParam().by,
           form_of(setup), stands_after(way_m, time_s), said_.text("moves otherwise"),
           HasFailure() ? "not as it should" : GetParam().back});
 }
