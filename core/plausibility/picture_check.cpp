@@ -23,7 +23,7 @@ bool lasts(types::Stamp begun, types::Stamp now, types::Duration at_least) {
 }  // namespace
 
 ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_laser, double covered_m) {
-  std::size_t forward = 0, empty = 0, covered = 0;
+  std::size_t forward = 0, empty = 0, covered = 0, unknown = 0;
   const auto ranges = scan.ranges();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const double angle_rad =
@@ -31,11 +31,14 @@ ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_l
     if (!(std::abs(angle_rad) <= std::numbers::pi / 2.0)) continue;
     ++forward;
     if (ranges[i] == types::kNoReturn) ++empty;
+    if (std::isnan(ranges[i])) ++unknown;
     if (ranges[i] < static_cast<float>(covered_m)) ++covered;  // kTooNear is -infinity
   }
   if (forward == 0) return {};
-  const auto all = static_cast<double>(forward);
-  return {static_cast<double>(empty) / all, static_cast<double>(covered) / all};
+  // Masked beams say nothing: counted among those that see something, they would hide a scanner that sees
+  // nothing.
+  const auto all = static_cast<double>(forward), told = static_cast<double>(forward - unknown);
+  return {told > 0.0 ? static_cast<double>(empty) / told : 0.0, static_cast<double>(covered) / all};
 }
 
 std::uint64_t PictureCheck::equal_pictures(const types::Scan& scan) {
