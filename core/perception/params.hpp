@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/types/se2.hpp"
+#include "core/types/sector.hpp"
 #include "core/types/stamp.hpp"
 
 // Parameters of core/perception. Where a value names no other source, it is a choice that the simulated
@@ -33,6 +34,10 @@ struct StopZoneParams {
   double forward_sector_rad = 60.0 * types::kDegree_rad;
   /// A longer gap of invalid beams is an obstacle: 13 mm wide at 1 m with 0.25 degrees.
   std::size_t bridged_beams = 3;
+  /// Bearings from the scanner, from straight ahead, that are not looked at: the robot's own posts. A gap
+  /// there is bridged whatever its width; what stood there when the view moved on is remembered (BlindSpot).
+  /// The configuration bounds them (daemon/config/masks.hpp).
+  types::Sectors masks{};
   /// Range of an obstacle nearer than the scanner measures, when its stated minimum is less than this.
   float least_range_m = 0.02F;
   /// Of an echo: a sweep of the transducers takes 320 ms.

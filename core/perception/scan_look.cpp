@@ -43,13 +43,22 @@ bool take_look(const types::Scan& scan, double omega_radps, ScanLook& out) {
   out.step_rad = static_cast<double>(turned.angle_increment_rad);
   out.first_rad = static_cast<double>(g.angle_min_rad) - omega_radps * between_s * middle;
   out.range_max_m = static_cast<double>(g.range_max_m);
-  if (scan.beams < 2 || !(out.step_rad > 0.0) || !std::isfinite(out.first_rad)) return false;
+  if (scan.beams < 2 || !(std::abs(out.step_rad) > 0.0) || !std::isfinite(out.step_rad) ||
+      !std::isfinite(out.first_rad))
+    return false;
   out.stamp = scan.first_beam + types::from_seconds(between_s * middle);
   turned.angle_min_rad = static_cast<float>(out.first_rad);
   types::BeamDirections direction(turned, 0.0);
+  // A look is counter-clockwise: of a scanner that is mounted upside down the last beam comes first.
+  const bool clockwise = out.step_rad < 0.0;
   for (std::size_t i = 0; i < out.beams; ++i, direction.advance()) {
-    out.range_m[i] = scan.range_m[i];
-    if (out.is_hit(i)) out.points[i] = static_cast<double>(scan.range_m[i]) * direction.now();
+    const std::size_t at = clockwise ? out.beams - 1 - i : i;
+    out.range_m[at] = scan.range_m[i];
+    if (out.is_hit(at)) out.points[at] = static_cast<double>(scan.range_m[i]) * direction.now();
+  }
+  if (clockwise) {
+    out.first_rad += out.step_rad * static_cast<double>(out.beams - 1);
+    out.step_rad = -out.step_rad;
   }
   return true;
 }

@@ -43,10 +43,23 @@ std::size_t gap_end(const Scan& scan, std::size_t beam) {
   return beam;
 }
 
+/// Invalid beams in the gap [begin, end) that no mask explains.
+std::size_t unmasked(const Scan& scan, const types::Se2& T_base_laser, std::size_t begin, std::size_t end,
+                     const types::Sectors& masks) {
+  if (masks.count == 0) return end - begin;
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i)
+    if (!masks.holds(bearing_rad(scan, T_base_laser, i))) ++count;
+  return count;
+}
+
 /// Range assumed for an invalid beam in the gap [begin, end).
-float gap_range_m(const Scan& scan, std::size_t begin, std::size_t end, const StopZoneParams& params) {
+float gap_range_m(const Scan& scan, const types::Se2& T_base_laser, std::size_t begin, std::size_t end,
+                  const StopZoneParams& params) {
   const float least_m = std::max(scan.geometry.range_min_m, params.least_range_m);
-  if (end - begin > params.bridged_beams || begin == 0 || end == scan.beams) return least_m;
+  if (unmasked(scan, T_base_laser, begin, end, params.masks) > params.bridged_beams || begin == 0 ||
+      end == scan.beams)
+    return least_m;
   const float nearer_m = std::min(scan.range_m[begin - 1], scan.range_m[end]);
   return nearer_m < least_m ? least_m : nearer_m;
 }
@@ -90,6 +103,7 @@ void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, const S
     return T_base_laser.translation() + static_cast<double>(range_m) * direction.now();
   };
   std::size_t gap_begin = 0, gap_until = 0;
+  float taken_m = 0.0F;  // of the gap that ends at gap_until
   for (std::size_t i = 0; i < scan.beams; ++i, direction.advance()) {
     const float range_m = scan.range_m[i];
     if (range_m == types::kNoReturn) continue;
@@ -107,8 +121,8 @@ void for_each_obstacle(const Scan& scan, const types::Se2& T_base_laser, const S
       gap_begin = i;
       while (gap_begin > 0 && std::isnan(scan.range_m[gap_begin - 1])) --gap_begin;
       gap_until = gap_end(scan, i);
+      taken_m = gap_range_m(scan, T_base_laser, gap_begin, gap_until, params);
     }
-    const float taken_m = gap_range_m(scan, gap_begin, gap_until, params);
     if (taken_m != types::kNoReturn) visit(point(taken_m), true);
   }
 }

@@ -42,6 +42,7 @@ motion::GateInput ControlSenses::perceive(const ControlSetup& setup, const Contr
   g.T_base_laser = setup.T_base_laser;
   g.moving = moving(setup, in);
   g.front_points = points(setup, in, g.moving);
+  if (in.front != nullptr) own_echo_.update(*in.front, setup.T_base_laser, setup.limits.footprint);
   g.T_base_sonar = in.T_base_sonar;
   g.estop_pressed = in.estop;
   g.estop_cleared = in.estop_cleared;

@@ -11,6 +11,7 @@
 #include "core/motion/velocity_gate.hpp"
 #include "core/perception/blind_spot.hpp"
 #include "core/perception/moving_obstacles.hpp"
+#include "core/perception/own_echo.hpp"
 #include "core/perception/steady_frame.hpp"
 #include "core/pipeline/control_step.hpp"
 
@@ -27,6 +28,7 @@ class ControlSenses {
 
   /// The last metre that the robot drove.
   [[nodiscard]] const motion::BreadcrumbPath& breadcrumbs() const { return breadcrumbs_; }
+  [[nodiscard]] const perception::OwnEcho& own_echo() const { return own_echo_; }
   /// Length straight behind the robot where the ground was observed free, metres, at most
   /// `most_m`.
   [[nodiscard]] double seen_behind_m(const motion::GateInput& gate_in, double most_m) const;
@@ -47,6 +49,7 @@ class ControlSenses {
   motion::BreadcrumbPath breadcrumbs_;
   types::Stamp breadcrumbs_stamp_{};
   perception::BlindSpot blind_spot_;
+  perception::OwnEcho own_echo_;
   perception::MovingObstacles tracker_;
   std::array<perception::MovingObstacle, perception::MovingObstacles::kMax> moving_{};
   /// Points seen before, and from BlindSpot::kMax on those of the present scan.

@@ -151,6 +151,7 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   report.commanded = out.command.twist;
   report.free_distance_m = out.free_distance_m;
   report.plausibility = opinion;
+  report.own_echo = memory.senses.own_echo().sector();
   report.recoveries = memory.following.recoveries();
   report.touches = memory.touches.count;
   report.touched_odom = memory.touches.at_odom;

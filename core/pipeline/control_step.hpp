@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/motion/velocity_gate.hpp"
@@ -15,6 +16,7 @@
 #include "core/types/base_state.hpp"
 #include "core/types/place_standing.hpp"
 #include "core/types/scan.hpp"
+#include "core/types/sector.hpp"
 
 namespace topo::pipeline {
 
@@ -86,6 +88,8 @@ struct ControlReport {
   /// Where sonar detects something that the laser does not (perception::unseen_echoes), in odom.
   std::array<types::Vector2, 8> unseen_odom{};
   std::uint8_t unseen = 0;
+  /// Where the front scanner steadily sees something within the robot's own outline (perception::OwnEcho).
+  std::optional<types::Sector> own_echo;
 };
 
 struct ControlOutput {

@@ -19,7 +19,7 @@ const std::array<DoubtText, kDoubts>& doubt_texts() {
       {"impossible_motion", "the base reports a motion that its model cannot make",
        "look at encoders, controller and line; ends after a second of possible reports"},
       {"match_disagrees", "odometry and the front scanner measure different motions",
-       "are the scanners exchanged, is one of another robot, is a mount (yaw_rad, upside_down) wrong, do the "
+       "are the scanners exchanged, is one of another robot, is a mount (yaw_rad, mirrored) wrong, do the "
        "wheels slip, was the robot carried? It ends when the robot stands, and after the third time in a "
        "minute "
        "by `topoctl clear-estop`"},

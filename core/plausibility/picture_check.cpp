@@ -52,8 +52,10 @@ ForwardShares forward_shares(const types::Scan& scan, const types::Se2& T_base_l
     if (ranges[i] < static_cast<float>(covered_m)) ++covered;  // kTooNear is -infinity
   }
   if (forward == 0) return {};
-  const auto all = static_cast<double>(forward);
-  return {static_cast<double>(empty) / all, static_cast<double>(failed) / all,
+  // Failed and masked beams say nothing: counted among those that see something, they would hide a scanner
+  // that sees nothing.
+  const auto all = static_cast<double>(forward), told = static_cast<double>(forward - failed);
+  return {told > 0.0 ? static_cast<double>(empty) / told : 0.0, static_cast<double>(failed) / all,
           static_cast<double>(covered) / all};
 }
 

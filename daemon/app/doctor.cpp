@@ -12,6 +12,7 @@
 #include "core/types/watchdog.hpp"
 #include "daemon/app/battery_text.hpp"
 #include "daemon/app/device_cure.hpp"
+#include "daemon/config/masks.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -144,6 +145,30 @@ std::string blind_cure(const DoctorFacts& f) {
                  : "take away what covers the front scanner's window, and clean it";
 }
 
+/// What never changes within the robot's own outline is not in its way: it is a part of it.
+Check own_echo(const DoctorFacts& f, const types::Sector& seen) {
+  constexpr double kAside_deg = 1.0;  // a beam beside it grazes it
+  const double from_deg = seen.from_rad / types::kDegree_rad, to_deg = seen.to_rad / types::kDegree_rad;
+  types::Sectors masks = f.configuration.front.masks;
+  std::string cure = fmt::format(
+      "if it is a part of the robot, mask it: scanner.front.masks_deg with [{:.0f}, {:.0f}]; else look at "
+      "the "
+      "scanner's place (x_m, y_m, yaw_rad, mirrored) and the hull in the configuration",
+      from_deg - kAside_deg, to_deg + kAside_deg);
+  if (masks.count < types::Sectors::kMost) {
+    masks.all[masks.count++] = {seen.from_rad - kAside_deg * types::kDegree_rad,
+                                seen.to_rad + kAside_deg * types::kDegree_rad};
+    if (!masks_fault(masks).empty())
+      cure =
+          "it is in the sector that braking needs, of which too much cannot be masked: mount scanner or post "
+          "elsewhere, or look at the scanner's place (x_m, y_m, yaw_rad, mirrored) in the configuration";
+  }
+  return bad("motion",
+             fmt::format("seen inside the robot's own outline at {:.0f} degrees, and it never changes",
+                         0.5 * (from_deg + to_deg)),
+             std::move(cure));
+}
+
 /// The restriction on the base's motion at this moment.
 Check check_gate(const DoctorFacts& f) {
   const std::string name = "motion";
@@ -160,6 +185,7 @@ Check check_gate(const DoctorFacts& f) {
     case GateReason::kBlindScan:
       return bad(name, found, blind_cure(f));
     case GateReason::kBlocked:
+      if (f.base.control.own_echo) return own_echo(f, *f.base.control.own_echo);
       return bad(name, found, "something stands too near: move it, or turn away with topoctl drive");
     case GateReason::kStaleStatus:
     case GateReason::kInvalidStatus:

@@ -7,6 +7,7 @@
 
 #include "core/types/robot_limits.hpp"
 #include "daemon/app/doctor.hpp"
+#include "daemon/config/masks.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -92,6 +93,22 @@ Check check_speed(const Configuration& c) {
   return check;
 }
 
+Check check_masks(const Configuration& c) {
+  std::string found;
+  for (const auto& [name, scanner] : {std::pair("front", &c.front), std::pair("coronal", &c.coronal)}) {
+    if (!scanner->present || scanner->masks.count == 0) continue;
+    found += fmt::format("{}{}: {} degrees", found.empty() ? "" : ", ", name, sectors_text(scanner->masks));
+  }
+  if (found.empty()) return {"masks", true, "none", {}, {}};
+  return {
+      "masks",
+      true,
+      "not looked at, " + found,
+      {},
+      "what stands in these sectors is seen when the robot has turned, or by sonar alone; no wider than the "
+      "robot's own posts"};
+}
+
 Check check_team_security(const TeamConfig& team) {
   if (team.secure()) return {"team security", true, "credentials in " + team.security, {}, {}};
   return {
@@ -108,9 +125,9 @@ Check check_team_security(const TeamConfig& team) {
 }  // namespace
 
 std::vector<Check> examine_choices(const Configuration& configuration) {
-  std::vector<Check> checks{check_sonar(configuration), check_margin(configuration),
+  std::vector<Check> checks{check_sonar(configuration),  check_margin(configuration),
                             check_stamps(configuration), check_serial_numbers(configuration),
-                            check_speed(configuration)};
+                            check_speed(configuration),  check_masks(configuration)};
   if (configuration.team.present) checks.push_back(check_team_security(configuration.team));
   return checks;
 }

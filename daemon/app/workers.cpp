@@ -26,6 +26,27 @@ hokuyo::ConnectionConfig connection_config(const std::string& name, const Scanne
   config.intensity = scanner.intensity;
   config.skip_scans = scanner.skip_scans;
   config.stamp_offset_s = scanner.stamp_offset_s;
+  config.masks = scanner.masks;
+  return config;
+}
+
+/// The masks count from straight ahead, and the angles of a scan from the zero beam.
+hokuyo::ConnectionConfig front_config(const ScannerConfig& front) {
+  hokuyo::ConnectionConfig config = connection_config("front", front);
+  config.mirrored = is_upside_down(front);
+  for (types::Sector& mask : config.masks.all)
+    mask = {mask.from_rad - front.yaw_rad, mask.to_rad - front.yaw_rad};
+  return config;
+}
+
+/// They count from straight up to the robot's left; a mirrored scanner is turned round by
+/// walls::CoronalMount.
+hokuyo::ConnectionConfig coronal_config(const ScannerConfig& coronal) {
+  hokuyo::ConnectionConfig config = connection_config("coronal", coronal);
+  for (types::Sector& mask : config.masks.all) {
+    const types::Sector seen = coronal.mirrored ? types::Sector{-mask.to_rad, -mask.from_rad} : mask;
+    mask = {seen.from_rad - coronal.roll_rad, seen.to_rad - coronal.roll_rad};
+  }
   return config;
 }
 
@@ -76,14 +97,13 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   if (!front) return tl::unexpected(front.error());
   w.front_.worker = std::make_unique<ScanWorker>(
       hand_overs, hand_overs.front, true,
-      std::make_unique<hokuyo::Connection>(connection_config("front", c.front), std::move(*front)),
-      w.front_.vitals);
+      std::make_unique<hokuyo::Connection>(front_config(c.front), std::move(*front)), w.front_.vitals);
   if (c.coronal.present) {
     auto coronal = connectors("coronal", c.coronal.address);
     if (!coronal) return tl::unexpected(coronal.error());
     w.coronal_.worker = std::make_unique<ScanWorker>(
         hand_overs, hand_overs.coronal, false,
-        std::make_unique<hokuyo::Connection>(connection_config("coronal", c.coronal), std::move(*coronal)),
+        std::make_unique<hokuyo::Connection>(coronal_config(c.coronal), std::move(*coronal)),
         w.coronal_.vitals);
   }
   w.mapping_.worker =

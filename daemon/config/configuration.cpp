@@ -3,6 +3,7 @@
 #include "daemon/config/configuration.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace topo::daemon {
 
@@ -66,8 +67,11 @@ pipeline::ControlSetup control_setup(const Configuration& configuration) {
 pipeline::ControlParams control_params(const Configuration& configuration) {
   pipeline::ControlParams params;
   params.plausibility = configuration.plausibility;
+  params.perception.stop_zone.masks = configuration.front.masks;
   return params;
 }
+
+bool is_upside_down(const ScannerConfig& front) { return front.mirrored != (std::cos(front.roll_rad) < 0.0); }
 
 types::Footprint footprint(const Configuration& configuration) {
   const types::ModelSize model = model_size(configuration.robot.model);

@@ -14,6 +14,7 @@
 #include "core/types/battery.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/se2.hpp"
+#include "core/types/sector.hpp"
 
 namespace topo::daemon {
 
@@ -49,9 +50,13 @@ struct ScannerConfig {
   double x_m = 0.0;
   double y_m = 0.0;
   double z_m = 0.3;
-  double yaw_rad = 0.0;   ///< front only: angle of the zero beam from straight ahead
-  double roll_rad = 0.0;  ///< coronal only: angle of the zero beam from straight up towards the left
-  bool mirrored = false;  ///< coronal only: beams count towards the right
+  double yaw_rad = 0.0;  ///< front only: angle of the zero beam from straight ahead
+  /// Coronal: angle of the zero beam from straight up towards the left. Front: turn about the zero beam, 0
+  /// upright or pi upside down.
+  double roll_rad = 0.0;
+  bool mirrored = false;  ///< beams count towards the right; of the front scanner: clockwise from above
+  types::Sectors
+      masks{};  ///< not looked at; front: from straight ahead, coronal: from straight up, to the left
   bool intensity = false;
   int skip_scans = 0;
   double stamp_offset_s = 0.0;
@@ -158,6 +163,9 @@ struct Configuration {
 
 /// Parameters of the base thread's step, with what may be configured of them.
 [[nodiscard]] pipeline::ControlParams control_params(const Configuration& configuration);
+
+/// True when the front scanner's beams count clockwise seen from above.
+[[nodiscard]] bool is_upside_down(const ScannerConfig& front);
 
 /// The robot's hull: the configured one, or the model's.
 [[nodiscard]] types::Footprint footprint(const Configuration& configuration);

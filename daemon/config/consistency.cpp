@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "daemon/config/forward_view.hpp"
+#include "daemon/config/masks.hpp"
 #include "drivers/pioneer/robot_models.hpp"
 
 namespace topo::daemon {
@@ -112,6 +114,22 @@ void check_forward_view(LoadedConfiguration& loaded) {
   const std::string fault = forward_view_fault(loaded.values.front.yaw_rad);
   if (fault.empty()) return;
   loaded.faults.push_back({place_of(loaded, "scanner.front.yaw_rad"), "scanner.front.yaw_rad: " + fault});
+}
+
+/// The mapper takes the front scanner's plane for level.
+void check_front_mount(LoadedConfiguration& loaded) {
+  constexpr double kLevel_rad = 0.1;  // 0.5 % of every distance to the side
+  const ScannerConfig& front = loaded.values.front;
+  if (std::abs(std::sin(front.roll_rad)) > std::sin(kLevel_rad)) {
+    loaded.faults.push_back(
+        {place_of(loaded, "scanner.front.roll_rad"),
+         fmt::format("scanner.front.roll_rad: found {}, expected 0 (upright) or 3.1416 (upside down), either "
+                     "within {}: the map needs a level plane",
+                     front.roll_rad, kLevel_rad)});
+  }
+  if (const std::string fault = masks_fault(front.masks); !fault.empty())
+    loaded.faults.push_back(
+        {place_of(loaded, "scanner.front.masks_deg"), "scanner.front.masks_deg: " + fault});
 }
 
 void check_model(LoadedConfiguration& loaded) {
@@ -219,6 +237,7 @@ void check_consistency(LoadedConfiguration& loaded) {
   check_addresses(loaded);
   check_serial_numbers(loaded);
   check_forward_view(loaded);
+  check_front_mount(loaded);
   check_model(loaded);
   check_area(loaded);
   check_team(loaded);

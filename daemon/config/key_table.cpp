@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "core/types/watchdog.hpp"
+#include "daemon/config/masks.hpp"
 #include "daemon/config/polygon.hpp"
 #include "daemon/config/pose.hpp"
 #include "drivers/pioneer/robot_models.hpp"
@@ -167,7 +168,15 @@ void add_scanner(std::vector<KeySpec>& t, const std::string& section, bool coron
         {key("yaw_rad"), "rad", false, RealKey{&at<kS, &C::yaw_rad>, -3.15, 3.15},
          "turn of the sensor's zero beam from straight ahead, counter-clockwise seen from above; the forward "
          "sector must stay in view"});
+    t.push_back({key("roll_rad"), "rad", false, RealKey{&at<kS, &C::roll_rad>, -3.15, 3.15},
+                 "turn of the sensor about its zero beam: 0 upright, 3.1416 upside down"});
+    t.push_back({key("mirrored"), "", false, SwitchKey{&at<kS, &C::mirrored>},
+                 "the sensor's beams run clockwise seen from above: mounted upside down"});
   }
+  t.push_back({key("masks_deg"), "deg", false, SectorsKey{&at<kS, &C::masks>},
+               coronal
+                   ? "sectors not looked at, from straight up towards the robot's left: its own posts"
+                   : "sectors not looked at, counter-clockwise from straight ahead: the robot's own posts"});
   t.push_back({key("intensity"), "", false, SwitchKey{&at<kS, &C::intensity>},
                "stream intensities too (ME instead of MD): half as much again on the wire"});
   t.push_back({key("skip_scans"), "", false, IntegerKey{&at<kS, &C::skip_scans>, 0, 9},
@@ -415,6 +424,7 @@ struct ExpectedText {
   std::string operator()(const PolygonListKey&) const {
     return "a list of polygons [[[x, y], [x, y], [x, y], ...], ...] whose edges do not cross";
   }
+  std::string operator()(const SectorsKey&) const { return std::string(kSectorsForm); }
 };
 
 /// The shortest text that reads back as the same double; with ".0" where needed, because TOML distinguishes
@@ -448,6 +458,7 @@ struct ValueText {
       text += (text.empty() ? "" : ", ") + polygon_text(polygon);
     return "[" + text + "]";
   }
+  std::string operator()(const SectorsKey& k) const { return sectors_text(k.field(c)); }
 };
 
 }  // namespace

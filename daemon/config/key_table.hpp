@@ -64,8 +64,11 @@ struct PolygonKey {  ///< an empty list of corners: no polygon
 struct PolygonListKey {
   std::vector<types::Polygon>& (*field)(Configuration&);
 };
+struct SectorsKey {  ///< [[from, to], ...] in degrees
+  types::Sectors& (*field)(Configuration&);
+};
 using KeyKind = std::variant<RealKey, IntegerKey, SwitchKey, TextKey, ChoiceKey, AddressKey, IntegerListKey,
-                             TextListKey, PoseKey, PolygonKey, PolygonListKey>;
+                             TextListKey, PoseKey, PolygonKey, PolygonListKey, SectorsKey>;
 
 /// One key of the configuration file.
 struct KeySpec {

@@ -14,6 +14,7 @@
 
 #include "daemon/config/consistency.hpp"
 #include "daemon/config/key_table.hpp"
+#include "daemon/config/masks.hpp"
 #include "daemon/config/polygon.hpp"
 #include "daemon/config/pose.hpp"
 #include "daemon/config/suggest.hpp"
@@ -123,6 +124,10 @@ struct Store {
     return {};
   }
 
+  Outcome operator()(const SectorsKey& k) const {
+    if (!read_sectors(node, k.field(c))) return "";
+    return {};
+  }
   Outcome operator()(const PolygonKey& k) const {
     if (const auto* list = node.as_array(); list != nullptr && list->empty())
       return k.field(c).reset(), Outcome{};

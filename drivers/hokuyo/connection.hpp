@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/types/scan.hpp"
+#include "core/types/sector.hpp"
 #include "drivers/io/byte_stream.hpp"
 
 namespace topo::hokuyo {
@@ -20,6 +21,8 @@ struct ConnectionConfig {
   std::string serial_number{};  ///< as reported by VV ("H0902680"); empty: any. A leading 0 equals H.
   bool intensity = false;       ///< stream ME instead of MD
   int skip_scans = 0;           ///< 0..9 scans omitted between two
+  bool mirrored = false;        ///< upside down: the beams count clockwise in the scans that are given out
+  types::Sectors masks{};       ///< angles of the scans that are given out: beams there are kInvalid
   double stamp_offset_s = 0.0;  ///< added to every stamp (PROTOCOLS section 12: step 0 or rear mark)
 };
 

@@ -156,18 +156,31 @@ void Connection::Impl::prepare_stream() {
   const double period_s = turn_s * (stream.request.interval + 1);
   const double centre =
       stream.request.start + (stream.request.cluster - 1) / 2.0;  // of the first group of steps
-  stream.geometry.angle_min_rad = static_cast<float>((centre - found.step_front) * step_rad);
-  stream.geometry.angle_increment_rad = static_cast<float>(stream.request.cluster * step_rad);
+  // The order of the beams stays that of their times.
+  const double side = config.mirrored ? -1.0 : 1.0;
+  stream.geometry.angle_min_rad = static_cast<float>(side * (centre - found.step_front) * step_rad);
+  stream.geometry.angle_increment_rad = static_cast<float>(side * stream.request.cluster * step_rad);
   stream.geometry.time_increment_s = static_cast<float>(stream.request.cluster * step_s);
   stream.geometry.period_s = static_cast<float>(period_s);
   stream.geometry.range_min_m =
       static_cast<float>(std::max(found.distance_min_mm, RangeDecoder::kLeast_mm) * 1e-3);
   stream.geometry.range_max_m = static_cast<float>(found.distance_max_mm * 1e-3);
+  mark_masked();
   stream.turn = types::from_seconds(turn_s);
   stream.first_offset = types::from_seconds(centre * step_s + config.stamp_offset_s);
   stream.silence_limit = std::max<Duration>(types::from_seconds(10.0 * period_s), 500ms);
 
   restart_stream();
+}
+
+void Connection::Impl::mark_masked() {
+  stream.masked.reset();
+  const types::ScanGeometry& g = stream.geometry;
+  for (std::size_t i = 0; i < std::min(stream.request.points(), stream.masked.size()); ++i) {
+    const double angle_rad = static_cast<double>(g.angle_min_rad) +
+                             static_cast<double>(i) * static_cast<double>(g.angle_increment_rad);
+    stream.masked[i] = config.masks.holds(angle_rad);
+  }
 }
 
 /// Starts with the clock: TM is refused while the sensor measures.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <bitset>
 #include <memory>
 #include <optional>
 #include <string>
@@ -90,8 +91,9 @@ struct StreamPlan {
   StreamRequest request;
   RangeDecoder decode;
   types::ScanGeometry geometry;
-  types::Duration turn{};          ///< rotation period of the mirror
-  types::Duration first_offset{};  ///< from the sensor's stamp to the first beam
+  std::bitset<types::Scan::kMaxBeams> masked;  ///< beams that are not looked at
+  types::Duration turn{};                      ///< rotation period of the mirror
+  types::Duration first_offset{};              ///< from the sensor's stamp to the first beam
   types::Duration silence_limit{};
 };
 
@@ -124,6 +126,7 @@ struct Connection::Impl {
   void on_version();
   void on_parameters();
   void prepare_stream();
+  void mark_masked();
   void on_adjust_reply();
   void on_sample();
   void enter_laser();

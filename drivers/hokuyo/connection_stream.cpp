@@ -97,7 +97,8 @@ void Connection::Impl::fill(types::Scan& out, const SensorClock::Result& time) c
   types::require(raw.points <= types::Scan::kMaxBeams, "hokuyo: more points than a scan holds");
   out.beams = static_cast<std::uint16_t>(raw.points);
   out.has_intensity = stream.intensity;
-  for (std::size_t i = 0; i < raw.points; ++i) out.range_m[i] = stream.decode(raw.range_mm[i]);
+  for (std::size_t i = 0; i < raw.points; ++i)
+    out.range_m[i] = stream.masked[i] ? types::kInvalid : stream.decode(raw.range_mm[i]);
   if (!stream.intensity) return;
   for (std::size_t i = 0; i < raw.points; ++i) {
     out.intensity[i] = static_cast<std::uint16_t>(std::min<std::uint32_t>(raw.intensity[i], 0xFFFF));

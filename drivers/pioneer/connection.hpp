@@ -47,7 +47,7 @@ enum class WatchdogSource : std::uint8_t { kTold, kGiven, kMeasured };
 
 /// The robot's names, its CONFIG packet, and the model's table (PROTOCOLS section 6).
 struct RobotInfo {
-  std::string name, robot_class, subclass, firmware, serial_number;
+  std::string name, subclass, firmware, serial_number;
   std::string assumed;  ///< of its factors, by its family; empty: nothing
   int watchdog_ms = 0;  ///< 0: unknown, driving is refused
   WatchdogSource watchdog = WatchdogSource::kTold;

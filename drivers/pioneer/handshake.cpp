@@ -76,7 +76,8 @@ types::Status Handshake::begin() {
 
 bool Handshake::opening_refused(bool line_lost) const {
   if (beginning_.opening == Opening::kSyncAlone) return false;
-  const bool at_the_beginning = phase_ == Phase::kQuiet || (phase_ == Phase::kSync && sync_index_ == 0);
+  const bool at_the_beginning =
+      phase_ == Phase::kQuiet || (phase_ == Phase::kSync && attempts_.sync_index == 0);
   return beginning_.echoed || (line_lost && at_the_beginning && !beginning_.heard);
 }
 
@@ -109,7 +110,7 @@ Handshake::Progress Handshake::begin_quiet() {
 }
 
 Handshake::Progress Handshake::restart(const char* why) {
-  if (++restarts_ > kRestarts)
+  if (++attempts_.restarts > kRestarts)
     return fail(Health::kRefuses, device_ + ": " + why + " (" + std::to_string(kRestarts) +
                                       " attempts); switch the robot off and on");
   return begin_quiet();
@@ -132,13 +133,13 @@ Handshake::Progress Handshake::on_time() {
     case Phase::kSync:
       return sync_timed_out();
     case Phase::kFirstStatus:
-      if (++tries_ >= kTries)
+      if (++attempts_.tries >= kTries)
         return fail(Health::kRefuses,
                     device_ + ": " + names_.name + " answers SYNC but sends no status after OPEN");
       send_open();
       return Progress::kPending;
     case Phase::kConfig:
-      if (++tries_ >= kTries) return no_config();
+      if (++attempts_.tries >= kTries) return no_config();
       send_config_request();
       return Progress::kPending;
   }
@@ -148,25 +149,26 @@ Handshake::Progress Handshake::on_time() {
 Handshake::Progress Handshake::end_quiet() {
   if (last_status_ != types::Stamp{} && link_.now() - last_status_ < kStillStreaming)
     return restart("an old connection goes on streaming and does not obey CLOSE");
-  tries_ = 0;
+  attempts_.tries = 0;
   send_sync(0);
   return Progress::kPending;
 }
 
 void Handshake::send_sync(unsigned index) {
-  sync_index_ = index;
+  attempts_.sync_index = index;
   link_.outbox().push(encode(static_cast<Command>(index)));
   enter(Phase::kSync, kSyncTime);
 }
 
 Handshake::Progress Handshake::sync_timed_out() {
-  if (++tries_ < kTries) {
+  if (++attempts_.tries < kTries) {
     // The packets before may have been lost, and on a connection that is still open SYNC0 is a PULSE.
-    if (sync_index_ == 0 && beginning_.opening == Opening::kFull) link_.outbox().set_estop();
-    send_sync(sync_index_);
+    if (attempts_.sync_index == 0 && beginning_.opening == Opening::kFull) link_.outbox().set_estop();
+    send_sync(attempts_.sync_index);
     return Progress::kPending;
   }
-  if (sync_index_ > 0) return restart("the robot begins to answer SYNC0, SYNC1, SYNC2 but does not finish");
+  if (attempts_.sync_index > 0)
+    return restart("the robot begins to answer SYNC0, SYNC1, SYNC2 but does not finish");
   return next_baud();
 }
 
@@ -202,8 +204,8 @@ Handshake::Progress Handshake::on_packet(const PacketView& packet) {
     case Phase::kFirstStatus:
       if (is_reset(packet)) return restart("the controller resets at OPEN");
       if (!decode_status(packet.payload)) return Progress::kPending;
-      tries_ = 0;
-      damaged_before_ = link_.damaged_configs();
+      attempts_.tries = 0;
+      attempts_.damaged_before = link_.damaged_configs();
       send_config_request();
       return Progress::kPending;
     case Phase::kConfig:
@@ -225,11 +227,11 @@ Handshake::Progress Handshake::on_quiet_packet(const PacketView& packet) {
 Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
   if (packet.is_status()) return restart("an old connection goes on streaming and does not obey CLOSE");
   if (is_reset(packet)) return restart("the robot rejects the order of SYNC0, SYNC1, SYNC2");
-  if (packet.type() != sync_index_) return Progress::kPending;
+  if (packet.type() != attempts_.sync_index) return Progress::kPending;
   heard_robot_ = true;
-  if (sync_index_ == 2) return on_names(packet);
-  tries_ = 0;
-  send_sync(sync_index_ + 1);
+  if (attempts_.sync_index == 2) return on_names(packet);
+  attempts_.tries = 0;
+  send_sync(attempts_.sync_index + 1);
   return Progress::kPending;
 }
 
@@ -261,7 +263,7 @@ Handshake::Progress Handshake::judge_names() {
     return fail(Health::kWrongDevice, found + "a " + expected_.chassis + " (robot.model)");
   if (!expected_.name.empty() && names_.name != expected_.name)
     return another_robot("\"" + names_.name + "\"", "\"" + expected_.name + "\"");
-  tries_ = 0;
+  attempts_.tries = 0;
   send_open();
   return Progress::kPending;
 }
@@ -284,7 +286,7 @@ Handshake::Progress Handshake::on_config(const PacketView& packet) {
 
 /// Old firmware does not know CONFIG and is accepted, but not as a robot that is told apart by it.
 Handshake::Progress Handshake::no_config() {
-  config_.damaged += static_cast<int>(link_.damaged_configs() - damaged_before_);
+  config_.damaged += static_cast<int>(link_.damaged_configs() - attempts_.damaged_before);
   if (expected_.serial_number.empty()) return Progress::kDone;
   const std::string robot = device_ + ": found robot \"" + names_.name + "\"";
   if (config_.damaged > 0)

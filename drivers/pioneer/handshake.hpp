@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -78,6 +79,12 @@ class Handshake {
     Health health = Health::kSilent;
     std::string message;
   };
+  struct Attempts {
+    unsigned sync_index = 0;
+    int tries = 0;  ///< of what the phase waits for
+    int restarts = 0;
+    std::uint64_t damaged_before = 0;  ///< Link::damaged_configs() at the first request
+  };
   /// How the connection begins, and what was heard of it.
   struct Beginning {
     Opening opening = Opening::kFull;
@@ -117,16 +124,13 @@ class Handshake {
   types::Duration wait_{};
   types::Stamp deadline_{};
   types::Stamp last_status_{};
-  unsigned sync_index_ = 0;
-  int tries_ = 0;
-  int restarts_ = 0;
+  Attempts attempts_;
   bool heard_robot_ = false;
   std::string foreign_;  ///< first received bytes that were not ARCOS, with their speed
 
   Names names_;
   const RobotModel* model_ = nullptr;
   ConfigAnswer config_;
-  std::uint64_t damaged_before_ = 0;  ///< Link::damaged_configs() at the first request
   Failure failure_;
 };
 

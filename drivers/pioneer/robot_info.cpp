@@ -28,7 +28,6 @@ void add_config(RobotInfo& info, const ConfigPacket& config) {
   info.omega_top_radps = lower(info.omega_top_radps, config.rot_velocity_top_degps * types::kDegree_rad);
   info.deceleration_top_mps2 = config.acceleration_top_mmps2 * 1e-3;
   info.low_battery_v = config.low_battery_decivolt * 0.1;
-  if (!config.robot_class.empty()) info.robot_class = config.robot_class;
 }
 
 }  // namespace
@@ -37,7 +36,6 @@ RobotInfo make_robot_info(const std::string& name, const std::string& subclass, 
                           const ConfigAnswer& config, int given_watchdog_ms) {
   RobotInfo info;
   info.name = name;
-  info.robot_class = "Pioneer";
   info.subclass = subclass;
   info.assumed = assumption(subclass, model);
   info.v_top_mps = model.size.v_max_mps;

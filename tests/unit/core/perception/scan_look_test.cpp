@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include <array>
 
 #include "tests/unit/core/motion/generators.hpp"
@@ -139,6 +141,28 @@ TEST(ScanLook, ClearTowardsADiscIsTheLeastOfItsBeams) {
     RC_ASSERT(clear_m >= least_around_m);
     RC_ASSERT(look.clear_towards_m(p, radius_m + 0.1) <= clear_m);
   }));
+}
+
+/// A scanner that is mounted upside down counts its beams clockwise; what it sees is the same.
+TEST(ScanLook, ClockwiseBeamsGiveTheSameLook) {
+  auto upright = std::make_unique<types::Scan>(), turned = std::make_unique<types::Scan>();
+  upright->geometry = {-2.0F, 0.01F, 0.0F, 0.025F, 0.1F, 30.0F};
+  upright->beams = turned->beams = 401;
+  turned->geometry = {2.0F, -0.01F, 0.0F, 0.025F, 0.1F, 30.0F};
+  for (std::size_t i = 0; i < 401; ++i) {
+    upright->range_m[i] = 1.0F + 0.01F * static_cast<float>(i);
+    turned->range_m[400 - i] = upright->range_m[i];
+  }
+  upright->first_beam = turned->first_beam = types::stamp_from_seconds(5.0);
+  auto a = std::make_unique<ScanLook>(), b = std::make_unique<ScanLook>();
+  ASSERT_TRUE(take_look(*upright, 0.0, *a));
+  ASSERT_TRUE(take_look(*turned, 0.0, *b));
+  EXPECT_NEAR(a->first_rad, b->first_rad, 1e-5);
+  EXPECT_NEAR(a->step_rad, b->step_rad, 1e-9);
+  for (std::size_t i = 0; i < 401; ++i) {
+    ASSERT_EQ(a->range_m[i], b->range_m[i]) << i;
+    ASSERT_LT((a->points[i] - b->points[i]).norm(), 1e-4) << i;
+  }
 }
 
 }  // namespace

@@ -99,6 +99,11 @@ TEST(Doctor, WarnsOfWhatIsDaringAndDoesNotCallItBad) {
        [](DoctorFacts& f) { f.watchdog_ms = 2000; }},
       {"base", "ready", "\"p3dx-sh-lms1xx\" is driven as p3dx-sh; drive 2 m and a turn by hand",
        [](DoctorFacts& f) { f.devices[0].assumed = "\"p3dx-sh-lms1xx\" is driven as p3dx-sh"; }},
+      {"masks", "front: [[40.0", "no wider than the robot's own posts",
+       [](DoctorFacts& f) {
+         f.configuration.front.masks.count = 1;
+         f.configuration.front.masks.all[0] = {40.0 * types::kDegree_rad, 44.0 * types::kDegree_rad};
+       }},
       {"speed", "at most 0.8 m/s", "0.64 m (0.49 m at 0.7 m/s)",
        [](DoctorFacts& f) { f.configuration.base.v_max_mps = 0.8; }},
       {"team security", "off", "who is in reach of wlan0 can read, disturb and command the team",
@@ -269,6 +274,19 @@ TEST(Doctor, BlindBeamsOfAnUnknownModelAreNotADirtyWindow) {
   EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("clean it"));
   facts.devices[1].assumed = "the model \"UAM-05LP\" is not known";
   EXPECT_THAT(the_bad_one(facts).cure, AllOf(HasSubstr("model is not known"), Not(HasSubstr("clean"))));
+}
+
+TEST(Doctor, WhatIsInsideTheOutlineIsMaskedNotMoved) {
+  DoctorFacts facts = healthy();
+  facts.base.control.reason = motion::GateReason::kBlocked;
+  EXPECT_THAT(the_bad_one(facts).cure, HasSubstr("move it"));
+  facts.base.control.own_echo = types::Sector{38.0 * types::kDegree_rad, 42.0 * types::kDegree_rad};
+  EXPECT_THAT(the_bad_one(facts).found, HasSubstr("seen inside the robot's own outline at 40 degrees"));
+  EXPECT_THAT(the_bad_one(facts).cure,
+              AllOf(HasSubstr("mask it: scanner.front.masks_deg with [37, 43]"), Not(HasSubstr("move it"))));
+  // What --check-config would refuse is no cure.
+  facts.base.control.own_echo = types::Sector{-3.0 * types::kDegree_rad, 3.0 * types::kDegree_rad};
+  EXPECT_THAT(the_bad_one(facts).cure, AllOf(HasSubstr("cannot be masked"), Not(HasSubstr("mask it"))));
 }
 
 TEST(Doctor, StopButtonAndLatch) {

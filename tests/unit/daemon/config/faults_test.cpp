@@ -106,6 +106,52 @@ TEST(Configuration, TheFamilyOfTheBaseIsOneOfItsModel) {
               ElementsAre(StartsWith("5:10: base.family: found \"seekur\", expected a string: p3dx-sh, ")));
 }
 
+TEST(Configuration, MasksOfTheFrontScannerLeaveWhatBrakingNeeds) {
+  const auto faults = [](const char* masks) {
+    return faults_of(with(std::string("masks_deg = ") + masks + "\n"));
+  };
+  for (const char* good : {"[]", "[[38, 44], [-44, -38]]", "[[100, 130], [-130, -100]]", "[[16, 26]]",
+                           "[[170, 190]]", "[[55, 75]]"})
+    EXPECT_THAT(faults(good), IsEmpty()) << good;
+  for (const auto& [bad, said] :
+       {std::pair{"[[-5, 5]]", "within 15 degrees of straight ahead"},
+        {"[[355, 359]]", "within 15 degrees of straight ahead"},
+        {"[[30, 41]]", "11 degrees of it are in the sector that braking needs"},
+        {"[[40, 80]]", "20 degrees of it are in the sector"},
+        {"[[20, 30], [31, 41], [-30, -20], [-40, -39]]", "found 31 degrees together"},
+        {"[[44, 38]]", "expected at most 8 sectors"},
+        {"[[0, 360]]", "expected at most 8 sectors"},
+        {"[40, 44]", "expected at most 8 sectors"},
+        {"[[40, nan]]", "expected at most 8 sectors"}}) {
+    const auto found = faults(bad);
+    ASSERT_EQ(found.size(), 1U) << bad;
+    EXPECT_THAT(found[0], HasSubstr(said)) << bad;
+    EXPECT_THAT(found[0], HasSubstr("scanner.front.masks_deg")) << bad;
+  }
+}
+
+TEST(Configuration, AFrontScannerIsUprightOrUpsideDown) {
+  const auto read = [](const char* keys) { return parse_configuration(with(keys), "f.toml"); };
+  EXPECT_FALSE(is_upside_down(read("").values.front));
+  EXPECT_TRUE(is_upside_down(read("mirrored = true\n").values.front));
+  EXPECT_TRUE(is_upside_down(read("roll_rad = 3.1416\n").values.front));
+  EXPECT_FALSE(is_upside_down(read("roll_rad = -3.1416\nmirrored = true\n").values.front));
+  EXPECT_THAT(read("roll_rad = 0.05\n").faults, IsEmpty());
+  const auto tilted = read("roll_rad = 1.57\n");
+  ASSERT_EQ(tilted.faults.size(), 1U);
+  EXPECT_THAT(tilted.faults[0].message, HasSubstr("expected 0 (upright) or 3.1416 (upside down)"));
+}
+
+TEST(Configuration, MasksReadBackAsTheyArePrinted) {
+  const auto loaded = parse_configuration(with("masks_deg = [[38.1, 44.7], [-130, -100]]\n"), "f.toml");
+  ASSERT_THAT(loaded.faults, IsEmpty());
+  EXPECT_EQ(loaded.values.front.masks.count, 2U);
+  const auto again = parse_configuration(effective_text(loaded), "g.toml");
+  EXPECT_THAT(again.faults, IsEmpty());
+  EXPECT_EQ(again.values.front.masks, loaded.values.front.masks);
+  EXPECT_EQ(control_params(loaded.values).perception.stop_zone.masks, loaded.values.front.masks);
+}
+
 TEST(Configuration, SyntaxFaultsDoNotHideTheOthers) {
   const auto faults = faults_of(R"([robot]
 model =

@@ -89,6 +89,45 @@ TEST_F(SessionConnect, AModelThatIsNotKnownStreamsAndIsNamed) {
   EXPECT_EQ(connection->health(), Health::kStreaming);
 }
 
+TEST_F(SessionConnect, AScannerUpsideDownGivesClockwiseBeams) {
+  start(utm_ew());
+  ASSERT_TRUE(run_scans(1, 5s));
+  const types::ScanGeometry upright = scan.geometry;
+  const types::Duration first = scan.first_beam - sensor->measured.back();
+  line = {};
+  scans = 0;
+  ConnectionConfig config;
+  config.mirrored = true;
+  start(utm_ew(), config);
+  ASSERT_TRUE(run_scans(1, 5s));
+  EXPECT_FLOAT_EQ(scan.geometry.angle_min_rad, -upright.angle_min_rad);
+  EXPECT_FLOAT_EQ(scan.geometry.angle_increment_rad, -upright.angle_increment_rad);
+  EXPECT_FLOAT_EQ(scan.geometry.time_increment_s, upright.time_increment_s) << "in the order of their times";
+  EXPECT_LT(std::abs(types::to_seconds(scan.first_beam - sensor->measured.back() - first)), 2e-3);
+}
+
+TEST_F(SessionConnect, MaskedBeamsMeasureNothing) {
+  for (const bool mirrored : {false, true}) {
+    line = {};
+    scans = 0;
+    ConnectionConfig config;
+    config.mirrored = mirrored;
+    config.masks.all = {types::Sector{40.0 * types::kDegree_rad, 45.0 * types::kDegree_rad},
+                        types::Sector{170.0 * types::kDegree_rad, 190.0 * types::kDegree_rad}};
+    config.masks.count = 2;
+    start(utm_ew(), config);
+    ASSERT_TRUE(run_scans(1, 5s));
+    int masked = 0;
+    for (std::size_t i = 0; i < scan.beams; ++i) {
+      const double angle_deg = static_cast<double>(scan.angle_rad(i)) / types::kDegree_rad;
+      const bool inside = angle_deg > 39.99 && angle_deg < 45.01;
+      EXPECT_EQ(std::isnan(scan.range_m[i]), inside) << angle_deg;
+      masked += inside ? 1 : 0;
+    }
+    EXPECT_EQ(masked, 21);
+  }
+}
+
 TEST_F(SessionConnect, StreamsIntensity) {
   start(utm_ew(), {.intensity = true});
   ASSERT_TRUE(run_scans(3, 5s));
