@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Three daemons with their links as real processes, each link in a network namespace, in one simulated building.
 
-usage: team_test.py PROGRAMS SOURCES [unittest's arguments]
+usage: team_processes_test.py PROGRAMS SOURCES [unittest's arguments]
 
 Two classes, because robots are dear to start: Standing, where they need not move, and Mission, in which one exploration
 goes through all that may befall a team. How long things took is printed, and asserted nowhere."""
@@ -27,7 +27,7 @@ ONE_GOAL_S = 1.0
 
 
 def tell(words):
-    print("team_test: " + words, file=sys.stderr, flush=True)
+    print("team: " + words, file=sys.stderr, flush=True)
 
 
 def in_contact(robots):
