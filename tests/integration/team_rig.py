@@ -293,4 +293,4 @@ def canonical(rig, robots):
                           timeout=PATIENCE_S, check=False)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
-    return json.loads(done.stdout)
+    return [{key: value for key, value in each.items() if key != "session"} for each in json.loads(done.stdout)]
