@@ -106,11 +106,11 @@ class Standing(unittest.TestCase):
         wait_for(lambda: all(robot.status()["estop"] for robot in self.robots), "the order, late", CONTACT_S)
 
     def test_false_credentials_are_counted_and_told(self):
-        stranger = self.stranger(4, credentials=self.rig.credentials(4, authority="false")).start()
+        stranger = self.stranger(5, name="false", credentials=self.rig.credentials(5, authority="false-authority")).start()
         everybody = [*self.robots, stranger]
 
         def refusals():
-            return [robot.team()["link"]["dropped"]["not trusted"] for robot in everybody]
+            return [robot.team()["link"].get("dropped", {}).get("not trusted", 0) for robot in everybody]
         # Of two, one judges the other's certificate first: which one, is drawn at their start.
         wait_for(lambda: sum(refusals()) >= 3, "refused handshakes", CONTACT_S)
         in_contact(self.robots)
@@ -118,7 +118,7 @@ class Standing(unittest.TestCase):
             if refused > 0:
                 self.assertIn("handshakes were refused", robot.ctl("team").stdout)
                 self.assertRegex(robot.ctl("doctor").stdout, r"warn team .*\n.*handshakes were refused")
-        self.assertEqual([peer["robot"] for robot in self.robots for peer in robot.team()["peers"] if peer["robot"] == 4], [])
+        self.assertEqual([peer["robot"] for robot in self.robots for peer in robot.team()["peers"] if peer["robot"] == 5], [])
         self.assertEqual(stranger.team()["peers"], [])
         self.assertEqual(stranger.held()["items"], 1, "it was given something")
 
@@ -141,10 +141,10 @@ class Standing(unittest.TestCase):
 
     def test_noise_inside_the_team_changes_nothing(self):
         """Valid credentials, a valid session, and a program that has gone mad."""
-        stranger = self.stranger(4)
+        stranger = self.stranger(4, name="mad")
         noise = subprocess.Popen([str(word) for word in (PROGRAMS / "link_end", stranger.folder / "link.sock", "trio", 4, 5, 1200, 7)],
                                  stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
-        self.addCleanup(noise.stdin.close)
+        self.addCleanup(noise.stdin.close)  # cleaned up in the opposite order
         self.addCleanup(noise.wait)
         self.addCleanup(noise.kill)
         stranger.start_link()
