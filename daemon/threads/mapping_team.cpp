@@ -86,18 +86,17 @@ MappingTeam::MappingTeam(TeamHandOver& team, const slam::MapperParams& params)
       T_base_coronal_{params.coronal.x_m, params.coronal.y_m, 0.0} {}
 
 void MappingTeam::serve(pipeline::MappingState& state, std::uint64_t map) {
-  // While it is open whether the robot is where it was found, mates are given nothing of this map, and what
-  // they say waits: the map may be thrown away.
-  const slam::TrialVerdict verdict = state.trial().verdict;
-  const bool is_open = verdict == slam::TrialVerdict::kRunning || verdict == slam::TrialVerdict::kDropped;
-  for (const auto* parcel = team_.mates.front(); parcel != nullptr && !is_open;
-       parcel = team_.mates.front()) {
+  for (const auto* parcel = team_.mates.front(); parcel != nullptr; parcel = team_.mates.front()) {
     const std::unique_ptr<MatesMapNews> news = std::move(parcel->content);
     team_.mates.pop();
     if (news->map != map) continue;
     for (const auto& [key, relation] : news->known) state.relate(key, relation);
     state.join(news->keyframes, news->relations);
   }
+  // While it is open whether the robot is where it was found, mates are given nothing of this map: it may be
+  // thrown away.
+  const slam::TrialVerdict verdict = state.trial().verdict;
+  const bool is_open = verdict == slam::TrialVerdict::kRunning || verdict == slam::TrialVerdict::kDropped;
   for (const OwnMapAsk* ask = team_.asks.front(); ask != nullptr; ask = team_.asks.front()) {
     if (auto* slot = team_.own.try_acquire(); slot != nullptr) {
       slot->content = (is_open ? news_on_trial : news_for)(*ask, state.mapper(), map);

@@ -231,8 +231,8 @@ void TeamWorker::take_requests(types::Stamp now) {
 void TeamWorker::take_news(types::Stamp now) {
   TeamHandOver& team = hand_overs_.team;
   auto* slot = team.mates.try_acquire();
-  if (slot == nullptr) return;  // mapping is busy: what is new waits in the exchange
-  team::ExchangeNews news = exchange_->take_news(now);
+  const bool room = slot != nullptr;  // else mapping is busy, and what is for it waits in the exchange
+  team::ExchangeNews news = exchange_->take_news(now, room);
   for (const team::HeardOrder& order : news.orders) {
     if (!order.age) continue;  // of long ago: it came with the log
     if (auto* place = team.orders.try_acquire(); place != nullptr) {
@@ -249,6 +249,8 @@ void TeamWorker::take_news(types::Stamp now) {
     post(vitals_.events, now.time_since_epoch().count(), EventId::kTwoRobotsOneNumber, sync::Severity::kError,
          {id.robot, id.run_a, id.run_b});
   }
+  if (!news.statuses.empty()) hand_over_mates();
+  if (!room) return;
   auto to_mapping = std::make_unique<MatesMapNews>();
   to_mapping->map = own_.asked.map;
   relate_starts(news.keyframes, *to_mapping);
@@ -261,7 +263,6 @@ void TeamWorker::take_news(types::Stamp now) {
     team.mates.commit();
     hand_overs_.mapping.wakeup.post();
   }
-  if (!news.statuses.empty()) hand_over_mates();
 }
 
 void TeamWorker::note_status(team::HeardStatus heard) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A clock that is wrong, for one process: a library to be preloaded, under which the time of day is CLOCK_SHIFT_S
-// seconds off. What measures (CLOCK_MONOTONIC), timers and the clock of the machine stay as they are.
+// A clock that is wrong, for one process: a library to be preloaded, under which the time of day is
+// CLOCK_SHIFT_S seconds off. What measures (CLOCK_MONOTONIC), timers and the clock of the machine stay as
+// they are.
 #include <dlfcn.h>
 #include <sys/time.h>
 

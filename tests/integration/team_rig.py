@@ -244,8 +244,7 @@ class Watch(threading.Thread):
     def __init__(self, rig):
         super().__init__(daemon=True)
         self.rig, self.ended = rig, threading.Event()
-        self.since, self.longest, self.looks = {}, {}, 0
-        self.story = []
+        self.since, self.longest, self.looks, self.begin = {}, {}, 0, time.monotonic()
 
     def run(self):
         while not self.ended.wait(self.PERIOD_S):
@@ -261,9 +260,14 @@ class Watch(threading.Thread):
                 if self.on_one_goal(status_a, status_b) and knows(team_a, b) and knows(team_b, a):
                     begin = self.since.setdefault(pair, now)
                     if now - begin > self.longest.get(pair, (0.0,))[0]:
-                        self.longest[pair] = (now - begin, status_a["goal"], status_b["goal"])
+                        self.longest[pair] = (now - begin, self.place(status_a), self.place(status_b), claim(team_b, a),
+                                              claim(team_a, b), "looked at %.1f s" % (now - self.begin))
                 else:
                     self.since.pop(pair, None)
+
+    @staticmethod
+    def place(status):
+        return round(status["goal"]["x_m"], 2), round(status["goal"]["y_m"], 2), status["reason"]
 
     @staticmethod
     def on_one_goal(one, other):
@@ -283,6 +287,12 @@ def knows(team, robot):
                for peer in team.get("peers", []))
 
 
+def claim(team, robot):
+    """What a robot's mate believes that it is on, and how old its word is."""
+    peer = next(peer for peer in team["peers"] if peer["robot"] == robot.number and peer["heard_s_ago"] < CONTACT_S)
+    return peer["status"], round(peer["heard_s_ago"], 2)
+
+
 def canonical(rig, robots):
     """Of each robot's saved session, what topobench canonical says of it."""
     files = []
@@ -293,4 +303,4 @@ def canonical(rig, robots):
                           timeout=PATIENCE_S, check=False)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
-    return json.loads(done.stdout)
+    return [{key: value for key, value in each.items() if key != "session"} for each in json.loads(done.stdout)]

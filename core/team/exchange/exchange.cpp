@@ -173,18 +173,18 @@ void Exchange::take(std::span<const std::byte> datagram, types::Stamp now) {
 
 std::vector<Datagram> Exchange::datagrams(types::Stamp now) { return make_datagrams(*state_, now); }
 
-ExchangeNews Exchange::take_news(types::Stamp now) {
+ExchangeNews Exchange::take_news(types::Stamp now, bool room) {
   ExchangeNews news;
   Unread& unread = state_->unread;
   const ItemStore& store = state_->store;
   const CapParams& caps = state_->params.caps;
   // All of it was checked when it came: what does not decode cannot be here.
-  for (; !unread.keyframes.empty() && news.keyframes.size() < caps.news_keyframes;
+  for (; room && !unread.keyframes.empty() && news.keyframes.size() < caps.news_keyframes;
        unread.keyframes.pop_front()) {
     if (auto keyframe = slam::decode_keyframe(*store.find(unread.keyframes.front())))
       news.keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(*keyframe)));
   }
-  for (; !unread.relations.empty() && news.relations.size() < caps.news_relations;
+  for (; room && !unread.relations.empty() && news.relations.size() < caps.news_relations;
        unread.relations.pop_front()) {
     const ItemKey& key = unread.relations.front();
     if (auto found = decode_relation(id_of(key), *store.find(key))) news.relations.push_back(*found);

@@ -76,8 +76,8 @@ class Exchange {
   [[nodiscard]] std::vector<Datagram> datagrams(types::Stamp now);
 
   /// What is new since the last call, keyframes and relations at most as many as CapParams says; the rest
-  /// waits.
-  [[nodiscard]] ExchangeNews take_news(types::Stamp now);
+  /// waits, and without `room` all of them do: orders and statuses wait for no mapper.
+  [[nodiscard]] ExchangeNews take_news(types::Stamp now, bool room = true);
 
   /// Mates in the order of their ids, those heard within `forget_s`.
   [[nodiscard]] std::vector<PeerView> peers(types::Stamp now) const;

@@ -48,7 +48,7 @@ class Robot {
       answer(*ask);
       hand_overs->team.asks.pop();
     }
-    for (const auto* news = hand_overs->team.mates.front(); news != nullptr;
+    for (const auto* news = mapping_is_busy ? nullptr : hand_overs->team.mates.front(); news != nullptr;
          news = hand_overs->team.mates.front()) {
       for (const auto& keyframe : news->content->keyframes) joined.push_back(keyframe);
       known_starts += news->content->known.size();
@@ -82,6 +82,7 @@ class Robot {
   std::vector<team::HeardOrder> orders;
   TeamReport report;
   std::size_t known_starts = 0;
+  bool mapping_is_busy = false;
   std::uint64_t map = 1;
 
  private:
@@ -193,6 +194,21 @@ TEST_F(TeamWorkerTest, AnOrderReachesTheMateAndIsAcknowledged) {
   EXPECT_TRUE(
       until([&] { return a.report.order == 1 && a.report.acknowledged == std::vector<std::uint16_t>{2}; }));
   EXPECT_EQ(b.orders.size(), 1U);
+}
+
+TEST_F(TeamWorkerTest, AnOrderWaitsForNoMapping) {
+  b.mapping_is_busy = true;
+  // More than its ring holds, each in a parcel of its own.
+  for (int i = 0; i < 20; ++i) {
+    a.make_keyframe();
+    const auto count = static_cast<std::size_t>(i) + 1;
+    ASSERT_TRUE(until([&] { return b.report.items >= count; }));
+  }
+  a.request(TeamOrder{1, {team::OrderKind::kEstop}});
+  EXPECT_TRUE(until([&] { return !b.orders.empty(); }));
+  EXPECT_TRUE(b.joined.empty());
+  b.mapping_is_busy = false;
+  EXPECT_TRUE(until([&] { return b.joined.size() == 20; })) << "what waited comes";
 }
 
 TEST_F(TeamWorkerTest, AnotherMapKeepsWhatMatesSaid) {
