@@ -236,15 +236,15 @@ def equal_sets(robots, what, patience_s=PATIENCE_S):
 
 
 class Watch(threading.Thread):
-    """Looks at robots while they explore: for how long two of them that hear each other were on one goal, and what they
-    touched. Four times a second, which is what the limits are made for."""
+    """Looks at robots while they explore, some times a second: for how long two of them, in contact, go for one goal
+    although each has heard that the other does. What it measures is at most what it was."""
 
     PERIOD_S = 0.25
 
     def __init__(self, rig):
         super().__init__(daemon=True)
         self.rig, self.ended = rig, threading.Event()
-        self.since, self.longest, self.looks, self.begin = {}, {}, 0, time.monotonic()
+        self.since, self.longest, self.looks = {}, {}, 0
 
     def run(self):
         while not self.ended.wait(self.PERIOD_S):
@@ -257,40 +257,36 @@ class Watch(threading.Thread):
         for i, (a, status_a, team_a) in enumerate(seen):
             for b, status_b, team_b in seen[:i]:
                 pair = (b.name, a.name)
-                if self.on_one_goal(status_a, status_b) and knows(team_a, b) and knows(team_b, a):
-                    begin = self.since.setdefault(pair, now)
-                    if now - begin > self.longest.get(pair, (0.0,))[0]:
-                        self.longest[pair] = (now - begin, self.place(status_a), self.place(status_b), claim(team_b, a),
-                                              claim(team_a, b), "looked at %.1f s" % (now - self.begin))
-                else:
+                places = goal_of(status_a), goal_of(status_b), claim_heard(team_a, b), claim_heard(team_b, a)
+                if None in places or any(not near(places[0], place) for place in places):
                     self.since.pop(pair, None)
-
-    @staticmethod
-    def place(status):
-        return round(status["goal"]["x_m"], 2), round(status["goal"]["y_m"], 2), status["reason"]
-
-    @staticmethod
-    def on_one_goal(one, other):
-        places = [(status.get("goal") or {}) for status in (one, other)]
-        if any("x_m" not in place for place in places) or any(status["mission"]["state"] != "under way" for status in (one, other)):
-            return False
-        return math.hypot(places[0]["x_m"] - places[1]["x_m"], places[0]["y_m"] - places[1]["y_m"]) < SAME_GOAL_M
+                    continue
+                seconds = now - self.since.setdefault(pair, now)
+                if seconds >= self.longest.get(pair, (0.0,))[0]:
+                    self.longest[pair] = (seconds, *places)
 
     def end(self):
         self.ended.set()
         self.join()
 
 
-def knows(team, robot):
-    """They are in contact: one that is out of reach counts as alive for some seconds more."""
-    return any(peer["robot"] == robot.number and peer["heard_s_ago"] < CONTACT_S and peer["map_joined"]
-               for peer in team.get("peers", []))
+def near(a, b):
+    return math.hypot(a[0] - b[0], a[1] - b[1]) < SAME_GOAL_M
 
 
-def claim(team, robot):
-    """What a robot's mate believes that it is on, and how old its word is."""
-    peer = next(peer for peer in team["peers"] if peer["robot"] == robot.number and peer["heard_s_ago"] < CONTACT_S)
-    return peer["status"], round(peer["heard_s_ago"], 2)
+def goal_of(status):
+    """None while it goes for none."""
+    goal = status.get("goal")
+    return (goal["x_m"], goal["y_m"]) if goal and status["mission"]["state"] == "under way" else None
+
+
+def claim_heard(team, robot):
+    """What a robot knows of a mate's goal; None out of contact: one that is out of reach counts as alive for a while."""
+    for peer in team.get("peers", []):
+        if peer["robot"] == robot.number and peer["heard_s_ago"] < CONTACT_S and peer["map_joined"] and peer["status"]:
+            claim = peer["status"]["claim"]
+            return (claim["x_m"], claim["y_m"]) if claim else None
+    return None
 
 
 def canonical(rig, robots):

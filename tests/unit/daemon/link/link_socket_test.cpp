@@ -175,7 +175,7 @@ TEST_F(LinkSocketTest, AnotherVersionIsRefusedByBoth) {
   static_cast<void>(link_turn(line));
   static_cast<void>(daemon_turn());
   ASSERT_THAT(kinds(), ElementsAre(Kind::kRefused));
-  EXPECT_THAT(told[0].words, HasSubstr("found version 2"));
+  EXPECT_THAT(told[0].words, HasSubstr("found version 3"));
   const auto said = link_turn(line);
   ASSERT_TRUE(said.has_value());
   EXPECT_THAT(*said, HasSubstr("do not fit"));
