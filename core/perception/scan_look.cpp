@@ -43,7 +43,9 @@ bool take_look(const types::Scan& scan, double omega_radps, ScanLook& out) {
   out.step_rad = static_cast<double>(turned.angle_increment_rad);
   out.first_rad = static_cast<double>(g.angle_min_rad) - omega_radps * between_s * middle;
   out.range_max_m = static_cast<double>(g.range_max_m);
-  if (scan.beams < 2 || !(std::abs(out.step_rad) > 0.0) || !std::isfinite(out.step_rad) ||
+  // A sensor that turns faster than its beams go on sees every direction in no order.
+  const double own_rad = static_cast<double>(g.angle_increment_rad);
+  if (scan.beams < 2 || !(own_rad * out.step_rad > 0.0) || !std::isfinite(out.step_rad) ||
       !std::isfinite(out.first_rad))
     return false;
   out.stamp = scan.first_beam + types::from_seconds(between_s * middle);

@@ -30,7 +30,8 @@ struct ScanLook {          // NOLINT(cppcoreguidelines-pro-type-member-init)
   [[nodiscard]] double clear_towards_m(const types::Vector2& p, double radius_m) const;
 };
 
-/// False, with `out` undefined, for a scan with fewer than two beams or with clockwise beams.
+/// Clockwise beams are taken in the other order. False, with `out` undefined, for a scan with fewer than two
+/// beams or whose beams do not go on.
 bool take_look(const types::Scan& scan, double omega_radps, ScanLook& out);
 
 }  // namespace topo::perception

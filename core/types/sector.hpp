@@ -14,10 +14,11 @@ namespace topo::types {
 /// and less than a turn above.
 struct Sector {
   double from_rad = 0.0, to_rad = 0.0;
+  static constexpr double kRounding_rad = 1e-6;  ///< angles of beams are of single precision
   [[nodiscard]] double width_rad() const { return to_rad - from_rad; }
   [[nodiscard]] bool holds(double angle_rad) const {
     const double middle_rad = 0.5 * (from_rad + to_rad);
-    return std::abs(wrap_angle(angle_rad - middle_rad)) <= 0.5 * width_rad() + 1e-9;
+    return std::abs(wrap_angle(angle_rad - middle_rad)) <= 0.5 * width_rad() + kRounding_rad;
   }
   friend bool operator==(const Sector&, const Sector&) = default;
 };

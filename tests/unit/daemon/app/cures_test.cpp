@@ -94,7 +94,7 @@ TEST_F(BaseCures, AStaleConnectionThatDoesNotObeyClose) {
 
 TEST_F(BaseCures, NoStatusAfterOpen) {
   robot.sends_status = false;
-  expect("no status", 3s, {"refuses", "switch the robot off and on", {"switch the device on"}});
+  expect("no status", 1900ms, {"refuses", "switch the robot off and on", {"switch the device on"}});
 }
 
 TEST_F(BaseCures, ASerialNumberThatComesDamagedOrNot) {

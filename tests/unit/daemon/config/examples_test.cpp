@@ -102,7 +102,8 @@ TEST(KeyTable, IsDocumentedAndItsDefaultsAreAccepted) {
         key.path.ends_with("_m") || key.path.ends_with("_s") || key.path.ends_with("_rad") ||
         key.path.ends_with("_mps") || key.path.ends_with("_radps") || key.path.ends_with("_mps2") ||
         key.path.ends_with("_v") || key.path.ends_with("_radps2") || key.path.ends_with("_per_m") ||
-        key.path.ends_with("_per_rad") || key.path.ends_with("_mb");
+        key.path.ends_with("_per_rad") || key.path.ends_with("_mb") || key.path.ends_with("_ms") ||
+        key.path.ends_with("_deg");
     EXPECT_EQ(unit_in_name, !key.unit.empty()) << key.path;
     if (key.required) continue;
     const std::string text = std::string("[") + std::string(key.section()) + "]\n" + std::string(key.name()) +

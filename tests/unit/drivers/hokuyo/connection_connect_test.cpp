@@ -317,7 +317,7 @@ TEST_F(SessionConnect, StreamsWithoutClockAdjustment) {
 TEST_F(SessionConnect, HarmfulParametersAreRefused) {
   start(utm_ew());
   sensor->pp = "MODL:UTM-30LX-EW;I\n";
-  ASSERT_TRUE(run_health(Health::kFault, 5s));
+  ASSERT_TRUE(run_health(Health::kDamaged, 5s));
   EXPECT_THAT(connection->message(), HasSubstr("DMIN"));
 }
 

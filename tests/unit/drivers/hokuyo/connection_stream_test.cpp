@@ -151,7 +151,7 @@ TEST_F(SessionStream, ScansThatComeTooLateAreNotHandedOut) {
     EXPECT_GE(scan.late, latest) << "the wait grows";
     latest = scan.late;
   }
-  EXPECT_EQ(connection->health(), Health::kSilent);
+  EXPECT_EQ(connection->health(), Health::kLate);
   EXPECT_THAT(connection->message(), HasSubstr("late"));
   EXPECT_GT(oldest, 800ms);  // late scans are better than none
   EXPECT_LE(latest, 1s);
@@ -168,7 +168,7 @@ TEST_F(SessionStream, ALineThatIsSlowForHalfASecondBeginsANewStream) {
   int late = 0;
   for (int i = 0; i < 60 && connection->health() == Health::kStreaming; ++i)
     if (run_scans(1, 600ms)) late += scan.late > 300ms ? 1 : 0;
-  EXPECT_EQ(connection->health(), Health::kSilent);
+  EXPECT_EQ(connection->health(), Health::kLate);
   EXPECT_GE(late, 15);
   EXPECT_LE(late, 20);
 }
