@@ -58,7 +58,8 @@ sim::WheelSpeeds VirtualBase::wheel_speeds(sim::SimTime now, sim::SimTime dt, co
     drive_.stand();
     return {};
   }
-  const auto wheels = drive_.step(types::to_seconds(dt), now - last_command_ > watchdog_);
+  const auto wheels =
+      drive_.step(types::to_seconds(dt), now - last_command_ > watchdog_, {});  // no MOVE, no HEAD
   return {wheels.left_mps, wheels.right_mps};
 }
 
