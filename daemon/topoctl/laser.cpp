@@ -40,26 +40,32 @@ std::string device_address(const std::string& text) {
              : text;
 }
 
+/// As complain(), but it is the scanner that is not there, not the daemon.
+int refuse(const types::Error& error) {
+  const int status = complain(error);
+  return status == kNoDaemon ? kFailed : status;
+}
+
 }  // namespace
 
 int set_laser_ip(const Arguments& a) {
   const auto settings = settings_of(a);
-  if (!settings) return complain(settings.error());
+  if (!settings) return refuse(settings.error());
   auto connector = io::make_connector(device_address(a.laser.address));
-  if (!connector) return complain(connector.error());
+  if (!connector) return refuse(connector.error());
   const auto taken = hokuyo::set_ip(**connector, *settings, a.laser.serial_number);
-  if (!taken) return complain(taken.error());
+  if (!taken) return refuse(taken.error());
   const std::string address = fmt::format("tcp:{}:{}", hokuyo::to_text(settings->address), kScipPort);
   fmt::print("{} {} has taken the address {}.\nSwitch its power off and on now.\n", taken->product,
              taken->serial_number, hokuyo::to_text(settings->address));
   if (a.laser.patience_s <= 0.0) return kOk;
   std::fflush(stdout);
   auto there = io::make_connector(address);
-  if (!there) return complain(there.error());
+  if (!there) return refuse(there.error());
   if (const auto found =
           hokuyo::await_sensor(**there, taken->serial_number, types::from_seconds(a.laser.patience_s));
       !found)
-    return complain(found.error());
+    return refuse(found.error());
   fmt::print("It answers at its new address: write \"{}\" into the configuration.\n", address);
   return kOk;
 }

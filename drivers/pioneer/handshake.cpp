@@ -52,7 +52,7 @@ Handshake::Handshake(Link& link, ExpectedRobot expected, std::string_view device
       expected_(std::move(expected)),
       device_(device),
       may_drive_until_(may_drive_until),
-      beginning_{.opening = opening, .echoed = false, .heard = false} {
+      beginning_{.opening = opening, .echoed = false, .heard = false, .heard_robot = false} {
   static_assert(kBaudOrder.size() + 1 == std::tuple_size_v<decltype(bauds_.rates)>,
                 "every rate, and the first one");
   if (!link.has_baud()) return;
@@ -228,7 +228,7 @@ Handshake::Progress Handshake::on_sync_packet(const PacketView& packet) {
   if (packet.is_status()) return restart("an old connection goes on streaming and does not obey CLOSE");
   if (is_reset(packet)) return restart("the robot rejects the order of SYNC0, SYNC1, SYNC2");
   if (packet.type() != attempts_.sync_index) return Progress::kPending;
-  heard_robot_ = true;
+  beginning_.heard_robot = true;
   if (attempts_.sync_index == 2) return on_names(packet);
   attempts_.tries = 0;
   send_sync(attempts_.sync_index + 1);

@@ -51,7 +51,7 @@ class Handshake {
   [[nodiscard]] types::Stamp deadline() const { return deadline_; }
 
   /// True after the robot has answered SYNC0.
-  [[nodiscard]] bool heard_robot() const { return heard_robot_; }
+  [[nodiscard]] bool heard_robot() const { return beginning_.heard_robot; }
   [[nodiscard]] int baud() const { return bauds_.current; }
   [[nodiscard]] const std::string& name() const { return names_.name; }
   [[nodiscard]] const std::string& subclass() const { return names_.subclass; }
@@ -89,7 +89,8 @@ class Handshake {
   struct Beginning {
     Opening opening = Opening::kFull;
     bool echoed = false;
-    bool heard = false;  ///< any packet
+    bool heard = false;        ///< any packet
+    bool heard_robot = false;  ///< it answered SYNC0
   };
   enum class Phase { kListening, kStopping, kQuiet, kSync, kFirstStatus, kConfig };
 
@@ -125,7 +126,6 @@ class Handshake {
   types::Stamp deadline_{};
   types::Stamp last_status_{};
   Attempts attempts_;
-  bool heard_robot_ = false;
   std::string foreign_;  ///< first received bytes that were not ARCOS, with their speed
 
   Names names_;
