@@ -119,10 +119,17 @@ class DrawnLog(unittest.TestCase):
             self.assertIn(word, done.stderr)
         self.assertFalse(out.exists(), "nothing half-written")
 
-    def test_a_log_cut_off_in_a_line_is_refused_with_its_line(self):
+    def test_a_log_cut_off_in_its_last_line_loses_that_line(self):
         write_log(self.path / "whole.clf", 5)
         text = (self.path / "whole.clf").read_text()
-        self.refused(text[:len(text) - 300], ":6")
+        scans = []
+        for name, content in (("whole.clf", text), ("cut.clf", text[:len(text) - 300])):
+            (self.path / name).write_text(content)
+            done = run("--log", str(self.path / name), "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            scans.append(json.loads(done.stdout)["scans"])
+        self.assertIn("cut.clf: passed over the last line, 6, which is FLASER that was cut off", done.stderr)
+        self.assertEqual(scans, [5, 4])
 
     def test_a_number_that_is_none_is_refused_with_its_line(self):
         write_log(self.path / "whole.clf", 3)

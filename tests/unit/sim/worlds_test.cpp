@@ -140,10 +140,11 @@ TEST(ImageWorld, BadImagesAreRefused) {
     return message(World::load(dir / "picture.yaml"));
   };
   EXPECT_THAT(with_image("GIF89a"), HasSubstr("picture.pgm: neither PNG nor PGM"));
-  EXPECT_THAT(with_image("P5\n10 10\n255\nshort"), HasSubstr("PGM cut off: 5 of 100 pixels"));
+  EXPECT_THAT(with_image("P5\n10 10\n255\nshort"), HasSubstr("PGM cut off: 5 of 100 bytes"));
   EXPECT_THAT(with_image("P5\n100000 100000\n255\n"), HasSubstr("more than 100 million pixels"));
   EXPECT_THAT(with_image("P5\n-3 10\n255\n"), HasSubstr("PGM header"));
-  EXPECT_THAT(with_image("P5\n2 2\n65535\n12345678"), HasSubstr("maximum 65535"));
+  EXPECT_THAT(with_image("P5\n2 2\n65536\n12345678"), HasSubstr("maximum 65536; expected 1 to 65535"));
+  EXPECT_THAT(with_image("P5\n2 2\n65535\n1234567"), HasSubstr("PGM cut off: 7 of 8 bytes"));
   EXPECT_THAT(with_image("P2\n2 2\n255\n1 2 3\n"), HasSubstr("pixel 3 is missing"));
   EXPECT_THAT(with_image("\x89PNG\r\n\x1a\nnothing"), HasSubstr("broken PNG"));
   EXPECT_THAT(with_image(std::string("P5\n2 2\n255\n") + std::string(4, '\0')), HasSubstr("no free pixel"));
