@@ -44,7 +44,7 @@ bool says_not_a_number(const YAML::Node& node) {
   std::string text = node.Scalar();
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
   const std::size_t begin = text.find_first_not_of("+-.");
-  if (begin == std::string::npos || begin > 2 || text.compare(begin, 3, "nan") != 0) return false;
+  if (begin > 2 || text.compare(begin, 3, "nan") != 0) return false;
   return text.size() == begin + 3 || text[begin + 3] == '(';
 }
 
