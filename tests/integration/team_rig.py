@@ -164,7 +164,9 @@ class TeamRobot:
         return self.look("team")
 
     def peer(self, number):
-        return next((peer for peer in self.team().get("peers", []) if peer["robot"] == number), {})
+        """The run of that robot that was heard last: those before a restart are in the table for a while."""
+        runs = [peer for peer in self.team().get("peers", []) if peer["robot"] == number]
+        return min(runs, key=lambda peer: peer["heard_s_ago"], default={})
 
     def hears(self, *numbers):
         return all(self.peer(number).get("alive") for number in numbers)
