@@ -61,7 +61,7 @@ std::string sectors_text(const types::Sectors& sectors) {
 }
 
 std::string masks_fault(const types::Sectors& masks, const MaskBounds& bounds) {
-  constexpr double kRounding_rad = 1e-6;
+  constexpr double kTolerance_rad = 1e-6;
   double all_rad = 0.0;
   for (std::size_t i = 0; i < masks.count; ++i) {
     const types::Sector& mask = masks.all[i];
@@ -69,12 +69,12 @@ std::string masks_fault(const types::Sectors& masks, const MaskBounds& bounds) {
     all_rad += forward_rad;
     const std::string found =
         fmt::format("found {:.4g} to {:.4g} degrees: ", in_degrees(mask.from_rad), in_degrees(mask.to_rad));
-    if (overlap_rad(mask, bounds.ahead_rad) > kRounding_rad)
+    if (overlap_rad(mask, bounds.ahead_rad) > kTolerance_rad)
       return found + fmt::format(
                          "within {:.0f} degrees of straight ahead nothing else sees what the robot "
                          "drives into; expected masks beside",
                          in_degrees(bounds.ahead_rad));
-    if (forward_rad > bounds.one_rad + kRounding_rad)
+    if (forward_rad > bounds.one_rad + kTolerance_rad)
       return found + fmt::format(
                          "{:.4g} degrees of it are in the sector that braking needs ({:.0f} to either "
                          "side of straight ahead); expected at most {:.0f} there: mount the scanner so "
@@ -82,7 +82,7 @@ std::string masks_fault(const types::Sectors& masks, const MaskBounds& bounds) {
                          in_degrees(forward_rad), in_degrees(kBraking_rad), in_degrees(bounds.one_rad));
   }
   const double most_rad = bounds.share * 2.0 * kBraking_rad;
-  if (all_rad <= most_rad + kRounding_rad) return {};
+  if (all_rad <= most_rad + kTolerance_rad) return {};
   return fmt::format(
       "found {:.4g} degrees together in the sector that braking needs ({:.0f} to either side of "
       "straight ahead); expected at most {:.0f}",
