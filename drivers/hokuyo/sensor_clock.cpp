@@ -46,7 +46,6 @@ void SensorClock::add_round_trip(std::uint32_t counter_ms, Stamp before, Stamp a
   synchronised_ = true;
   best_round_trip_ = round_trip;
   sync_ = {last_ms_, difference_ns(before + round_trip / 2, last_ms_)};
-  asked_ns_ = difference_ns(before, last_ms_);
 }
 
 /// A small step back means a restart of the device, a large one a wrap of the counter.
@@ -147,7 +146,9 @@ void SensorClock::calibrate(const Point& point) {
 /// round trip it is not known which way took how long: all of it counts as the way to here, so that a line
 /// that is late from the beginning is known, and one that is late to the device is taken for it.
 Duration SensorClock::wait_of(const Point& point, Stamp arrival) {
-  if (!age_begun_ && synchronised_) age_.begin(Duration(asked_ns_ + latency_ns_), arrival);
+  const Duration asked =
+      Duration(sync_.difference_ns) - best_round_trip_ / 2;  // the device was read no earlier
+  if (!age_begun_ && synchronised_) age_.begin(asked + Duration(latency_ns_), arrival);
   age_begun_ = true;
   return age_.update(Duration(point.difference_ns), arrival);
 }

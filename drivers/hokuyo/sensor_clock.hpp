@@ -68,8 +68,7 @@ class SensorClock {
 
   bool synchronised_ = false;
   types::Duration best_round_trip_{};
-  Point sync_;                 ///< from the best round trip
-  std::int64_t asked_ns_ = 0;  ///< the same when it began: the device was read no earlier
+  Point sync_;  ///< from the middle of the best round trip
 
   bool started_ = false;
   bool calibrated_ = false;
