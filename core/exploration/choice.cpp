@@ -3,11 +3,9 @@
 #include "core/exploration/choice.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <utility>
+#include <memory>
+#include <optional>
 
-#include "core/exploration/tour.hpp"
 #include "core/goals/filters.hpp"
 #include "core/team/coordination.hpp"
 
@@ -16,60 +14,64 @@ namespace {
 
 using types::Vector2;
 
-/// Expected information gain of a goal: the area behind it in m2. For a pocket this is its own area, for an
-/// opening that leads on the mean area behind such openings.
-double information_gain_m2(const goals::Goal& goal, const TourParams& params) {
-  const double beyond_m2 = params.shadow_m2 + goal.chance * params.leads_on_m2;
-  const double behind_m2 = std::isinf(goal.behind_m2) ? beyond_m2 : goal.behind_m2;
-  return goal.side == goals::Side::kNone ? params.gap_share * behind_m2 : behind_m2;
+/// The first goal of a tour, or the present one when that costs little more.
+std::size_t first_of(const TourGoals& goals, std::optional<std::size_t> present, const TourParams& params) {
+  const double share = params.length_share;
+  const Tour best = cheap_tour(goals, share);
+  if (!present || best.front() == *present) return best.front();
+  const Tour kept = cheap_tour(goals, share, present);
+  const double gain_m = tour_cost_m(goals, kept, share) - tour_cost_m(goals, best, share);
+  return gain_m > params.switch_share * goals.from_start_m[*present] ? best.front() : *present;
 }
 
-TourGoals tour_goals(std::span<const Candidate* const> candidates, Searches searches,
-                     const TourParams& params) {
-  const travel::CoarseMap& coarse = searches.map.coarse();
-  std::vector<grid::CellIndex> cells;
-  for (const Candidate* c : candidates)
-    cells.push_back(coarse.map.cell_at(searches.map.map().centre_of(c->cell)));
-  searches.ways.update(coarse.map, coarse.clearance_m, searches.map.rules(), cells);
-  TourGoals tour(candidates.size());
-  for (std::size_t i = 0; i < tour.count; ++i) {
-    tour.from_start_m[i] = candidates[i]->cost_m;
-    tour.worth[i] = information_gain_m2(candidates[i]->goal, params);
-    for (std::size_t j = 0; j < tour.count; ++j) {
-      // A route through the robot's position always exists.
-      tour.between(i, j) =
-          i == j ? 0.0
-                 : std::min(searches.ways.between_m(i, j), candidates[i]->cost_m + candidates[j]->cost_m);
-    }
+/// A pocket beside the way to `first` that costs little now against coming back for it; else `first`.
+std::size_t beside_the_way(const TourGoals& goals, std::span<const bool> is_pocket, std::size_t first,
+                           double now_share) {
+  std::size_t chosen = first;
+  for (std::size_t i = 0; i < goals.count; ++i) {
+    if (!is_pocket[i] || i == first) continue;
+    const double detour_m = goals.from_start_m[i] + goals.between(i, first) - goals.from_start_m[first];
+    const double later_m = 2.0 * goals.between(first, i);
+    if (detour_m > now_share * later_m) continue;
+    if (chosen == first || goals.from_start_m[i] < goals.from_start_m[chosen]) chosen = i;
   }
-  return tour;
+  return chosen;
+}
+
+/// Index of the candidate for a goal of the team; none when it is nobody's here.
+std::optional<std::size_t> candidate_for(const Vector2& goal, std::span<const Candidate> candidates) {
+  const auto away_m = [&](const Candidate& c) { return (place_for_team(c.goal) - goal).norm(); };
+  const auto nearest = std::ranges::min_element(candidates, {}, away_m);
+  if (nearest == candidates.end() || away_m(*nearest) > team::kSameGoal_m) return std::nullopt;
+  return static_cast<std::size_t>(nearest - candidates.begin());
 }
 
 }  // namespace
 
-const Candidate* first_of_tour(std::vector<const Candidate*> candidates, const Candidate* present,
-                               Searches searches, const TourParams& params) {
-  if (candidates.empty()) return nullptr;
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate* a, const Candidate* b) { return a->cost_m < b->cost_m; });
-  const std::size_t most = std::max<std::size_t>(params.goals_max, 1);
-  if (candidates.size() > most) {
-    const auto last = candidates.begin() + static_cast<std::ptrdiff_t>(most);
-    if (std::find(last, candidates.end(), present) != candidates.end()) *(last - 1) = present;
-    candidates.erase(last, candidates.end());
+std::size_t first_of_tour(std::span<const std::size_t> share, const Alternatives& among,
+                          const TourParams& params) {
+  std::vector<std::size_t> rows, of;
+  std::optional<std::size_t> present;
+  for (const std::size_t i : share) {
+    if (!among.table.row[i]) continue;
+    if (&among.candidates[i] == among.present) present = of.size();
+    rows.push_back(*among.table.row[i]);
+    of.push_back(i);
   }
-  const TourGoals tour = tour_goals(candidates, searches, params);
-  const double share = params.length_share;
-  const Tour best = cheap_tour(tour, share);
-  const auto at = std::find(candidates.begin(), candidates.end(), present);
-  if (at == candidates.end() || candidates[best.front()] == present) return candidates[best.front()];
-  const Tour kept = cheap_tour(tour, share, static_cast<std::size_t>(at - candidates.begin()));
-  const double gain_m = tour_cost_m(tour, kept, share) - tour_cost_m(tour, best, share);
-  return gain_m > params.switch_share * present->cost_m ? candidates[best.front()] : present;
+  if (of.empty())
+    return *std::ranges::min_element(share, {}, [&](std::size_t i) { return among.candidates[i].cost_m; });
+  TourGoals goals = rows_of(among.table.goals, rows);
+  std::ranges::fill(goals.to_home_m, 0.0);  // what is open now is not all that there will be
+  const std::size_t first = first_of(goals, present, params);
+  const auto is_pocket = std::make_unique<bool[]>(of.size());
+  for (std::size_t k = 0; k < of.size(); ++k)
+    is_pocket[k] = among.candidates[of[k]].goal.side == goals::Side::kNone;
+  return of[beside_the_way(goals, {is_pocket.get(), of.size()}, first, params.now_share)];
 }
 
-Choice choose(std::span<const Candidate> candidates, const Candidate* present, double claimed_m,
-              const Situation& situation, Searches searches, const ExplorationParams& params) {
+Choice choose(const Alternatives& among, const Situation& situation, const travel::RouteMap& map,
+              const ExplorationParams& params) {
+  const auto& [candidates, table, present, claimed_m] = among;
   const StrategyRow& strategy = row_of(params.strategy);
   Choice choice;
   for (const Candidate& c : candidates) {
@@ -80,19 +82,21 @@ Choice choose(std::span<const Candidate> candidates, const Candidate* present, d
   team::StatusMessage self;
   self.robot = situation.team.robot;
   self.bids = choice.bids;
-  if (present != nullptr) self.claim = team::in_steps({place_for_team(present->goal), claimed_m, true});
-  const grid::DenseMap& map = searches.map.map();
+  if (present != nullptr) self.claim = claim_on(present->goal, claimed_m);
   const auto in_sight = [&](const Vector2& a, const Vector2& b) {
-    return goals::sees(map, map.cell_at(a), map.cell_at(b));
+    return goals::sees(map.map(), map.map().cell_at(a), map.map().cell_at(b));
+  };
+  const auto between_m = [&](const Vector2& a, const Vector2& b) {
+    const auto from = candidate_for(a, among.candidates), to = candidate_for(b, among.candidates);
+    const auto& row = among.table.row;
+    if (from && to && row[*from] && row[*to]) return among.table.goals.between(*row[*from], *row[*to]);
+    return (a - b).norm();
   };
   const team::Chooser by_tour = [&](std::span<const std::size_t> share) {
-    std::vector<const Candidate*> among;
-    for (const std::size_t i : share) among.push_back(&candidates[i]);
-    const Candidate* first = first_of_tour(std::move(among), present, searches, params.tour);
-    return static_cast<std::size_t>(first - candidates.data());
+    return first_of_tour(share, among, params.tour);
   };
-  const team::Rule rule = params.k_means ? strategy.rule : strategy.no_k_means;
-  const auto chosen = team::coordinate(rule, self, situation.team.roster.counted(situation.now), in_sight,
+  const auto chosen = team::coordinate(params.rule.value_or(strategy.rule), self,
+                                       situation.team.roster.counted(situation.now), {in_sight, between_m},
                                        strategy.tours ? by_tour : team::Chooser{});
   if (chosen) choice.best = &candidates[*chosen];
   return choice;

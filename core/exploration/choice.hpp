@@ -7,6 +7,7 @@
 
 #include "core/exploration/intent.hpp"
 #include "core/exploration/params.hpp"
+#include "core/exploration/travel_table.hpp"
 
 namespace topo::exploration {
 
@@ -16,14 +17,22 @@ struct Choice {
   std::vector<team::Bid> bids;
 };
 
-/// Assigns goals within the team, then chooses by tour or by cost. `present`: the candidate that succeeds the
-/// present goal, or null; `claimed_m`: the weighed cost of the present goal when it was taken.
-Choice choose(std::span<const Candidate> candidates, const Candidate* present, double claimed_m,
-              const Situation& situation, Searches searches, const ExplorationParams& params);
+/// What there is to choose among. Borrowed for the call.
+struct Alternatives {
+  std::span<const Candidate> candidates;
+  const TravelTable& table;            ///< of the candidates
+  const Candidate* present = nullptr;  ///< the one that succeeds the present goal
+  double claimed_m = 0.0;              ///< weighed cost of the present goal when it was taken
+};
 
-/// The first goal of the cheapest tour of the candidates; `present`, when a tour that begins with it costs
-/// little more. Null for no candidates.
-const Candidate* first_of_tour(std::vector<const Candidate*> candidates, const Candidate* present,
-                               Searches searches, const TourParams& params);
+/// Assigns goals within the team, then chooses by tour or by cost.
+Choice choose(const Alternatives& among, const Situation& situation, const travel::RouteMap& map,
+              const ExplorationParams& params);
+
+/// The first goal of the cheapest tour of a `share` of the candidates, by their indices; the present one,
+/// when a tour that begins with it costs little more. Of a share that is wholly beyond the table the nearest.
+/// Precondition: the share is not empty.
+std::size_t first_of_tour(std::span<const std::size_t> share, const Alternatives& among,
+                          const TourParams& params);
 
 }  // namespace topo::exploration

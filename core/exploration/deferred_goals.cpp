@@ -14,21 +14,38 @@ bool is_held(const DeferredGoal& goal, types::Stamp now) { return goal.is_for_go
 }  // namespace
 
 void DeferredGoals::give_up(const types::Vector2& p_map, types::Stamp until, std::string why) {
-  note({p_map, until, 1, std::move(why), false, false});
+  note({.p_map = p_map, .until = until, .times = 1, .why = std::move(why)});
 }
 
 void DeferredGoals::visit(const types::Vector2& p_map, std::optional<types::Stamp> until) {
-  note({p_map, until.value_or(types::Stamp{}), 1, "visited", true, !until});
+  note({.p_map = p_map,
+        .until = until.value_or(types::Stamp{}),
+        .times = 1,
+        .why = "visited",
+        .visited = true,
+        .forbidden = !until});
+}
+
+void DeferredGoals::vanish(const types::Vector2& p_map, types::Stamp until) {
+  auto same = same_as(p_map);
+  if (same == list_.end()) same = list_.insert(same, {.p_map = p_map});
+  if (++same->vanished < 2 || same->until >= until) return;
+  same->until = until;
+  same->why = "no goal whenever the robot turned to it";
+}
+
+std::vector<DeferredGoal>::iterator DeferredGoals::same_as(const types::Vector2& p_map) {
+  return std::find_if(list_.begin(), list_.end(),
+                      [&](const DeferredGoal& g) { return (g.p_map - p_map).norm() <= params_.same_m; });
 }
 
 void DeferredGoals::note(DeferredGoal goal) {
-  const auto same = std::find_if(list_.begin(), list_.end(), [&](const DeferredGoal& g) {
-    return (g.p_map - goal.p_map).norm() <= params_.same_m;
-  });
+  const auto same = same_as(goal.p_map);
   const bool is_new = same == list_.end();
   if (!is_new) {
     goal.p_map = same->p_map;
     goal.times = same->times + 1;
+    goal.vanished = same->vanished;
   }
   goal.forbidden = goal.forbidden || goal.times >= params_.times_max;
   if (is_new)

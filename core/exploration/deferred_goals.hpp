@@ -12,21 +12,23 @@
 
 namespace topo::exploration {
 
-/// A goal that was given up or visited and is deferred until a given time.
+/// A goal that was given up, visited or lost sight of, and is deferred until a given time.
 struct DeferredGoal {
   types::Vector2 p_map{0.0, 0.0};
   types::Stamp until{};
   int times = 0;  ///< how often it was deferred
-  std::string why;
+  std::string why{};
   bool visited = false;    ///< a robot was there: what is still open is not visible from there
   bool forbidden = false;  ///< until clear(): after the last visit, or when deferred too often
+  int vanished = 0;        ///< how often it was no goal any more while it was pursued
 
   /// True when the goal never comes back, whatever `until` is.
   [[nodiscard]] bool is_for_good() const { return forbidden; }
 };
 
-/// Deferred goals: those given up, and those visited. Each comes back after a while, or when no other goal is
-/// left; deferred often enough (DeferralParams::times_max) it does not come back.
+/// Deferred goals: those given up, those visited, and those that vanish and come back. Each comes back after
+/// a while, or when no other goal is left; given up or visited often enough (DeferralParams::times_max) it
+/// does not come back.
 class DeferredGoals {
  public:
   DeferredGoals() = default;
@@ -36,6 +38,10 @@ class DeferredGoals {
   /// Without a stamp the goal never comes back: "Once a robot has visited what seemed to be an attractive
   /// location, we do not wish to return there" (paper section II-E).
   void visit(const types::Vector2& p_map, std::optional<types::Stamp> until);
+  /// The goal vanished while it was pursued, and others are left. Once is how exploring goes: it was seen
+  /// from afar. A goal that came back and vanishes again, as one behind a passage that is closed only while
+  /// the robot looks at it, is deferred, so that the robot does not turn between it and another for ever.
+  void vanish(const types::Vector2& p_map, types::Stamp until);
   /// True when a goal here is deferred at this time.
   [[nodiscard]] bool hold(const types::Vector2& p_map, types::Stamp now) const;
   /// Goals deferred at this time because of a visit.
@@ -47,6 +53,7 @@ class DeferredGoals {
   [[nodiscard]] std::vector<DeferredGoal> held(types::Stamp now) const;
 
  private:
+  std::vector<DeferredGoal>::iterator same_as(const types::Vector2& p_map);
   void note(DeferredGoal goal);
 
   DeferralParams params_;

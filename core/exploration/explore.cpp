@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "core/exploration/choice.hpp"
+#include "core/exploration/here_first.hpp"
 #include "core/exploration/intent.hpp"
+#include "core/exploration/judged.hpp"
+#include "core/exploration/remains.hpp"
 #include "core/exploration/sources.hpp"
 #include "core/exploration/stuck.hpp"
 
@@ -19,7 +22,8 @@ std::string metres(double value) {
   return {text.data(), std::min(static_cast<std::size_t>(std::max(n, 0)), text.size() - 1)};
 }
 
-std::string description(const goals::Goal& goal) {
+std::string description(const goals::Goal& goal, Source source) {
+  if (source == Source::kDoubt) return "a place that is looked at again, because the map is doubted";
   std::string text;
   if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
   text += goal.place != 0 ? "place " + std::to_string(goal.place) : "frontier";
@@ -28,11 +32,15 @@ std::string description(const goals::Goal& goal) {
 
 bool is_viewpoint(const Pursuit& pursuit) { return pursuit.id.source == Source::kViewpoint; }
 
+bool is_doubted(const Pursuit& pursuit) { return pursuit.id.source == Source::kDoubt; }
+
 /// Giving up a viewpoint does not defer a goal beside it.
 Intent give_up(const Situation& situation, const PursuitParams& params, std::string why, Intent intent) {
   const types::Vector2 p_map = intent.pursuit.goal->p_map;
   intent.log.note(situation.now, p_map, "given up: " + why);
-  if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.leave(intent.pursuit.id.number))
+  if (is_doubted(intent.pursuit))
+    intent.sweep.looked_again.push_back(p_map);
+  else if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.leave(intent.pursuit.id.number))
     intent.deferred.give_up(p_map, situation.now + types::from_seconds(params.give_up_s), std::move(why));
   intent.pursuit = without_goal(std::move(intent.pursuit));
   return intent;
@@ -55,9 +63,12 @@ Intent give_up_stuck(const Situation& situation, const travel::RouteMap& map, co
 /// without a sweep only a second visit is left.
 Intent reach(const Situation& situation, const ExplorationParams& params, Intent intent) {
   const types::Vector2 p_map = intent.pursuit.goal->p_map;
-  if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.arrive(intent.pursuit.id.number)) {
+  if (is_doubted(intent.pursuit)) {
+    intent.sweep.looked_again.push_back(p_map);
+  } else if (!is_viewpoint(intent.pursuit) || !intent.sweep.sweep.arrive(intent.pursuit.id.number)) {
     const types::Stamp again = situation.now + types::from_seconds(params.pursuit.visited_s);
-    intent.deferred.visit(p_map, has_final_sweep(params) ? std::nullopt : std::optional(again));
+    const bool comes_back = params.finish == Finish::kEssential || !row_of(params.strategy).tours;
+    intent.deferred.visit(p_map, comes_back ? std::optional(again) : std::nullopt);
   }
   intent.log.note(situation.now, p_map, "reached");
   intent.pursuit = without_goal(std::move(intent.pursuit));
@@ -104,7 +115,6 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
   types::Stamp& since = intent.attempts.nothing_since;
   if (since == types::Stamp{}) since = situation.now;
   const bool is_patient = situation.now - since < params.ending.patience;
-  const bool coordinated = row_of(params.strategy).rule != team::Rule::kAlone;
   if (cut_off && intent.obstacles.forget(situation.now)) {
     intent.reason = "no way to the goals left: what only sonar heard is forgotten";
   } else if (cut_off && is_patient) {
@@ -115,10 +125,14 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
   } else if (intent.deferred.call_back(situation.now)) {
     intent.reason = "only goals given up before are left: they are tried again";
   } else if (situation.team.has_mates() &&
-             ((coordinated && mates_have_goals(situation.team.roster, situation.now)) || is_patient)) {
+             (is_patient ||
+              (params.ending.stays_out && mates_have_goals(situation.team.roster, situation.now)))) {
     return wait_for_goal(situation, "waits: no goal is in reach, but others have some", std::move(intent));
   } else {
-    intent.phase = next(std::move(intent.phase), event::GoalsExhausted{});
+    intent = note_what_remains(situation, searches.map, params, std::move(intent));
+    // Of a complete exploration the looks that are left out are no goals: the log has them.
+    const std::size_t goals_out = params.finish == Finish::kWorth ? intent.outlook.left_out.size() : 0;
+    intent.phase = next(std::move(intent.phase), event::GoalsExhausted{goals_out});
     intent.log.note(situation.now, situation.start, std::get<Returning>(intent.phase).why);
     return go_home(situation, searches, params, std::move(intent));
   }
@@ -126,35 +140,64 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
 }
 
 /// True when a candidate justifies turning round on the way home, and this robot would get it.
-bool is_worth_resuming(std::span<const Candidate> candidates, const Situation& situation, Searches searches,
+bool is_worth_resuming(const Alternatives& among, const Situation& situation, Searches searches,
                        const ExplorationParams& params, const Attempts& attempts) {
-  const bool is_wide = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+  const bool is_wide = std::any_of(among.candidates.begin(), among.candidates.end(), [&](const Candidate& c) {
     return c.goal.opening_m >= params.ending.resume_for_m;
   });
   return is_wide && attempts.resumed != params.ending.resumes_max &&
-         choose(candidates, nullptr, 0.0, situation, searches, params).best != nullptr;
+         choose(among, situation, searches.map, params).best != nullptr;
+}
+
+/// The candidate that is chosen, and why.
+struct Decided {
+  Choice choice;
+  bool is_present = false;  ///< it succeeds the present goal
+  bool is_first = false;    ///< it is in an area that comes first
+};
+
+/// Among the goals of areas that come first, as long as there are such and mates have not all of them.
+Decided decided(const Judged& all, const Judged& first, const Situation& situation, Searches searches,
+                const ExplorationParams& params, const Intent& intent) {
+  for (const Judged* among : {&first, &all}) {
+    if (among == &first && first.candidates.empty()) continue;
+    const Candidate* present = intent.pursuit.goal ? successor_of(*intent.pursuit.goal, among->candidates,
+                                                                  params.candidate.successor_m)
+                                                   : nullptr;
+    Choice choice = choose({among->candidates, among->table, present, intent.offer.claimed_m}, situation,
+                           searches.map, params);
+    if (choice.best == nullptr && among == &first) continue;
+    const bool is_present = choice.best != nullptr && choice.best == present;
+    return {std::move(choice), is_present, among == &first};
+  }
+  return {};
 }
 
 /// Takes the chosen candidate as the goal: the successor of the present one, which recedes as the map grows,
 /// or another.
-Intent take(const Situation& situation, const ExplorationParams& params, const Candidate& best,
-            bool is_present, Intent intent) {
+Intent take(const Situation& situation, const ExplorationParams& params, const Decided& decided,
+            Intent intent) {
+  const Candidate& best = *decided.choice.best;
+  const std::string why =
+      description(best.goal, best.id.source) + (decided.is_first ? ", in an area that comes first" : "");
   Pursuit& pursuit = intent.pursuit;
-  if (is_present) {
+  if (decided.is_present) {
     pursuit.goal = best.goal;
     pursuit.id = best.id.number != 0 ? best.id : GoalId{best.id.source, pursuit.number};
   } else {
-    if (pursuit.goal) intent.log.note(situation.now, pursuit.goal->p_map, "left for a nearer one");
+    if (pursuit.goal) {
+      intent.log.note(situation.now, pursuit.goal->p_map,
+                      decided.is_first ? "left for one that comes first" : "left for a nearer one");
+    }
     const GoalId id = best.id.number != 0 ? best.id : GoalId{best.id.source, pursuit.number + 1};
     pursuit = set_out(std::move(pursuit), best.goal, id, situation.now, situation.here());
     intent.offer.claimed_m = weighed_cost_m(best, &best, params.switch_gain);
     ++intent.log.goals_issued;
-    intent.log.note(situation.now, best.goal.p_map,
-                    "taken: " + description(best.goal) + ", " + metres(best.cost_m) + " to go");
+    intent.log.note(situation.now, best.goal.p_map, "taken: " + why + ", " + metres(best.cost_m) + " to go");
   }
   pursuit.target = best.cell;
   pursuit.has_target = true;
-  intent.reason = description(best.goal);
+  intent.reason = why;
   return intent;
 }
 
@@ -169,35 +212,43 @@ Intent explore(const Situation& situation, Searches searches, const ExplorationP
     intent = settle(situation, searches.map, params, std::move(intent));
   }
   Proposal proposal = propose(situation, searches, params, homing, intent.deferred, std::move(intent.sweep));
-  const std::vector<Candidate>& candidates = proposal.candidates;
   intent.sweep = std::move(proposal.sweep);
-  intent.outlook = {{}, proposal.only_gaps, proposal.clusters};
+  const auto successor = [&](const std::vector<Candidate>& among) -> const Candidate* {
+    return intent.pursuit.goal ? successor_of(*intent.pursuit.goal, among, params.candidate.successor_m)
+                               : nullptr;
+  };
+  const Candidate* const pursued = successor(proposal.candidates);
+  const Judged all = judged(std::move(proposal.candidates), pursued, situation, searches, params);
+  const std::vector<Candidate>& candidates = all.candidates;
+  intent.outlook = {{}, all.left_out, proposal.only_gaps, proposal.clusters};
   for (const Candidate& c : candidates) intent.outlook.open_goals.push_back(c.goal);
   if (homing) {
-    if (!is_worth_resuming(candidates, situation, searches, params, intent.attempts))
+    if (!is_worth_resuming({candidates, all.table, nullptr, 0.0}, situation, searches, params,
+                           intent.attempts))
       return go_home(situation, searches, params, std::move(intent));
     ++intent.attempts.resumed;
     intent.phase = next(std::move(intent.phase), event::GoalFound{});
     intent.pursuit = without_goal(std::move(intent.pursuit));
   }
-  const Candidate* present =
-      intent.pursuit.goal ? successor_of(*intent.pursuit.goal, candidates, params.candidate.successor_m)
-                          : nullptr;
-  Choice choice = choose(candidates, present, intent.offer.claimed_m, situation, searches, params);
-  intent.offer.bids = std::move(choice.bids);
-  if (intent.pursuit.goal && present == nullptr) {
-    intent.log.note(situation.now, intent.pursuit.goal->p_map, "dropped: seen, or no longer a goal");
+  const Judged first = here_first(all, situation.here_first);
+  Decided chosen = decided(all, first, situation, searches, params, intent);
+  intent.offer.bids = std::move(chosen.choice.bids);
+  if (intent.pursuit.goal && successor(candidates) == nullptr) {
+    const types::Vector2 p_map = intent.pursuit.goal->p_map;
+    intent.log.note(situation.now, p_map, "dropped: seen, or no longer a goal");
+    if (!candidates.empty())
+      intent.deferred.vanish(p_map, situation.now + types::from_seconds(params.pursuit.give_up_s));
     intent.pursuit = without_goal(std::move(intent.pursuit));
   }
-  if (choice.best == nullptr && candidates.empty())
+  if (chosen.choice.best == nullptr && candidates.empty())
     return run_dry(situation, searches, params, proposal.cut_off, std::move(intent));
   intent.attempts.nothing_since = {};
-  if (choice.best == nullptr)
+  if (chosen.choice.best == nullptr)
     return wait_for_goal(situation, "waits: others are nearer to every goal", std::move(intent));
   ++intent.log.decisions_made;
   intent.log.clusters_sum += static_cast<std::uint64_t>(proposal.clusters);
   intent.log.goals_sum += candidates.size();
-  return take(situation, params, *choice.best, choice.best == present, std::move(intent));
+  return take(situation, params, chosen, std::move(intent));
 }
 
 }  // namespace topo::exploration

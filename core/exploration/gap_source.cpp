@@ -22,7 +22,12 @@ std::vector<ProposedGoal> goals_at(std::span<const goals::Frontier> frontiers, S
                                    const travel::RouteMap& map, const CandidateParams& params) {
   std::vector<goals::Goal> openings =
       frontier_goals(map.map(), map.field(), frontiers, params, behind_min_m2);
-  for (goals::Goal& opening : openings) opening.place = place_at(situation.analysis, opening.p_map);
+  for (goals::Goal& opening : openings) {
+    opening.place = place_at(situation.analysis, opening.p_map);
+    if (!std::isinf(opening.behind_m2)) continue;
+    const double from_paths_m = goals::distance_from_paths_m(opening.opening, situation.paths);
+    opening.chance = goals::chance_to_lead_on(opening.opening_m, from_paths_m, situation.essential.chance);
+  }
   return proposed_by(source, openings);
 }
 
@@ -49,11 +54,6 @@ Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<c
   std::erase_if(gaps.candidates, [&](const Candidate& gap) {
     return is_beside(gap.goal.p_map, beside, &goals::Goal::p_map, params.tour.same_stand_m);
   });
-  for (Candidate& gap : gaps.candidates) {
-    if (!std::isinf(gap.goal.behind_m2)) continue;
-    const double from_paths_m = goals::distance_from_paths_m(gap.goal.opening, situation.paths);
-    gap.goal.chance = goals::chance_to_lead_on(gap.goal.opening_m, from_paths_m, situation.essential.chance);
-  }
   return gaps;
 }
 

@@ -21,6 +21,7 @@ enum class Source : std::uint8_t {
   kGap,        ///< a frontier beside the essential goals
   kFrontier,   ///< a frontier strategy
   kViewpoint,  ///< the final sweep
+  kDoubt,      ///< a place where the map is doubted
   kPlace,      ///< an order, a home, or a place of last contact
 };
 

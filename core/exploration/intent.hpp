@@ -36,6 +36,8 @@ struct Situation {
   std::span<const std::vector<types::Vector2>> paths;  ///< driven by all robots, in map
   std::span<const types::Vector2> route;               ///< the present one, in map
   TeamView team;
+  std::span<const types::Polygon> here_first{};  ///< areas whose goals come before all others, in map
+  std::span<const types::Vector2> doubted{};     ///< places to look at again before the end, in map
 
   [[nodiscard]] types::Vector2 here() const { return T_map_base.translation(); }
   [[nodiscard]] bool is_about(const Pursuit& pursuit) const { return feedback.number == pursuit.number; }
@@ -57,6 +59,8 @@ struct Attempts {
 struct SweepState {
   FinalSweep sweep;
   bool meanwhile = false;  ///< the sweep runs although goals without a route are left
+  /// Doubted places at which the robot was for their doubt, or which it could not reach: each has one look.
+  std::vector<types::Vector2> looked_again{};
 };
 
 /// What the robot offers to its team.
@@ -68,9 +72,18 @@ struct Offer {
                                         ///< route
 };
 
+/// A goal that is left out because it gives too little for its time (worth.hpp), with the stretch of the tour
+/// in which it lies.
+struct LeftOutGoal {
+  types::Vector2 p_map{0.0, 0.0};
+  double gain_m2 = 0.0;
+  double time_s = 0.0;
+};
+
 /// The alternatives at the last decision.
 struct Outlook {
   std::vector<goals::Goal> open_goals;
+  std::vector<LeftOutGoal> left_out;
   bool only_gaps = false;
   int clusters = 0;  ///< of frontiers, at least ExplorationParams::frontier_min_m wide
 };

@@ -4,23 +4,18 @@
 
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
-#include <string_view>
+#include <optional>
 
+#include "core/exploration/finish.hpp"
 #include "core/exploration/strategy.hpp"
 #include "core/exploration/sweep_params.hpp"
+#include "core/exploration/worth.hpp"
 #include "core/team/right_of_way_params.hpp"
 #include "core/types/stamp.hpp"
 
 // Parameters of exploration, which was developed on the sixteen public floor plans of doc/results.md: a value
 // comes from there unless its comment names another source.
 namespace topo::exploration {
-
-enum class Finish : std::uint8_t {
-  kEssential,  ///< ends when no essential goal and no gap onto a room is left (TourParams::overlooked_m2)
-  kComplete,   ///< the remaining frontiers as well, in one tour with the essential goals, and the final sweep
-};
-std::string_view to_text(Finish finish);
 
 /// From a goal to the cell from which the robot attends to it, and the cost of that (goal_choice.hpp).
 struct CandidateParams {
@@ -65,6 +60,8 @@ struct TourParams {
   double overlooked_m2 = 10.0;  ///< Finish::kEssential: a gap onto more is inspected before the return
   double switch_share = 0.1;    ///< least saving of another tour, as a share of the route to the present goal
   std::size_t goals_max = 20;   ///< only the nearest goals are considered
+  double now_share = 0.25;      ///< a gap is filled on the way to the first goal of a tour when the detour is
+                                ///< at most this share of coming back for it from there
   double same_opening_m = 2.0;  ///< a frontier within this distance of an essential goal's opening is that
                                 ///< opening
   double same_stand_m = 1.0;    ///< gaps inspected from within this distance of a goal need no goal of their
@@ -90,10 +87,14 @@ struct PursuitParams {
 
 /// When an exploration has ended.
 struct EndingParams {
+  bool stays_out = false;  ///< with nothing left to gain the robot does not go home before its mates have no
+                           ///< goals either (ablation)
   types::Duration patience = std::chrono::seconds(6);  ///< a person may stand in a doorway for this time
   int resumes_max = 8;                                 ///< limit of resumptions on the way home
-  int stuck_max = 16;         ///< limit of resumptions not counted because the robot was stuck
-  double resume_for_m = 1.2;  ///< a narrower opening does not cause a resumption
+  int stuck_max = 16;           ///< limit of resumptions not counted because the robot was stuck
+  double resume_for_m = 1.2;    ///< a narrower opening does not cause a resumption
+  double looked_again_m = 3.0;  ///< doubted places so near have one look together; half of
+                                ///< LoopParams::search_max_m, by which a correction may move them
   /// Period of searches for viewpoints: while the robot waits for the result, and while team-mates explore.
   types::Duration sweep_again = std::chrono::seconds(1), sweep_again_meanwhile = std::chrono::seconds(30);
 };
@@ -121,9 +122,10 @@ struct MakingWayParams {
 struct ExplorationParams {
   Strategy strategy = Strategy::kTopometric;
   Finish finish = Finish::kComplete;
-  bool k_means = true;           ///< false, an ablation: a team assigns single goals, not clusters of goals
-  double frontier_min_m = 0.75;  ///< narrower frontiers are no goals
-  double switch_gain = 0.8;      ///< another goal must cost less than this share of the present one's
+  WorthParams worth;               ///< Finish::kWorth
+  std::optional<team::Rule> rule;  ///< in place of the strategy's, an ablation
+  double frontier_min_m = 0.75;    ///< narrower frontiers are no goals
+  double switch_gain = 0.8;        ///< another goal must cost less than this share of the present one's
   CandidateParams candidate;
   TourParams tour;
   DeferralParams deferral;
@@ -134,5 +136,11 @@ struct ExplorationParams {
   MakingWayParams making_way;
   TeamViewParams team_view;
 };
+
+/// The parameters of a rule.
+inline void set_finish(const FinishRule& rule, ExplorationParams& params) {
+  params.finish = rule.finish;
+  if (rule.finish == Finish::kWorth) params.worth.rate_m2ps = rule.rate_m2ps;
+}
 
 }  // namespace topo::exploration

@@ -22,6 +22,11 @@ Wider widened(Narrower narrower) {
   return std::visit([](auto alternative) -> Wider { return alternative; }, std::move(narrower));
 }
 
+std::string explored(std::size_t left_out) {
+  if (left_out == 0) return "explored: no goal is left in reach";
+  return "explored: goals that are not worth their time are left out: " + std::to_string(left_out);
+}
+
 Phase ordered(Order order) {
   switch (order) {
     case Order::kStand:
@@ -94,9 +99,9 @@ Phase next(Phase phase, const Event& event) {
             return std::visit([](auto here) -> Phase { return on_low_battery(std::move(here)); },
                               std::move(phase));
           },
-          [&](const event::GoalsExhausted&) {
+          [&](const event::GoalsExhausted& e) {
             if (!std::holds_alternative<Exploring>(phase)) return std::move(phase);
-            return Phase(Returning{"explored: no goal is left in reach", false});
+            return Phase(Returning{explored(e.left_out), false});
           },
           [&](const event::GoalFound&) {
             return is_homing(phase) && !std::holds_alternative<MakingWay>(phase) &&

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -78,8 +79,10 @@ struct Ordered {  ///< a new mission
 struct PauseOrdered {};
 struct ResumeOrdered {};
 struct BatteryLow {};
-struct GoalsExhausted {};  ///< no goal is left in reach, also for coordinated team-mates
-struct GoalFound {};       ///< a goal that justifies turning round on the way home
+struct GoalsExhausted {      ///< no goal is left in reach, also for coordinated team-mates
+  std::size_t left_out = 0;  ///< goals in reach that are not worth their time
+};
+struct GoalFound {};  ///< a goal that justifies turning round on the way home
 struct ContactLost {};
 struct ContactEnded {};  ///< a team-mate is heard again, or the search for one has failed
 struct RightOfWay {      ///< a team-mate needs to pass

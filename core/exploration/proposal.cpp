@@ -59,6 +59,7 @@ void append(std::vector<Candidate>& candidates, const std::vector<Candidate>& mo
 /// Essential goals and gaps: all gaps when the exploration has to be complete; otherwise, when no essential
 /// goal is left, the gaps through which the building continues. Viewpoints when neither is left. A sweep that
 /// has begun continues in one tour with new goals; otherwise the robot would leave a corner that is close.
+/// Last of all the places where the map is doubted: what is seen there again may mend it.
 Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
                       bool homing, const DeferredGoals& deferred, SweepState sweep) {
   Proposal proposal;
@@ -67,7 +68,7 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
   proposal.clusters = static_cast<int>(frontiers.size());
   Reachable found = essential_candidates(situation, map, deferred, params, homing);
   proposal.only_gaps = found.candidates.empty();
-  const bool complete = params.finish == Finish::kComplete;
+  const bool complete = params.finish != Finish::kEssential;
   if (complete || proposal.only_gaps) {
     if (!complete) frontiers = overlooked(std::move(frontiers), map, situation.essential, params.tour);
     const Reachable gaps = gap_candidates(frontiers, found.candidates, situation, map, deferred, params);
@@ -85,6 +86,8 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
     append(found.candidates, viewpoints.candidates);
     found.cut_off = found.cut_off || viewpoints.cut_off;
   }
+  if (found.candidates.empty() && !homing && params.finish != Finish::kWorth)
+    found.candidates = doubted_candidates(situation, map, sweep.looked_again, params);
   estimate_far_ones(found.candidates, situation.T_map_base, map, params);
   proposal.candidates = std::move(found.candidates);
   proposal.cut_off = found.cut_off;

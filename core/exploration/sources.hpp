@@ -53,6 +53,13 @@ SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_o
 Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
                                const travel::RouteMap& map, const CandidateParams& params);
 
+/// Places where the map is doubted (doubt_source.cpp), but for those at which the robot has `looked_again`:
+/// from there what was mapped is seen again, and may be matched. One without a route now is no reason to
+/// wait.
+std::vector<Candidate> doubted_candidates(const Situation& situation, const travel::RouteMap& map,
+                                          std::span<const types::Vector2> looked_again,
+                                          const ExplorationParams& params);
+
 /// True when a final sweep follows an exploration.
 bool has_final_sweep(const ExplorationParams& params);
 

@@ -15,11 +15,11 @@ using team::Rule;
 // only.
 constexpr milliseconds kOften{3200}, kSeldom{5000};
 constexpr std::array<StrategyRow, 5> kStrategies{{
-    {Strategy::kTopometric, "topometric", true, Rule::kClusters, Rule::kNoClusters, kOften},
-    {Strategy::kNearestFrontier, "nearest_frontier", false, Rule::kAlone, Rule::kAlone, kSeldom},
-    {Strategy::kGreedyFrontier, "greedy_frontier", false, Rule::kInTurn, Rule::kInTurn, kSeldom},
-    {Strategy::kUtilityFrontier, "utility_frontier", false, Rule::kUtility, Rule::kUtility, kSeldom},
-    {Strategy::kMinPos, "min_pos", false, Rule::kMinPos, Rule::kMinPos, kSeldom},
+    {Strategy::kTopometric, "topometric", true, Rule::kShares, kOften},
+    {Strategy::kNearestFrontier, "nearest_frontier", false, Rule::kAlone, kSeldom},
+    {Strategy::kGreedyFrontier, "greedy_frontier", false, Rule::kInTurn, kSeldom},
+    {Strategy::kUtilityFrontier, "utility_frontier", false, Rule::kUtility, kSeldom},
+    {Strategy::kMinPos, "min_pos", false, Rule::kMinPos, kSeldom},
 }};
 
 constexpr bool in_order() {

@@ -27,8 +27,7 @@ struct StrategyRow {
   Strategy strategy = Strategy::kTopometric;
   std::string_view name;
   bool tours = true;  ///< essential goals, gaps and viewpoints in one tour; false: the best frontier
-  team::Rule rule = team::Rule::kAlone;        ///< assignment of goals within a team
-  team::Rule no_k_means = team::Rule::kAlone;  ///< the same without clusters, an ablation
+  team::Rule rule = team::Rule::kAlone;  ///< assignment of goals within a team
   /// Period of the analysis while there is a goal. A frontier strategy does not use places: they are for
   /// display.
   types::Duration analysis_period{};

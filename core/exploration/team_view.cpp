@@ -49,6 +49,10 @@ const Vector2& place_for_team(const goals::Goal& goal) {
   return goal.side != goals::Side::kNone ? goal.opening : goal.p_map;
 }
 
+team::Bid claim_on(const goals::Goal& goal, double claimed_m) {
+  return team::in_steps({place_for_team(goal), claimed_m, true});
+}
+
 std::vector<Vector2> beginning_of(std::span<const Vector2> route, const TeamViewParams& params) {
   std::vector<Vector2> way;
   double gone_m = 0.0, next_m = 0.0;

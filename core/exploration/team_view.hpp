@@ -46,6 +46,8 @@ bool mate_was_at(const team::Roster& roster, types::Stamp now, const types::Vect
 /// depends on what else is visible from there, and may be metres away (core/goals/greedy_cover.hpp). Gaps are
 /// inspected from beside them.
 const types::Vector2& place_for_team(const goals::Goal& goal);
+/// The robot's claim on its goal, as team-mates receive it. `claimed_m`: Offer::claimed_m.
+team::Bid claim_on(const goals::Goal& goal, double claimed_m);
 
 /// The next metres of a route, thinned out for status messages.
 std::vector<types::Vector2> beginning_of(std::span<const types::Vector2> route, const TeamViewParams& params);

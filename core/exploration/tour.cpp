@@ -94,6 +94,7 @@ double tour_cost_m(const TourGoals& goals, const Tour& tour, double length_share
     worth += goals.worth[tour[i]];
   }
   const double mean_m = worth > 0.0 ? waited_m / worth : driven_m;
+  if (!tour.empty()) driven_m += goals.to_home_m[tour.back()];
   return length_share * driven_m + (1.0 - length_share) * mean_m;
 }
 

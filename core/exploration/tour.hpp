@@ -11,13 +11,18 @@ namespace topo::exploration {
 /// Goals that one robot has to visit, each once: costs of the routes, and expected information gains.
 struct TourGoals {
   explicit TourGoals(std::size_t goals)
-      : count(goals), from_start_m(goals, 0.0), worth(goals, 0.0), between_m(goals * goals, 0.0) {}
+      : count(goals),
+        from_start_m(goals, 0.0),
+        to_home_m(goals, 0.0),
+        worth(goals, 0.0),
+        between_m(goals * goals, 0.0) {}
 
   [[nodiscard]] double& between(std::size_t a, std::size_t b) { return between_m[a * count + b]; }
   [[nodiscard]] double between(std::size_t a, std::size_t b) const { return between_m[a * count + b]; }
 
   std::size_t count;
   std::vector<double> from_start_m;  ///< from the robot's position
+  std::vector<double> to_home_m;     ///< from each goal, when the tour ends there; else 0
   std::vector<double> worth;         ///< expected information gain in any unit, not negative
   std::vector<double> between_m;     ///< symmetric, row by row
 };

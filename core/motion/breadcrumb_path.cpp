@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/types/invariant.hpp"
 
@@ -16,10 +15,9 @@ using types::Vector2;
 
 constexpr double kRounding_m = 1e-3;  // numerical: of odometry in whole millimetres
 
-/// Angle from straight behind the robot to a point.
-double aside_rad(const Vector2& p_base) {
-  return types::wrap_angle(std::atan2(p_base.y(), p_base.x()) - std::numbers::pi);
-}
+/// Angle from straight behind the robot to a point. Of the point opposite, since the difference of a bearing
+/// and pi is rounded differently on the two sides of the robot.
+double aside_rad(const Vector2& p_base) { return std::atan2(-p_base.y(), -p_base.x()); }
 
 }  // namespace
 

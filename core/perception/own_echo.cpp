@@ -18,9 +18,11 @@ void OwnEcho::update(const types::Scan& scan, const types::Se2& T_base_laser,
   for (Bin& bin : bins_) bin.seen = false;
   types::BeamDirections direction(scan.geometry, T_base_laser.theta_rad);
   const auto ranges = scan.ranges();
+  const double outside_m = T_base_laser.translation().norm() + types::reach_m(footprint);
   for (std::size_t i = 0; i < ranges.size(); ++i, direction.advance()) {
     if (!types::is_hit(ranges[i])) continue;
     const auto range_m = static_cast<double>(ranges[i]);
+    if (range_m > outside_m) continue;
     if (!contains(footprint, T_base_laser.translation() + range_m * direction.now())) continue;
     const double turn = std::atan2(direction.now().y(), direction.now().x()) / (2.0 * std::numbers::pi) + 0.5;
     Bin& bin = bins_[std::min(static_cast<std::size_t>(std::max(turn, 0.0) * kBins), kBins - 1)];

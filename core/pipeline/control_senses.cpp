@@ -48,7 +48,7 @@ motion::GateInput ControlSenses::perceive(const ControlSetup& setup, const Contr
   g.estop_cleared = in.estop_cleared;
   g.firmware_watchdog = in.firmware_watchdog;
   g.limits = setup.limits;
-  g.area = &setup.area;
+  g.area = in.area != nullptr ? in.area : &setup.area;
   g.params = gate_;
   g.stop_zone = stop_zone_;
   return g;

@@ -24,7 +24,7 @@ namespace topo::pipeline {
 struct ControlSetup {
   types::RobotLimits limits;
   types::Se2 T_base_laser;  ///< front scanner
-  types::AreaLimits area;
+  types::AreaLimits area;   ///< of the configuration
   types::Duration plan_age_max = std::chrono::seconds(1);
   types::ModelSize model = types::kP3dx;
   bool disobeyed = false;  ///< the base did not obey when the daemon ended (Plausibility)
@@ -53,6 +53,7 @@ struct ControlInput {
   bool watchdog_on_trial = false;
   double firmware_deceleration_mps2 = 0.0;  ///< the most that it brakes with; 0: unknown
   bool base_released = false;               ///< plausibility::Evidence::base_released
+  const types::AreaLimits* area = nullptr;  ///< all that are in force; null: the configuration's alone
 };
 
 enum class ControlMode : std::uint8_t {

@@ -32,6 +32,18 @@ bool has_to_give_way(const exploration::Intent& intent, const exploration::TeamV
   return exploration::who_has_to_pass(team, place.pose(), way, now, params) != nullptr;
 }
 
+/// True when a team-mate has claimed the robot's goal since the decision, and the robot has to leave it.
+bool is_lost_to_a_mate(const HeldRoute& route, const exploration::Intent& intent,
+                       const exploration::TeamView& team, types::Stamp now) {
+  std::vector<const team::StatusMessage*> claimants = team.roster.counted(now);
+  std::erase_if(claimants, [&](const team::StatusMessage* mate) {
+    return !mate->claim ||
+           std::ranges::count(route.claims, std::pair(mate->robot, std::optional(mate->claim->p_map))) > 0;
+  });
+  const team::Bid own = exploration::claim_on(*intent.pursuit.goal, intent.offer.claimed_m);
+  return team::is_beaten(own, team.robot, claimants);
+}
+
 bool is_in_the_way(std::span<const Vector2> ahead, const Vector2& obstacle, double closed_m) {
   return std::any_of(ahead.begin(), ahead.end(),
                      [&](const Vector2& p) { return (p - obstacle).squaredNorm() < closed_m * closed_m; });
@@ -52,6 +64,7 @@ bool holds(const HeldRoute& route, const exploration::Intent& intent, const expl
        !exploration::are_same_claims(exploration::claims_of_mates(team.roster, in.now), route.claims)))
     return false;
   if (battery_low && !exploration::is_homing(intent.phase)) return false;
+  if (is_lost_to_a_mate(route, intent, team, in.now)) return false;
   if (has_to_give_way(intent, team, place, route.points, in.now, params.explore.team_view)) return false;
   if (exploration::is_seeking_contact(intent.phase) && !intent.contact.lost_at(in.now)) return false;
   if (in.control->mode == ControlMode::kStuck || in.control->mode == ControlMode::kArrived) return false;

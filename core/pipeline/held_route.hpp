@@ -15,11 +15,12 @@ namespace topo::pipeline {
 
 /// The route of the last decision, and the basis of that decision. A value.
 struct HeldRoute {
-  std::vector<types::Vector2> points;  ///< to the target, in map
-  types::Stamp decided{};              ///< zero: the next period decides anew
-  std::uint64_t changed_cells = 0;     ///< MapSnapshot::changed_cells at the decision
-  NewestKeyframe newest;               ///< of the map at the decision
-  exploration::Claims claims;          ///< of team-mates at the decision
+  std::vector<types::Vector2> points;        ///< to the target, in map
+  types::Stamp decided{};                    ///< zero: the next period decides anew
+  std::uint64_t changed_cells = 0;           ///< MapSnapshot::changed_cells at the decision
+  NewestKeyframe newest;                     ///< of the map at the decision
+  exploration::Claims claims;                ///< of team-mates at the decision
+  std::vector<types::Polygon> here_first{};  ///< areas whose goals came first at the decision
 };
 
 /// True when the last decision is still valid: no relevant event, and no obstacle of `seen_now` in the way.

@@ -39,9 +39,11 @@ struct MappingState::Impl {
         drawing(given, of_step.drawing),
         columns(given.coronal, given.columns) {}
 
-  void run(MappingOutput& output, bool flush);
-  void place(const PairedScan& paired, MappingOutput& output);
+  /// `looks_back`: an idle robot may ask for a search of its past.
+  void run(MappingOutput& output, bool flush, bool looks_back);
+  void place(const PairedScan& paired, bool looks_back, MappingOutput& output);
   void pass_boundary(MappingOutput& output);
+  void look_back(MappingOutput& output);
   void join_news(MappingOutput& output);
   [[nodiscard]] bool has_news() const {
     return news.of_mates() || mapper.has_mates_to_ask_about() || drawing.has_news();
@@ -58,6 +60,7 @@ struct MappingState::Impl {
   slam::Cloud cloud;
   types::Stamp placed{};  ///< stamp of the newest front scan placed
   types::Stamp drawn{};   ///< the same, when the map was last drawn
+  types::Stamp looked{};  ///< the same, when the robot was last found idle, or made a keyframe
   std::uint64_t revision = 0;
 };
 

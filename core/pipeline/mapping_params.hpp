@@ -37,6 +37,9 @@ struct MappingStepParams {
   /// A standing robot makes no keyframes: news waits this long for one. Each change of the map costs an
   /// analysis.
   types::Duration news_wait = std::chrono::seconds(1);
+  /// A robot that has made no keyframe for so long searches its own past (slam::OwnPast::take_idle), a
+  /// stretch each time: the closure thread has a second of work then.
+  types::Duration idle_after = std::chrono::seconds(5);
   std::size_t mate_queries_max = 2;  ///< of team-mates' keyframes, at one keyframe boundary
 };
 

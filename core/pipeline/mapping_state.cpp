@@ -59,7 +59,7 @@ void MappingState::relate(const slam::RelationKey& key, const slam::Relation& re
 MappingOutput MappingState::finish() {
   MappingOutput output;
   Impl& state = *impl_;
-  state.run(output, true);
+  state.run(output, true, true);
   for (const slam::LoopAnswer& answer : std::exchange(state.news.answers, {}))
     output.loop_verdicts.push_back(state.mapper.apply(answer));
   if (state.mapper.keyframes().empty()) return output;
@@ -70,6 +70,10 @@ MappingOutput MappingState::finish() {
   ++state.revision;
   output.keyframe_added = true;
   return output;
+}
+
+std::optional<slam::AlignmentQuery> MappingState::take_idle_query() {
+  return impl_->mapper.take_idle_query();
 }
 
 std::unique_ptr<MapSnapshot> MappingState::make_snapshot() {

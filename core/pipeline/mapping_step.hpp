@@ -23,6 +23,8 @@ struct MappingInput {
   std::span<const types::Odometry> odometry;
   const types::Scan* front = nullptr;    ///< at most one per step
   const types::Scan* coronal = nullptr;  ///< at most one per step
+  /// The loop closure thread has searches left to do: that of an idle robot's past waits, and is not lost.
+  bool is_searching = false;
 };
 
 /// Result of one step. Scans wait for odometry, so that a step may place none or several.
@@ -74,6 +76,10 @@ class MappingState {
   /// news_wait without one.
   void join(std::span<const slam::KeyframePtr> keyframes, std::span<const slam::FoundRelation> relations);
   void relate(const slam::RelationKey& key, const slam::Relation& relation);
+
+  /// A search of the own past that is left to do at the end of a log, after finish(): its answer is offered,
+  /// and finish() called again. Empty when there is none left.
+  [[nodiscard]] std::optional<slam::AlignmentQuery> take_idle_query();
 
   /// Places the scans that wait for odometry, applies the answers that wait for a keyframe, and solves the
   /// pose graph once more, at once: for the end of a log.

@@ -48,7 +48,7 @@ struct PlannerParams {
   grid::TravelRules travel;
   travel::RouteMapParams route_map;
   travel::ObstacleMemoryParams obstacles;
-  types::AreaLimits area;
+  types::AreaLimits area;                                         ///< of the configuration
   types::Se2 T_base_laser;                                        ///< front scanner, for present obstacles
   types::Duration live_age_max = std::chrono::milliseconds(300);  ///< of the newest scan
   WhereaboutsParams whereabouts;

@@ -94,8 +94,7 @@ team::StatusMessage make_message(const PlanningInput& in, const Intent& intent, 
     return message;
   message.bids = intent.offer.bids;
   if (intent.pursuit.goal && !is_seeking_contact(phase))
-    message.claim =
-        team::in_steps({exploration::place_for_team(*intent.pursuit.goal), intent.offer.claimed_m, true});
+    message.claim = exploration::claim_on(*intent.pursuit.goal, intent.offer.claimed_m);
   return message;
 }
 

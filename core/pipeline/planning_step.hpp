@@ -63,7 +63,10 @@ struct PlanningInput {
   const types::Scan* front = nullptr;  ///< the newest, for obstacles that no keyframe contains yet
   TeamInput team;
   Mission mission;
-  PlanningWatch done;  ///< may be empty
+  PlanningWatch done;                            ///< may be empty
+  const types::AreaLimits* area = nullptr;       ///< all that are in force; null: the configuration's alone
+  std::span<const types::Polygon> here_first{};  ///< areas whose goals come before all others
+  std::span<const types::Vector2> doubted{};     ///< places to look at again before an exploration ends
 };
 
 /// State of planning for status, files and pictures; immutable once published.
@@ -116,7 +119,8 @@ class PlanningState {
 PlanningOutput planning_step(PlanningState& state, const PlanningInput& input);
 
 /// Success when an operator's goal can be reached on the present map, else the reason (unknown space,
-/// occupied, not reachable, forbidden area). For the control socket, before the goal becomes a mission.
+/// occupied, not reachable, forbidden area: `params.area` is what is in force). For the control socket,
+/// before the goal becomes a mission.
 types::Status check_target(const analysis::Analysis& analysis, const PlannerParams& params,
                            const types::Vector2& from, const types::Vector2& target);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/replan.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/pipeline/perceive.hpp"
@@ -89,7 +90,9 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
                                          params.analysis.goals,
                                          paths,
                                          route.points,
-                                         team};
+                                         team,
+                                         in.here_first,
+                                         in.doubted};
   intent = decide(situation, {caches.map, caches.ways}, params.explore, std::move(intent));
   done(PlanningStage::kDecision);
   const bool goes = !has_ended(intent.phase) && intent.pursuit.has_target;
@@ -106,6 +109,16 @@ Planned planned(Planned before, const PlanningInput& in, const Whereabouts& plac
   auto& [intent, analysed_now, route] = before;
   const bool paused = std::holds_alternative<exploration::Paused>(intent.phase);
   if (paused) intent.pursuit.last_progress = in.now;
+  if (caches.map.limit(in.area != nullptr ? *in.area : params.area)) {
+    // Neither goals nor ways of before hold.
+    analysed_now.analysis.reset();
+    route.decided = {};
+    caches.ways.doubt();
+  }
+  if (!std::ranges::equal(route.here_first, in.here_first)) {
+    route.here_first.assign(in.here_first.begin(), in.here_first.end());
+    route.decided = {};
+  }
   if (std::exchange(intent.is_outdated, false)) route.decided = {};
   std::vector<Vector2> seen = seen_now(in, place, team.going_at, params);
   if (!paused && holds(route, intent, team, place, in, caches.map, battery_low, seen, params)) {

@@ -9,7 +9,8 @@ types::Status check_target(const analysis::Analysis& analysis, const PlannerPara
                            const types::Vector2& from, const types::Vector2& target) {
   using types::Errc;
   if (!types::allows(params.area, target))
-    return types::fail(Errc::kInvalidInput, "the target is outside of the configured area");
+    return types::fail(Errc::kInvalidInput,
+                       "the target is in an area that is kept out of, or outside of the one that is kept in");
   const grid::DenseMap& map = analysis.map;
   const grid::CellIndex cell = map.cell_at(target);
   switch (map.state(cell)) {

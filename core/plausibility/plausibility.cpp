@@ -34,8 +34,10 @@ void Plausibility::judge_status(const Evidence& evidence) {
   const types::BaseState& base = *evidence.base;
   if (base.arrival == last_status_) return;
   const bool anew = last_status_ != types::Stamp{} && base.arrival - last_status_ > params_.standing.silence;
-  if (anew) obedience_.reset();
-  if (anew) obeys_ = {};
+  if (anew) {
+    obedience_.reset();
+    obeys_ = {};
+  }
   const bool first = anew || last_status_ == types::Stamp{};
   last_status_ = heard_ = base.arrival;
   switched_off_ = motors_.judge(base, first);

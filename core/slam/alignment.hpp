@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -25,10 +26,24 @@ struct Alignment {
   [[nodiscard]] bool found() const { return refusal == AlignmentRefusal::kNone; }
 };
 
+/// What an alignment must show to be accepted.
+struct AlignmentGate {
+  int agreeing_min = 4;         ///< patches that must support one alignment; of them
+  int clear_min = 3;            ///< patches without a rival second place
+  double spread_min_m = 4.0;    ///< greatest distance between two of them
+  double agreeing_share = 0.5;  ///< of all patches, that must support one alignment
+  double rival_share = 0.5;     ///< greatest share of that number that may support another one,
+  double against_share = 0.5;   ///< and that may contradict the map where the alignment puts them
+  /// A patch is nowhere else than this near to where its own map's frame puts it; infinite: the frames are
+  /// unrelated.
+  double off_max_m = HUGE_VAL, off_max_rad = HUGE_VAL;
+};
+
 /// A request to the loop closure thread: values and shared constants.
 struct AlignmentQuery {
   Session own, mates;
   MapperParams params;
+  AlignmentGate gate{};
 };
 
 }  // namespace topo::slam

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/slam/odometry_evidence.hpp"
 #include "core/slam/spanning_start.hpp"
 
 namespace topo::slam {
@@ -45,8 +46,7 @@ std::optional<std::size_t> place_of(const KeyframeId& id, const std::vector<Keyf
 int rank_of(const RelationKey& key, const Relation& relation) {
   const auto& [a, b] = key;
   if (relation.robust) return 2;
-  const bool successive = std::max(a.sequence, b.sequence) - std::min(a.sequence, b.sequence) == 1;
-  return a.origin() == b.origin() && successive ? 0 : 1;
+  return are_successive(a, b) ? 0 : 1;
 }
 
 struct Graph {
@@ -81,7 +81,8 @@ Session canonical_session(const KeyframeSet& keyframes, const RelationSet& relat
   for (types::Se2& pose : out.poses) pose = T_origin_first * pose;
   out.poses[fixed] = {};
   // When it cannot be solved, the poses of the tree are kept.
-  (void)solve_consistently(out.poses, out.edges, params, fixed);
+  (void)solve_consistently(out.poses, with_odometry(out.keyframes, out.edges, params.odometry), params,
+                           fixed);
   return out;
 }
 

@@ -39,7 +39,7 @@ void GraphErrorModel::evaluate(std::span<const types::Se2> poses, GraphErrors& o
         types::wrap_angle(types::wrap_angle(b.theta_rad - a.theta_rad) - edge.T_from_to.theta_rad);
     at.chi2 = at.error.dot(edge.information * at.error);
     out.chi2 += at.chi2;
-    out.loss += edge.robust ? kernel2_ * std::log1p(at.chi2 / kernel2_) : at.chi2;
+    out.loss += may_be_overruled(edge) ? kernel2_ * std::log1p(at.chi2 / kernel2_) : at.chi2;
   }
 }
 
@@ -56,7 +56,7 @@ LinearError GraphErrorModel::linearise(std::size_t edge, const GraphErrors& erro
       0.0, 0.0, -1.0;
   out.to << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
   out.weight = edges_[edge].information;
-  if (edges_[edge].robust) out.weight /= 1.0 + at.chi2 / kernel2_;
+  if (may_be_overruled(edges_[edge])) out.weight /= 1.0 + at.chi2 / kernel2_;
   return out;
 }
 

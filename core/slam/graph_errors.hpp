@@ -23,7 +23,7 @@ struct GraphErrors {
   std::vector<Direction> headings;  ///< of the nodes
   std::vector<AtEdge> edges;
   double chi2 = 0.0;  ///< sum over the edges
-  double loss = 0.0;  ///< the same, with the robust loss for closures
+  double loss = 0.0;  ///< the same, with the robust losses
 };
 
 /// An edge's linearised error and its weight (Triggs et al. 2000, section 4.3: a robust loss as a weight).
@@ -37,7 +37,8 @@ struct LinearError {
 /// once per node instead of once per edge.
 class GraphErrorModel {
  public:
-  /// The edges must outlive the model. `kernel`: Cauchy scale of closures, in standard deviations.
+  /// The edges must outlive the model. `kernel`: Cauchy scale of closures and doubted matches, in standard
+  /// deviations.
   GraphErrorModel(std::span<const Edge> edges, double kernel);
 
   /// Evaluates at these poses; reuses the memory of `out`.

@@ -10,8 +10,8 @@
 
 namespace topo::slam {
 
-void GraphLinks::add(const Edge& edge) {
-  const double length = std::hypot(edge.T_from_to.x_m, edge.T_from_to.y_m) + turn_on_spot_m_;
+void GraphLinks::add(const Edge& edge, double loose_m) {
+  const double length = std::hypot(edge.T_from_to.x_m, edge.T_from_to.y_m) + turn_on_spot_m_ + loose_m;
   at_.resize(std::max({at_.size(), edge.from + 1, edge.to + 1}));
   at_[edge.from].emplace_back(edge.to, length);
   at_[edge.to].emplace_back(edge.from, length);

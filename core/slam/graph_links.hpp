@@ -16,7 +16,8 @@ class GraphLinks {
   /// `turn_on_spot_m`: GraphParams.
   explicit GraphLinks(double turn_on_spot_m) : turn_on_spot_m_(turn_on_spot_m) {}
 
-  void add(const Edge& edge);
+  /// `loose_m`: added to the edge's length, where more drift is to be expected than on its way.
+  void add(const Edge& edge, double loose_m = 0.0);
 
   /// Length in metres of the shortest path from a node to every other of `nodes`; infinite without one.
   [[nodiscard]] std::vector<double> distances_m(std::size_t nodes, std::size_t from) const;

@@ -9,8 +9,8 @@
 
 namespace topo::slam {
 
-/// A snapshot of the pose graph with new edges, as a request to the loop closure thread. Value type,
-/// immutable once created.
+/// A snapshot of the pose graph with new edges and odometry's evidence (with_odometry), as a request to the
+/// loop closure thread. Value type, immutable once created.
 struct GraphQuery {
   std::vector<types::Se2> poses;
   std::vector<Edge> edges;

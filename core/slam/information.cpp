@@ -37,4 +37,9 @@ Eigen::Matrix3d motion_information(const types::Se2& T_last_now, const MotionNoi
   return Eigen::Vector3d(1.0 / (trans * trans), 1.0 / (trans * trans), 1.0 / (rot * rot)).asDiagonal();
 }
 
+bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
+  const double way_m = std::hypot(motion.x_m, motion.y_m);
+  return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
+}
+
 }  // namespace topo::slam

@@ -18,4 +18,7 @@ Eigen::Matrix3d edge_information(const Eigen::Matrix3d& information_map, double 
 /// the same in all axes.
 Eigen::Matrix3d motion_information(const types::Se2& T_last_now, const MotionNoise& noise);
 
+/// False for a motion that no robot drives within these seconds: odometry was set to another place.
+[[nodiscard]] bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise);
+
 }  // namespace topo::slam

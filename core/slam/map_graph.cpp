@@ -3,10 +3,14 @@
 
 #include "core/slam/map_graph.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <utility>
 
+#include "core/slam/odometry_evidence.hpp"
 #include "core/types/invariant.hpp"
 
 namespace topo::slam {
@@ -17,6 +21,9 @@ MapGraph::MapGraph(std::uint16_t robot, const LoopParams& loop, const GraphParam
       obeyed_rad_(0.5 * loop.search_floor_rad),
       match_sigma_m_(graph.match_sigma_floors * graph.loop_trans_floor_m),
       tension_chi2_(graph.tension_chi2),
+      loose_rad_(graph.loose_rad),
+      drift_per_m_rad_(loop.drift_per_m_rad),
+      odometry_(graph.odometry),
       tied_reach_(loop.tied_reach),
       links_(graph.turn_on_spot_m) {}
 
@@ -44,24 +51,33 @@ std::size_t MapGraph::add_mates(KeyframePtr keyframe, const types::Se2& pose) {
 }
 
 void MapGraph::add(const Edge& edge) {
+  const double loose = loose_m(edge);
   if (is_far_off(edge))
     unlinked_.push_back(edges_.size());
   else
-    links_.add(edge);
+    links_.add(edge, loose);
+  if (loose > 0.0 && is_own(edge.to)) {
+    // A session's keyframes come before its edges.
+    const auto place =
+        static_cast<std::size_t>(std::lower_bound(own_.begin(), own_.end(), edge.to) - own_.begin());
+    loose_.insert(std::upper_bound(loose_.begin(), loose_.end(), place), place);
+  }
   related_.emplace(key_of(edge), edges_.size());
   edges_.push_back(edge);
   const bool from_own = is_own(edge.from), to_own = is_own(edge.to);
   if (from_own != to_own && is_as_certain_as_a_match(edge)) tied_.insert(from_own ? edge.to : edge.from);
 }
 
-void MapGraph::keep_lower(const RelationKey& key, const Relation& relation) {
-  const auto at = related_.find(key);
+void MapGraph::keep_lower(const FoundRelation& found) {
+  const Relation& relation = found.relation;
+  const auto at = related_.find(found.key);
   if (at == related_.end()) return;
   Edge& edge = edges_[at->second];
   if (!is_lower(relation, {edge.T_from_to, edge.information, edge.robust})) return;
   edge.T_from_to = relation.T_from_to;
   edge.information = relation.information;
   edge.robust = relation.robust;
+  edge.finder = found.id;
 }
 
 void MapGraph::move(std::vector<types::Se2> poses) {
@@ -73,7 +89,7 @@ void MapGraph::move(std::vector<types::Se2> poses) {
 void MapGraph::relink() {
   std::erase_if(unlinked_, [&](std::size_t i) {
     if (is_far_off(edges_[i])) return false;
-    links_.add(edges_[i]);
+    links_.add(edges_[i], loose_m(edges_[i]));
     return true;
   });
 }
@@ -90,6 +106,28 @@ bool MapGraph::is_tense(const Edge& edge) const { return edge_chi2(edge, poses_)
 bool MapGraph::is_far_off(const Edge& edge) const {
   const Eigen::Vector3d error = edge_error(edge, poses_[edge.from], poses_[edge.to]);
   return error.head<2>().norm() > obeyed_m_ || std::abs(error.z()) > obeyed_rad_;
+}
+
+/// The way on which as much drift is to be expected as odometry's uncertainty over the edge's motion: where
+/// nothing was matched, or where odometry contradicts the match.
+double MapGraph::loose_m(const Edge& edge) const {
+  if (edge.robust || !are_successive(keyframes_[edge.from]->id, keyframes_[edge.to]->id)) return 0.0;
+  Eigen::Matrix3d covariance = edge.information.inverse();
+  if (const auto odometry =
+          contradicting_odometry(edge, *keyframes_[edge.from], *keyframes_[edge.to], odometry_))
+    covariance += odometry->information.inverse();
+  const double sigma_rad = std::sqrt(covariance(2, 2));
+  return sigma_rad > loose_rad_ ? std::min(sigma_rad, std::numbers::pi) / drift_per_m_rad_ : 0.0;
+}
+
+std::size_t MapGraph::end_of_past(std::size_t place, std::span<const double> distances_m,
+                                  const LoopParams& params) const {
+  const std::size_t end = end_of_other_visits(poses_, own_, place, params);
+  const auto newest = std::upper_bound(loose_.begin(), loose_.end(), place);
+  const auto unspanned = std::find_if(std::make_reverse_iterator(newest), loose_.rend(), [&](std::size_t at) {
+    return distances_m[own_[at - 1]] >= params.chain_gap_m;
+  });
+  return unspanned == loose_.rend() ? end : std::max(end, *unspanned);
 }
 
 /// A start pose that a person gave is less certain: those maps are still to be matched.

@@ -35,7 +35,7 @@ class MapGraph {
   void add(const Edge& edge);
   /// Of two relations under one key all robots of a team keep the lower one, whichever came first. Nothing
   /// happens where the graph has no relation under the key. Poses follow with the next solution.
-  void keep_lower(const RelationKey& key, const Relation& relation);
+  void keep_lower(const FoundRelation& found);
   /// Replaces all poses; edges that these obey are links from now on.
   void move(std::vector<types::Se2> poses);
 
@@ -57,6 +57,11 @@ class MapGraph {
   [[nodiscard]] std::vector<double> distances_m(std::size_t from) const {
     return links_.distances_m(poses_.size(), from);
   }
+  /// Places of the own path before the returned one belong to other visits of what is seen from `place`: by
+  /// the way (end_of_other_visits), or because a loose edge leads from there that no closure spans.
+  /// `distances_m`: of the keyframe at `place`.
+  [[nodiscard]] std::size_t end_of_past(std::size_t place, std::span<const double> distances_m,
+                                        const LoopParams& params) const;
   /// True when the edge's squared error is above what may wait for the next solution of the graph.
   [[nodiscard]] bool is_tense(const Edge& edge) const;
   /// True when an edge as certain as a scan match leads from the own path to the team-mate's node, or to a
@@ -69,17 +74,21 @@ class MapGraph {
   [[nodiscard]] bool is_own(std::size_t node) const;
   [[nodiscard]] bool is_far_off(const Edge& edge) const;
   [[nodiscard]] bool is_as_certain_as_a_match(const Edge& edge) const;
+  [[nodiscard]] double loose_m(const Edge& edge) const;
 
   std::uint16_t robot_;
   double obeyed_m_, obeyed_rad_;  ///< the narrowest search for closures covers twice as much
   double match_sigma_m_;          ///< a scan match is at least as certain
   double tension_chi2_;
+  double loose_rad_, drift_per_m_rad_;
+  OdometryEvidenceParams odometry_;
   std::size_t tied_reach_;
   std::vector<KeyframePtr> keyframes_;
   std::vector<types::Se2> poses_;  ///< of base_link, in map
   std::vector<Edge> edges_;
   std::map<KeyframeId, std::size_t> nodes_;
   std::vector<std::size_t> own_;
+  std::vector<std::size_t> loose_;  ///< places of the own path to which a loose edge leads, ascending
   std::map<Origin, std::vector<std::size_t>> mates_;
   std::map<RelationKey, std::size_t> related_;  ///< edges by their ends
   GraphLinks links_;                            ///< edges that the poses obey

@@ -8,6 +8,7 @@
 
 #include "core/slam/information.hpp"
 #include "core/slam/make_keyframe.hpp"
+#include "core/slam/odometry_evidence.hpp"
 
 namespace topo::slam {
 
@@ -18,7 +19,8 @@ Mapper::Mapper(const MapperParams& params, const Origin& origin, const types::Se
       graph_(origin.robot, params.loop, params.graph),
       local_map_(params.keyframe, params.free_ground, params.refine.reach_m),
       open_questions_(0.5 * params.loop.search_floor_m, 0.5 * params.loop.search_floor_rad,
-                      static_cast<std::size_t>(params.loop.group_half)) {}
+                      static_cast<std::size_t>(params.loop.group_half)),
+      past_(params.past) {}
 
 void Mapper::resume(const Session& session, const Arrival& arrival) {
   // The sequence continues: the key of the grow-only set never comes twice.
@@ -30,7 +32,15 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
     else
       graph_.add_mates(session.keyframes[i], session.poses[i]);
   }
-  for (const Edge& edge : session.edges) add_found_edge(edge);  // found once more, under this run
+  for (const Edge& edge : session.edges)
+    if (edge.finder.origin() == origin_) first_found_ = std::max(first_found_, edge.finder.sequence + 1);
+  // Under this run only what has no finder: else the team's set of relations would grow by each restart.
+  for (const Edge& edge : session.edges) {
+    if (has_finder(edge))
+      graph_.add(edge);
+    else
+      add_found_edge(edge);
+  }
   solving_.asked = solving_.solved = graph_.edges().size();
   const types::Se2& here = arrival.T_map_base;
   motion_.T_map_base = here;
@@ -74,7 +84,7 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
             motion_, prior, continued(motion_, seconds, params_.motion), params_);
   report.match = tracked.match;
   report.searched = tracked.searched;
-  report.matched = report.match.response >= params_.track.response_lost && report.match.overlap > 0.0;
+  report.matched = tracked.kept && report.match.overlap > 0.0;
   report.T_map_base = report.matched ? report.match.T_map_base : prior.T_map_base;
   motion_ = {cloud.stamp, report.T_map_base, T_odom_base, motion_.T_map_base.inverse() * report.T_map_base,
              seconds};
@@ -139,9 +149,9 @@ LoopQuery Mapper::query_about(std::size_t node) const {
 void Mapper::ask(std::size_t node) {
   open_questions_.ask(node, graph_.poses()[node]);
   const auto own = graph_.own();
-  const std::size_t end = end_of_other_visits(graph_.poses(), own, own.size() - 1, params_.loop);
-  if (end == 0 && graph_.mates().empty()) return;
   const std::vector<double> distances_m = graph_.distances_m(node);
+  const std::size_t end = graph_.end_of_past(own.size() - 1, distances_m, params_.loop);
+  if (end == 0 && graph_.mates().empty()) return;
   LoopQuery query = query_about(node);
   query.groups = own_groups(graph_, node, end, distances_m, params_.loop);
   for (LoopGroup& group : mates_groups(graph_, node, distances_m, params_.loop))
@@ -157,9 +167,10 @@ std::optional<LoopQuery> Mapper::take_second_query() {
   open_questions_.ask(*node, graph_.poses()[*node]);
   const auto own = graph_.own();
   const auto place = static_cast<std::size_t>(std::lower_bound(own.begin(), own.end(), *node) - own.begin());
-  const std::size_t end = end_of_other_visits(graph_.poses(), own, place, params_.loop);
+  const std::vector<double> distances_m = graph_.distances_m(*node);
+  const std::size_t end = graph_.end_of_past(place, distances_m, params_.loop);
   LoopQuery query = query_about(*node);
-  query.groups = own_groups(graph_, *node, end, graph_.distances_m(*node), params_.loop);
+  query.groups = own_groups(graph_, *node, end, distances_m, params_.loop);
   if (query.groups.empty()) return std::nullopt;
   return query;
 }
@@ -177,7 +188,8 @@ std::vector<LoopQuery> Mapper::take_mate_queries(std::size_t count_max) {
 }
 
 std::optional<AlignmentQuery> Mapper::take_alignment_query() {
-  return intake_.take_alignment_query(graph_, params_);
+  if (auto query = intake_.take_alignment_query(graph_, params_)) return query;
+  return past_.take(graph_, params_);
 }
 
 LoopVerdict Mapper::apply(const LoopAnswer& answer) {
@@ -207,18 +219,20 @@ JoinVerdict Mapper::relate(const RelationKey& key, const Relation& relation) {
 
 bool Mapper::is_known(const RelationKey& key) const { return graph_.has(key) || intake_.knows(key); }
 
-void Mapper::add_found_edge(const Edge& edge) {
+void Mapper::add_found_edge(Edge edge) {
+  edge.finder = note_found(graph_.key_of(edge), {edge.T_from_to, edge.information, edge.robust});
   graph_.add(edge);
-  note_found(graph_.key_of(edge), {edge.T_from_to, edge.information, edge.robust});
 }
 
-void Mapper::note_found(const RelationKey& key, const Relation& relation) {
-  const auto number = static_cast<std::uint32_t>(found_.size());
+KeyframeId Mapper::note_found(const RelationKey& key, const Relation& relation) {
+  const auto number = first_found_ + static_cast<std::uint32_t>(found_.size());
   found_.push_back({{origin_.robot, number, origin_.run}, key, relation});
+  return found_.back().id;
 }
 
 std::span<const FoundRelation> Mapper::found_since(std::uint32_t number) const {
-  return std::span(found_).subspan(std::min<std::size_t>(number, found_.size()));
+  const std::size_t before = std::max(number, first_found_) - first_found_;
+  return std::span(found_).subspan(std::min(before, found_.size()));
 }
 
 bool Mapper::has_something_new() const {
@@ -232,8 +246,9 @@ bool Mapper::has_something_new() const {
 
 GraphQuery Mapper::graph_query() const {
   const auto poses = graph_.poses();
-  const auto edges = graph_.edges();
-  return {{poses.begin(), poses.end()}, {edges.begin(), edges.end()}, params_.graph};
+  return {{poses.begin(), poses.end()},
+          with_odometry(graph_.keyframes(), graph_.edges(), params_.graph.odometry),
+          params_.graph};
 }
 
 std::optional<GraphQuery> Mapper::take_graph_query() {

@@ -12,6 +12,7 @@
 #include "core/slam/loop_closure.hpp"
 #include "core/slam/map_graph.hpp"
 #include "core/slam/open_questions.hpp"
+#include "core/slam/own_past.hpp"
 #include "core/slam/team_intake.hpp"
 #include "core/slam/tracking.hpp"
 #include "core/walls/column_collector.hpp"
@@ -71,10 +72,14 @@ class Mapper {
   [[nodiscard]] bool has_mates_to_ask_about() const { return intake_.has_new(); }
 
   /// A request to align the map of a team-mate that no relation connects to this one: made when enough
-  /// keyframes have arrived, and again when the two maps together have grown.
+  /// keyframes have arrived, and again when the two maps together have grown. Without one, a request to find
+  /// the newest stretch of the own path in what was mapped before it.
   std::optional<AlignmentQuery> take_alignment_query();
+  /// The same of a robot that stands: OwnPast::take_idle.
+  std::optional<AlignmentQuery> take_idle_query() { return past_.take_idle(graph_, params_); }
 
-  /// This robot's own findings from a number on: odometry, closures, and relations from relate().
+  /// This robot's findings in this run from a number on: odometry, closures, and relations from relate().
+  /// What a session holds of earlier findings is not among them: those keep their finders (Edge::finder).
   [[nodiscard]] std::span<const FoundRelation> found_since(std::uint32_t number) const;
 
   /// Adds accepted closures to the graph.
@@ -127,8 +132,8 @@ class Mapper {
   void ask(std::size_t node);
   [[nodiscard]] LoopQuery query_about(std::size_t node) const;
   [[nodiscard]] bool is_known(const RelationKey& key) const;
-  void add_found_edge(const Edge& edge);
-  void note_found(const RelationKey& key, const Relation& relation);
+  void add_found_edge(Edge edge);
+  KeyframeId note_found(const RelationKey& key, const Relation& relation);
   [[nodiscard]] bool has_something_new() const;
   [[nodiscard]] GraphQuery graph_query() const;
 
@@ -144,8 +149,10 @@ class Mapper {
   std::optional<LoopQuery> query_;
   OpenQuestions open_questions_;
   Solving solving_;
-  std::vector<FoundRelation> found_;  ///< by this robot
+  std::vector<FoundRelation> found_;  ///< by this robot in this run
+  std::uint32_t first_found_ = 0;     ///< number of the first of them
   TeamIntake intake_;
+  OwnPast past_;
 };
 
 }  // namespace topo::slam

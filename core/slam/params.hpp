@@ -80,7 +80,12 @@ struct TurnedParams {
 struct TrackParams {
   double response_good = 0.75;  ///< minimum fit of a refinement that is accepted without a search
   double response_lost = 0.35;  ///< minimum response; below it the match is dropped and odometry is used
-  double search_sigmas = 4.0;   ///< half width of the search in prior standard deviations
+  /// The same for a pose that a search found and that the scan contradicts clearly less than odometry's: most
+  /// of a scan may show what nothing has shown before.
+  double response_explained = 0.25;
+  double likely_sigmas =
+      3.0;  ///< a pose found this near to odometry's, in standard deviations, needs no more
+  double search_sigmas = 4.0;  ///< half width of the search in prior standard deviations
   double search_floor_m = 0.30;
   double search_floor_rad = 0.25;
   double search_max_m = 3.0;  ///< limits of the search after a long time without a match: bound its cost
@@ -161,11 +166,22 @@ struct LoopParams {
   LoopGateParams gate;
 };
 
+/// When odometry is held against a match between two keyframes (odometry_evidence.hpp).
+struct OdometryEvidenceParams {
+  MotionNoise noise;
+  /// Squared whitened distance between both from which they contradict each other: four standard deviations.
+  double doubted_chi2 = 16.0;
+};
+
 struct GraphParams {
   int iterations_max = 12;
-  double converged = 1e-5;          ///< the iteration ends at a smaller step, in metres and radians
-  double loop_kernel = 3.0;         ///< Cauchy scale of a closure, in standard deviations
+  double converged = 1e-5;  ///< the iteration ends at a smaller step, in metres and radians
+  /// Cauchy scale of a closure, and of a match that odometry contradicts, in standard deviations. For such a
+  /// match 1 was tried, too: MIT CSAIL, whose odometry comes late, overruled three good ones
+  /// (doc/results.md).
+  double loop_kernel = 3.0;
   double contradicted_chi2 = 30.0;  ///< squared error beyond which a closure is considered false
+  OdometryEvidenceParams odometry{};
   double odometry_trans_floor_m = 0.03;
   double odometry_rot_floor_rad = 0.003;
   double loop_trans_floor_m = 0.03;
@@ -173,13 +189,26 @@ struct GraphParams {
   double match_sigma_floors = 2.0;  ///< an edge as certain as this multiple of loop_trans_floor_m is a match
   int closures_before_solve = 10;   ///< closures that agree with the graph wait for so many,
   double tension_chi2 = 1.0;        ///< while one with a greater squared error is solved for at once
-  double turn_on_spot_m = 0.05;     ///< added to the length of an edge: drift grows in turns on the spot, too
+  /// An edge with a greater standard deviation of its rotation is loose: what lies before it is searched for
+  /// closures as another visit is. MotionNoise gives it to a robot that stands; matches are several times as
+  /// certain.
+  double loose_rad = 0.02;
+  double turn_on_spot_m = 0.05;  ///< added to the length of an edge: drift grows in turns on the spot, too
 };
 
 /// When the map of a team-mate that nothing ties to this one is searched in it (team_alignment.hpp).
 struct TeamMapParams {
   std::size_t keyframes_min = 50;  ///< of the team-mate: fewer have no places that agree
   double growth = 1.2;             ///< of both maps together, before they are searched again
+};
+
+/// When the newest stretch of the own path is searched in all that was mapped before (own_past.hpp).
+struct OwnPastParams {
+  std::size_t window = 66;    ///< keyframes of the stretch: six patches (team_alignment.hpp)
+  std::size_t every = 33;     ///< keyframes between two searches: some 13 m
+  std::size_t past_min = 50;  ///< fewer keyframes before it have no places that agree
+  int agreeing_min = 3;       ///< patches that must agree, each without a rival
+  double sigmas = 3.0;        ///< standard deviations that the estimate may be off
 };
 
 struct GridParams {
@@ -203,6 +232,7 @@ struct MapperParams {
   GraphParams graph;
   FreeGroundParams free_ground;
   TeamMapParams team;
+  OwnPastParams past;
   GridParams grid;
 };
 

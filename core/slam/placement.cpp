@@ -2,8 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/slam/placement.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace topo::slam {
 namespace {
+
+/// The pose of the robot's own newest keyframe; empty when all are of team-mates.
+std::optional<types::Se2> end_of_path(const Session& session, std::uint16_t robot) {
+  const auto& all = session.keyframes;
+  const auto newest = std::find_if(
+      all.rbegin(), all.rend(), [robot](const KeyframePtr& keyframe) { return keyframe->id.robot == robot; });
+  if (newest == all.rend()) return std::nullopt;
+  return session.poses[static_cast<std::size_t>(std::distance(newest, all.rend()) - 1)];
+}
 
 /// Of the places that look alike that nearest to the end of the path: a robot that was only restarted is
 /// there.
@@ -48,10 +60,11 @@ Placement place_in(const Session& session, const Cloud& cloud, const PlacementCa
   if (!known.given) out.place = searched;
   const bool fits_somewhere =
       searched.refusal == LocaliseRefusal::kDegenerate || searched.refusal == LocaliseRefusal::kTooLarge;
+  const auto end = end_of_path(session, known.robot);
   if (!known.given && searched.refusal == LocaliseRefusal::kAmbiguous)
-    out.place = nearest_to_end(searched, session.poses.back());
-  if (!known.given && fits_somewhere) {
-    const Localisation at_end = localise_near(session, cloud, session.poses.back(), mapper, params.near_end);
+    out.place = nearest_to_end(searched, end.value_or(searched.match.T_map_base));
+  if (!known.given && fits_somewhere && end) {
+    const Localisation at_end = localise_near(session, cloud, *end, mapper, params.near_end);
     if (at_end.found()) out.place = at_end;
   }
   if (!out.found()) return out;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct PlacementCase {
   std::optional<types::Se2> given;  ///< pose from the operator
   bool has_area_limits = false;
   bool dropped_before = false;
+  std::uint16_t robot = 0;  ///< whose place it is: a map holds keyframes of team-mates, too
 };
 
 struct PlacementParams {
@@ -60,7 +62,7 @@ struct Placement {
                                      const PlacementCase& known, const PlacementParams& params = {});
 
 /// Looks for the scan near the given pose, else in the whole map; where several places fit, that near the end
-/// of the path is proposed. Pure function.
+/// of the robot's own path is proposed. Pure function.
 [[nodiscard]] Placement place_in(const Session& session, const Cloud& cloud, const PlacementCase& known,
                                  const MapperParams& mapper, const PlacementParams& params = {});
 

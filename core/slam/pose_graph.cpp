@@ -33,6 +33,7 @@ class Solver {
   }
 
   [[nodiscard]] double chi2() const { return errors_.chi2; }
+  [[nodiscard]] double loss() const { return errors_.loss; }
 
   /// Iterates; false when no step was accepted (the system is singular or the loss not finite).
   bool run(int& iterations) {
@@ -183,21 +184,54 @@ SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, c
   report.chi2_start = solver.chi2();
   report.solved = solver.run(report.iterations);
   report.chi2_end = solver.chi2();
+  report.loss_end = solver.loss();
   return report;
 }
 
+namespace {
+
+bool is_doubted(const Edge& edge) { return edge.doubt_chi2 > 0.0; }
+
+/// Poses to which closures draw the graph when each doubted match is only as certain as its distance from
+/// odometry.
+std::vector<types::Se2> drawn_by_closures(std::vector<types::Se2> poses, std::span<const Edge> edges,
+                                          const GraphParams& params, std::size_t fixed) {
+  std::vector<Edge> loose(edges.begin(), edges.end());
+  for (Edge& edge : loose)
+    if (is_doubted(edge)) edge.information /= edge.doubt_chi2;
+  (void)solve(poses, loose, params, fixed);
+  return poses;
+}
+
+SolveReport solve_doubting(std::vector<types::Se2>& poses, std::span<const Edge> edges,
+                           const GraphParams& params, std::size_t fixed) {
+  const bool doubts = std::any_of(edges.begin(), edges.end(), is_doubted);
+  std::vector<types::Se2> drawn;
+  if (doubts) drawn = drawn_by_closures(poses, edges, params, fixed);
+  const SolveReport straight = solve(poses, edges, params, fixed);
+  if (!doubts || !straight.solved) return straight;
+  SolveReport mended = solve(drawn, edges, params, fixed);
+  if (!mended.solved || mended.loss_end >= straight.loss_end) return straight;
+  poses = std::move(drawn);
+  mended.chi2_start = straight.chi2_start;
+  mended.iterations += straight.iterations;
+  return mended;
+}
+
+}  // namespace
+
 SolveReport solve_consistently(std::vector<types::Se2>& poses, std::span<const Edge> edges,
                                const GraphParams& params, std::size_t fixed) {
-  const SolveReport first = solve(poses, edges, params, fixed);
+  const SolveReport first = solve_doubting(poses, edges, params, fixed);
   if (!first.solved) return first;
   std::vector<Edge> consistent;
   std::copy_if(edges.begin(), edges.end(), std::back_inserter(consistent), [&](const Edge& edge) {
-    return !edge.robust || edge_chi2(edge, poses) <= params.contradicted_chi2;
+    return !may_be_overruled(edge) || edge_chi2(edge, poses) <= params.contradicted_chi2;
   });
   if (consistent.size() == edges.size()) return first;
   const SolveReport second = solve(poses, consistent, params, fixed);
-  return {first.chi2_start, second.solved ? second.chi2_end : first.chi2_end,
-          first.iterations + second.iterations, true};
+  const SolveReport& last = second.solved ? second : first;
+  return {first.chi2_start, last.chi2_end, last.loss_end, first.iterations + second.iterations, true};
 }
 
 }  // namespace topo::slam

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/slam/keyframe_id.hpp"
 #include "core/slam/params.hpp"
 
 namespace topo::slam {
@@ -18,13 +19,24 @@ struct Edge {
   types::Se2 T_from_to;
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
   bool robust = false;  ///< a closure: Cauchy loss instead of squares
+  /// Who found it, and its number there, as FoundRelation::id. With run 0 nobody knows: a file of before has
+  /// no finders, and a bridge over damage has none. No solution depends on it.
+  KeyframeId finder{};
+  /// Of a match that odometry contradicts (odometry_evidence.hpp): odometry's squared error by this edge;
+  /// such a match has a Cauchy loss, too. 0: not doubted. Follows from the keyframes, set only while a graph
+  /// is solved.
+  double doubt_chi2 = 0.0;
 };
+
+/// True of an edge with Cauchy loss, which the solution may leave out.
+[[nodiscard]] inline bool may_be_overruled(const Edge& edge) { return edge.robust || edge.doubt_chi2 > 0.0; }
 
 struct SolveReport {
   double chi2_start = 0.0;  ///< sum of squared whitened errors, without the robust loss
   double chi2_end = 0.0;
-  int iterations = 0;   ///< linear systems solved
-  bool solved = false;  ///< false: the system was singular or a step not finite; poses are unchanged
+  double loss_end = 0.0;  ///< as chi2_end, with the robust losses: what the solution minimises
+  int iterations = 0;     ///< linear systems solved
+  bool solved = false;    ///< false: the system was singular or a step not finite; poses are unchanged
 };
 
 /// Error of an edge: Z^-1 (Xi^-1 Xj) as (x, y, theta).
@@ -46,9 +58,12 @@ SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, c
 SolveReport solve(std::vector<types::Se2>& poses, std::span<const Edge> edges, const GraphParams& params,
                   std::span<const std::size_t> fixed);
 
-/// Solves, then solves again without the closures that contradict the rest: those whose error in the first
-/// solution exceeds `params.contradicted_chi2`. The selection depends only on the graph, not on when each
-/// closure was found. When the remaining graph is not connected, the first solution is kept.
+/// Solves, then solves again without the edges that contradict the rest: closures and doubted matches whose
+/// error in the first solution exceeds `params.contradicted_chi2`. The selection depends only on the graph,
+/// not on when each closure was found. When the remaining graph is not connected, the first solution is kept.
+/// With doubted matches, the first solution is the better of two: from the poses as they are, where a false
+/// match bends the whole way rather than itself, and from those to which closures draw it when doubted
+/// matches are no nearer to themselves than to odometry (graduated non-convexity, Yang et al. 2020).
 SolveReport solve_consistently(std::vector<types::Se2>& poses, std::span<const Edge> edges,
                                const GraphParams& params, std::size_t fixed = 0);
 

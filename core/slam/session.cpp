@@ -8,14 +8,21 @@
 namespace topo::slam {
 namespace {
 
-constexpr double kMapReach_m = 1e5;  // a hostile file's pose must not make cell numbers overflow
+constexpr double kMapReach_m = 1e5;
 
-bool sane(const types::Se2& pose) {
+}  // namespace
+
+bool is_in_reach(const types::Se2& pose) {
   return std::abs(pose.x_m) <= kMapReach_m && std::abs(pose.y_m) <= kMapReach_m &&
          std::abs(pose.theta_rad) <= kMapReach_m;
 }
 
-}  // namespace
+std::vector<std::size_t> way_of(std::span<const KeyframePtr> keyframes, std::uint16_t robot) {
+  std::vector<std::size_t> way;
+  for (std::size_t i = 0; i < keyframes.size(); ++i)
+    if (keyframes[i]->id.robot == robot) way.push_back(i);
+  return way;
+}
 
 types::Status check_session(const Session& session) {
   const auto wrong = [](std::string text) {
@@ -27,12 +34,12 @@ types::Status check_session(const Session& session) {
                  " keyframes");
   for (std::size_t i = 0; i < n; ++i) {
     if (session.keyframes[i] == nullptr) return wrong("keyframe " + std::to_string(i) + " is missing");
-    if (!sane(session.poses[i]))
+    if (!is_in_reach(session.poses[i]))
       return wrong("the pose of keyframe " + std::to_string(i) + " is out of range");
   }
   for (std::size_t i = 0; i < session.edges.size(); ++i) {
     const Edge& edge = session.edges[i];
-    if (edge.from >= n || edge.to >= n || edge.from == edge.to || !sane(edge.T_from_to) ||
+    if (edge.from >= n || edge.to >= n || edge.from == edge.to || !is_in_reach(edge.T_from_to) ||
         !edge.information.allFinite()) {
       return wrong("edge " + std::to_string(i) + " joins no two keyframes, or is out of range");
     }

@@ -70,9 +70,15 @@ std::vector<Patch> make_patches(const Session& mates, const AlignmentParams& par
   return patches;
 }
 
+bool is_off(const types::Se2& found, const types::Se2& expected, const AlignmentGate& gate) {
+  const types::Se2 off = expected.inverse() * found;
+  return off.translation().norm() > gate.off_max_m || std::abs(off.theta_rad) > gate.off_max_rad;
+}
+
 /// Stores the places that are nearly as good as the best and pass the acceptance criteria.
-void find(Patch& patch, const WholeMap& map, const AlignmentParams& params) {
+void find(Patch& patch, const WholeMap& map, const AlignmentGate& gate, const AlignmentParams& params) {
   std::vector<Peak> peaks = map.peaks(patch.points, patch.sensor);
+  std::erase_if(peaks, [&](const Peak& peak) { return is_off(peak.match.T_map_base, patch.pose, gate); });
   const double best = peaks.empty() ? 0.0 : peaks.front().evidence;
   const auto rivals = std::count_if(peaks.begin(), peaks.end(), [&](const Peak& peak) {
     return apart(peak.match.T_map_base, peaks.front().match.T_map_base, params.whole) &&
@@ -195,13 +201,13 @@ std::pair<RelationKey, Relation> closure_of(const Hypothesis& found, const Patch
 
 /// A share of the team-mate's patches must support the alignment: in a building with similar rooms a handful
 /// of patches agree on a wrong one, and a wrong join is never undone.
-AlignmentRefusal judge(const Alignment& alignment, std::size_t patches, const AlignmentParams& params) {
-  if (alignment.agreeing < params.agreeing_min || alignment.clear < params.clear_min ||
-      alignment.agreeing < params.agreeing_share * static_cast<double>(patches))
+AlignmentRefusal judge(const Alignment& alignment, std::size_t patches, const AlignmentGate& gate) {
+  if (alignment.agreeing < gate.agreeing_min || alignment.clear < gate.clear_min ||
+      alignment.agreeing < gate.agreeing_share * static_cast<double>(patches))
     return AlignmentRefusal::kTooFew;
-  if (alignment.rival > params.rival_share * alignment.agreeing) return AlignmentRefusal::kAmbiguous;
-  if (alignment.spread_m < params.spread_min_m) return AlignmentRefusal::kTooNear;
-  if (alignment.against > params.against_share * alignment.agreeing) return AlignmentRefusal::kContradicted;
+  if (alignment.rival > gate.rival_share * alignment.agreeing) return AlignmentRefusal::kAmbiguous;
+  if (alignment.spread_m < gate.spread_min_m) return AlignmentRefusal::kTooNear;
+  if (alignment.against > gate.against_share * alignment.agreeing) return AlignmentRefusal::kContradicted;
   return AlignmentRefusal::kNone;
 }
 
@@ -213,7 +219,7 @@ Alignment align_maps(const AlignmentQuery& query, const AlignmentParams& params)
   const auto map = WholeMap::of(query.own, params.whole, query.params.refine, query.params.free_ground);
   if (!map) return out;
   std::vector<Patch> patches = make_patches(query.mates, params);
-  for (Patch& patch : patches) find(patch, *map, params);
+  for (Patch& patch : patches) find(patch, *map, query.gate, params);
   out.refusal = AlignmentRefusal::kTooFew;
   const Vote vote(patches, params);
   const std::vector<Hypothesis> agreeing = vote.best();
@@ -226,7 +232,7 @@ Alignment align_maps(const AlignmentQuery& query, const AlignmentParams& params)
   out.rival = static_cast<int>(vote.best(&agreeing.front()).size());
   out.spread_m = spread_of(agreeing, patches);
   out.against = count_against(patches, agreeing, *map, params);
-  out.refusal = judge(out, patches.size(), params);
+  out.refusal = judge(out, patches.size(), query.gate);
   for (const Hypothesis& found : agreeing)
     out.closures.push_back(closure_of(found, patches[found.patch], query));
   return out;

@@ -22,22 +22,16 @@ struct PatchParams {
   double rival_ratio = 0.90;        ///< a patch whose second place is this good is not clear
 };
 
-/// Acceptance criteria for the alignment of a team-mate's map with the own one. Patches of that map (a few
-/// successive keyframes, merged into one scan with an all-round view) are searched in the whole own map; the
-/// alignments implied by the places found must agree, and no other alignment may be as good. Chosen while
-/// the logs of doc/results.md, section "Mapping", were at hand.
+/// How a team-mate's map is aligned with the own one (AlignmentGate: what is accepted). Patches of that map
+/// (a few successive keyframes, merged into one scan with an all-round view) are searched in the whole own
+/// map; the alignments implied by the places found must agree, and no other alignment may be as good. Chosen
+/// while the logs of doc/results.md, section "Mapping", were at hand.
 struct AlignmentParams {
   PatchParams patch;
   double agree_m = 0.5;     ///< two places agree on one alignment within this distance, and
   double agree_rad = 0.08;  ///< this angle; the distance grows with the drift in between
   double drift_per_m = 0.02;
-  double rival_factor = 3.0;    ///< beyond this multiple of the tolerances an alignment is another one
-  int agreeing_min = 4;         ///< patches that must support one alignment; of them
-  int clear_min = 3;            ///< patches without a rival second place
-  double spread_min_m = 4.0;    ///< greatest distance between two of them
-  double agreeing_share = 0.5;  ///< of all patches, that must support one alignment
-  double rival_share = 0.5;     ///< greatest share of that number that may support another one,
-  double against_share = 0.5;   ///< and that may contradict the map where the alignment puts them
+  double rival_factor = 3.0;  ///< beyond this multiple of the tolerances an alignment is another one
   /// Most of a patch must be in the map: the search of a patch that is not ends early.
   WholeSearch whole{.score_min = 0.55, .rivals_max = 3};
 };

@@ -17,7 +17,7 @@ struct TeamIntake::Joining {
   JoinVerdict verdict{};
 
   void consider(const RelationKey& key) {
-    if (const Relation* relation = intake.unplaced_.find(key)) open.emplace(relation->robust, key);
+    if (const FoundRelation* found = intake.unplaced_.find(key)) open.emplace(found->relation.robust, key);
   }
   void consider_all_at(const KeyframeId& id) {
     for (const RelationKey& key : intake.unplaced_.at(id)) consider(key);
@@ -32,16 +32,16 @@ struct TeamIntake::Joining {
   }
 
   void settle(const RelationKey& key) {
-    const Relation* found = intake.unplaced_.find(key);
-    if (found == nullptr) return;
-    const Relation relation = *found;
+    const FoundRelation* waiting = intake.unplaced_.find(key);
+    if (waiting == nullptr) return;
+    const auto [finder, ends, relation] = *waiting;
     auto from = graph.node_of(key.first), to = graph.node_of(key.second);
     if (!from && !to) return;
     if (!to) to = place(key.second, graph.poses()[*from] * relation.T_from_to);
     if (!from) from = place(key.first, graph.poses()[*to] * relation.T_from_to.inverse());
     if (!from || !to) return;
     intake.unplaced_.erase(key);
-    graph.add({*from, *to, relation.T_from_to, relation.information, relation.robust});
+    graph.add({*from, *to, relation.T_from_to, relation.information, relation.robust, finder});
     ++verdict.tied;
   }
 
@@ -60,11 +60,11 @@ JoinVerdict TeamIntake::join(std::span<const KeyframePtr> keyframes, std::span<c
   Joining joining{*this, graph};
   for (const FoundRelation& found : relations) {
     if (graph.has(found.key))
-      graph.keep_lower(found.key, found.relation);
+      graph.keep_lower(found);
     else if (joined_.insert(found.key).second)
-      unplaced_.add(found.key, found.relation);
+      unplaced_.add(found);
     else
-      unplaced_.keep_lower(found.key, found.relation);
+      unplaced_.keep_lower(found);
     joining.consider(found.key);
   }
   for (const KeyframePtr& keyframe : keyframes) {

@@ -21,6 +21,8 @@ class ScanSearch {
       : map_(map), scan_(scan), params_(params), pyramid_(map.surfels, params.search) {}
 
   [[nodiscard]] Match near(const Prior& prior, const Prior& continued, Match match) const;
+  /// True when the scan contradicts what was seen clearly less at the match than at the pose `instead_of`.
+  [[nodiscard]] bool explains(const Match& match, const types::Se2& instead_of) const;
   [[nodiscard]] std::optional<Match> elsewhere(const types::Se2& predicted, const SearchWindow& window) const;
 
  private:
@@ -29,11 +31,6 @@ class ScanSearch {
   const MapperParams& params_;
   LikelihoodPyramid pyramid_;
 };
-
-bool is_drivable(const types::Se2& motion, double seconds, const MotionNoise& noise) {
-  const double way_m = std::hypot(motion.x_m, motion.y_m);
-  return way_m <= noise.jump_min_m || way_m <= noise.speed_max_mps * seconds;
-}
 
 bool is_good(const Match& match, const TrackParams& params) {
   return match.fit() >= params.response_good && match.response >= params.response_lost;
@@ -44,6 +41,12 @@ SearchWindow window_around(const Prior& prior, const TrackParams& params) {
   const double sigma_rad = 1.0 / std::sqrt(prior.information(2, 2));
   return {std::min(params.search_max_m, params.search_floor_m + params.search_sigmas * sigma_m),
           std::min(params.search_max_rad, params.search_floor_rad + params.search_sigmas * sigma_rad)};
+}
+
+bool is_likely(const types::Se2& pose, const Prior& prior, const TrackParams& params) {
+  const types::Se2 off = prior.T_map_base.inverse() * pose;
+  const Eigen::Vector3d e(off.x_m, off.y_m, off.theta_rad);
+  return e.dot(prior.information * e) <= params.likely_sigmas * params.likely_sigmas;
 }
 
 bool is_within(const SearchWindow& window, const types::Se2& off) {
@@ -82,14 +85,18 @@ std::optional<Match> ScanSearch::elsewhere(const types::Se2& predicted, const Se
     return std::nullopt;
   const Match match =
       refine(map_.surfels, scan_.points, scan_.sensor, hit->T_map_base, std::nullopt, params_.refine);
-  if (match.response < turned.response_min || match.degenerate) return std::nullopt;
-  const FreeGround ground = map_.ground();
-  const double as_predicted = ground.contradiction(map_.surfels, scan_.points, predicted);
-  if (as_predicted < turned.contradiction_min ||
-      turned.contradiction_ratio * ground.contradiction(map_.surfels, scan_.points, match.T_map_base) >
-          as_predicted)
+  if (match.response < turned.response_min || match.degenerate || !explains(match, predicted))
     return std::nullopt;
   return match;
+}
+
+bool ScanSearch::explains(const Match& match, const types::Se2& instead_of) const {
+  const TurnedParams& turned = params_.track.turned;
+  const FreeGround ground = map_.ground();
+  const double instead = ground.contradiction(map_.surfels, scan_.points, instead_of);
+  return instead >= turned.contradiction_min &&
+         turned.contradiction_ratio * ground.contradiction(map_.surfels, scan_.points, match.T_map_base) <=
+             instead;
 }
 
 }  // namespace
@@ -119,16 +126,28 @@ Tracked track(const TrackingMap& map, const TrackedPoints& scan, const TrackedMo
   const auto is_doubtful = [&] {
     return !is_good(match, limits) || (astray_m > near.half_m && match.response < limits.turned.response_min);
   };
-  if (!is_doubtful()) return {match, false};
+  const auto kept = [&](const Match& m) { return m.response >= limits.response_lost; };
+  // A covered scanner sees nothing in any scan: that fits nowhere, and a search is the dearest part of a
+  // step.
+  if (!is_doubtful() || scan.points.empty()) return {match, kept(match), false};
   const ScanSearch search(map, scan, params);
-  if (!is_good(match, limits)) match = search.near(prior, continued, match);
+  std::optional<Match> explained;
+  if (!is_good(match, limits)) {
+    const Match found = search.near(prior, continued, match);
+    if (found.response >= limits.turned.response_min || is_likely(found.T_map_base, prior, limits))
+      match = found;
+    else if (found.response >= limits.response_explained && search.explains(found, predicted))
+      explained = found;
+    if (explained && kept(*explained)) match = *explained;
+  }
   if (astray_m > near.half_m && is_doubtful()) {
     const SearchWindow far{std::min(limits.search_max_m, near.half_m + astray_m), near.half_rad};
-    if (const auto other = search.elsewhere(predicted, far)) return {*other, true};
+    if (const auto other = search.elsewhere(predicted, far)) return {*other, true, true};
   }
-  if (match.response >= limits.response_lost) return {match, true};
+  if (kept(match)) return {match, true, true};
   const SearchWindow all_round{limits.turned.half_width_m, std::numbers::pi};
-  return {search.elsewhere(predicted, all_round).value_or(match), true};
+  if (const auto other = search.elsewhere(predicted, all_round)) return {*other, true, true};
+  return {explained.value_or(match), explained.has_value(), true};
 }
 
 }  // namespace topo::slam

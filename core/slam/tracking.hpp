@@ -43,14 +43,17 @@ struct TrackedPoints {
 };
 
 struct Tracked {
-  Match match;            ///< its gates (TrackParams::response_lost) are the caller's
+  Match match;
+  bool kept = false;      ///< false: nothing fits, the pose is odometry's
   bool searched = false;  ///< the correlative search was needed
 };
 
 /// Places a scan: refinement from the prior; when that is poor, a search around the prior and around the
-/// continued motion; when nothing fits, a search over all headings. After a long motion a poor fit is also
-/// searched for further away: wheels that slip, or encoders without a sense of direction, make odometry wrong
-/// by up to twice the distance driven, and half of another room may fit at the wrong place.
+/// continued motion; when nothing fits, a search over all headings. A pose far from odometry's fits very well
+/// or explains what the scan contradicts at odometry's place: a corridor looks alike every few metres. After
+/// a long motion a poor fit is also searched for further away: wheels that slip, or encoders without a sense
+/// of direction, make odometry wrong by up to twice the distance driven, and half of another room may fit at
+/// the wrong place.
 [[nodiscard]] Tracked track(const TrackingMap& map, const TrackedPoints& scan, const TrackedMotion& last,
                             const Prior& prior, const Prior& continued, const MapperParams& params);
 

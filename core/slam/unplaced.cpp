@@ -6,18 +6,18 @@
 
 namespace topo::slam {
 
-void Unplaced::add(const RelationKey& key, const Relation& relation) {
-  if (!relations_.try_emplace(key, relation).second) return;
-  by_end_[key.first].push_back(key);
-  by_end_[key.second].push_back(key);
+void Unplaced::add(const FoundRelation& found) {
+  if (!relations_.try_emplace(found.key, found).second) return;
+  by_end_[found.key.first].push_back(found.key);
+  by_end_[found.key.second].push_back(found.key);
 }
 
-void Unplaced::keep_lower(const RelationKey& key, const Relation& relation) {
-  const auto at = relations_.find(key);
-  if (at != relations_.end() && is_lower(relation, at->second)) at->second = relation;
+void Unplaced::keep_lower(const FoundRelation& found) {
+  const auto at = relations_.find(found.key);
+  if (at != relations_.end() && is_lower(found.relation, at->second.relation)) at->second = found;
 }
 
-const Relation* Unplaced::find(const RelationKey& key) const {
+const FoundRelation* Unplaced::find(const RelationKey& key) const {
   const auto at = relations_.find(key);
   return at == relations_.end() ? nullptr : &at->second;
 }
@@ -32,7 +32,7 @@ Session Unplaced::tied_to(const KeyframeId& origin, const GraphParams& graph) co
   KeyframeSet keyframes;
   RelationSet relations;
   for (const auto& [id, keyframe] : keyframes_) keyframes.insert(keyframe);
-  for (const auto& [key, relation] : relations_) relations.insert(key, relation);
+  for (const auto& [key, found] : relations_) relations.insert(key, found.relation);
   return canonical_session(keyframes, relations, origin, graph);
 }
 

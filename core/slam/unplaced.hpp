@@ -15,12 +15,12 @@ namespace topo::slam {
 class Unplaced {
  public:
   void add(const KeyframePtr& keyframe) { keyframes_.try_emplace(keyframe->id, keyframe); }
-  void add(const RelationKey& key, const Relation& relation);
+  void add(const FoundRelation& found);
   /// As MapGraph::keep_lower().
-  void keep_lower(const RelationKey& key, const Relation& relation);
+  void keep_lower(const FoundRelation& found);
 
   [[nodiscard]] bool contains(const KeyframeId& id) const { return keyframes_.contains(id); }
-  [[nodiscard]] const Relation* find(const RelationKey& key) const;
+  [[nodiscard]] const FoundRelation* find(const RelationKey& key) const;
   /// Keys of the relations that have the keyframe at one end.
   [[nodiscard]] const std::vector<RelationKey>& at(const KeyframeId& id) const;
   [[nodiscard]] const std::map<KeyframeId, KeyframePtr>& keyframes() const { return keyframes_; }
@@ -34,7 +34,7 @@ class Unplaced {
  private:
   void forget(const KeyframeId& end, const RelationKey& key);
   std::map<KeyframeId, KeyframePtr> keyframes_;
-  std::map<RelationKey, Relation> relations_;
+  std::map<RelationKey, FoundRelation> relations_;
   std::map<KeyframeId, std::vector<RelationKey>> by_end_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/team/baselines.hpp"
 #include "core/team/k_means.hpp"
+#include "core/team/shares.hpp"
 
 namespace topo::team {
 namespace {
@@ -96,6 +97,35 @@ std::vector<std::size_t> share_of(const StatusMessage& self, const CostTable& ta
   return share;
 }
 
+/// Each robot's claim.
+Assignment claims_of(std::span<const StatusMessage* const> team, const CostTable& table) {
+  Assignment claims(team.size());
+  for (std::size_t row = 0; row < team.size(); ++row) {
+    if (team[row]->claim && !table.goals().empty()) {
+      const std::size_t goal = goal_of(table.goals(), *team[row]->claim);
+      if (is_same_goal(table.goals()[goal], team[row]->claim->p_map)) claims[row] = goal;
+    }
+  }
+  return claims;
+}
+
+/// The robot's bids for its goals (shares.hpp), and the bid for its current goal, whoever is nearer now.
+std::vector<std::size_t> nearest_share(const StatusMessage& self, const CostTable& table, std::size_t row,
+                                       const Assignment& claims, const MapView& map) {
+  const std::function<double(std::size_t, std::size_t)> between = [&](std::size_t a, std::size_t b) {
+    return map.between_m(table.goals()[a], table.goals()[b]);
+  };
+  const std::vector<std::size_t> goals = share_of_goals({table, claims, between}, row);
+  std::vector<std::size_t> share;
+  for (std::size_t i = 0; i < self.bids.size(); ++i) {
+    const std::size_t goal = goal_of(table.goals(), self.bids[i]);
+    const bool own = self.claim && self.claim->p_map == self.bids[i].p_map;
+    if (table.cost_m(row, goal) < HUGE_VAL && (own || std::ranges::binary_search(goals, goal)))
+      share.push_back(i);
+  }
+  return share;
+}
+
 Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sight) {
   switch (rule) {
     case Rule::kInTurn:
@@ -109,6 +139,7 @@ Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sig
     case Rule::kAlone:
     case Rule::kClusters:
     case Rule::kNoClusters:
+    case Rule::kShares:
       break;
   }
   return assign_clusters(table, rule == Rule::kClusters);
@@ -118,11 +149,7 @@ Assignment assign(Rule rule, const CostTable& table, const PointsInSight& in_sig
 /// claim counts.
 bool is_claimed(const Bid& bid, const StatusMessage& self, std::span<const StatusMessage* const> mates) {
   const bool own = self.claim && self.claim->p_map == bid.p_map;
-  const Bid& said = own ? *self.claim : bid;
-  return std::any_of(mates.begin(), mates.end(), [&](const StatusMessage* mate) {
-    return mate->claim && mate->robot != self.robot && is_same_goal(mate->claim->p_map, bid.p_map) &&
-           beats(*mate->claim, mate->robot, said, self.robot);
-  });
+  return is_beaten(own ? *self.claim : bid, self.robot, mates);
 }
 
 /// True when a team-mate, continuing from its own goal in a straight line of sight, reaches the robot's goal
@@ -139,11 +166,36 @@ bool is_passed_by(const CostTable& table, const Assignment& assigned, std::size_
   return false;
 }
 
+std::size_t cheapest_of(std::span<const std::size_t> share, const StatusMessage& self) {
+  return *std::ranges::min_element(share, [&](std::size_t a, std::size_t b) {
+    const Bid &one = self.bids[a], &other = self.bids[b];
+    return one.cost_m != other.cost_m ? one.cost_m < other.cost_m : comes_before(one.p_map, other.p_map);
+  });
+}
+
+/// Rule::kShares. `team`: all robots, in the rows of the table.
+std::optional<std::size_t> by_shares(const StatusMessage& self, std::size_t row, CostTable table,
+                                     std::span<const StatusMessage* const> team, const MapView& map,
+                                     const Chooser& choose) {
+  Assignment claims = claims_of(team, table);
+  for (;;) {  // terminates: every round removes a goal
+    const std::vector<std::size_t> share = nearest_share(self, table, row, claims, map);
+    if (share.empty()) return std::nullopt;
+    const std::size_t bid = choose ? choose(share) : cheapest_of(share, self),
+                      goal = goal_of(table.goals(), self.bids[bid]);
+    if (!is_claimed(self.bids[bid], self, team) && !is_passed_by(table, claims, row, goal, map.in_sight))
+      return bid;
+    if (claims[row] == goal) claims[row].reset();
+    table.cost_m(row, goal) = HUGE_VAL;
+  }
+}
+
 }  // namespace
 
 std::optional<std::size_t> coordinate(Rule rule, const StatusMessage& self,
-                                      std::span<const StatusMessage* const> mates,
-                                      const PointsInSight& in_sight, const Chooser& choose) {
+                                      std::span<const StatusMessage* const> mates, const MapView& map,
+                                      const Chooser& choose) {
+  const PointsInSight& in_sight = map.in_sight;
   if (rule == Rule::kAlone) mates = {};
   const bool claims = rule == Rule::kClusters || rule == Rule::kNoClusters;
   const auto by_id = [](const StatusMessage* a, const StatusMessage* b) { return a->robot < b->robot; };
@@ -153,6 +205,7 @@ std::optional<std::size_t> coordinate(Rule rule, const StatusMessage& self,
   const std::vector<const StatusMessage*> messages(team.begin(), team.end());
   const auto row = static_cast<std::size_t>(std::distance(team.begin(), team.find(&self)));
   CostTable table = table_of(messages);
+  if (rule == Rule::kShares) return by_shares(self, row, std::move(table), messages, map, choose);
   for (;;) {  // terminates: every round removes a goal
     const Assignment assigned = assign(rule, claims ? with_claims(table, messages) : table, in_sight);
     if (!assigned[row]) return std::nullopt;

@@ -20,10 +20,20 @@ enum class Rule : std::uint8_t {
   kInTurn,
   kUtility,
   kMinPos,
+  kShares,  ///< each goal to the robot that is, or will be, nearest to it by travel, with claims
 };
 
 /// True when two points of the map are in sight of each other.
 using PointsInSight = std::function<bool(const types::Vector2&, const types::Vector2&)>;
+
+/// Metres of travel between two goals.
+using TravelBetween = std::function<double(const types::Vector2&, const types::Vector2&)>;
+
+/// What the robot knows of the goals besides the messages. Borrowed for the call.
+struct MapView {
+  PointsInSight in_sight;
+  TravelBetween between_m;
+};
 
 /// Selects one of several own bids of one cluster; returns an index into the message's bids.
 using Chooser = std::function<std::size_t(std::span<const std::size_t> share)>;
@@ -38,7 +48,7 @@ using Chooser = std::function<std::size_t(std::span<const std::size_t> share)>;
 /// later than this robot (paper figure 8: one robot drives along the corridor, the other waits).
 /// The order of bids and of team-mates does not matter. Cost: robots times goals times bids.
 std::optional<std::size_t> coordinate(Rule rule, const StatusMessage& self,
-                                      std::span<const StatusMessage* const> mates,
-                                      const PointsInSight& in_sight, const Chooser& choose = {});
+                                      std::span<const StatusMessage* const> mates, const MapView& map,
+                                      const Chooser& choose = {});
 
 }  // namespace topo::team

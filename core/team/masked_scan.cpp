@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace topo::team {
 namespace {
@@ -12,22 +13,71 @@ using types::Vector2;
 
 constexpr double kMast_m = 0.5;  // no part of a team-mate is that far above another robot's mast scanner
 
-/// `ends(range, angle)`: the end of a beam in the scanner's frame, projected onto the floor.
-template <class Ends>
-std::size_t mask(types::Scan& scan, const types::Se2& T_map_laser, std::span<const Vector2> mates,
-                 double radius_m, Ends ends) {
+/// Masks the beam when it ends at a mate; `end`: in the scanner's frame, projected onto the floor.
+bool mask_at(const Vector2& mate, double radius_m, const Vector2& end, float& range_m) {
+  if ((mate - end).squaredNorm() > radius_m * radius_m) return false;
+  range_m = types::kInvalid;
+  return true;
+}
+
+/// Beams [first, last).
+struct BeamRange {
+  std::size_t first = 0, last = 0;
+};
+
+/// The beams at bearings from `low_rad` to `high_rad`, and a neighbour on either side for rounding.
+BeamRange beams_between(const types::Scan& scan, double low_rad, double high_rad) {
+  const auto at = [&](double bearing_rad) {
+    return (bearing_rad - static_cast<double>(scan.geometry.angle_min_rad)) /
+           static_cast<double>(scan.geometry.angle_increment_rad);
+  };
+  const auto [low, high] = std::minmax({at(low_rad), at(high_rad)});  // a mirrored scanner counts down
+  const auto beams = static_cast<double>(scan.checked_beams());
+  return {static_cast<std::size_t>(std::clamp(std::floor(low) - 1.0, 0.0, beams)),
+          static_cast<std::size_t>(std::clamp(std::ceil(high) + 2.0, 0.0, beams))};
+}
+
+/// Only the beams that pass the mate are looked at: the scan of a level scanner has a thousand, forty times
+/// a second.
+std::size_t mask_one(types::Scan& scan, const Vector2& mate, double radius_m) {
+  const double distance_m = mate.norm();
+  const double half_rad = distance_m > radius_m ? std::asin(radius_m / distance_m) : std::numbers::pi;
+  const double bearing_rad = std::atan2(mate.y(), mate.x());
   std::size_t masked = 0;
-  for (std::size_t i = 0; i < scan.checked_beams() && !mates.empty(); ++i) {
-    if (!types::is_hit(scan.range_m[i])) continue;
-    const Vector2 end =
-        T_map_laser * ends(static_cast<double>(scan.range_m[i]), static_cast<double>(scan.angle_rad(i)));
-    const bool at_mate = std::any_of(mates.begin(), mates.end(), [&](const Vector2& mate) {
-      return (mate - end).squaredNorm() <= radius_m * radius_m;
-    });
-    if (!at_mate) continue;
-    scan.range_m[i] = types::kInvalid;
-    ++masked;
+  for (const double round_rad : {-2.0 * std::numbers::pi, 0.0, 2.0 * std::numbers::pi}) {
+    const double middle_rad = bearing_rad + round_rad;
+    const BeamRange beams = beams_between(scan, middle_rad - half_rad, middle_rad + half_rad);
+    for (std::size_t i = beams.first; i < beams.last; ++i) {
+      if (!types::is_hit(scan.range_m[i])) continue;
+      const auto range_m = static_cast<double>(scan.range_m[i]);
+      const auto angle_rad = static_cast<double>(scan.angle_rad(i));
+      const Vector2 end(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad));
+      if (mask_at(mate, radius_m, end, scan.range_m[i])) ++masked;
+    }
   }
+  return masked;
+}
+
+/// The scanner's plane is across the robot: a mate farther ahead or behind than its radius is not in it.
+std::size_t mask_one_coronal(types::Scan& scan, const Vector2& mate, double radius_m) {
+  if (std::abs(mate.x()) > radius_m) return 0;
+  std::size_t masked = 0;
+  for (std::size_t i = 0; i < scan.checked_beams(); ++i) {
+    if (!types::is_hit(scan.range_m[i])) continue;
+    const auto range_m = static_cast<double>(scan.range_m[i]);
+    const auto angle_rad = static_cast<double>(scan.angle_rad(i));
+    if (range_m * std::cos(angle_rad) > kMast_m) continue;  // above a team-mate
+    if (mask_at(mate, radius_m, {0.0, range_m * std::sin(angle_rad)}, scan.range_m[i])) ++masked;
+  }
+  return masked;
+}
+
+template <class MaskOne>
+std::size_t mask_all(types::Scan& scan, const types::Se2& T_map_laser, std::span<const Vector2> mates,
+                     double radius_m, MaskOne mask) {
+  const types::Se2 T_laser_map = T_map_laser.inverse();
+  std::size_t masked = 0;
+  for (const Vector2& mate : mates) masked += mask(scan, T_laser_map * mate, radius_m);
   return masked;
 }
 
@@ -35,17 +85,12 @@ std::size_t mask(types::Scan& scan, const types::Se2& T_map_laser, std::span<con
 
 std::size_t mask_mates(types::Scan& scan, const types::Se2& T_map_laser, std::span<const Vector2> mates,
                        double radius_m) {
-  return mask(scan, T_map_laser, mates, radius_m, [](double range_m, double angle_rad) {
-    return Vector2(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad));
-  });
+  return mask_all(scan, T_map_laser, mates, radius_m, mask_one);
 }
 
 std::size_t mask_mates_coronal(types::Scan& scan, const types::Se2& T_map_laser,
                                std::span<const Vector2> mates, double radius_m) {
-  return mask(scan, T_map_laser, mates, radius_m, [](double range_m, double angle_rad) {
-    if (range_m * std::cos(angle_rad) > kMast_m) return Vector2(HUGE_VAL, 0.0);  // above a team-mate
-    return Vector2(0.0, range_m * std::sin(angle_rad));
-  });
+  return mask_all(scan, T_map_laser, mates, radius_m, mask_one_coronal);
 }
 
 }  // namespace topo::team

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/team/status_message.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace topo::team {
@@ -29,6 +30,13 @@ bool is_same_goal(const types::Vector2& a, const types::Vector2& b) {
 
 bool beats(const Bid& a, std::uint16_t robot_a, const Bid& b, std::uint16_t robot_b) {
   return a.cost_m != b.cost_m ? a.cost_m < b.cost_m : robot_a < robot_b;
+}
+
+bool is_beaten(const Bid& bid, std::uint16_t robot, std::span<const StatusMessage* const> team) {
+  return std::any_of(team.begin(), team.end(), [&](const StatusMessage* mate) {
+    return mate->claim && mate->robot != robot && is_same_goal(mate->claim->p_map, bid.p_map) &&
+           beats(*mate->claim, mate->robot, bid, robot);
+  });
 }
 
 StatusMessage in_frame(const types::Se2& T_map_mates, StatusMessage message) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -75,6 +76,8 @@ bool is_same_goal(const types::Vector2& a, const types::Vector2& b);
 
 /// Of two claims on one goal the one with the lower cost wins, then the lower id (DESIGN "Exploration").
 bool beats(const Bid& a, std::uint16_t robot_a, const Bid& b, std::uint16_t robot_b);
+/// True when another robot claims the goal of a robot's bid, and its claim beats the bid.
+bool is_beaten(const Bid& bid, std::uint16_t robot, std::span<const StatusMessage* const> team);
 
 /// A status message transformed from a team-mate's map frame into the robot's own.
 StatusMessage in_frame(const types::Se2& T_map_mates, StatusMessage message);

@@ -24,6 +24,13 @@ double free_area_m2(const grid::DenseMap& map) {
 
 }  // namespace
 
+bool RouteMap::limit(const types::AreaLimits& area) {
+  if (area == area_) return false;
+  area_ = area;
+  map_.cells.clear();
+  return true;
+}
+
 void RouteMap::take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways) {
   if (revision == revision_ && !map_.cells.empty()) return;
   revision_ = revision;

@@ -92,6 +92,18 @@ Se2 moved(const Se2& T_map_base, const types::Twist2& twist, double time_s) {
 
 }  // namespace
 
+std::string_view to_text(AreaKind kind) { return kind == AreaKind::kHereFirst ? "here_first" : "keep_out"; }
+
+std::optional<AreaKind> area_kind_of(std::string_view text) {
+  for (const AreaKind kind : {AreaKind::kKeepOut, AreaKind::kHereFirst})
+    if (text == to_text(kind)) return kind;
+  return {};
+}
+
+bool is_within(const Polygon& polygon, const Vector2& p_map, double beside_m) {
+  return is_inside(polygon, p_map) || distance_to_edges_m(polygon, p_map) <= beside_m;
+}
+
 bool allows(const AreaLimits& limits, const Vector2& p_map) {
   return depth_m(limits, p_map) == 0.0 && !is_near_an_edge(limits, p_map, kOnEdge_m) &&
          (!limits.keep_in || is_inside(*limits.keep_in, p_map));

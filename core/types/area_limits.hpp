@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/types/robot_limits.hpp"
@@ -14,6 +16,18 @@ namespace topo::types {
 /// Corners in order, in the map frame; an edge joins the last to the first.
 using Polygon = std::vector<types::Vector2>;
 
+/// What an area that an operator draws is for.
+enum class AreaKind : std::uint8_t {
+  kKeepOut,    ///< no wheel enters it
+  kHereFirst,  ///< goals in it come before all others
+};
+std::string_view to_text(AreaKind kind);
+/// Nothing for another text.
+std::optional<AreaKind> area_kind_of(std::string_view text);
+
+/// True for a point inside, or at most `beside_m` from an edge.
+bool is_within(const Polygon& polygon, const types::Vector2& p_map, double beside_m);
+
 /// Area in which the robot may be; keeps it away from stairs and glass, which no laser detects. Metres in the
 /// map frame, whose origin is the start pose or that of a loaded map.
 struct AreaLimits {
@@ -21,6 +35,7 @@ struct AreaLimits {
   std::vector<Polygon> keep_out;   ///< must not be entered
 
   [[nodiscard]] bool empty() const { return !keep_in && keep_out.empty(); }
+  friend bool operator==(const AreaLimits&, const AreaLimits&) = default;
 };
 
 /// True when the point may be visited; false for a point on an edge.

@@ -246,7 +246,13 @@ Check check_mapping(const DoctorFacts& f) {
   }
   if (!f.has_map)
     return bad("mapping", "no scan was matched since the start", "first the checks \"base\" and \"front\"");
-  return good("mapping", found);
+  Check check = good("mapping", f.map_doubt.empty() ? found : f.map_doubt);
+  if (!f.map_doubt.empty()) {
+    check.safer =
+        "an exploration looks at doubted regions again (topoctl status names the places) and ends where it "
+        "began; by hand, drive back to what was mapped before, or begin a map anew (topoctl session new)";
+  }
+  return check;
 }
 
 Check check_threads(const DoctorFacts& f) {

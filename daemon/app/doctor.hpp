@@ -36,6 +36,7 @@ struct DoctorFacts {
   bool watchdog_given = false;     ///< by base.watchdog_ms
   types::BatteryLimits battery;
   bool has_map = false;
+  std::string map_doubt;  ///< why the map is doubted; empty: it is not, or that is not known yet
   std::uint64_t scans_lost_lately = 0;     ///< of the last seconds: scans that matched nothing
   std::uint64_t scans_matched_lately = 0;  ///< of the last seconds: scans that matched
   RealtimePolicy policy = RealtimePolicy::kOff;

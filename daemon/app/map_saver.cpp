@@ -8,11 +8,13 @@
 #include <cerrno>
 #include <cstring>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "daemon/app/json/plan_json.hpp"
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/cloud.hpp"
+#include "daemon/mapfile/doubt_json.hpp"
 #include "daemon/mapfile/map_image.hpp"
 #include "daemon/mapfile/overview.hpp"
 #include "daemon/mapfile/places_geojson.hpp"
@@ -42,7 +44,7 @@ std::string trajectory_text(const pipeline::MapSnapshot& map) {
 
 }  // namespace
 
-types::Result<SavedMap> MapSaver::save(const std::string& folder) {
+types::Result<SavedMap> MapSaver::save(const std::string& folder, const FoundDoubt* doubt) {
   const auto snapshot = snapshots_.pin();
   if (!snapshot || snapshot->keyframes.empty()) {
     return types::fail(types::Errc::kNotFound, "there is no map yet: no scan was matched since the start");
@@ -56,15 +58,20 @@ types::Result<SavedMap> MapSaver::save(const std::string& folder) {
     return tl::unexpected(saved.error());
   if (const auto saved = write_file(folder + "/trajectory.txt", trajectory_text(*snapshot)); !saved)
     return tl::unexpected(saved.error());
-  SavedMap saved{folder, snapshot->revision, image->width, image->height, cloud.size(), 0, 0};
-  if (const auto analysed = save_analysis(folder, *snapshot, saved); !analysed)
+  SavedMap saved{folder, snapshot->revision, image->width, image->height, cloud.size(), 0, 0, {}};
+  if (doubt != nullptr) {
+    saved.doubted = doubt_text(doubt->doubt);
+    if (const auto written = write_file(folder + "/doubt.json", doubt_json(*doubt).dump(1) + "\n"); !written)
+      return tl::unexpected(written.error());
+  }
+  if (const auto analysed = save_analysis(folder, *snapshot, doubt, saved); !analysed)
     return tl::unexpected(analysed.error());
   return saved;
 }
 
 /// Writes planning's analysis of the map; nothing before the first analysis.
 types::Status MapSaver::save_analysis(const std::string& folder, const pipeline::MapSnapshot& map,
-                                      SavedMap& saved) {
+                                      const FoundDoubt* doubt, SavedMap& saved) {
   const auto report = reports_.pin();
   if (!report || report->analysis == nullptr) return {};
   saved.places = report->analysis->places.places.size();
@@ -77,7 +84,9 @@ types::Status MapSaver::save_analysis(const std::string& folder, const pipeline:
       !s) {
     return s;
   }
-  return save_png(folder + "/overview.png", overview_of(*report->analysis, way, report->open_goals));
+  std::vector<slam::RevisitRegion> doubted;
+  if (doubt != nullptr) doubted = doubt->doubt.regions;
+  return save_png(folder + "/overview.png", overview_of(*report->analysis, way, report->open_goals, doubted));
 }
 
 }  // namespace topo::daemon

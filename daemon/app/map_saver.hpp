@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/types/result.hpp"
+#include "daemon/app/map_doubter.hpp"
 #include "daemon/threads/hand_overs.hpp"
 
 namespace topo::daemon {
@@ -18,6 +19,7 @@ struct SavedMap {
   std::size_t points = 0;
   std::size_t places = 0;
   std::size_t goals = 0;
+  std::string doubted;  ///< why the map is doubted; empty: it is not
 };
 
 /// Writes the map's files. Blocks on the disk; one thread at a time.
@@ -27,13 +29,15 @@ class MapSaver {
       : snapshots_(hand_overs.mapping.map->reader(kFilesReader)),
         reports_(hand_overs.planning->reader(kFilesReader)) {}
 
-  /// Writes map.pgm, map.yaml, cloud.ply, trajectory.txt and, when the map was analysed, goals.json,
-  /// places.geojson and overview.png into `folder`, which is created when its parent exists. Every file is
-  /// written atomically. kNotFound before the first scan was matched.
-  types::Result<SavedMap> save(const std::string& folder);
+  /// Writes map.pgm, map.yaml, cloud.ply, trajectory.txt, doubt.json and, when the map was analysed,
+  /// goals.json, places.geojson and overview.png into `folder`, which is created when its parent exists.
+  /// Every file is written atomically. `doubt`: what speaks against the map; null: that is not known, and
+  /// there is no doubt.json. kNotFound before the first scan was matched.
+  types::Result<SavedMap> save(const std::string& folder, const FoundDoubt* doubt);
 
  private:
-  types::Status save_analysis(const std::string& folder, const pipeline::MapSnapshot& map, SavedMap& saved);
+  types::Status save_analysis(const std::string& folder, const pipeline::MapSnapshot& map,
+                              const FoundDoubt* doubt, SavedMap& saved);
 
   MapSnapshots::Reader snapshots_;
   PlanningReports::Reader reports_;

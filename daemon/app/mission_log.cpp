@@ -9,6 +9,7 @@
 #include <cmath>
 #include <ctime>
 #include <string_view>
+#include <utility>
 
 namespace topo::daemon {
 namespace {
@@ -29,11 +30,28 @@ Json mates(const Json& team) {
   constexpr std::array<std::string_view, 9> kOfMate{"robot",        "alive",      "heard_s_ago",
                                                     "round_trip_s", "loss_in",    "loss_out",
                                                     "in_step",      "map_joined", "status"};
+  constexpr std::array<std::string_view, 2> kOfPlace{"pose", "claim"};
   Json mates = Json::array();
   if (const auto peers = team.find("peers"); peers != team.end()) {
-    for (const Json& peer : *peers) mates.push_back(part(peer, kOfMate));
+    for (const Json& peer : *peers) {
+      Json mate = part(peer, kOfMate);
+      const auto here = peer.find("here");
+      if (here != peer.end() && here->is_object()) mate["here"] = part(*here, kOfPlace);
+      mates.push_back(std::move(mate));
+    }
   }
   return mates;
+}
+
+/// Of the team itself: this robot's order and its acknowledgements, and the link's fault.
+Json in_team(const Json& team) {
+  Json own = part(team, std::array<std::string_view, 1>{"robot"});
+  if (const auto order = team.find("order"); order != team.end() && order->value("number", 0U) > 0)
+    own["order"] = *order;
+  const auto trouble = team.find("trouble");
+  if (trouble != team.end() && trouble->is_string() && !trouble->get_ref<const std::string&>().empty())
+    own["trouble"] = *trouble;
+  return own;
 }
 
 Json doubts(const Json& status) {
@@ -60,9 +78,10 @@ void MissionLog::note_state(types::Stamp now, const Json& status, const Json& te
   Json line = part(status, kOfStatus);
   line["kind"] = "state";
   line["doubts"] = doubts(status);
-  constexpr std::array<std::string_view, 3> kOfMap{"revision", "keyframes", "lost"};
+  constexpr std::array<std::string_view, 4> kOfMap{"revision", "keyframes", "keyframes_of_all", "lost"};
   if (const auto map = status.find("map"); map != status.end()) line["map"] = part(*map, kOfMap);
   if (Json of_team = mates(team); !of_team.empty()) line["team"] = std::move(of_team);
+  if (Json own = in_team(team); !own.empty()) line["in_team"] = std::move(own);
   add(now, std::move(line));
 }
 

@@ -15,7 +15,9 @@ namespace topo::daemon {
 /// and
 ///
 ///   "kind": "state"   once a second: pose, velocity, mission, goal with reason, doubts, battery, known area,
-///                     keyframes of the map, and for each robot of the team what is known of its link
+///                     keyframes of the map, the robot's own and all, and for each robot of the team what is
+///                     known of its link and of its place and goal in this robot's map; "in_team": this
+///                     robot's number, its newest order to mates and their acknowledgements, its link's fault
 ///   "kind": "event"   what subscribers are told ("event": "mission", "decision", "team_order", ...)
 ///
 /// Main only.

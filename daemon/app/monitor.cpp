@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "daemon/app/workers.hpp"
 #include "drivers/pioneer/base_connector.hpp"
 
@@ -174,6 +177,14 @@ std::string Monitor::base_obstacle() const {
   if (base_.ready) return {};
   const Device& base = devices_.front();
   return base.report.working ? "base is not ready: it takes no commands yet" : obstacle_of(base);
+}
+
+types::Se2 Monitor::pose_at(types::Stamp at) const {
+  constexpr double kLongest_s = 0.5;  // beyond that the speed says nothing
+  const types::Odometry& newest = base_.state.odometry;
+  const double time_s = std::clamp(types::to_seconds(at - newest.stamp), -kLongest_s, kLongest_s);
+  const double way_m = newest.twist.v_mps * time_s, turn_rad = newest.twist.omega_radps * time_s;
+  return pose() * types::Se2{way_m * std::cos(turn_rad / 2.0), way_m * std::sin(turn_rad / 2.0), turn_rad};
 }
 
 /// As recent as the odometry: the last correction applied to it.

@@ -48,7 +48,11 @@ class Monitor {
   [[nodiscard]] Json health() const;
   [[nodiscard]] Json latency() const;
 
+  /// T_map_base at a time near the newest odometry's, by its speed.
+  [[nodiscard]] types::Se2 pose_at(types::Stamp at) const;
+
  private:
+  [[nodiscard]] types::Se2 pose() const;
   struct Device {
     std::string_view name;
     sync::Latest<DeviceReport>* source;
@@ -71,7 +75,6 @@ class Monitor {
   void tell_doubts(const plausibility::DoubtSet& before, const plausibility::DoubtSet& now) const;
   void update_pulses(types::Stamp now);
   void update_tallies(types::Stamp now);
-  [[nodiscard]] types::Se2 pose() const;
   [[nodiscard]] Json devices() const;
   [[nodiscard]] Json map() const;
 

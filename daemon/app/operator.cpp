@@ -45,11 +45,19 @@ Operator::Operator(const Configuration& configuration, std::string effective, Ha
       silence_([&monitor]() -> const pipeline::ControlReport& { return monitor.base().control; },
                configuration.control.state_folder),
       team_(configuration.team, hand_overs.team,
-            [this](team::OrderKind kind, std::uint16_t from) { obey(kind, from); }),
+            [this](team::OrderKind kind, std::uint16_t from) { return obey(kind, from); }),
       saver_(hand_overs),
-      sessions_(configuration, hand_overs, files_) {}
+      view_(hand_overs, configuration.mapping.grid),
+      areas_(configuration.area, hand_overs, files_, configuration.control.state_folder,
+             [this](const Json& event) { announce_(event); }),
+      sessions_(configuration, hand_overs, files_),
+      doubts_(hand_overs,
+              MapDoubter(hand_overs, sessions_.client(), static_cast<std::uint16_t>(configuration.robot.id),
+                         mapper_params(configuration).graph),
+              files_) {}
 
 Status Operator::start() {
+  areas_.start();
   if (auto s = estop_.start(); !s) return s;
   if (auto s = silence_.start(); !s) return s;
   if (auto s = files_.start("files"); !s) return s;
@@ -65,7 +73,9 @@ void Operator::collect(std::size_t i) {
 void Operator::tick(types::Stamp now) {
   plan_.update();
   team_.tick(now);
-  add_distance();
+  areas_.note(team_.areas());
+  const BaseReport& base = monitor_.base();
+  way_.note(base.state.odometry.T_odom_base.se2().translation(), base.ready, missions_.active());
   estop_.tick();
   silence_.tick(now);
   if (estop_.latched()) interrupt("the emergency stop");
@@ -82,18 +92,9 @@ void Operator::tick(types::Stamp now) {
   if (const auto* journal = hand_overs_.journal.report.take_new(); journal != nullptr)
     sessions_.note(*journal);
   if (sessions_.tick(now, monitor_.mapping())) give_up("the robot's place was dropped");
+  doubts_.tick(now, monitor_.mapping());
   watch_battery(now);
   watch_readiness();
-}
-
-void Operator::add_distance() {
-  const types::Vector2 at = monitor_.base().state.odometry.T_odom_base.se2().translation();
-  // A jump is a reset of the base's odometry, not motion: at 10 Hz no robot moves half a metre per tick.
-  constexpr double kJump_m = 0.5;
-  const double way_m = (at - measured_from_).norm();
-  if (measuring_ && missions_.active() && way_m < kJump_m) distance_m_ += way_m;
-  measured_from_ = at;
-  measuring_ = monitor_.base().ready;
 }
 
 void Operator::watch_battery(types::Stamp now) {
@@ -101,21 +102,22 @@ void Operator::watch_battery(types::Stamp now) {
   const types::BatteryLimits limits = configuration_.exploration.battery_limits();
   const types::BaseState& state = base.state;
   const bool low = base.ready && types::is_battery_low(state.battery_v, state.state_of_charge, limits);
-  if (!battery_.note(low, now)) return;
+  if (!told_.battery.note(low, now)) return;
   spdlog::warn("battery low: {}; {}", battery_text(state), battery_limits_text(limits));
   announce_({{"event", "battery_low"}, {"battery_v", state.battery_v}});
 }
 
 void Operator::watch_readiness() {
   const bool ready = obstacle().empty();
-  if (ready && !ready_) announce_({{"event", "ready"}});
-  ready_ = ready;
+  if (ready && !told_.ready) announce_({{"event", "ready"}});
+  told_.ready = ready;
 }
 
 std::string Operator::obstacle() const {
   if (std::string stopped = estop_.obstacle(); !stopped.empty()) return stopped;
   if (std::string device = monitor_.device_obstacle(); !device.empty()) return device;
   if (std::string team = team_.obstacle(); !team.empty()) return team;
+  if (!areas_.obstacle().empty()) return areas_.obstacle();
   const auto* report = plan_.report();
   if (!monitor_.has_map() || report == nullptr)
     return "there is no map yet: no scan was matched since the start";
@@ -125,7 +127,7 @@ std::string Operator::obstacle() const {
 Status Operator::begin(Order order, const types::Vector2& target) {
   ++commands_;
   if (auto s = missions_.begin(order, target, obstacle(), io::monotonic_now()); !s) return s;
-  distance_m_ = 0.0;
+  way_.begin();
   end_driving();
   send_mission();
   announce_mission("mission");
@@ -134,6 +136,7 @@ Status Operator::begin(Order order, const types::Vector2& target) {
 
 Status Operator::pause() {
   ++commands_;
+  team_.note_halt(io::monotonic_now());
   if (auto s = missions_.pause("paused by the operator"); !s) return s;
   send_mission();
   announce_mission("mission");
@@ -149,9 +152,12 @@ Status Operator::resume() {
   return {};
 }
 
-void Operator::obey(team::OrderKind kind, std::uint16_t from) {
-  kind == team::OrderKind::kEstop ? estop() : stop();
-  announce_({{"event", "team_order"}, {"order", team::to_text(kind)}, {"robot", from}});
+Status Operator::obey(team::OrderKind kind, std::uint16_t from) {
+  Status done = carry_out(*this, kind);
+  Json event{{"event", "team_order"}, {"order", team::to_text(kind)}, {"robot", from}};
+  if (!done) event["refused"] = done.error().message;
+  announce_(event);
+  return done;
 }
 
 std::uint64_t Operator::estop_team() {
@@ -159,9 +165,20 @@ std::uint64_t Operator::estop_team() {
   return team_.order(team::OrderKind::kEstop);
 }
 
-std::uint64_t Operator::stop_team() {
-  stop();
-  return team_.order(team::OrderKind::kStop);
+Result<Json> Operator::order_team(team::OrderKind kind, std::optional<std::uint16_t> to) {
+  if (to && team_.is_this(*to)) {
+    if (const Status done = carry_out(*this, kind); !done) return tl::unexpected(done.error());
+    return Json::object();
+  }
+  if (to) {
+    const auto sent = team_.order_one(kind, *to, io::monotonic_now());
+    if (!sent) return tl::unexpected(sent.error());
+    return Json{{"order", *sent}};
+  }
+  const Status here = carry_out(*this, kind);  // whatever it says, the mates are told
+  Json answer{{"order", team_.order(kind)}};
+  if (!here) answer["refused_here"] = here.error().message;
+  return answer;
 }
 
 Json Operator::team() const { return team_.json(io::monotonic_now()); }
@@ -204,6 +221,7 @@ void Operator::announce_mission(std::string_view event) {
 
 void Operator::estop() {
   ++commands_;
+  team_.note_halt(io::monotonic_now());
   estop_.press();
   interrupt("the emergency stop");
 }
@@ -235,6 +253,7 @@ Status Operator::drive(const types::Twist2& twist) {
 
 void Operator::stop() {
   ++commands_;
+  team_.note_halt(io::monotonic_now());
   end_driving();
   if (!missions_.stop(io::monotonic_now())) return;
   send_mission();
@@ -247,7 +266,9 @@ void Operator::go_to(const types::Vector2& target, std::function<void(Status)> d
   if (report == nullptr || report->analysis == nullptr)
     return done(fail(Errc::kBusy, "the map was not analysed yet; try again in a moment"));
   // The duration of the search grows with the map; an e-stop must not wait for it.
-  auto job = [this, analysis = report->analysis, params = planner_params(configuration_), target, done,
+  pipeline::PlannerParams params = planner_params(configuration_);
+  params.area = areas_.in_force();
+  auto job = [this, analysis = report->analysis, params = std::move(params), target, done,
               from = report->T_map_base.se2().translation(), number = ++commands_]() -> Background::Finish {
     const Status possible = pipeline::check_target(*analysis, params, from, target);
     return [this, possible, target, done, number] {
@@ -265,20 +286,46 @@ void Operator::save_map(const std::string& folder, std::function<void(Result<Jso
     return done(
         fail(Errc::kInvalidInput, fmt::format("dir: found \"{}\", expected an absolute path", folder)));
   }
-  auto job = [this, folder, done]() -> Background::Finish {
-    return [done, saved = saver_.save(folder)] {
+  auto job = [this, folder, done, scans = scan_count(monitor_.mapping())]() -> Background::Finish {
+    const auto doubt = doubts_.doubter().find(scans);
+    return [done, saved = saver_.save(folder, doubt ? &*doubt : nullptr)] {
       if (!saved) return done(tl::unexpected(saved.error()));
       spdlog::info("map revision {} saved to {}", saved->revision, saved->folder);
+      if (!saved->doubted.empty()) spdlog::warn("{}", saved->doubted);
       done(Json{{"dir", saved->folder},
                 {"revision", saved->revision},
                 {"width", saved->width},
                 {"height", saved->height},
                 {"points", saved->points},
                 {"places", saved->places},
-                {"goals", saved->goals}});
+                {"goals", saved->goals},
+                {"doubted", saved->doubted}});
     };
   };
   if (const auto added = files_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+void Operator::map_tiles(std::uint64_t since, std::function<void(Result<Json>)> done) {
+  auto job = [this, since, done]() -> Background::Finish {
+    return [done, tiles = view_.tiles(since)] { done(tiles); };
+  };
+  if (const auto added = searches_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+void Operator::map_trails(std::function<void(Result<Json>)> done) {
+  auto job = [this, done]() -> Background::Finish {
+    return [done, trails = view_.trails()] { done(trails); };
+  };
+  if (const auto added = searches_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
+}
+
+void Operator::session_tiles(std::uint64_t since, SessionDone done) {
+  const std::optional<PlaceOffer> offer = sessions_.waiting();
+  if (!offer) return done(fail(Errc::kNotFound, "no session waits for the robot's place"));
+  auto job = [this, path = offer->path, since, done]() -> Background::Finish {
+    return [done, tiles = view_.of_session().tiles(path, since)] { done(tiles); };
+  };
+  if (const auto added = searches_.add(std::move(job)); !added) done(tl::unexpected(added.error()));
 }
 
 void Operator::load_session(const std::string& name, const std::optional<types::Se2>& pose,

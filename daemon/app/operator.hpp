@@ -5,11 +5,15 @@
 #include <functional>
 #include <string>
 
+#include "daemon/app/area_control.hpp"
 #include "daemon/app/background.hpp"
 #include "daemon/app/battery_watch.hpp"
+#include "daemon/app/doubt_watch.hpp"
 #include "daemon/app/estop_control.hpp"
 #include "daemon/app/map_saver.hpp"
+#include "daemon/app/map_view.hpp"
 #include "daemon/app/mission_control.hpp"
+#include "daemon/app/mission_way.hpp"
 #include "daemon/app/plan_watch.hpp"
 #include "daemon/app/session_control.hpp"
 #include "daemon/app/silence_control.hpp"
@@ -19,6 +23,12 @@
 namespace topo::daemon {
 
 class Monitor;
+
+/// What subscribers were told last.
+struct Told {
+  BatteryWatch battery;
+  bool ready = false;
+};
 
 /// Executes the operator's requests. Main only, except for the jobs that it gives to the background threads.
 class Operator final : public Operations {
@@ -48,10 +58,14 @@ class Operator final : public Operations {
   [[nodiscard]] Json goals() const override;
   [[nodiscard]] Json places() const override;
   [[nodiscard]] Json progress() const override;
+  [[nodiscard]] Json scan() const override;
+  void map_tiles(std::uint64_t since, std::function<void(types::Result<Json>)> done) override;
+  void map_trails(std::function<void(types::Result<Json>)> done) override;
+  void session_tiles(std::uint64_t since, SessionDone done) override;
   void doctor(std::function<void(Json)> done) override;
   void estop() override;
   std::uint64_t estop_team() override;
-  std::uint64_t stop_team() override;
+  types::Result<Json> order_team(team::OrderKind kind, std::optional<std::uint16_t> to) override;
   [[nodiscard]] Json team() const override;
   void clear_estop(std::function<void(types::Status)> done) override;
   types::Status drive(const types::Twist2& twist) override;
@@ -69,6 +83,11 @@ class Operator final : public Operations {
   void confirm_session(const std::optional<types::Se2>& pose, SessionDone done) override;
   types::Status begin_anew() override;
   types::Status set_log_level(const std::string& level) override;
+  [[nodiscard]] Json areas() const override { return areas_.json(); }
+  types::Result<std::string> draw_area(const types::Polygon& corners_map, types::AreaKind kind) override {
+    return areas_.draw(corners_map, kind);
+  }
+  types::Status withdraw_area(const std::string& id) override { return areas_.withdraw(id); }
 
  private:
   types::Status begin(pipeline::Order order, const types::Vector2& target);
@@ -76,7 +95,7 @@ class Operator final : public Operations {
   [[nodiscard]] std::string obstacle() const;
   [[nodiscard]] Json mission_json() const;
   void interrupt(const std::string& why);
-  void obey(team::OrderKind kind, std::uint16_t from);
+  types::Status obey(team::OrderKind kind, std::uint16_t from);
   void give_up(const std::string& why);
   void send_mission();
   void end_driving();
@@ -84,7 +103,6 @@ class Operator final : public Operations {
   void tell(const pipeline::Decision& decision);
   void watch_battery(types::Stamp now);
   void watch_readiness();
-  void add_distance();
 
   const Configuration& configuration_;
   std::string effective_;
@@ -98,13 +116,13 @@ class Operator final : public Operations {
   SilenceControl silence_;
   TeamControl team_;
   MapSaver saver_;
+  MapView view_;             ///< used by the thread of searches
+  AreaControl areas_;        // the same
   SessionControl sessions_;  // declared before the thread of its jobs, which is destroyed first
+  DoubtWatch doubts_;        // the same
   Background files_, searches_;
-  BatteryWatch battery_;
-  bool ready_ = false;
-  double distance_m_ = 0.0;  ///< distance driven since the newest mission began
-  types::Vector2 measured_from_{0.0, 0.0};
-  bool measuring_ = false;
+  Told told_;
+  MissionWay way_;
 };
 
 }  // namespace topo::daemon

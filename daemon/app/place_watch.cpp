@@ -136,6 +136,7 @@ bool PlaceWatch::note(const MappingReport& report, types::Stamp now) {
 Json PlaceWatch::json() const {
   Json json{{"standing", to_text(standing())},
             {"session", offer_ ? offer_->name : std::string()},
+            {"waits", waiting().has_value()},
             {"on_trial", on_trial()},
             {"trial",
              {{"verdict", verdict_text(trial_.verdict)},

@@ -34,6 +34,9 @@ class SessionControl {
   /// `files`: the thread of the jobs, which run one after the other; it ends before this object.
   SessionControl(const Configuration& configuration, HandOvers& hand_overs, Background& files);
 
+  /// What asks mapping for its map; for jobs on the background thread.
+  [[nodiscard]] SessionClient& client() { return client_; }
+
   /// To be called every tick: starts session.resume as soon as there is a scan, and repeats it until it is
   /// settled or a place is proposed. True once when a place was dropped: a mission cannot go on.
   bool tick(types::Stamp now, const MappingReport& report);
@@ -51,6 +54,9 @@ class SessionControl {
   /// Drops the session to be resumed or loaded, even during its search: the map made since the start is kept.
   /// kBusy when the mapping thread is taking that session over.
   types::Status begin_anew();
+
+  /// The session that waits for the operator's word; nothing: none does.
+  [[nodiscard]] std::optional<PlaceOffer> waiting() const { return place_.waiting(); }
 
   [[nodiscard]] Json status() const;
   /// A fault of the sessions, for the operator; empty: none.
@@ -102,7 +108,7 @@ class SessionControl {
   // On the background thread.
   Resumed try_resume(Loading& loading);
   Resumed resume_last(Loading& loading);
-  void give_to_team(std::vector<slam::KeyframePtr> keyframes);
+  void give_to_team(JournalledItems items);
   types::Result<Json> save_now(const std::string& path);
   types::Result<Loaded> load_now(const std::string& path, Loading& loading);
   types::Result<Loaded> go_on(const LoadedSession& file, Loading& loading);

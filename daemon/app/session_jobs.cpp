@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/pipeline/mapping_step.hpp"
+#include "core/slam/found_relations.hpp"
 #include "daemon/app/session_control.hpp"
 #include "daemon/session/origin.hpp"
 #include "daemon/session/session_writer.hpp"
@@ -72,18 +73,20 @@ SessionControl::Resumed SessionControl::resume_last(Loading& loading) {
   const LoadedSession& file = last->session->loaded;
   if (!file.closed || configuration_.session.resume != "killed") {
     // Before the robot is looked for in it, which may take long, or be left to the operator.
-    give_to_team(claimed(file.session, configuration_.robot.id).keyframes);
+    slam::Session session = claimed(file.session, configuration_.robot.id);
+    std::vector<slam::FoundRelation> relations = slam::found_relations(session.keyframes, session.edges);
+    give_to_team({std::move(session.keyframes), std::move(relations)});
     resumed.loaded = go_on(file, loading);
   }
   return resumed;
 }
 
 /// The items of a team stay true wherever this robot is now.
-void SessionControl::give_to_team(std::vector<slam::KeyframePtr> keyframes) {
+void SessionControl::give_to_team(JournalledItems items) {
   if (!configuration_.team.present || std::exchange(given_to_team_, true)) return;
   auto* slot = hand_overs_.team.journalled.try_acquire();
   if (slot == nullptr) return;
-  slot->content = std::make_unique<std::vector<slam::KeyframePtr>>(std::move(keyframes));
+  slot->content = std::make_unique<JournalledItems>(std::move(items));
   hand_overs_.team.journalled.commit();
   hand_overs_.team.wakeup.post();
 }
@@ -112,9 +115,11 @@ Result<SessionControl::Loaded> SessionControl::go_on(const LoadedSession& file, 
   if (news == nullptr) return fail(Errc::kTimeout, "the mapping thread does not answer");
   if (news->session.keyframes.empty()) return fail(Errc::kBusy, "no scan came since the start");
   const slam::Session session = claimed(file.session, configuration_.robot.id);
-  const slam::Placement found = slam::place_in(
-      session, news->cloud, {loading.near, !configuration_.area.empty(), loading.dropped_before},
-      mapper_params(configuration_));
+  const slam::Placement found =
+      slam::place_in(session, news->cloud,
+                     {loading.near, hand_overs_.place.limited.load(std::memory_order_acquire),
+                      loading.dropped_before, static_cast<std::uint16_t>(configuration_.robot.id)},
+                     mapper_params(configuration_));
   if (!found.found()) return fail(Errc::kBusy, describe(found));
   Loaded loaded{session.keyframes.size(),
                 file.closed,

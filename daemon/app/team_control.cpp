@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/app/team_control.hpp"
+#include "drivers/io/posix.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 
 namespace topo::daemon {
 namespace {
@@ -35,6 +37,20 @@ Json status_json(const team::StatusMessage& status) {
   return json;
 }
 
+/// Where a mate is, and means to go, in this robot's map; null while its map frame is not known here.
+Json here_json(const TeamReport& report, std::uint16_t robot) {
+  const auto mate = std::ranges::find(report.in_map, robot, &team::StatusMessage::robot);
+  if (mate == report.in_map.end()) return nullptr;
+  Json way = Json::array();
+  for (const types::Vector2& p : mate->way_map) way.push_back({{"x_m", p.x()}, {"y_m", p.y()}});
+  Json claim;
+  if (mate->claim) claim = {{"x_m", mate->claim->p_map.x()}, {"y_m", mate->claim->p_map.y()}};
+  const types::Se2& pose = mate->T_map_base;
+  return {{"pose", {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"theta_rad", pose.theta_rad}}},
+          {"claim", std::move(claim)},
+          {"way", std::move(way)}};
+}
+
 Json link_json(const TeamReport& report) {
   Json json{{"joined", report.joined},
             {"why_not", report.joined ? "" : report.words},
@@ -62,11 +78,26 @@ Json counters_json(const team::ExchangeCounters& c) {
           {"dropped",
            {{"other_version", c.other_version},
             {"other_team", c.other_team},
+            {"false_number", c.false_number},
             {"malformed", c.malformed + c.malformed_item},
             {"replayed", c.replayed},
             {"too_many", c.too_many},
             {"contradicting", c.contradicting + c.claims_ours},
             {"duplicate_ids", c.duplicate_ids}}}};
+}
+
+Json held_json(const TeamReport& report) {
+  constexpr std::array<const char*, team::kItemKinds> kKinds{"log", "relation", "keyframe"};
+  Json streams = Json::array();
+  for (const HeldStream& stream : report.streams)
+    streams.push_back({{"kind", kKinds.at(static_cast<std::size_t>(stream.key.kind))},
+                       {"robot", stream.key.origin.robot},
+                       {"run", stream.key.origin.run},
+                       {"first_gap", stream.first_gap}});
+  return {{"items", report.items},
+          {"bytes", report.bytes},
+          {"hash", fmt::format("{:016x}", report.hash)},
+          {"streams", std::move(streams)}};
 }
 
 std::string two_robots(int number, bool own) {
@@ -89,27 +120,62 @@ void RecentDrops::tick(types::Stamp now) {
   if (now - last_ > lately_) count_ = 0;
 }
 
-std::uint64_t TeamControl::order(team::OrderKind kind) {
+std::uint64_t TeamControl::send(const team::Order& order) {
   if (!configuration_.present) return 0;
   TeamRequest* slot = team_.requests.try_acquire();
   if (slot == nullptr) {
-    spdlog::error("the team's thread takes no orders: {} was not sent to the team", team::to_text(kind));
+    spdlog::error("the team's thread takes no orders: {} was not sent to the team",
+                  team::to_text(order.kind));
     return 0;
   }
-  *slot = TeamOrder{++orders_, {kind}};
+  *slot = TeamOrder{++orders_, order};
   team_.requests.commit();
   team_.wakeup.post();
   return orders_;
 }
 
+types::Result<std::uint64_t> TeamControl::order_one(team::OrderKind kind, std::uint16_t robot,
+                                                    types::Stamp now) {
+  if (!configuration_.present) return types::fail(types::Errc::kBusy, "this robot has no team");
+  const auto peer = std::ranges::find(report_.peers, robot, &team::PeerView::robot);
+  if (peer == report_.peers.end())
+    return types::fail(types::Errc::kBusy, fmt::format("robot {} was not heard: nothing was sent", robot));
+  if (!peer->alive)
+    return types::fail(types::Errc::kBusy,
+                       fmt::format("robot {} is out of reach, heard {:.0f} s ago: nothing was sent", robot,
+                                   types::to_seconds(now - peer->heard)));
+  const std::uint64_t number = send({kind, robot});
+  if (number == 0) return types::fail(types::Errc::kBusy, "too many orders wait to be sent; say it again");
+  return number;
+}
+
+/// An order that sets the robot in motion is obeyed while its giver still looks, and never after a later one
+/// of that giver or a halt by whomever: what is repeated over a bad link arrives late, and in any order.
+std::string TeamControl::outdated(const team::HeardOrder& heard) const {
+  constexpr types::Duration kFresh = std::chrono::seconds(2);
+  if (!team::sets_in_motion(heard.order.kind)) return {};
+  if (!heard.age) return "when it was given is not known";
+  if (*heard.age > kFresh) return fmt::format("it came {:.0f} s late", types::to_seconds(*heard.age));
+  if (io::monotonic_now() - *heard.age < halted_) return "the robot was halted after it was given";
+  const auto newest = newest_heard_.find(heard.id.origin());
+  if (newest != newest_heard_.end() && newest->second > heard.id.sequence)
+    return "a later order came before it";
+  return {};
+}
+
 void TeamControl::collect() {
   (void)team_.orders_here.wait(types::Duration::zero());
   for (const team::HeardOrder* heard = team_.orders.front(); heard != nullptr; heard = team_.orders.front()) {
-    spdlog::warn("{}: ordered for the whole team by robot {}", team::to_text(heard->order.kind),
-                 heard->id.robot);
-    obey_(heard->order.kind, heard->id.robot);
+    spdlog::warn("{}: ordered {} by robot {}", team::to_text(heard->order.kind),
+                 heard->order.to ? "for this robot" : "for the whole team", heard->id.robot);
+    std::string refused = outdated(*heard);
+    if (refused.empty())
+      if (const auto done = obey_(heard->order.kind, heard->id.robot); !done) refused = done.error().message;
+    if (!refused.empty()) spdlog::warn("{}: refused: {}", team::to_text(heard->order.kind), refused);
+    std::uint32_t& newest = newest_heard_[heard->id.origin()];
+    newest = std::max(newest, heard->id.sequence);
     if (TeamRequest* slot = team_.requests.try_acquire(); slot != nullptr) {
-      *slot = OrderDone{heard->id};
+      *slot = OrderDone{heard->id, refused};
       team_.requests.commit();
       team_.wakeup.post();
     }
@@ -171,6 +237,15 @@ Json TeamControl::brief() const {
   return {{"name", configuration_.name}, {"joined", report_.joined}, {"alive", alive}, {"in_step", in_step}};
 }
 
+Json TeamControl::order_json() const {
+  Json refused = Json::array();
+  for (const auto& [robot, why] : report_.refused) refused.push_back({{"robot", robot}, {"why", why}});
+  return {{"number", report_.order},
+          {"to", report_.order_to ? Json(*report_.order_to) : Json()},
+          {"acknowledged", report_.acknowledged},
+          {"refused", std::move(refused)}};
+}
+
 Json TeamControl::json(types::Stamp now) const {
   if (!configuration_.present) return {{"present", false}};
   Json peers = Json::array();
@@ -180,21 +255,20 @@ Json TeamControl::json(types::Stamp now) const {
         report_.statuses, [&](const team::HeardStatus& heard) { return heard.message.robot == peer.robot; });
     json["status"] = said == report_.statuses.end() ? Json() : status_json(said->message);
     json["map_joined"] = std::ranges::count(report_.located, peer.robot) > 0;
+    json["here"] = here_json(report_, peer.robot);
     peers.push_back(std::move(json));
   }
-  return {
-      {"present", true},
-      {"name", configuration_.name},
-      {"robot", configuration_.id},
-      {"security", configuration_.secure() ? "on" : "off"},
-      {"link", link_json(report_)},
-      {"exchange", counters_json(report_.counters)},
-      {"held",
-       {{"items", report_.items}, {"bytes", report_.bytes}, {"hash", fmt::format("{:016x}", report_.hash)}}},
-      {"peers", std::move(peers)},
-      {"order", {{"number", report_.order}, {"acknowledged", report_.acknowledged}}},
-      {"trouble", trouble()},
-      {"warning", warning()}};
+  return {{"present", true},
+          {"name", configuration_.name},
+          {"robot", configuration_.id},
+          {"security", configuration_.secure() ? "on" : "off"},
+          {"link", link_json(report_)},
+          {"exchange", counters_json(report_.counters)},
+          {"held", held_json(report_)},
+          {"peers", std::move(peers)},
+          {"order", order_json()},
+          {"trouble", trouble()},
+          {"warning", warning()}};
 }
 
 }  // namespace topo::daemon

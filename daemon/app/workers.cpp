@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/app/workers.hpp"
 
+#include "daemon/app/connection_configs.hpp"
 #include "daemon/app/session_control.hpp"
 #include "daemon/estop/latch_file.hpp"
 #include "daemon/session/origin.hpp"
@@ -18,50 +19,6 @@ namespace {
 
 using types::Result;
 using types::Status;
-
-hokuyo::ConnectionConfig connection_config(const std::string& name, const ScannerConfig& scanner) {
-  hokuyo::ConnectionConfig config;
-  config.name = name;
-  config.serial_number = scanner.serial_number;
-  config.intensity = scanner.intensity;
-  config.skip_scans = scanner.skip_scans;
-  config.stamp_offset_s = scanner.stamp_offset_s;
-  config.masks = scanner.masks;
-  return config;
-}
-
-/// The masks count from straight ahead, and the angles of a scan from the zero beam.
-hokuyo::ConnectionConfig front_config(const ScannerConfig& front) {
-  hokuyo::ConnectionConfig config = connection_config("front", front);
-  config.mirrored = is_upside_down(front);
-  for (types::Sector& mask : config.masks.all)
-    mask = {mask.from_rad - front.yaw_rad, mask.to_rad - front.yaw_rad};
-  return config;
-}
-
-/// They count from straight up to the robot's left; a mirrored scanner is turned round by
-/// walls::CoronalMount.
-hokuyo::ConnectionConfig coronal_config(const ScannerConfig& coronal) {
-  hokuyo::ConnectionConfig config = connection_config("coronal", coronal);
-  for (types::Sector& mask : config.masks.all) {
-    const types::Sector seen = coronal.mirrored ? types::Sector{-mask.to_rad, -mask.from_rad} : mask;
-    mask = {seen.from_rad - coronal.roll_rad, seen.to_rad - coronal.roll_rad};
-  }
-  return config;
-}
-
-pioneer::ConnectionConfig connection_config(const Configuration& configuration) {
-  const BaseConfig& base = configuration.base;
-  pioneer::ConnectionConfig config;
-  config.expected_chassis = configuration.robot.model == RobotModel::kP3at ? "p3at" : "p3dx";
-  config.family = base.family;
-  config.watchdog_ms = base.watchdog_ms;
-  config.expected_name = base.name;
-  config.expected_serial_number = base.serial_number;
-  config.take_limits(base);
-  config.sonar = base.sonar;
-  return config;
-}
 
 TeamSettings team_settings(const Configuration& c) {
   TeamSettings settings;
@@ -92,18 +49,19 @@ Result<std::unique_ptr<Workers>> Workers::make(const Configuration& c, HandOvers
   if (!base) return tl::unexpected(base.error());
   w.base_.worker = std::make_unique<BaseWorker>(
       hand_overs, setup_at_start(c), control_params(c),
-      std::make_unique<pioneer::Connection>(connection_config(c), std::move(*base)), w.base_.vitals);
+      std::make_unique<pioneer::Connection>(base_connection_config(c), std::move(*base)), w.base_.vitals);
   auto front = connectors("front", c.front.address);
   if (!front) return tl::unexpected(front.error());
   w.front_.worker = std::make_unique<ScanWorker>(
       hand_overs, hand_overs.front, true,
-      std::make_unique<hokuyo::Connection>(front_config(c.front), std::move(*front)), w.front_.vitals);
+      std::make_unique<hokuyo::Connection>(front_connection_config(c.front), std::move(*front)),
+      w.front_.vitals);
   if (c.coronal.present) {
     auto coronal = connectors("coronal", c.coronal.address);
     if (!coronal) return tl::unexpected(coronal.error());
     w.coronal_.worker = std::make_unique<ScanWorker>(
         hand_overs, hand_overs.coronal, false,
-        std::make_unique<hokuyo::Connection>(coronal_config(c.coronal), std::move(*coronal)),
+        std::make_unique<hokuyo::Connection>(coronal_connection_config(c.coronal), std::move(*coronal)),
         w.coronal_.vitals);
   }
   w.mapping_.worker =

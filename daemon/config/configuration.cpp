@@ -12,6 +12,8 @@ slam::MapperParams mapper_params(const Configuration& configuration) {
   const ScannerConfig& front = configuration.front;
   const ScannerConfig& coronal = configuration.coronal;
   params.T_base_laser = {front.x_m, front.y_m, front.yaw_rad};
+  // Status packets that are older than they look cover a scan later.
+  params.odometry_wait_s += std::max(configuration.base.status_delay_s, 0.0);
   params.coronal.x_m = coronal.x_m;
   params.coronal.y_m = coronal.y_m;
   params.coronal.z_m = coronal.z_m;
@@ -31,7 +33,7 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   const grid::TravelRules usual;
   pipeline::PlannerParams params;
   params.explore.strategy = e.strategy;
-  params.explore.finish = e.finish;
+  if (const auto finish = exploration::parse_finish(e.finish)) set_finish(*finish, params.explore);
   params.travel.radius_m = m.passage_radius_m > 0.0 ? m.passage_radius_m : disc_m;
   // Radius for driving straight through a door that is too narrow to turn in. In the map a door is up to a
   // cell narrower than in reality: a passage that appears half a centimetre too narrow is tried, and the

@@ -15,6 +15,7 @@
 #include "core/types/robot_limits.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/sector.hpp"
+#include "core/types/wheel_calibration.hpp"
 
 namespace topo::daemon {
 
@@ -40,6 +41,10 @@ struct BaseConfig : types::DriveLimits {
   std::string family;         ///< whose factors hold for a controller that names none; empty: it is refused
   int watchdog_ms = 0;        ///< of a firmware that does not tell its own; 0: such is not driven
   bool sonar = true;
+  bool gyro = true;  ///< the heading by the gyro of a base that has one
+  // Of this robot against its model, by `topoctl calibrate`.
+  types::WheelCalibration wheels;
+  double status_delay_s = 0.0;  ///< of status packets against scans
 };
 
 /// One scanner. Its frame is laser_front or laser_coronal.
@@ -65,7 +70,7 @@ struct ScannerConfig {
 /// The planner's settings. Defaults that the planner has too are taken from there.
 struct ExplorationConfig {
   exploration::Strategy strategy = pipeline::PlannerParams{}.explore.strategy;
-  exploration::Finish finish = pipeline::PlannerParams{}.explore.finish;
+  std::string finish = "complete";  ///< exploration::parse_finish
   double planning_period_s = 0.4;
   double frontier_min_m = pipeline::PlannerParams{}.explore.frontier_min_m;
   double goal_reached_m = pipeline::PlannerParams{}.explore.pursuit.goal_reached_m;
@@ -134,6 +139,17 @@ struct TeamConfig {
   [[nodiscard]] bool secure() const { return security != "off"; }
 };
 
+enum class ViewLook { kEverybody, kToken };
+
+/// The operator's page, which topoview serves.
+struct ViewConfig {
+  std::string address = "127.0.0.1";  ///< IP address that it listens on
+  int port = 8080;
+  std::vector<std::string> hosts;  ///< names that a browser may call it by, beside addresses and its own name
+  ViewLook look = ViewLook::kEverybody;
+  std::string state_folder = "/var/lib/topometric/view";  ///< of the tokens
+};
+
 struct Configuration {
   RobotConfig robot;
   BaseConfig base;
@@ -150,6 +166,7 @@ struct Configuration {
   RecordConfig record;
   SessionConfig session;
   TeamConfig team;
+  ViewConfig view;
 };
 
 /// The mapper's parameters with the scanners' configured poses.

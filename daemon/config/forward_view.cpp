@@ -35,17 +35,19 @@ double seen_of_forward_sector_rad(double yaw_rad, double field_of_view_rad) {
   return std::min(seen_rad, kNeeded_rad);
 }
 
+double yaw_max_rad() { return 0.5 * kFieldOfView_rad - kSector_rad; }
+
 std::string forward_view_fault(double yaw_rad) {
   const double seen_rad = seen_of_forward_sector_rad(yaw_rad);
   if (seen_rad >= kNeeded_rad - kRounding_rad) return {};
-  const double most_rad = 0.5 * kFieldOfView_rad - kSector_rad;
-  const double printed_rad = std::floor(most_rad * 1e3) * 1e-3;  // rounded down: what is printed is accepted
+  const double printed_rad =
+      std::floor(yaw_max_rad() * 1e3) * 1e-3;  // rounded down: what is printed is accepted
   return fmt::format(
       "found {} ({:.0f} degrees): a scanner with {:.0f} degrees of view (UTM-30LX) then sees {:.0f} of the "
       "{:.0f} degrees ahead that braking needs ({:.0f} to either side), and the robot would drive blind; "
       "expected -{:.3f} to {:.3f} ({:.0f} degrees either way)",
       yaw_rad, degrees(yaw_rad), degrees(kFieldOfView_rad), std::floor(degrees(seen_rad + kRounding_rad)),
-      degrees(kNeeded_rad), degrees(kSector_rad), printed_rad, printed_rad, degrees(most_rad));
+      degrees(kNeeded_rad), degrees(kSector_rad), printed_rad, printed_rad, degrees(yaw_max_rad()));
 }
 
 }  // namespace topo::daemon

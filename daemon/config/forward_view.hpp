@@ -17,6 +17,9 @@ inline constexpr double kFieldOfView_rad = 1.5 * std::numbers::pi;
 /// wide, in radians. Precondition: both are finite, the view is at most one turn.
 [[nodiscard]] double seen_of_forward_sector_rad(double yaw_rad, double field_of_view_rad = kFieldOfView_rad);
 
+/// Greatest yaw of a front scanner, either way, with which it sees the whole forward sector.
+[[nodiscard]] double yaw_max_rad();
+
 /// Empty when a front scanner mounted at `yaw_rad` sees the whole forward sector; otherwise the fault: the
 /// angles found and needed, and the mounts that would be right.
 [[nodiscard]] std::string forward_view_fault(double yaw_rad);

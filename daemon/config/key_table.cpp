@@ -42,8 +42,8 @@ ChoiceKey choice(std::span<const std::string_view> names) {
 
 // In the order of the enumerations.
 constexpr std::array<std::string_view, 2> kModels{"p3dx", "p3at"};
-constexpr std::array<std::string_view, 2> kFinishes{"essential", "complete"};
 constexpr std::array<std::string_view, 5> kLevels{"trace", "debug", "info", "warning", "error"};
+constexpr std::array<std::string_view, 2> kLooks{"everybody", "token"};
 constexpr std::array<std::string_view, 3> kPolicies{"enforce", "try", "off"};
 
 bool all_of(std::string_view text, std::size_t max, std::string_view extra) {
@@ -54,6 +54,7 @@ bool all_of(std::string_view text, std::size_t max, std::string_view extra) {
 }
 
 bool is_name(std::string_view text) { return all_of(text, 32, "-_"); }
+bool is_finish(std::string_view text) { return exploration::parse_finish(text).has_value(); }
 bool is_serial_number(std::string_view text) { return text.empty() || all_of(text, 16, "-_."); }
 bool is_told_text(std::string_view text) {
   return text.size() <= 32 &&
@@ -83,6 +84,14 @@ bool is_peer(std::string_view text) {
 }
 bool is_security(std::string_view text) { return text == "off" || is_absolute(text); }
 
+bool is_address(std::string_view text) {
+  const std::string address(text);
+  in6_addr bytes{};
+  return ::inet_pton(AF_INET, address.c_str(), &bytes) == 1 ||
+         ::inet_pton(AF_INET6, address.c_str(), &bytes) == 1;
+}
+bool is_host_name(std::string_view text) { return all_of(text, 253, "-."); }
+
 constexpr std::string_view kToldForm =
     "up to 32 printable characters as the robot tells them, or \"\" for any";
 constexpr std::string_view kFamilyForm =
@@ -91,6 +100,7 @@ constexpr std::string_view kPathForm = "an absolute path of a file, or \"\" for 
 
 /// A team is small; every address costs a datagram a second to where nobody may be.
 constexpr std::size_t kPeersMax = 16;
+constexpr std::size_t kHostsMax = 16;
 /// The ports of a domain begin at 7400 + 250 * domain (DDSI-RTPS 2.3, 9.6.1.1) and must be below 65536.
 constexpr int kDomainMax = 230;
 
@@ -140,6 +150,17 @@ void add_base(std::vector<KeySpec>& t) {
   t.push_back({"base.angular_acceleration_radps2", "rad/s2", false,
                RealKey{&at<kS, &C::angular_acceleration_radps2>, 0.1, 6.0}, "change of turning speed"});
   t.push_back({"base.sonar", "", false, SwitchKey{&at<kS, &C::sonar>}, "sonar rings switched on"});
+  t.push_back({"base.gyro", "", false, SwitchKey{&at<kS, &C::gyro>},
+               "the heading by the gyro of a base that reports one (P3-AT), in place of the wheels'"});
+  using W = types::WheelCalibration;
+  t.push_back({"base.wheel_left", "", false, RealKey{&at<kS, &C::wheels, &W::left>, 0.8, 1.25},
+               "true travel of the left wheel per travel that the firmware counts (topoctl calibrate)"});
+  t.push_back({"base.wheel_right", "", false, RealKey{&at<kS, &C::wheels, &W::right>, 0.8, 1.25},
+               "the same of the right wheel"});
+  t.push_back({"base.track_m", "m", false, RealKey{&at<kS, &C::wheels, &W::track_m>, 0.0, 1.0},
+               "effective track of the wheels (topoctl calibrate); 0: as the model"});
+  t.push_back({"base.status_delay_s", "s", false, RealKey{&at<kS, &C::status_delay_s>, -0.1, 0.2},
+               "how much older than they look status packets are, against scans (topoctl calibrate)"});
 }
 
 template <auto kS>
@@ -228,9 +249,11 @@ void add_exploration(std::vector<KeySpec>& t) {
   t.push_back({"exploration.strategy", "", false, choice<kS, &C::strategy>(exploration::strategy_names()),
                "topometric: a handful of goals from the places; nearest_frontier: always the nearest edge of "
                "unknown space; the others share such edges out among a team"});
-  t.push_back({"exploration.finish", "", false, choice<kS, &C::finish>(kFinishes),
-               "essential: home when no essential goal is left, nor a gap onto a room; complete: all gaps, "
-               "and a look into what it cannot enter"});
+  t.push_back(
+      {"exploration.finish", "", false, TextKey{&at<kS, &C::finish>, exploration::kFinishForm, &is_finish},
+       "essential: home when no essential goal is left, nor a gap onto a room; worth:RATE: what gives "
+       "less than RATE m2 for a second of the way there is left out; complete: all gaps, and a look "
+       "into what it cannot enter"});
   t.push_back({"exploration.planning_period_s", "s", false, RealKey{&at<kS, &C::planning_period_s>, 0.1, 0.8},
                "from one decision to the next"});
   t.push_back({"exploration.frontier_min_m", "m", false, RealKey{&at<kS, &C::frontier_min_m>, 0.1, 3.0},
@@ -375,6 +398,26 @@ void add_team(std::vector<KeySpec>& t) {
                "Unix socket between the daemon and its link, topolink"});
 }
 
+void add_view(std::vector<KeySpec>& t) {
+  constexpr auto kS = &Configuration::view;
+  using C = ViewConfig;
+  t.push_back({"view.address", "", false,
+               TextKey{&at<kS, &C::address>, "an IP address such as \"127.0.0.1\" or \"::\"", &is_address},
+               "where topoview listens; 127.0.0.1: this machine alone reaches the page"});
+  t.push_back(
+      {"view.port", "", false, IntegerKey{&at<kS, &C::port>, 1, 65535}, "TCP port of the operator's page"});
+  t.push_back(
+      {"view.hosts", "", false,
+       TextListKey{&at<kS, &C::hosts>, "a host's name such as \"robot1.example.org\"", &is_host_name,
+                   kHostsMax},
+       "names of this robot in browsers, beside its addresses, localhost and the machine's own name"});
+  t.push_back({"view.look", "", false, choice<kS, &C::look>(kLooks),
+               "who sees the page and may e-stop: everybody that reaches it, or only with a token"});
+  t.push_back({"view.state_folder", "", false,
+               TextKey{&at<kS, &C::state_folder>, "an absolute path of a folder", &is_absolute},
+               "where topoview keeps what proves the tokens (topoview pair)"});
+}
+
 std::vector<KeySpec> make_table() {
   std::vector<KeySpec> table;
   add_robot(table);
@@ -390,6 +433,7 @@ std::vector<KeySpec> make_table() {
   add_realtime_and_record(table);
   add_session(table);
   add_team(table);
+  add_view(table);
   return table;
 }
 

@@ -55,6 +55,14 @@ std::optional<std::size_t> crossing(const types::Polygon& p) {
   return {};
 }
 
+std::string too_few(std::size_t corners) {
+  return fmt::format("{} corners make no area, three are needed", corners);
+}
+
+std::string crosses(std::size_t at) {
+  return fmt::format("the edge from corner {} crosses or touches another one", at + 1);
+}
+
 bool read_corner(const toml::node& node, Vector2& corner) {
   const auto* pair = node.as_array();
   if (pair == nullptr || pair->size() != 2) return false;
@@ -79,13 +87,22 @@ std::optional<PolygonFault> read_polygon(const toml::node& node, types::Polygon&
           fmt::format("corner {} is no pair of numbers up to {}", read.size() + 1, kFarthest_m), &element};
     read.push_back(corner);
   }
-  if (read.size() < 3)
-    return PolygonFault{fmt::format("{} corners make no area, three are needed", read.size()), &node};
-  if (const auto at = crossing(read)) {
-    return PolygonFault{fmt::format("the edge from corner {} crosses or touches another one", *at + 1),
-                        corners->get(*at)};
-  }
+  if (read.size() < 3) return PolygonFault{too_few(read.size()), &node};
+  if (const auto at = crossing(read)) return PolygonFault{crosses(*at), corners->get(*at)};
   polygon = std::move(read);
+  return {};
+}
+
+types::Status check_polygon(const types::Polygon& polygon) {
+  using types::Errc;
+  using types::fail;
+  const auto is_far = [](const Vector2& p) { return !(p.cwiseAbs().maxCoeff() <= kFarthest_m); };
+  if (const auto far = std::ranges::find_if(polygon, is_far); far != polygon.end()) {
+    return fail(Errc::kInvalidInput, fmt::format("corner {} is no pair of numbers up to {}",
+                                                 far - polygon.begin() + 1, kFarthest_m));
+  }
+  if (polygon.size() < 3) return fail(Errc::kInvalidInput, too_few(polygon.size()));
+  if (const auto at = crossing(polygon)) return fail(Errc::kInvalidInput, crosses(*at));
   return {};
 }
 

@@ -184,6 +184,39 @@ tl::expected<std::string, RpcError> text_param(const Json& params, const char* n
   return found->get<std::string>();
 }
 
+tl::expected<std::vector<std::pair<double, double>>, RpcError> points_param(const Json& params,
+                                                                            const char* name,
+                                                                            std::size_t most) {
+  const auto found = params.find(name);
+  if (found == params.end())
+    return refuse(RpcCode::kInvalidParams, fmt::format("{} is missing, expected [x, y, x, y, ...]", name));
+  const auto is_number = [](const Json& value) {
+    return value.is_number() && std::abs(value.get<double>()) <= kGreatestReal;
+  };
+  if (!found->is_array() || found->size() % 2 != 0 || found->size() > 2 * most ||
+      !std::ranges::all_of(*found, is_number)) {
+    return refuse(
+        RpcCode::kInvalidParams,
+        fmt::format("{}: found {}, expected [x, y, x, y, ...] of at most {} pairs of numbers from {} to {}",
+                    name, short_dump(*found), most, -kGreatestReal, kGreatestReal));
+  }
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 0; i < found->size(); i += 2)
+    points.emplace_back((*found)[i].get<double>(), (*found)[i + 1].get<double>());
+  return points;
+}
+
+tl::expected<std::uint64_t, RpcError> count_param(const Json& params, const char* name) {
+  const auto found = params.find(name);
+  if (found == params.end()) return 0;
+  const bool negative = found->is_number_integer() && !found->is_number_unsigned() && *found < 0;
+  if (!found->is_number_integer() || negative || found->get<std::uint64_t>() > kGreatestCount) {
+    return refuse(RpcCode::kInvalidParams, fmt::format("{}: found {}, expected a whole number from 0 to 2^53",
+                                                       name, short_dump(*found)));
+  }
+  return found->get<std::uint64_t>();
+}
+
 tl::expected<bool, RpcError> switch_param(const Json& params, const char* name) {
   const auto found = params.find(name);
   if (found == params.end()) return false;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/types/result.hpp"
 
@@ -76,6 +79,15 @@ inline constexpr double kGreatestReal = 1e5;
 /// Member `name` of params. The error gives the parameter's name, the value found and the expected type.
 tl::expected<double, RpcError> real_param(const Json& params, const char* name);
 tl::expected<std::string, RpcError> text_param(const Json& params, const char* name);
+
+/// Points as a flat list [x, y, x, y, ...] of at most `most` pairs.
+tl::expected<std::vector<std::pair<double, double>>, RpcError> points_param(const Json& params,
+                                                                            const char* name,
+                                                                            std::size_t most);
+
+/// A count, up to kGreatestCount; 0 when it is absent.
+inline constexpr std::uint64_t kGreatestCount = 1ULL << 53U;  ///< what every JSON reader keeps exactly
+tl::expected<std::uint64_t, RpcError> count_param(const Json& params, const char* name);
 
 /// False when it is absent.
 tl::expected<bool, RpcError> switch_param(const Json& params, const char* name);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "daemon/app/version.hpp"
 
@@ -58,16 +59,57 @@ Answer call_estop(Operations& o, const Json& params) {
   return Json::object();
 }
 
-Answer call_stop(Operations& o, const Json& params) {
+/// An order to this robot; with "robot": N to that one, with "all": true to the whole team.
+template <team::OrderKind kKind>
+Answer call_order(Operations& o, const Json& params) {
   const auto all = switch_param(params, "all");
   if (!all) return tl::unexpected(all.error());
-  if (*all) return Json{{"order", o.stop_team()}};
-  o.stop();
-  return Json::object();
+  if (!*all && !params.contains("robot")) return done(carry_out(o, kKind));
+  std::optional<std::uint16_t> to;
+  if (params.contains("robot")) {
+    const auto robot = count_param(params, "robot");
+    if (!robot) return tl::unexpected(robot.error());
+    if (*all || *robot > std::numeric_limits<std::uint16_t>::max())
+      return tl::unexpected<RpcError>(
+          RpcError{RpcCode::kInvalidParams, fmt::format("robot: found {}{}, expected the number of one robot",
+                                                        *robot, *all ? " and all" : "")});
+    to = static_cast<std::uint16_t>(*robot);
+  }
+  auto answer = o.order_team(kKind, to);
+  if (!answer) return refuse(answer.error());
+  return std::move(*answer);
 }
 
-const std::array<Method, 18>& methods() {
-  static const std::array<Method, 18> table{{
+/// "kind" of an area; keep out when it is absent.
+tl::expected<types::AreaKind, RpcError> kind_param(const Json& params) {
+  if (!params.contains("kind")) return types::AreaKind::kKeepOut;
+  const auto text = text_param(params, "kind");
+  if (!text) return tl::unexpected(text.error());
+  if (const auto kind = types::area_kind_of(*text)) return *kind;
+  return tl::unexpected<RpcError>(RpcError{
+      RpcCode::kInvalidParams, fmt::format("kind: found \"{}\", expected keep_out or here_first", *text)});
+}
+
+Answer call_draw(Operations& o, const Json& params) {
+  const auto points = points_param(params, "corners_m", team::kCornersMax);
+  if (!points) return tl::unexpected(points.error());
+  types::Polygon corners_map;
+  for (const auto& [x_m, y_m] : *points) corners_map.emplace_back(x_m, y_m);
+  const auto kind = kind_param(params);
+  if (!kind) return tl::unexpected(kind.error());
+  const auto id = o.draw_area(corners_map, *kind);
+  if (!id) return refuse(id.error());
+  return Json{{"id", *id}};
+}
+
+Answer call_withdraw(Operations& o, const Json& params) {
+  const auto id = text_param(params, "id");
+  if (!id) return tl::unexpected(id.error());
+  return done(o.withdraw_area(*id));
+}
+
+const std::array<Method, 22>& methods() {
+  static const std::array<Method, 22> table{{
       {"status", false, {}, [](Operations& o, const Json&) -> Answer { return o.status(); }},
       {"version",
        false,
@@ -81,16 +123,20 @@ const std::array<Method, 18>& methods() {
       {"goals", false, {}, [](Operations& o, const Json&) -> Answer { return o.goals(); }},
       {"places", false, {}, [](Operations& o, const Json&) -> Answer { return o.places(); }},
       {"team", false, {}, [](Operations& o, const Json&) -> Answer { return o.team(); }},
+      {"scan", false, {}, [](Operations& o, const Json&) -> Answer { return o.scan(); }},
       {"progress", false, {}, [](Operations& o, const Json&) -> Answer { return o.progress(); }},
-      {"start", true, {}, [](Operations& o, const Json&) { return done(o.explore()); }},
-      {"home", true, {}, [](Operations& o, const Json&) { return done(o.go_home()); }},
-      {"pause", true, {}, [](Operations& o, const Json&) { return done(o.pause()); }},
-      {"resume", true, {}, [](Operations& o, const Json&) { return done(o.resume()); }},
+      {"start", true, {"robot", "all"}, &call_order<team::OrderKind::kStart>},
+      {"home", true, {"robot", "all"}, &call_order<team::OrderKind::kHome>},
+      {"pause", true, {"robot", "all"}, &call_order<team::OrderKind::kPause>},
+      {"resume", true, {"robot", "all"}, &call_order<team::OrderKind::kResume>},
       {kEstopMethod, false, {"all"}, &call_estop},
       {"drive", true, {"v_mps", "omega_radps"}, &call_drive},
-      {"stop", true, {"all"}, &call_stop},
+      {"stop", true, {"robot", "all"}, &call_order<team::OrderKind::kStop>},
       {"session.new", true, {}, [](Operations& o, const Json&) { return done(o.begin_anew()); }},
       {"log_level", true, {"level"}, &call_log_level},
+      {"areas", false, {}, [](Operations& o, const Json&) -> Answer { return o.areas(); }},
+      {"area.draw", true, {"corners_m", "kind"}, &call_draw},
+      {"area.withdraw", true, {"id"}, &call_withdraw},
   }};
   return table;
 }
@@ -112,6 +158,22 @@ Answer call_save(Operations& o, const Call& call, const Methods::Late& late, boo
   if (!folder) return tl::unexpected(folder.error());
   waits = true;
   o.save_map(*folder, later(call, late));
+  return Json();
+}
+
+/// Of the map, or of a session's.
+template <void (Operations::*kTiles)(std::uint64_t, Operations::SessionDone)>
+Answer call_tiles(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  const auto since = count_param(call.request.params, "since");
+  if (!since) return tl::unexpected(since.error());
+  waits = true;
+  (o.*kTiles)(*since, later(call, late));
+  return Json();
+}
+
+Answer call_trails(Operations& o, const Call& call, const Methods::Late& late, bool& waits) {
+  waits = true;
+  o.map_trails(later(call, late));
   return Json();
 }
 
@@ -193,13 +255,16 @@ struct LateMethod {
   Answer (*call)(Operations&, const Call&, const Methods::Late&, bool& waits);
 };
 
-const std::array<LateMethod, 8>& late_methods() {
-  static const std::array<LateMethod, 8> table{
+const std::array<LateMethod, 11>& late_methods() {
+  static const std::array<LateMethod, 11> table{
       {{"map.save", true, {"dir"}, &call_save},
+       {"map.tiles", false, {"since"}, &call_tiles<&Operations::map_tiles>},
+       {"map.trails", false, {}, &call_trails},
        {"clear_estop", true, {}, &call_clear_estop},
        {"session.list", false, {}, &call_sessions},
        {"session.save", true, {"name"}, &call_save_session},
        {"session.load", true, {"name", "x_m", "y_m", "theta_rad"}, &call_load_session},
+       {"session.tiles", false, {"since"}, &call_tiles<&Operations::session_tiles>},
        {"session.confirm", true, {"x_m", "y_m", "theta_rad"}, &call_confirm_session},
        {"goto", true, {"x_m", "y_m"}, &call_goto},
        {"doctor", false, {}, &call_doctor}}};
@@ -213,6 +278,26 @@ const auto* find(const Table& table, std::string_view name) {
 }
 
 }  // namespace
+
+types::Status carry_out(Operations& operations, team::OrderKind kind) {
+  switch (kind) {
+    case team::OrderKind::kEstop:
+      operations.estop();
+      return {};
+    case team::OrderKind::kStop:
+      operations.stop();
+      return {};
+    case team::OrderKind::kStart:
+      return operations.explore();
+    case team::OrderKind::kPause:
+      return operations.pause();
+    case team::OrderKind::kResume:
+      return operations.resume();
+    case team::OrderKind::kHome:
+      return operations.go_home();
+  }
+  return types::fail(Errc::kUnsupported, "found an order of another kind, expected one of this program");
+}
 
 std::optional<Answer> Methods::answer(const Call& call) {
   const RpcRequest& request = call.request;

@@ -16,7 +16,8 @@ struct RadioPlan {
   std::vector<std::string> peers;  ///< IPv4 addresses; empty: found by multicast
   std::uint32_t domain = 0;
   std::uint64_t team = 0;
-  std::string security;  ///< folder of the credentials; empty: off
+  std::uint16_t robot = 0;  ///< in whose partition it writes
+  std::string security;     ///< folder of the credentials; empty: off
 };
 
 /// Multicast group of a team's data: 239.192.0.0/16 (organisation-local, RFC 2365) and 16 bits of the team's

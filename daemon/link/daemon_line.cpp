@@ -58,8 +58,8 @@ std::optional<std::string> DaemonLine::turn(types::Stamp now, const Take& take, 
   return told("the daemon is there");
 }
 
-LinkChannel::Sent DaemonLine::send(std::span<const std::byte> datagram) {
-  return joined() ? channel_->send_datagram(datagram) : LinkChannel::Sent::kClosed;
+LinkChannel::Sent DaemonLine::send(std::uint16_t sender, std::span<const std::byte> datagram) {
+  return joined() ? channel_->send_heard(sender, datagram) : LinkChannel::Sent::kClosed;
 }
 
 void DaemonLine::send_stats(const LinkStats& stats) {

@@ -27,7 +27,8 @@ class DaemonLine {
   [[nodiscard]] std::optional<std::string> turn(types::Stamp now, const Take& take,
                                                 std::uint64_t& wrong_size);
 
-  LinkChannel::Sent send(std::span<const std::byte> datagram);
+  /// A datagram that the robot with number `sender` sent.
+  LinkChannel::Sent send(std::uint16_t sender, std::span<const std::byte> datagram);
   void send_stats(const LinkStats& stats);
 
   [[nodiscard]] bool joined() const { return channel_ && channel_->state() == LinkChannel::State::kOpen; }

@@ -25,7 +25,7 @@ void take_line(void* argument, const dds_log_data_t* data) {
   std::string_view line(data->message, data->size);
   while (!line.empty() && (line.back() == '\n' || line.back() == '\0')) line.remove_suffix(1);
   const std::lock_guard lock(sink.mutex);
-  if (is_refused_handshake(line) && sink.refused) sink.refused();
+  if (is_refusal(line) && sink.refused) sink.refused();
   if (const auto text = sink.limit.pass(io::monotonic_now(), line)) spdlog::warn("DDS: {}", *text);
 }
 
@@ -45,8 +45,9 @@ std::optional<std::string> LineLimit::pass(types::Stamp now, std::string_view li
   return before == 0 ? std::string(line) : fmt::format("{} ({} lines left out before)", line, before);
 }
 
-bool is_refused_handshake(std::string_view line) {
-  return line.find("handshake") != std::string_view::npos && line.find("failed") != std::string_view::npos;
+bool is_refusal(std::string_view line) {
+  const auto has = [line](std::string_view part) { return line.find(part) != std::string_view::npos; };
+  return (has("handshake") && has("failed")) || has("Access control does not allow remote");
 }
 
 void log_of_dds(std::function<void()> refused) {

@@ -30,12 +30,12 @@ class LineLimit {
   int left_out_ = 0;
 };
 
-/// True when a line of Cyclone's says that it refused the credentials of another participant: what it tells
-/// of that, it tells here only.
-[[nodiscard]] bool is_refused_handshake(std::string_view line);
+/// True when a line of Cyclone's says that it refused another participant for its credentials, or a writer of
+/// one for its permissions: what it tells of that, it tells here only.
+[[nodiscard]] bool is_refusal(std::string_view line);
 
 /// What Cyclone DDS says goes to the log, warnings as warnings, a few lines a minute. `refused` is called for
-/// each refused handshake, logged or not, by any of its threads.
+/// each refusal, logged or not, by any of its threads.
 void log_of_dds(std::function<void()> refused);
 
 /// Nothing of it goes there any more: before the log ends.

@@ -83,11 +83,20 @@ std::optional<LinkChannel::Packet> LinkChannel::next() {
 }
 
 LinkChannel::Sent LinkChannel::send_datagram(std::span<const std::byte> datagram) {
-  std::array<std::byte, 1 + kDatagramMax_bytes> message{};
+  std::array<std::byte, kKindBytes + kDatagramMax_bytes> message{};
   if (datagram.size() > kDatagramMax_bytes) return Sent::kFull;
   message[0] = static_cast<std::byte>(LinkMessage::kDatagram);
-  std::copy(datagram.begin(), datagram.end(), message.begin() + 1);
-  return send(std::span(message).first(1 + datagram.size()));
+  std::copy(datagram.begin(), datagram.end(), message.begin() + kKindBytes);
+  return send(std::span(message).first(kKindBytes + datagram.size()));
+}
+
+LinkChannel::Sent LinkChannel::send_heard(std::uint16_t sender, std::span<const std::byte> datagram) {
+  std::array<std::byte, kHeardBytes + kDatagramMax_bytes> message{};
+  if (datagram.size() > kDatagramMax_bytes) return Sent::kFull;
+  message[0] = static_cast<std::byte>(LinkMessage::kHeard);
+  types::store_le<std::uint16_t>(message, kKindBytes, sender);
+  std::copy(datagram.begin(), datagram.end(), message.begin() + kHeardBytes);
+  return send(std::span(message).first(kHeardBytes + datagram.size()));
 }
 
 LinkChannel::Sent LinkChannel::send(std::span<const std::byte> message) {

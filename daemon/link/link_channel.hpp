@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "core/types/bytes.hpp"
 #include "daemon/link/link_wire.hpp"
 #include "drivers/io/unique_fd.hpp"
 #include "drivers/io/unix_socket.hpp"
@@ -24,13 +25,22 @@ class LinkChannel {
     kClosed,  ///< why() says why; for good
   };
   enum class Sent { kYes, kFull, kClosed };
+  static constexpr std::size_t kKindBytes = 1;                ///< before what a message carries
+  static constexpr std::size_t kHeardBytes = kKindBytes + 2;  ///< the same of a kHeard
   struct Packet {
     std::span<const std::byte> bytes;  ///< with the kind; good until the next call of next()
     [[nodiscard]] LinkMessage kind() const { return static_cast<LinkMessage>(bytes[0]); }
     [[nodiscard]] std::span<const std::byte> content() const { return bytes.subspan(1); }
     /// Of a length that may be handed on.
-    [[nodiscard]] bool is_datagram() const {
-      return kind() == LinkMessage::kDatagram && bytes.size() > 1 && bytes.size() <= 1 + kDatagramMax_bytes;
+    [[nodiscard]] bool is_datagram() const { return is_carrying(LinkMessage::kDatagram, kKindBytes); }
+    [[nodiscard]] bool is_heard() const { return is_carrying(LinkMessage::kHeard, kHeardBytes); }
+    /// Of a kHeard: the number of the robot that sent it, and its datagram.
+    [[nodiscard]] std::uint16_t sender() const { return types::load_le<std::uint16_t>(bytes, kKindBytes); }
+    [[nodiscard]] std::span<const std::byte> datagram() const { return bytes.subspan(kHeardBytes); }
+
+   private:
+    [[nodiscard]] bool is_carrying(LinkMessage what, std::size_t head_bytes) const {
+      return kind() == what && bytes.size() > head_bytes && bytes.size() <= head_bytes + kDatagramMax_bytes;
     }
   };
 
@@ -44,6 +54,8 @@ class LinkChannel {
 
   /// A datagram of at most kDatagramMax_bytes; a longer one is never sent.
   Sent send_datagram(std::span<const std::byte> datagram);
+  /// The same of a datagram that the robot with number `sender` sent.
+  Sent send_heard(std::uint16_t sender, std::span<const std::byte> datagram);
   /// A message with its kind, from encode_...().
   Sent send(std::span<const std::byte> message);
 

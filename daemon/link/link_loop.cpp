@@ -143,6 +143,7 @@ void LinkLoop::start_radio(types::Stamp now) {
                  team_.peers,
                  static_cast<std::uint32_t>(team_.domain),
                  identity_.team,
+                 identity_.robot,
                  team_.secure() ? team_.security : std::string()};
   radio_ = std::make_unique<Radio>(std::move(plan), identity_);
   made_for_ = address_;
@@ -171,7 +172,7 @@ void LinkLoop::from_radio() {
   for (std::size_t n = 0; n < RadioRing::capacity(); ++n) {
     const RadioSlot* slot = in.front();
     if (slot == nullptr) return;
-    switch (line_.send(slot->content())) {
+    switch (line_.send(slot->robot, slot->content())) {
       case LinkChannel::Sent::kYes:
         ++own_.received;
         own_.received_bytes += slot->size;

@@ -56,9 +56,9 @@ void LinkSocket::take_messages(types::Stamp now, const Take& take) {
     const auto packet = channel_->next();
     if (!packet) return;
     heard_ = now;
-    if (packet->is_datagram()) {
+    if (packet->is_heard()) {
       ++counts_.received;
-      take(packet->content());
+      take(packet->sender(), packet->datagram());
       continue;
     }
     const auto stats = decode_stats(packet->bytes);

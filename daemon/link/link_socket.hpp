@@ -53,8 +53,8 @@ class LinkSocket {
   static types::Result<LinkSocket> listen(const std::string& path, const LinkIdentity& own,
                                           const LinkSocketParams& params = {});
 
-  /// Takes one datagram; what it is given is good during the call.
-  using Take = std::function<void(std::span<const std::byte>)>;
+  /// Takes the number of a robot and a datagram that it sent; what it is given is good during the call.
+  using Take = std::function<void(std::uint16_t, std::span<const std::byte>)>;
   /// Accepts a link, takes what it sent. Returns what changed. To be called whenever fd() is readable, and
   /// once a second at least.
   [[nodiscard]] std::optional<LinkNews> turn(types::Stamp now, const Take& take);

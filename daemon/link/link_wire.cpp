@@ -61,6 +61,8 @@ std::string_view drop_name(LinkDrop drop) {
       return "repeated";
     case LinkDrop::kNotTrusted:
       return "not trusted";
+    case LinkDrop::kFalseNumber:
+      return "under a false number";
   }
   return "unknown";
 }

@@ -20,7 +20,7 @@ namespace topo::daemon {
 inline constexpr std::size_t kDatagramMax_bytes = 1200;
 /// Of the messages below. Both programs come from one package; they differ while one of them is not restarted
 /// yet.
-inline constexpr std::uint16_t kLinkVersion = 2;
+inline constexpr std::uint16_t kLinkVersion = 3;
 
 /// Who speaks: the same at both ends of the socket.
 struct LinkIdentity {
@@ -39,6 +39,7 @@ enum class LinkMessage : std::uint8_t {
   kDatagram = 2,  ///< one datagram of the team, at most kDatagramMax_bytes
   kStats = 3,     ///< from the link, once a second: it lives
   kRefusal = 4,   ///< words why the sender closes the connection
+  kHeard = 5,     ///< from the link: u16 number of the robot that sent it, and its datagram
 };
 
 /// Why a datagram that came to the link got no further.
@@ -54,9 +55,10 @@ enum class LinkDrop : std::uint8_t {
   kOtherTeam,     ///< from the radio
   kOwnNumber,     ///< from the radio: another robot has this robot's number
   kRepeated,      ///< from the radio: received before, or older than all that can still be told apart
-  kNotTrusted,    ///< handshakes, not datagrams: a robot in reach has no credentials that this one accepts
+  kNotTrusted,    ///< refusals, not datagrams: a robot in reach has no credentials that this one accepts
+  kFalseNumber,   ///< from the radio: under a number that is not that of the sender's partition
 };
-inline constexpr std::size_t kLinkDrops = 12;
+inline constexpr std::size_t kLinkDrops = 13;
 
 /// In the words of the log: "no radio".
 [[nodiscard]] std::string_view drop_name(LinkDrop drop);

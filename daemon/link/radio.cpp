@@ -12,6 +12,7 @@
 
 #include "daemon/link/dds_log.hpp"
 #include "daemon/link/radio_filter.hpp"
+#include "daemon/link/sender_numbers.hpp"
 #include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
@@ -39,6 +40,13 @@ Qos datagram_qos() {
   return qos;
 }
 
+/// A publisher's or subscriber's.
+Qos partition_qos(const std::string& partition) {
+  Qos qos(dds_create_qos());
+  dds_qset_partition1(qos.get(), partition.c_str());
+  return qos;
+}
+
 struct Entities {
   dds_entity_t participant = 0, reader = 0, writer = 0;
 };
@@ -63,8 +71,19 @@ std::string make_entities(const RadioPlan& plan, Entities& made) {
   const dds_entity_t topic = maker.made(
       dds_create_topic(made.participant, &topometric_Datagram_desc, kTopic, qos.get(), nullptr), "topic");
   if (!maker.fault.empty()) return maker.fault;
-  made.reader = maker.made(dds_create_reader(made.participant, topic, qos.get(), nullptr), "reader");
-  made.writer = maker.made(dds_create_writer(made.participant, topic, qos.get(), nullptr), "writer");
+  const Qos all = partition_qos("*"), own = partition_qos(robot_partition(plan.robot));
+  const dds_entity_t hears =
+      maker.made(dds_create_subscriber(made.participant, all.get(), nullptr), "subscriber");
+  const dds_entity_t speaks =
+      maker.made(dds_create_publisher(made.participant, own.get(), nullptr), "publisher");
+  if (!maker.fault.empty()) return maker.fault;
+  made.reader = maker.made(dds_create_reader(hears, topic, qos.get(), nullptr), "reader");
+  made.writer = maker.made(dds_create_writer(speaks, topic, qos.get(), nullptr), "writer");
+  if (made.reader == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY ||
+      made.writer == DDS_RETCODE_NOT_ALLOWED_BY_SECURITY)
+    maker.fault += fmt::format(
+        "; expected permissions to write as robot {}, which \"topometric-team add {}\" makes anew",
+        plan.robot, plan.robot);
   return maker.fault;
 }
 
@@ -72,24 +91,27 @@ void count(Shared& shared, LinkDrop drop) {
   shared.dropped[static_cast<std::size_t>(drop)].fetch_add(1, std::memory_order_relaxed);
 }
 
-void hand_in(Shared& shared, RadioFilter& filter, const topometric_Datagram& sample) {
-  const RadioHead head{sample.version, sample.robot, sample.team, sample.run, sample.number};
+void hand_in(Shared& shared, RadioFilter& filter, const topometric_Datagram& sample, std::uint16_t writer) {
+  const RadioHead head{sample.version, sample.robot, sample.team, sample.run, sample.number, writer};
   if (const auto drop = filter.refuse(head, sample.content._length)) return count(shared, *drop);
   RadioSlot* slot = shared.in.try_acquire();
   if (slot == nullptr) return count(shared, LinkDrop::kDaemonFull);
   slot->size = static_cast<std::uint16_t>(sample.content._length);
+  slot->robot = sample.robot;
   std::memcpy(slot->bytes.data(), sample.content._buffer, slot->size);
   shared.in.commit();
 }
 
 /// Takes what is there; false: nothing was.
-bool take_samples(Shared& shared, RadioFilter& filter, dds_entity_t reader) {
+bool take_samples(Shared& shared, RadioFilter& filter, SenderNumbers& numbers, dds_entity_t reader) {
   std::array<void*, kTakenAtOnce> samples{};
   std::array<dds_sample_info_t, kTakenAtOnce> infos{};
   const dds_return_t taken = dds_take(reader, samples.data(), infos.data(), kTakenAtOnce, kTakenAtOnce);
   if (taken <= 0) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(taken); ++i) {
-    if (infos[i].valid_data) hand_in(shared, filter, *static_cast<const topometric_Datagram*>(samples[i]));
+    if (infos[i].valid_data)
+      hand_in(shared, filter, *static_cast<const topometric_Datagram*>(samples[i]),
+              numbers.of(infos[i].publication_handle));
   }
   dds_return_loan(reader, samples.data(), taken);
   shared.arrived.post();
@@ -100,9 +122,10 @@ void read_until_stop(Shared& shared, RadioFilter filter, dds_entity_t participan
   const dds_entity_t waiting = dds_create_waitset(participant);
   const dds_entity_t anything = dds_create_readcondition(reader, DDS_ANY_STATE);
   dds_waitset_attach(waiting, anything, 0);
+  SenderNumbers numbers(reader);
   while (!shared.stop.load(std::memory_order_acquire)) {
     dds_waitset_wait(waiting, nullptr, 0, kLook);
-    while (take_samples(shared, filter, reader)) {
+    while (take_samples(shared, filter, numbers, reader)) {
     }
     dds_subscription_matched_status_t matched{};
     if (dds_get_subscription_matched_status(reader, &matched) == DDS_RETCODE_OK)

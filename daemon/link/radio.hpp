@@ -21,6 +21,7 @@ namespace topo::daemon {
 /// A datagram between two threads.
 struct RadioSlot {
   std::uint16_t size = 0;
+  std::uint16_t robot = 0;  ///< that sent it; 0 on the way out
   std::array<std::byte, kDatagramMax_bytes> bytes{};
   [[nodiscard]] std::span<const std::byte> content() const { return std::span(bytes).first(size); }
 };

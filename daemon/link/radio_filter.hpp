@@ -6,15 +6,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "daemon/link/link_wire.hpp"
 
 namespace topo::daemon {
 
-/// Of datagram.idl and the topic. Robots of two versions do not hear one another, and say so.
-inline constexpr std::uint16_t kRadioVersion = 1;
+/// Of datagram.idl and how it is used: since 2 a robot writes in its partition. Robots of two versions do not
+/// hear one another; the newer one says so.
+inline constexpr std::uint16_t kRadioVersion = 2;
 /// Numbers of robots, as in the configuration.
 inline constexpr std::uint16_t kRobotMax = 250;
+
+/// DDS partition in which a robot writes, as its permissions name it (topometric-team): "robot-7".
+[[nodiscard]] std::string robot_partition(std::uint16_t robot);
+/// The number in the name of a partition; 0 when it is none of a robot.
+[[nodiscard]] std::uint16_t robot_of_partition(std::string_view partition);
 
 /// What stands before the content of a datagram of the radio.
 struct RadioHead {
@@ -23,6 +31,7 @@ struct RadioHead {
   std::uint64_t team = 0;
   std::uint64_t run = 0;
   std::uint64_t number = 0;
+  std::uint16_t writer = 0;  ///< robot whose partition it came in, by DDS and not by the sender's word
 };
 
 /// Numbers that were received: the newest, and which of the 64 before it.

@@ -15,7 +15,7 @@ using grid::CellState;
 
 constexpr Rgb kUnknown{205, 205, 205}, kFree{254, 254, 254}, kOccupied{0, 0, 0};
 constexpr Rgb kSkeleton{140, 140, 140}, kWall{220, 30, 30}, kPath{30, 60, 220};
-constexpr Rgb kGoal{0, 130, 50}, kRejected{240, 140, 20}, kText{255, 255, 255};
+constexpr Rgb kGoal{0, 130, 50}, kRejected{240, 140, 20}, kText{255, 255, 255}, kDoubted{230, 0, 120};
 
 /// The digits, three by five pixels, three bits per row from the top.
 constexpr std::array<unsigned, 10> kDigits = {075557, 026227, 071747, 071717, 055711,
@@ -164,13 +164,22 @@ void draw_goals(const analysis::Analysis& analysis, std::span<const goals::Goal>
   }
 }
 
+void frame(const slam::RevisitRegion& region, Sheet& sheet) {
+  constexpr double kHalf_m = 0.5 * slam::RevisitRegion::kSide_m;
+  const auto corner = [&](int i) -> types::Vector2 {
+    return region.centre + kHalf_m * types::Vector2(i == 0 || i == 3 ? -1.0 : 1.0, i < 2 ? -1.0 : 1.0);
+  };
+  for (int i = 0; i < 4; ++i) sheet.line(corner(i), corner((i + 1) % 4), kDoubted);
+}
+
 }  // namespace
 
 Picture overview_of(const analysis::Analysis& analysis, std::span<const types::Se2> trajectory,
-                    std::span<const goals::Goal> open_goals) {
+                    std::span<const goals::Goal> open_goals, std::span<const slam::RevisitRegion> doubted) {
   Sheet sheet(analysis.map);
   paint_map(analysis, sheet);
   for (const types::Segment& wall : analysis.walls) sheet.line(wall.a, wall.b, kWall);
+  for (const slam::RevisitRegion& region : doubted) frame(region, sheet);
   draw_trajectory(trajectory, sheet);
   draw_goals(analysis, open_goals, sheet);
   return std::move(sheet.picture);

@@ -65,7 +65,7 @@ std::vector<QuotaFile> recordings_beside(const std::string& path) {
   std::error_code error;
   for (auto it = std::filesystem::directory_iterator(own.parent_path(), error);
        !error && it != std::filesystem::end(it); it.increment(error)) {
-    std::error_code gone;  // somebody else may remove it meanwhile
+    std::error_code gone;  // another process may remove the file meanwhile
     const std::string name = it->path().filename().string();
     if (series_of(name) != series || !it->is_regular_file(gone)) continue;
     const std::uintmax_t bytes = it->file_size(gone);

@@ -26,6 +26,7 @@ class ReplayChannel {
   ReplayChannel(std::shared_ptr<Replay> replay, std::size_t channel, std::string name)
       : replay_(std::move(replay)), cursor_(replay_->reader_, channel), name_(std::move(name)) {
     replay_->connectors_.fetch_add(1);
+    if (const Record* first = options().at_once ? front() : nullptr) clock_ = first->stamp;
   }
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -44,7 +45,14 @@ class ReplayChannel {
   }
   void pop() { front_.reset(); }
   [[nodiscard]] Stamp due(const Record& record) {
-    return record.stamp + replay_->offset(io::monotonic_now());
+    return options().at_once ? record.stamp : record.stamp + replay_->offset(io::monotonic_now());
+  }
+  [[nodiscard]] Stamp now() const { return options().at_once ? clock_ : io::monotonic_now(); }
+  void sleep_until(Stamp when) {
+    if (options().at_once)
+      clock_ = std::max(clock_, when);
+    else
+      io::sleep_until(when);
   }
 
  private:
@@ -59,6 +67,7 @@ class ReplayChannel {
   std::string name_;
   std::optional<Record> front_;
   bool ended_ = false;
+  Stamp clock_{};  ///< of a replay at once
 };
 
 namespace {
@@ -98,7 +107,7 @@ class ReplayStream final : public io::ByteStream {
   }
   Status set_baud(int) override { return {}; }
   [[nodiscard]] bool has_baud() const override { return has_baud_; }
-  [[nodiscard]] Stamp now() const override { return io::monotonic_now(); }
+  [[nodiscard]] Stamp now() const override { return channel_->now(); }
 
  private:
   tl::unexpected<types::Error> closed(std::string_view why) const {
@@ -121,7 +130,7 @@ class ReplayStream final : public io::ByteStream {
 
   /// Sleeps until `when`, at most until `deadline`; true when `when` has been reached.
   bool wait(Stamp when, Stamp deadline) const {
-    if (now() < when) io::sleep_until(std::min(when, deadline));
+    if (now() < when) channel_->sleep_until(std::min(when, deadline));
     return now() >= when;
   }
 
@@ -155,7 +164,7 @@ class ReplayConnector final : public io::Connector {
       : channel_(std::move(channel)), has_baud_(has_baud) {}
 
   Result<std::unique_ptr<io::ByteStream>> connect(Duration timeout) override {
-    const Stamp deadline = io::monotonic_now() + timeout;
+    const Stamp deadline = now() + timeout;
     const Record* record = channel_->front();
     while (record != nullptr && record->kind != RecordKind::kOpen) {
       channel_->pop();
@@ -163,13 +172,14 @@ class ReplayConnector final : public io::Connector {
     }
     if (record == nullptr) return fail(Errc::kClosed, fmt::format("{}: the recording is at its end", name()));
     const Stamp due = channel_->due(*record);
-    if (io::monotonic_now() < due) io::sleep_until(std::min(due, deadline));
-    if (io::monotonic_now() < due)
-      return fail(Errc::kTimeout, fmt::format("{}: not opened yet in the recording", name()));
+    if (now() < due) channel_->sleep_until(std::min(due, deadline));
+    if (now() < due) return fail(Errc::kTimeout, fmt::format("{}: not opened yet in the recording", name()));
     channel_->pop();
     return std::make_unique<ReplayStream>(channel_, due, has_baud_);
   }
   [[nodiscard]] std::string_view name() const override { return channel_->name(); }
+  [[nodiscard]] Stamp now() const override { return channel_->now(); }
+  void pause(Duration duration) override { channel_->sleep_until(now() + duration); }
 
  private:
   std::shared_ptr<ReplayChannel> channel_;

@@ -19,9 +19,13 @@ struct ReplayOptions {
   /// Waiting applies only in this time after the device was opened: the handshake, in which replies follow
   /// requests. Later the connection's commands may differ from the recorded ones.
   types::Duration gate_span = std::chrono::seconds(10);
+  /// Each channel has a clock of its own, in the recorded time, which goes on to the next record at once: for
+  /// work that wants the recording's values and not its pace.
+  bool at_once = false;
 };
 
-/// Replays a recording in place of the devices, in real time on the host's steady clock: the same connections
+/// Replays a recording in place of the devices, in real time on the host's steady clock (or at once,
+/// ReplayOptions::at_once): the same connections
 /// and mapper run on it. Its stamps are the recorded ones plus one offset for all channels, which the first
 /// connect sets.
 class Replay {

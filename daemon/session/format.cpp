@@ -40,7 +40,7 @@ DecodedSessionHeader decode_session_header(std::span<const std::byte> file) {
   decoded.version = in.integer<std::uint32_t>();
   const SessionHeader header{in.integer<std::uint64_t>()};
   decoded.whole = in.integer<std::uint64_t>() == checksum(file.first(SessionHeader::kSize - 8));
-  if (decoded.whole && (decoded.version == kSessionVersion || decoded.version == kSessionVersionOld))
+  if (decoded.whole && decoded.version >= kSessionVersionOld && decoded.version <= kSessionVersion)
     decoded.header = header;
   return decoded;
 }

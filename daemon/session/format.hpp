@@ -23,21 +23,21 @@
 //   kKeyframes  keyframes, each a varint of its size and its bytes (core/slam/keyframe_codec.hpp)
 //   kEdges      edges. Each: varint from, varint to, u8 1: a closure, 3 f64 T_from_to, 6 f64 upper triangle
 //   of
-//               the information
+//               the information, and its finder: u16 robot, u32 run (0: not known), u32 number
 //   kPoses      poses, 3 f64 each
 //   kEnd        varint keyframes, varint edges, varint poses: closed in order
 //
 // With a kEdges or kPoses all earlier items from its first one's number on are void: a journal writes only
 // changes, and what changed is written up to the last item. Version 1 had neither "TSRC" nor the two numbers
 // in the head: keyframes followed those before them, and edges and poses began with a varint of the first
-// one's number. It is read up to the first damage.
+// one's number. It is read up to the first damage. Before version 3 edges had no finders (kEdgesOld).
 namespace topo::daemon {
 
-inline constexpr std::uint32_t kSessionVersion = 2;
-inline constexpr std::uint32_t kSessionVersionOld = 1;            ///< still read
+inline constexpr std::uint32_t kSessionVersion = 3;
+inline constexpr std::uint32_t kSessionVersionOld = 1;            ///< still read, as is all between
 inline constexpr std::size_t kSessionRecordBytesMax = 1U << 20U;  ///< limit of both sizes of a record
 
-enum class SessionRecord : std::uint32_t { kKeyframes = 1, kEdges, kPoses, kEnd };
+enum class SessionRecord : std::uint32_t { kKeyframes = 1, kEdgesOld, kPoses, kEnd, kEdges };
 
 struct SessionHeader {
   static constexpr std::size_t kSize = 28;

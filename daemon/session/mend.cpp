@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/slam/odometry_evidence.hpp"
+
 namespace topo::daemon {
 namespace {
 
@@ -136,7 +138,9 @@ std::size_t bridge_gaps(Draft& draft) {
 void solve_anew(slam::Session& session, std::size_t held) {
   if (!slam::check_session(session)) return;
   slam::Session solved = session;
-  if (!slam::solve_consistently(solved.poses, solved.edges, {}, held).solved) return;
+  const slam::GraphParams params;
+  const auto edges = slam::with_odometry(solved.keyframes, solved.edges, params.odometry);
+  if (!slam::solve_consistently(solved.poses, edges, params, held).solved) return;
   if (slam::check_session(solved)) session = std::move(solved);
 }
 

@@ -39,7 +39,7 @@ std::vector<QuotaFile> mission_logs(const std::string& folder) {
   std::error_code error;
   for (auto it = std::filesystem::directory_iterator(folder, error); !error && it != std::filesystem::end(it);
        it.increment(error)) {
-    std::error_code gone;  // somebody else may remove it meanwhile
+    std::error_code gone;  // another process may remove the file meanwhile
     const std::string name = it->path().filename().string();
     if (!name.starts_with(kBegin) || !name.ends_with(kEnd) || !it->is_regular_file(gone)) continue;
     const std::uintmax_t bytes = it->file_size(gone);

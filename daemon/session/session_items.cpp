@@ -14,7 +14,8 @@ namespace topo::daemon {
 namespace {
 
 constexpr std::size_t kPoseBytes = 24;
-constexpr std::size_t kEdgeBytes = 2 + 1 + 9 * 8;  ///< minimum size
+constexpr std::size_t kEdgeOldBytes = 2 + 1 + 9 * 8;           ///< minimum size
+constexpr std::size_t kEdgeBytes = kEdgeOldBytes + 2 + 4 + 4;  ///< the same
 
 types::Se2 read_pose(types::ByteReader& in) {
   types::Se2 pose;
@@ -24,7 +25,7 @@ types::Se2 read_pose(types::ByteReader& in) {
   return pose;
 }
 
-slam::Edge read_edge(types::ByteReader& in) {
+slam::Edge read_edge_old(types::ByteReader& in) {
   slam::Edge edge;
   edge.from = static_cast<std::size_t>(in.varint());
   edge.to = static_cast<std::size_t>(in.varint());
@@ -34,6 +35,14 @@ slam::Edge read_edge(types::ByteReader& in) {
     for (int column = row; column < 3; ++column)
       edge.information(row, column) = edge.information(column, row) = in.real64();
   }
+  return edge;
+}
+
+slam::Edge read_edge(types::ByteReader& in) {
+  slam::Edge edge = read_edge_old(in);
+  edge.finder.robot = in.integer<std::uint16_t>();
+  edge.finder.run = in.integer<std::uint32_t>();
+  edge.finder.sequence = in.integer<std::uint32_t>();
   return edge;
 }
 
@@ -91,6 +100,9 @@ bool SessionItems::take(const SessionRecordHead& head, std::span<const std::byte
     case SessionRecord::kKeyframes:
       taken = take_keyframes(head, content);
       break;
+    case SessionRecord::kEdgesOld:
+      taken = replace_from(head, content, edges, kEdgeOldBytes, &read_edge_old);
+      break;
     case SessionRecord::kEdges:
       taken = replace_from(head, content, edges, kEdgeBytes, &read_edge);
       break;
@@ -107,7 +119,8 @@ bool SessionItems::take(const SessionRecordHead& head, std::span<const std::byte
 
 void SessionItems::lose(const SessionRecordHead& head) {
   if (!head.first) return;
-  if (head.kind == SessionRecord::kEdges) edges.erase(edges.lower_bound(*head.first), edges.end());
+  const bool of_edges = head.kind == SessionRecord::kEdges || head.kind == SessionRecord::kEdgesOld;
+  if (of_edges) edges.erase(edges.lower_bound(*head.first), edges.end());
   if (head.kind != SessionRecord::kPoses || *head.first >= number_behind(poses)) return;
   poses.erase(poses.lower_bound(*head.first), poses.end());
   poses_void = true;

@@ -134,8 +134,10 @@ std::string damage_text(const LoadedSession& loaded) {
   return places_text(loaded) + ": nothing is lost by it";
 }
 
+Result<std::string> read_session_file(const std::string& path) { return read_file(path, kMaxFileBytes); }
+
 Result<LoadedSession> load_session(const std::string& path) {
-  const auto content = read_file(path, kMaxFileBytes);
+  const auto content = read_session_file(path);
   if (!content) return tl::unexpected(content.error());
   auto loaded = parse_session(std::as_bytes(std::span(*content)));
   if (!loaded) return types::fail(loaded.error().code, fmt::format("{}: {}", path, loaded.error().message));

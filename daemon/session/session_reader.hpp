@@ -37,6 +37,9 @@ struct LoadedSession {
 /// one, or when the session is invalid. Safe for untrusted input.
 [[nodiscard]] types::Result<LoadedSession> parse_session(std::span<const std::byte> file);
 
+/// The bytes of a session's file; errors name it. Blocks on the disk.
+[[nodiscard]] types::Result<std::string> read_session_file(const std::string& path);
+
 /// As parse_session(), for a file; errors name it. Blocks on the disk.
 [[nodiscard]] types::Result<LoadedSession> load_session(const std::string& path);
 

@@ -38,11 +38,14 @@ void put(types::ByteWriter& out, const slam::Edge& edge) {
   for (int row = 0; row < 3; ++row) {
     for (int column = row; column < 3; ++column) out.real(edge.information(row, column));
   }
+  out.integer(edge.finder.robot);
+  out.integer(edge.finder.run);
+  out.integer(edge.finder.sequence);
 }
 
 bool same(const slam::Edge& a, const slam::Edge& b) {
   return a.from == b.from && a.to == b.to && a.robust == b.robust && a.T_from_to == b.T_from_to &&
-         a.information == b.information;
+         a.information == b.information && a.finder == b.finder;
 }
 
 /// Records and the number of the next one.

@@ -73,6 +73,7 @@ pipeline::ControlInput BaseWorker::gather() {
   input.matched = hand_overs_.mapping.to_base.read();
   input.base_released = connection_->releases() != std::exchange(releases_, connection_->releases());
   input.place = hand_overs_.place.now();
+  input.area = hand_overs_.area.read();
   const bool ready = pioneer::takes_commands(connection_->health());
   has_state_ = has_state_ && ready;  // a new connection is not judged by the last status of the one before
   input.state = has_state_ ? &state_ : nullptr;

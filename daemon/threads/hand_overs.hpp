@@ -21,6 +21,7 @@
 #include "core/sync/latest.hpp"
 #include "core/sync/ring.hpp"
 #include "core/sync/snapshot_cell.hpp"
+#include "core/types/area_limits.hpp"
 #include "core/types/base_state.hpp"
 #include "core/types/place_standing.hpp"
 #include "core/types/scan.hpp"
@@ -55,9 +56,11 @@ struct BaseReport {
 
 struct MappingReport {
   std::uint64_t revision = 0;
-  std::uint64_t keyframes = 0;
+  std::uint64_t keyframes = 0;         ///< the robot's own
+  std::uint64_t keyframes_of_all = 0;  ///< in the map, with those of mates
   std::uint64_t matched = 0;
   std::uint64_t lost = 0;          ///< scans that matched nothing
+  std::uint64_t degenerate = 0;    ///< scans that left one direction to odometry
   pipeline::MappingLosses losses;  ///< scans that were taken but never placed, over all maps
   std::uint64_t closures_accepted = 0;
   std::uint64_t closures_rejected = 0;
@@ -79,9 +82,11 @@ struct JournalReport {
 
 inline constexpr std::size_t kScanRing = 32;  ///< 0.8 s at 40 Hz
 inline constexpr std::size_t kOdometryRing = 64;
-inline constexpr std::size_t kSnapshotReaders = 2;
+inline constexpr std::size_t kSnapshotReaders = 4;
 inline constexpr std::size_t kFilesReader = 0;
 inline constexpr std::size_t kPlanningReader = 1;
+inline constexpr std::size_t kViewReader = 2;  ///< of maps, for displays
+inline constexpr std::size_t kDoubtReader = 3;
 inline constexpr std::size_t kReportReaders = 2;
 inline constexpr std::size_t kMainReader = 1;  ///< of planning's reports; kFilesReader is the other
 
@@ -93,6 +98,7 @@ struct ScanHandOver {
   sync::Ring<types::Scan, kScanRing> to_mapping;
   sync::Latest<types::Scan> to_base;      ///< front scanner only
   sync::Latest<types::Scan> to_planning;  ///< front scanner only
+  sync::Latest<types::Scan> to_main;      ///< front scanner only: for displays
   sync::Latest<DeviceReport> report;
 };
 
@@ -109,6 +115,9 @@ struct ToPlanning {
   sync::Latest<pipeline::Mission> mission;
   sync::Latest<pipeline::ControlReport> control;
   sync::Latest<pipeline::TrackedPose> tracked;
+  sync::Latest<types::AreaLimits> area;                  ///< from main: all area limits that are in force
+  sync::Latest<std::vector<types::Polygon>> here_first;  ///< from main: areas whose goals come first
+  sync::Latest<std::vector<types::Vector2>> doubted;     ///< from main: where the map is doubted
 };
 
 /// Output of the base thread.
@@ -157,6 +166,8 @@ struct PlaceHandOver {
   std::atomic<types::PlaceStanding> standing{types::PlaceStanding::kKnown};
   /// From mapping, at once: the present map did not match in the first metres.
   std::atomic<bool> dropped{false};
+  /// From main: there are area limits, so that a wrong place would lead through forbidden areas.
+  std::atomic<bool> limited{false};
 
   [[nodiscard]] types::PlaceStanding now() const {
     if (dropped.load(std::memory_order_acquire)) return types::PlaceStanding::kDropped;
@@ -170,6 +181,7 @@ struct HandOvers {
   ScanHandOver front, coronal;
   sync::EStopLine<> estop;               ///< main to base
   sync::Latest<pipeline::Teleop> drive;  ///< main to base
+  sync::Latest<types::AreaLimits> area;  ///< main to base: all area limits that are in force
   ToPlanning to_planning;
   sync::Latest<pipeline::Plan> plan;  ///< planning to base and main
   /// Created before the threads start, destroyed by the planning thread, which alone destroys reports.

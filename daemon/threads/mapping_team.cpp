@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/slam/found_relations.hpp"
 #include "core/team/masked_scan.hpp"
 #include "core/team/roster.hpp"
 
@@ -43,16 +44,21 @@ void add_poses(const OwnMapAsk& ask, const slam::Mapper& mapper, OwnMapNews& new
     if (const auto node = mapper.node_of(id)) news.poses.emplace_back(id, mapper.poses()[*node]);
 }
 
+/// What the map was begun with: keyframes and relations of mates, and of this robot in earlier runs.
+void add_held(const slam::Mapper& mapper, OwnMapNews& news) {
+  for (const slam::KeyframePtr& keyframe : mapper.keyframes())
+    if (keyframe->id.origin() != mapper.origin()) news.held.push_back(keyframe);
+  news.held_relations = slam::found_relations(mapper.keyframes(), mapper.edges());
+  std::erase_if(news.held_relations, [&](const auto& found) { return found.id.origin() == mapper.origin(); });
+}
+
 /// Of a map that may be thrown away: nothing new, but what it was begun with, and where mates are in it.
 std::unique_ptr<OwnMapNews> news_on_trial(const OwnMapAsk& ask, const slam::Mapper& mapper,
                                           std::uint64_t map) {
   auto news = std::make_unique<OwnMapNews>();
   news->map = map;
   news->origin = mapper.origin();
-  if (ask.map != map) {
-    for (const slam::KeyframePtr& keyframe : mapper.keyframes())
-      if (keyframe->id.origin() != mapper.origin()) news->held.push_back(keyframe);
-  }
+  if (ask.map != map) add_held(mapper, *news);
   add_poses(ask, mapper, *news);
   return news;
 }
@@ -64,10 +70,7 @@ std::unique_ptr<OwnMapNews> news_for(const OwnMapAsk& ask, const slam::Mapper& m
   const bool is_same = ask.map == map;
   const auto way = mapper.own_way();
   const auto keyframes = mapper.keyframes();
-  if (!is_same) {
-    for (const slam::KeyframePtr& keyframe : keyframes)
-      if (keyframe->id.origin() != mapper.origin()) news->held.push_back(keyframe);
-  }
+  if (!is_same) add_held(mapper, *news);
   for (const std::size_t node : way.subspan(is_same ? std::min(ask.keyframes, way.size()) : 0))
     if (keyframes[node]->id.origin() == mapper.origin()) news->keyframes.push_back(keyframes[node]);
   news->own_way = way.size();

@@ -105,6 +105,7 @@ bool MappingWorker::step(pipeline::MappingState& state) {
   input.odometry = odometry_;
   input.front = front_ring.front();
   input.coronal = coronal_ring.front();
+  input.is_searching = hand_overs_.closure.alignment_queries.size() > 0;
   if (odometry_.empty() && input.front == nullptr && input.coronal == nullptr) return false;
   const types::Stamp begin = io::monotonic_now();
   if (input.front != nullptr) vitals_.wake.record((begin - input.front->arrival).count());
@@ -130,6 +131,7 @@ void MappingWorker::skip_backlog(sync::Ring<types::Scan, kScanRing>& ring) {
 void MappingWorker::use(pipeline::MappingState& state, pipeline::MappingOutput& output) {
   for (const slam::MatchReport& match : output.matches) {
     ++(match.matched ? report_.matched : report_.lost);
+    report_.degenerate += match.matched && match.match.degenerate ? 1U : 0U;
     report_.response = match.match.response;
     matched_ = plausibility::after_scan(matched_, match.stamp, match.T_previous_base, match.T_odom_base,
                                         match.matched);
@@ -180,6 +182,7 @@ void MappingWorker::publish(pipeline::MappingState& state) {
   std::unique_ptr<const pipeline::MapSnapshot> snapshot = state.make_snapshot();
   report_.revision = snapshot->revision;
   report_.keyframes = snapshot->keyframes.size();
+  report_.keyframes_of_all = state.mapper().keyframes().size();
   hand_overs_.mapping.map->publish(std::move(snapshot));
 }
 

@@ -44,6 +44,11 @@ void PlanningWorker::decide(pipeline::PlanningState& state, MapSnapshots::Reader
   input.control = hand_overs_.to_planning.control.read();
   input.front = hand_overs_.front.to_planning.read();
   input.mission = mission_;
+  input.area = hand_overs_.to_planning.area.read();
+  if (const auto* first = hand_overs_.to_planning.here_first.read(); first != nullptr)
+    input.here_first = *first;
+  if (const auto* doubted = hand_overs_.to_planning.doubted.read(); doubted != nullptr)
+    input.doubted = *doubted;
   input.team.robot = robot_;
   if (const auto* heard = hand_overs_.team.statuses.take_new(); heard != nullptr)
     input.team.messages = *heard;

@@ -39,6 +39,7 @@ hokuyo::StepOutcome ScanWorker::step() {
   if (front_) {
     out_.to_base.store(scan);
     out_.to_planning.store(scan);
+    out_.to_main.store(scan);
   }
   if (slot != nullptr) {
     out_.to_mapping.commit();

@@ -69,7 +69,8 @@ void TeamWorker::take_journalled(types::Stamp now) {
   if (now > *journal_limit_) awaits_journal_ = false;
   const auto* parcel = hand_overs_.team.journalled.front();
   if (parcel == nullptr) return;
-  late_keyframes_ = std::move(*parcel->content);
+  late_keyframes_ = std::move(parcel->content->keyframes);
+  late_relations_ = std::move(parcel->content->relations);
   own_.goes_on = !late_keyframes_.empty();
   hand_overs_.team.journalled.pop();
   awaits_journal_ = false;
@@ -90,8 +91,8 @@ void TeamWorker::turn(types::Stamp now) {
   take_journalled(now);
   take_own(now);
   if (link_) {
-    const auto changed = link_->turn(now, [&](std::span<const std::byte> datagram) {
-      if (exchange_) exchange_->take(datagram, now);
+    const auto changed = link_->turn(now, [&](std::uint16_t sender, std::span<const std::byte> datagram) {
+      if (exchange_) exchange_->take(datagram, now, sender);
     });
     if (changed) {
       const bool joined = changed->kind == LinkNews::Kind::kJoined;
@@ -126,7 +127,9 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
     restore(exchange_->restore_keyframe(*keyframe));
     held.insert(keyframe->id);
   }
+  for (const slam::FoundRelation& found : news.held_relations) restore(exchange_->restore_relation(found));
   for (const slam::KeyframePtr& keyframe : late_keyframes_) restore(exchange_->restore_keyframe(*keyframe));
+  for (const slam::FoundRelation& found : late_relations_) restore(exchange_->restore_relation(found));
   if (before) {
     late_keyframes_.clear();
     late_relations_.clear();
@@ -145,6 +148,7 @@ void TeamWorker::begin_map(const OwnMapNews& news) {
       restore(exchange_->restore_entry(entry));
   }
   met_.clear();
+  areas_.begin_map();
 }
 
 /// The map of a start that is to go on with a session begins where the robot happens to stand, which is not
@@ -170,9 +174,9 @@ void TeamWorker::take_own(types::Stamp now) {
       if (const auto added = exchange_->add_keyframe(*keyframe); !added) warn(now, added.error().message);
     for (const slam::FoundRelation& found : news->relations)
       if (const auto added = exchange_->add_relation(found); !added) warn(now, added.error().message);
-    const std::uint32_t relations = news->map == own_.asked.map ? own_.asked.relations : 0;
-    own_.asked = {
-        news->map, news->own_way, relations + static_cast<std::uint32_t>(news->relations.size()), {}};
+    std::uint32_t next_relation = news->map == own_.asked.map ? own_.asked.relations : 0;
+    if (!news->relations.empty()) next_relation = news->relations.back().id.sequence + 1;
+    own_.asked = {news->map, news->own_way, next_relation, {}};
     own_.anchors = news->anchors;
     // A session that was taken over lies where it was made: only the map of this start is in the common
     // frame.
@@ -220,12 +224,15 @@ void TeamWorker::take_requests(types::Stamp now) {
     if (const auto* order = std::get_if<TeamOrder>(request)) {
       order_ = exchange_->order(order->order, now);
       report_.order = order->number;
+      report_.order_to = order->order.to;
     } else {
-      exchange_->acknowledge(std::get<OrderDone>(*request).order, now);
+      const auto& done = std::get<OrderDone>(*request);
+      exchange_->acknowledge(done.order, now, done.refused);
     }
     requests.pop();
     next_report_ = now;
   }
+  if (const AreaWishes* wishes = hand_overs_.team.areas.take_new(); wishes != nullptr) areas_.want(*wishes);
 }
 
 void TeamWorker::take_news(types::Stamp now) {
@@ -240,6 +247,11 @@ void TeamWorker::take_news(types::Stamp now) {
       team.orders.commit();
       team.orders_here.post();
     }
+  }
+  areas_.note(news.entries);
+  if (areas_.settle(*exchange_)) {
+    report_.areas = areas_.report();
+    next_report_ = now;
   }
   for (team::HeardStatus& heard : news.statuses) note_status(std::move(heard));
   if (!news.duplicates.empty()) {
@@ -297,6 +309,7 @@ void TeamWorker::hand_over_mates() {
   places.places.clear();
   for (const auto& [robot, mate] : mates_) {
     if (!mate.T_map_mates) continue;
+    areas_.place({robot, mate.heard.run}, *mate.T_map_mates);
     statuses.push_back(team::in_frame(*mate.T_map_mates, mate.heard.message));
     places.places.push_back({statuses.back().T_map_base.translation(), mate.heard.heard});
   }
@@ -315,14 +328,23 @@ void TeamWorker::report(types::Stamp now) {
     report_.items = exchange_->items().size();
     report_.bytes = exchange_->items().bytes();
     report_.hash = exchange_->items().hash();
-    if (order_) report_.acknowledged = exchange_->acknowledged_by(*order_);
+    report_.streams.clear();
+    for (const auto& [key, stream] : exchange_->items().streams())
+      report_.streams.push_back({key, stream.first_gap()});
+    if (order_) {
+      report_.acknowledged = exchange_->acknowledged_by(*order_);
+      report_.refused = exchange_->refused_by(*order_);
+    }
     if (now > duplicates_until_) report_.duplicates.clear();
   }
   report_.statuses.clear();
   report_.located.clear();
+  report_.in_map.clear();
   for (const auto& [robot, mate] : mates_) {
     report_.statuses.push_back(mate.heard);
-    if (mate.T_map_mates) report_.located.push_back(robot);
+    if (!mate.T_map_mates) continue;
+    report_.located.push_back(robot);
+    report_.in_map.push_back(team::in_frame(*mate.T_map_mates, mate.heard.message));
   }
   hand_overs_.team.report.store(report_);
 }

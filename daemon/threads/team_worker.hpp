@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/team/exchange/exchange.hpp"
+#include "daemon/threads/area_log.hpp"
 #include "daemon/threads/hand_overs.hpp"
 #include "daemon/threads/team_hand_over.hpp"
 #include "daemon/threads/vitals.hpp"
@@ -81,6 +82,7 @@ class TeamWorker final : public Worker {
   std::vector<slam::KeyframePtr> late_keyframes_;
   std::vector<slam::FoundRelation> late_relations_;
   std::optional<team::EntryId> order_;
+  AreaLog areas_;
   bool awaits_journal_ = settings_.awaits_journal;
   std::optional<types::Stamp> journal_limit_;
   types::Stamp duplicates_until_{};

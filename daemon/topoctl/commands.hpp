@@ -20,6 +20,17 @@ inline constexpr int kMissionFailed = 5;
 
 inline constexpr types::Duration kPatience = std::chrono::seconds(5);
 
+/// The robots that an order is for.
+struct WhomArguments {
+  bool all = false;  ///< robots of the team
+  int robot = 0;     ///< the one of the team; 0: this one
+};
+
+/// Of the command drive.
+struct DriveArguments {
+  double v_mps = 0.0, omega_radps = 0.0, seconds = 1.0;
+};
+
 /// Of the commands for a scanner.
 struct LaserArguments {
   std::string address, new_address, netmask = "255.255.255.0";
@@ -28,20 +39,50 @@ struct LaserArguments {
   double patience_s = 120.0;  ///< for the power cycle; 0: no wait
 };
 
+/// Of the command setup. Empty lists: the usual places.
+struct SetupArguments {
+  std::string config = "/etc/topometric/topometric.toml";
+  std::vector<std::string> serial, tcp, bases;
+  double countdown_s = 5.0;  ///< at a terminal, between the Enter key and the look: to walk there
+};
+
+/// Of the command calibrate.
+struct CalibrationArguments {
+  std::string config, recording;
+  bool drive = false;  ///< the built-in figure first, by the daemon
+  bool write = false;  ///< into the configuration, when it is believable
+};
+
+/// Of the command that draws an area.
+struct AreaArguments {
+  std::vector<double> corners;  ///< x, y of each
+  bool first = false;           ///< to go to first, instead of keeping out
+};
+
+/// Of the command for the page's tokens.
+struct ViewArguments {
+  std::string config = "/etc/topometric/topometric.toml";
+  std::string name = "browser";  ///< of the token
+};
+
 /// The command line.
 struct Arguments {
   std::string socket = ControlConfig{}.socket;
   bool json = false;
   bool why = false;
-  bool all = false;  ///< robots of the team
+  WhomArguments whom;
   std::string folder, level, what, session;
   bool search = false;       ///< load a session without a pose
   std::vector<double> pose;  ///< x, y, theta; or empty
-  double v_mps = 0.0, omega_radps = 0.0, seconds = 1.0;
+  AreaArguments area;
+  DriveArguments drive;
   double x_m = 0.0, y_m = 0.0;
   double timeout_s = 0.0;   ///< 0: no limit
   double interval_s = 1.0;  ///< of the command watch
   LaserArguments laser;
+  SetupArguments setup;
+  CalibrationArguments calibration;
+  ViewArguments view;
 };
 
 /// True after SIGINT, SIGTERM or SIGHUP, once catch_signals() was called.
@@ -66,8 +107,11 @@ std::string one_line(const Json& json);
 types::Result<Json> ask(const Arguments& arguments, const char* method, const Json& params = Json::object(),
                         types::Duration patience = kPatience);
 
-/// Sends an order to the whole team, and names who has acknowledged it and who was not reached.
+/// Sends an order to the whole team, or to the one robot of the arguments, and names the robots that have
+/// acknowledged it, those that refuse it with the reason, and those that were not reached.
 int order_team(const Arguments& arguments, const char* method);
+/// The same, or an order to this robot, by the arguments.
+int order(const Arguments& arguments, const char* method);
 
 /// Sends a request, and prints the answer as JSON or through `table`. Returns the exit status.
 int show(const Arguments& arguments, const char* method, std::string (*table)(const Json&),
@@ -78,6 +122,9 @@ int show(const Arguments& arguments, const char* method, std::string (*table)(co
 int drive_for(const Arguments& arguments);
 int drive_by_keys(const Arguments& arguments);
 int set_laser_ip(const Arguments& arguments);
+int set_up(const Arguments& arguments);
+int calibrate_robot(const Arguments& arguments);
+int wheels_up(const Arguments& arguments);
 int watch(const Arguments& arguments);
 int doctor(const Arguments& arguments);
 int wait_done(const Arguments& arguments);
@@ -85,5 +132,7 @@ int wait_ready(const Arguments& arguments);
 int save_session(const Arguments& arguments);
 int load_session(const Arguments& arguments);
 int confirm_session(const Arguments& arguments);
+/// Becomes topoview pair; returns only where that is not installed.
+int pair_browser(const Arguments& arguments);
 
 }  // namespace topo::daemon

@@ -80,9 +80,9 @@ int drive_for(const Arguments& arguments) {
   auto client = Client::connect(arguments.socket);
   if (!client) return complain(client.error());
   catch_signals();
-  const types::Stamp end = io::monotonic_now() + types::from_seconds(arguments.seconds);
+  const types::Stamp end = io::monotonic_now() + types::from_seconds(arguments.drive.seconds);
   while (!interrupted() && io::monotonic_now() < end) {
-    if (const auto told = tell(*client, {arguments.v_mps, arguments.omega_radps}); !told)
+    if (const auto told = tell(*client, {arguments.drive.v_mps, arguments.drive.omega_radps}); !told)
       return complain(told.error());
     pause_until(std::min(io::monotonic_now() + kPeriod, end));
   }

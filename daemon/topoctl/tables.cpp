@@ -92,6 +92,18 @@ std::string rows(const Json& json, const char* path, Line line) {
   return out;
 }
 
+/// "; places to look at again: (1.0, 2.0), (3.0, 4.0)"
+std::string places_text(const Json& places) {
+  std::string all;
+  for (const Json& place : places) {
+    const Json &x_m = at(place, "/x_m"), &y_m = at(place, "/y_m");
+    if (!x_m.is_number() || !y_m.is_number()) continue;
+    all += fmt::format("{}({:.1f}, {:.1f})", all.empty() ? "; places to look at again: " : ", ",
+                       x_m.get<double>(), y_m.get<double>());
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string text_at(const Json& json, const char* path) {
@@ -176,6 +188,20 @@ std::string places_table(const Json& places) {
          });
 }
 
+std::string areas_table(const Json& areas) {
+  std::string out = fmt::format("{:<20} {:<10} {:>6}  {}\n", "area", "kind", "robot", "corners (m)");
+  out += rows(areas, "/areas", [](const Json& area) {
+    std::string corners;
+    for (const Json& corner : at(area, "/corners_m"))
+      corners += fmt::format("({}, {}) ", number(corner, "/0", 2), number(corner, "/1", 2));
+    return fmt::format("{:<20} {:<10} {:>6}  {}\n", text(area, "/id"), text(area, "/kind"),
+                       text(area, "/robot"), corners);
+  });
+  if (at(areas, "/kept") == false) out += "(a restart does not find them)\n";
+  const std::string trouble = text(areas, "/trouble");
+  return is_said(trouble) ? out + "(" + trouble + ")\n" : out;
+}
+
 std::string status_table(const Json& status) {
   std::string out = row("robot", fmt::format("{} ({})", text(status, "/robot"), text(status, "/model")));
   out += row("state", text(status, "/state"));
@@ -190,6 +216,9 @@ std::string status_table(const Json& status) {
   out += row("battery", battery_text(status));
   out += row("map", fmt::format("revision {}, {} keyframes, {} closures", text(status, "/map/revision"),
                                 text(status, "/map/keyframes"), text(status, "/map/closures/accepted")));
+  if (const Json& why = at(status, "/map/doubt/why");
+      why.is_string() && !why.get_ref<const std::string&>().empty())
+    out += row("doubt", why.get<std::string>() + places_text(at(status, "/map/doubt/look_again")));
   out += row("scans", fmt::format("{} matched, {} lost, {} skipped", text(status, "/map/scans_matched"),
                                   text(status, "/map/scans_lost"), text(status, "/map/scans_skipped")));
   out += session_row(at(status, "/session"));

@@ -20,6 +20,7 @@ std::string places_table(const Json& places);
 std::string doctor_table(const Json& doctor);
 std::string sessions_table(const Json& answer);
 std::string team_table(const Json& team);
+std::string areas_table(const Json& areas);
 /// One line, with its line end.
 std::string mission_text(const Json& mission);
 /// The status on one line without line end, for the command watch.

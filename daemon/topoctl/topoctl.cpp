@@ -30,7 +30,7 @@ std::string member(const Json& answer, const char* name) {
 /// With --all: of the whole team. Uses a short time-out: the operator must learn quickly when there is no
 /// daemon.
 int estop(const Arguments& arguments) {
-  if (arguments.all) return order_team(arguments, "estop");
+  if (arguments.whom.all) return order_team(arguments, "estop");
   const int status = show(arguments, "estop", &nothing, Json::object(), kEstopPatience);
   if (status == kNoDaemon)
     fmt::print(
@@ -85,16 +85,17 @@ void add_queries(CLI::App& cli, Arguments& a, int& status) {
 void add_commands(CLI::App& cli, Arguments& a, int& status) {
   add(cli, "estop", "stop at once, and stay so until clear-estop; anybody may", status,
       [&a] { return estop(a); });
-  cli.get_subcommand("estop")->add_flag("--all", a.all, "of the whole team, and name who was not reached");
+  cli.get_subcommand("estop")->add_flag("--all", a.whom.all,
+                                        "of the whole team, and name who was not reached");
   add(cli, "clear-estop", "let the robot move again", status,
       [&a] { return show(a, "clear_estop", &nothing); });
   auto* driving = cli.add_subcommand("drive", "drive by hand: with the keys, or at V m/s and W rad/s");
-  auto* v = driving->add_option("V", a.v_mps, "forward speed in m/s; without V and W the keys drive")
+  auto* v = driving->add_option("V", a.drive.v_mps, "forward speed in m/s; without V and W the keys drive")
                 ->check(number_from(-kFast, kFast));
-  auto* w = driving->add_option("W", a.omega_radps, "turning speed in rad/s, counter-clockwise")
+  auto* w = driving->add_option("W", a.drive.omega_radps, "turning speed in rad/s, counter-clockwise")
                 ->check(number_from(-kFast, kFast));
   v->needs(w);
-  driving->add_option("--for", a.seconds, "seconds (1), then stop")->check(number_from(0.0, 3600.0));
+  driving->add_option("--for", a.drive.seconds, "seconds (1), then stop")->check(number_from(0.0, 3600.0));
   driving->callback([&status, &a, v] { status = v->count() > 0 ? drive_for(a) : drive_by_keys(a); });
   add(cli, "log-level", "the least important message still logged", status, [&a] {
     return show(a, "log_level", &nothing, Json{{"level", a.level}});
@@ -139,6 +140,39 @@ void add_sessions(CLI::App& cli, Arguments& a, int& status) {
       ->excludes(pose);
 }
 
+void add_areas(CLI::App& cli, Arguments& a, int& status) {
+  auto* area = cli.add_subcommand("area", "areas that no wheel enters, or to go to first, of the whole team");
+  area->require_subcommand(1);
+  add(*area, "list", "those that are in force", status, [&a] { return show(a, "areas", &areas_table); });
+  add(*area, "draw", "keep out of a polygon from now on, or go there first", status, [&a] {
+    const auto told = [](const Json& answer) {
+      return fmt::format("area {} is in force\n", member(answer, "id"));
+    };
+    const char* kind = a.area.first ? "here_first" : "keep_out";
+    return show(a, "area.draw", told, Json{{"corners_m", a.area.corners}, {"kind", kind}});
+  });
+  area->get_subcommand("draw")
+      ->add_option("CORNERS", a.area.corners, "X Y X Y X Y ...: metres in map, three corners and more")
+      ->required()
+      ->check(number_from(-kFar_m, kFar_m));
+  area->get_subcommand("draw")->add_flag("--first", a.area.first,
+                                         "goals in it come first, instead of keeping out");
+  add(*area, "withdraw", "end the area ID: it may be entered again, or is like any other", status, [&a] {
+    return show(a, "area.withdraw", &nothing, Json{{"id", a.what}});
+  });
+  area->get_subcommand("withdraw")->add_option("ID", a.what, "as topoctl area list shows it")->required();
+}
+
+void add_view(CLI::App& cli, Arguments& a, int& status) {
+  auto* view = cli.add_subcommand("view", "the operator's page (topoview)");
+  view->require_subcommand(1);
+  add(*view, "pair", "make a token, with which a browser may give orders, as text and as a QR code", status,
+      [&a] { return pair_browser(a); });
+  auto* pair = view->get_subcommand("pair");
+  pair->add_option("--config", a.view.config, "the daemon's configuration file")->capture_default_str();
+  pair->add_option("--name", a.view.name, "what the token is called")->capture_default_str();
+}
+
 void add_lasers(CLI::App& cli, Arguments& a, int& status) {
   auto* laser = cli.add_subcommand("laser", "a scanner's own settings");
   laser->require_subcommand(1);
@@ -155,20 +189,66 @@ void add_lasers(CLI::App& cli, Arguments& a, int& status) {
       ->check(number_from(0.0, 3600.0));
 }
 
+void add_setup(CLI::App& cli, Arguments& a, int& status) {
+  add(cli, "setup", "find base and scanners, ask what only you know, and write the configuration", status,
+      [&a] { return set_up(a); });
+  auto* setup = cli.get_subcommand("setup");
+  setup->add_option("--config", a.setup.config, "the file that is written; as it was, it is kept beside")
+      ->capture_default_str();
+  setup
+      ->add_option("--serial", a.setup.serial,
+                   "serial devices in place of the usual ones, * and ? as in a shell")
+      ->type_name("PATTERN");
+  setup->add_option("--tcp", a.setup.tcp, "scanners on Ethernet in place of 192.168.0.10 to .12")
+      ->type_name("HOST[:PORT]");
+  setup->add_option("--base", a.setup.bases, "further addresses of a base: tcp:HOST:PORT, can:INTERFACE:UNIT")
+      ->type_name("ADDRESS");
+  setup
+      ->add_option("--countdown", a.setup.countdown_s,
+                   "at a terminal: seconds to walk to where you shall stand")
+      ->capture_default_str()
+      ->check(number_from(0.0, 20.0));
+}
+
+void add_calibration(CLI::App& cli, Arguments& a, int& status) {
+  add(cli, "wheels-up", "before the first drive, with the robot lifted: sense of both wheels, motors, stop",
+      status, [&a] { return wheels_up(a); });
+  add(cli, "calibrate", "wheels, delay and the scanners' places from a recorded drive of three minutes",
+      status, [&a] { return calibrate_robot(a); });
+  auto* calibrate = cli.get_subcommand("calibrate");
+  calibrate->add_option("RECORDING", a.calibration.recording, "the daemon's recording of the drive")
+      ->required();
+  calibrate->add_option("--config", a.calibration.config, "the configuration that the drive was made with")
+      ->required();
+  calibrate->add_flag("--drive", a.calibration.drive,
+                      "first drive eights in a circle of three metres, while the daemon records");
+  calibrate->add_flag(
+      "--write", a.calibration.write,
+      "write what was found into the configuration, when it is believable; the old one is kept");
+}
+
+/// An order that a mate takes too.
+void add_order(CLI::App& cli, Arguments& a, int& status, const char* name, const char* help) {
+  add(cli, name, help, status, [&a, name] { return order(a, name); });
+  auto* command = cli.get_subcommand(name);
+  auto* all = command->add_flag("--all", a.whom.all, "of the whole team, and name who was not reached");
+  command->add_option("--robot", a.whom.robot, "of that robot of the team, by its number (robot.id)")
+      ->check(CLI::Range(1, 65535))
+      ->excludes(all);
+}
+
 void add_missions(CLI::App& cli, Arguments& a, int& status) {
-  add(cli, "start", "explore, and come home", status, [&a] { return show(a, "start", &nothing); });
-  add(cli, "pause", "stand; the mission is kept", status, [&a] { return show(a, "pause", &nothing); });
-  add(cli, "resume", "go on with the paused mission", status, [&a] { return show(a, "resume", &nothing); });
-  add(cli, "home", "come back to the start", status, [&a] { return show(a, "home", &nothing); });
+  add_order(cli, a, status, "start", "explore, and come home");
+  add_order(cli, a, status, "pause", "stand; the mission is kept");
+  add_order(cli, a, status, "resume", "go on with the paused mission");
+  add_order(cli, a, status, "home", "come back to the start");
+  add_order(cli, a, status, "stop", "end the mission and the driving: the robot stands");
   add(cli, "goto", "go to a place of the map", status, [&a] {
     return show(a, "goto", &nothing, Json{{"x_m", a.x_m}, {"y_m", a.y_m}}, kSearchPatience);
   });
   auto* going = cli.get_subcommand("goto");
   going->add_option("X", a.x_m, "metres in map")->required()->check(number_from(-kFar_m, kFar_m));
   going->add_option("Y", a.y_m, "metres in map")->required()->check(number_from(-kFar_m, kFar_m));
-  add(cli, "stop", "end the mission and the driving: the robot stands", status,
-      [&a] { return a.all ? order_team(a, "stop") : show(a, "stop", &nothing); });
-  cli.get_subcommand("stop")->add_flag("--all", a.all, "of the whole team, and name who was not reached");
   auto* wait = cli.add_subcommand("wait", "wait for something; --timeout S");
   wait->require_subcommand(1);
   wait->fallthrough();
@@ -196,7 +276,11 @@ int start(int argc, char** argv) {
   add_missions(cli, arguments, status);
   add_commands(cli, arguments, status);
   add_sessions(cli, arguments, status);
+  add_areas(cli, arguments, status);
   add_lasers(cli, arguments, status);
+  add_setup(cli, arguments, status);
+  add_calibration(cli, arguments, status);
+  add_view(cli, arguments, status);
   if (const auto ended = parse_command_line(cli, "topoctl", argc, argv)) return *ended;
   return status;
 }

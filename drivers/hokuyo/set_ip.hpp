@@ -25,7 +25,8 @@ struct IpSettings {
 /// kInvalidInput when no host can have this address in this network, or its gateway is not in it.
 [[nodiscard]] types::Status check(const IpSettings& settings);
 
-/// Tells the scanner its new address; returns who took it. `serial_number`: that it must report; empty: any.
+/// Sends the scanner its new address; returns the scanner that took it. `serial_number`: that it must report;
+/// empty: any.
 /// kUnsupported, and nothing sent, when the model has no address; kInvalidInput for another scanner;
 /// kUnsupported as well when the scanner refuses the command.
 [[nodiscard]] types::Result<SensorInfo> set_ip(io::Connector& connector, const IpSettings& settings,

@@ -37,6 +37,7 @@ enum class Command : std::uint8_t {
   kBumpStall = 44,
   kHostBaud = 50,
   kEStop = 55,
+  kGyro = 58,
 };
 
 /// Robot to host (PROTOCOLS sections 4 and 5).
@@ -48,6 +49,7 @@ enum class PacketType : std::uint8_t {
   kStatusStopped = 0x32,
   kStatusMoving = 0x33,
   kEncoder = 0x90,
+  kGyro = 0x98,
   kResetWithDiagnosis = 0xFE,
   kReset = 0xFF,
 };

@@ -32,8 +32,8 @@ void read_equipment(types::ByteReader& in, ConfigPacket& out) {
   out.host_baud_code = byte(in);
   in.optional<std::uint8_t>();   // Aux1Baud
   in.optional<std::uint16_t>();  // HasGripper
-  out.front_sonar = word(in);
-  out.rear_sonar = byte(in);
+  in.optional<std::uint16_t>();  // FrontSonar
+  in.optional<std::uint8_t>();   // RearSonar
   out.low_battery_decivolt = word(in);
   in.optional<std::uint16_t>();  // RevCount
   out.watchdog_ms = word(in);
@@ -47,7 +47,7 @@ void read_later_fields(types::ByteReader& in, ConfigPacket& out) {
   in.optional<std::uint8_t>();  // Charger
   in.optional<std::uint8_t>();  // SonarCycle
   out.auto_baud = byte(in);
-  in.optional<std::uint8_t>();  // HasGyro
+  out.has_gyro = byte(in);
   in.optional<std::int16_t>();  // DriftFactor
   in.optional<std::uint8_t>();  // Aux2Baud
   in.optional<std::uint8_t>();  // Aux3Baud

@@ -19,11 +19,11 @@ struct ConfigPacket {
   int acceleration_top_mmps2 = 0;
   int sip_cycle_ms = 0;
   int host_baud_code = 0;
-  int front_sonar = 0, rear_sonar = 0;
   int low_battery_decivolt = 0;
   int watchdog_ms = 0;
   int front_bumps = 0, rear_bumps = 0;
   int auto_baud = 0;
+  int has_gyro = 0;  ///< 1: it sends readings; 2: it corrects its heading itself
   int ticks_per_mm = 0;
   int shutdown_decivolt = 0;
 };

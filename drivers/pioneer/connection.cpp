@@ -8,6 +8,7 @@
 
 #include "drivers/pioneer/dead_reckoning.hpp"
 #include "drivers/pioneer/drive.hpp"
+#include "drivers/pioneer/gyro.hpp"
 #include "drivers/pioneer/handshake.hpp"
 #include "drivers/pioneer/link.hpp"
 #include "drivers/pioneer/listening.hpp"
@@ -26,8 +27,21 @@ using types::Stamp;
 constexpr Duration kBackOffMin = milliseconds(500);
 constexpr Duration kBackOffMax = milliseconds(5000);
 constexpr int kSilentCycles = 5;
+constexpr unsigned kGyroFault = 1U << 4U;  ///< of FAULTFLAGS (PROTOCOLS section 4)
+
+types::Twist2 true_twist(const types::Twist2& counted, const types::WheelCalibration& wheels,
+                         double model_track_m) {
+  const types::Progress p = types::true_progress(wheels, model_track_m, {counted.v_mps, counted.omega_radps});
+  return {p.way_m, p.turn_rad};
+}
 
 }  // namespace
+
+/// Way and heading of the robot.
+struct Reckoning {
+  DeadReckoning wheels;
+  Gyro gyro;
+};
 
 struct Connection::Impl {
   /// What the connection reports of itself.
@@ -102,7 +116,7 @@ struct Connection::Impl {
   std::optional<SipDelay> delay;
   RoundTrip trip;
   RobotModel model;
-  DeadReckoning dead_reckoning;
+  Reckoning reckoning;
   types::BaseState state;
   Stamp last_status{};  ///< arrival, or the start of running
 };
@@ -123,8 +137,7 @@ void Connection::Impl::lose(Health value, std::string text) {
     if (drive->may_be_moving() && value != Health::kReset)
       retry.may_drive_until = time + milliseconds(info->watchdog_ms);
   }
-  const bool refused = handshake && connector->name().starts_with("tcp:") &&
-                       handshake->opening_refused(value == Health::kDisconnected);
+  const bool refused = handshake && handshake->opening_refused(value == Health::kDisconnected);
   retry.opening = refused ? Handshake::Opening::kSyncAlone : Handshake::Opening::kFull;
   if (refused) retry.back_off = kBackOffMin;
   drive.reset();
@@ -248,7 +261,11 @@ void Connection::Impl::start_running() {
   trip = {};
   // Physical limits instead of the configured ones: a push must not be taken for a reset of the controller.
   constexpr double kPushed = 2.0;
-  dead_reckoning.restart(model, kPushed * model.size.v_max_mps, kPushed * model.size.omega_max_radps);
+  reckoning.wheels.restart(model, kPushed * model.size.v_max_mps, kPushed * model.size.omega_max_radps,
+                           config.wheels);
+  reckoning.gyro = Gyro();
+  if (answer.packet && answer.packet->has_gyro == 1 && config.gyro)
+    link->outbox().push(encode(Command::kGyro, 1));
   last_status = now();
   if (!fault.empty()) return set_health(Health::kUnsafe, device() + ": " + robot() + ": " + fault);
   info->watchdog == WatchdogSource::kGiven ? tell_trial(answer) : tell_ready();
@@ -299,15 +316,19 @@ bool Connection::Impl::on_status(const PacketView& packet, types::BaseState& out
   const Stamp arrival = packet.last_byte;
   const Duration cycle = milliseconds(info->sip_cycle_ms);
   const Duration age = delay->update(arrival, link->wire_time(packet.wire_bytes()));
-  dead_reckoning.update(*status, std::max(arrival - last_status, cycle));
+  const bool gyro_fault = (status->fault_flags.value_or(0) & kGyroFault) != 0;
+  const auto turn =
+      reckoning.gyro.turn_rad(delay->last_step() * cycle, reckoning.wheels.stands(*status), gyro_fault);
+  reckoning.wheels.update(*status, std::max(arrival - last_status, cycle), turn);
   last_status = arrival;
   state.late = delay->late();
   state.round_trip = trip.trip();
   apply_status(*status, model, arrival, state);
   // Strictly later than the previous stamp: two poses of one instant have no velocity between them.
-  state.odometry.stamp = std::max(arrival - age, state.odometry.stamp + std::chrono::microseconds(1));
-  state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(dead_reckoning.T_odom_base());
-  state.odometry.twist = measured_twist(*status, model);
+  state.odometry.stamp =
+      std::max(arrival - age - config.status_delay, state.odometry.stamp + std::chrono::microseconds(1));
+  state.odometry.T_odom_base = types::Transform2<types::Odom, types::Base>(reckoning.wheels.T_odom_base());
+  state.odometry.twist = true_twist(measured_twist(*status, model), config.wheels, info->track_m);
   state.sequence = ++counters.status_packets;
   counters.lost_packets += static_cast<std::uint64_t>(delay->last_step() - 1);
   drive->on_state(state, arrival);
@@ -326,6 +347,8 @@ bool Connection::Impl::on_packet(const PacketView& packet, types::BaseState& out
     trip.left(link->last_request());
     trip.answered(link->heard_after());
   }
+  if (packet.is(PacketType::kGyro))
+    if (const auto readings = decode_gyro(packet.payload)) reckoning.gyro.take(*readings);
   return packet.is_status() && on_status(packet, out);
 }
 

@@ -12,6 +12,7 @@
 #include "core/types/base_state.hpp"
 #include "core/types/robot_limits.hpp"
 #include "core/types/se2.hpp"
+#include "core/types/wheel_calibration.hpp"
 #include "drivers/io/byte_stream.hpp"
 
 namespace topo::pioneer {
@@ -24,6 +25,9 @@ struct ConnectionConfig : types::DriveLimits {  // clamped to the model's and th
   std::string expected_serial_number;  ///< as in CONFIG, exactly; empty: any, also a base without CONFIG
   int watchdog_ms = 0;  ///< of a firmware that does not tell it, measured before driving; 0: such is refused
   bool sonar = true;
+  bool gyro = true;  ///< the heading by the gyro of a base that has one
+  types::WheelCalibration wheels;
+  types::Duration status_delay{};  ///< of every status packet, beyond what can be observed (SipDelay)
 };
 
 enum class Health {

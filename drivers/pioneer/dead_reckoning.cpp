@@ -20,8 +20,10 @@ int counter_difference(int now, int before, int modulus) {
   return (raw + half + modulus) % modulus - half;
 }
 
-void DeadReckoning::restart(const RobotModel& model, double v_max_mps, double omega_max_radps) {
+void DeadReckoning::restart(const RobotModel& model, double v_max_mps, double omega_max_radps,
+                            const types::WheelCalibration& wheels) {
   model_ = model;
+  wheels_ = wheels;
   v_max_mps_ = v_max_mps;
   omega_max_radps_ = omega_max_radps;
   initialised_ = false;
@@ -39,7 +41,25 @@ void DeadReckoning::initialise(const Counts& counts) {
   initialised_ = true;
 }
 
-DeadReckoning::Update DeadReckoning::update(const StatusPacket& packet, types::Duration elapsed) {
+bool DeadReckoning::stands(const StatusPacket& packet) const {
+  return initialised_ && packet.x_counts == last_.x && packet.y_counts == last_.y &&
+         packet.heading_units == last_.heading && packet.left_velocity == 0 && packet.right_velocity == 0;
+}
+
+/// A calibrated robot, or one with a gyro, goes another way than its firmware reckons: along an arc with the
+/// way of its wheels.
+void DeadReckoning::move(double dx_m, double dy_m, double turn_rad, std::optional<double> gyro_turn_rad) {
+  const double heading_rad = last_.heading * radians_per_heading_unit() + 0.5 * turn_rad;
+  const double way_m = dx_m * std::cos(heading_rad) + dy_m * std::sin(heading_rad);
+  const types::Progress by_wheels =
+      types::true_progress(wheels_, 2e-3 / model_.radps_per_mmps, {way_m, turn_rad});
+  const double turned_rad = gyro_turn_rad.value_or(by_wheels.turn_rad);
+  pose_ = pose_ * types::Se2{by_wheels.way_m * std::cos(0.5 * turned_rad),
+                             by_wheels.way_m * std::sin(0.5 * turned_rad), turned_rad};
+}
+
+DeadReckoning::Update DeadReckoning::update(const StatusPacket& packet, types::Duration elapsed,
+                                            std::optional<double> gyro_turn_rad) {
   const Counts now{packet.x_counts, packet.y_counts, packet.heading_units};
   if (!initialised_) {
     initialise(now);
@@ -53,6 +73,11 @@ DeadReckoning::Update DeadReckoning::update(const StatusPacket& packet, types::D
   if (!possible(std::hypot(dx_m, dy_m), turn_rad, elapsed)) {
     initialise(now);
     return Update::kJumped;
+  }
+  if (gyro_turn_rad || wheels_ != types::WheelCalibration{}) {
+    move(dx_m, dy_m, turn_rad, gyro_turn_rad);
+    initialise(now);
+    return Update::kMoved;
   }
   const types::Vector2 step = types::Se2{0.0, 0.0, T_odom_robot_theta_rad_} * types::Vector2{dx_m, dy_m};
   pose_.x_m += step.x();

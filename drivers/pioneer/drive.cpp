@@ -27,6 +27,13 @@ bool asks_for_motion(const types::BaseCommand& c) {
   return c.enable_motors || (!c.estop && (c.twist.v_mps != 0.0 || c.twist.omega_radps != 0.0));
 }
 
+/// What the firmware must be given, which reckons with the model's wheels, for the motion that is wanted.
+types::Twist2 setpoint_of(const types::Twist2& wanted, const DriveLimits& limits) {
+  const types::Progress p =
+      types::counted_progress(limits.wheels, limits.model_track_m, {wanted.v_mps, wanted.omega_radps});
+  return {p.way_m, p.turn_rad};
+}
+
 }  // namespace
 
 Drive::Drive(Outbox& outbox, const DriveLimits& limits, bool sonar, bool may_move, types::Stamp now)
@@ -67,9 +74,9 @@ types::Status Drive::command(const types::BaseCommand& command, types::Stamp now
   const bool refused = !may_move_ && asks_for_motion(command);
   if (!command.enable_motors) enable_blocked_ = false;
   want_motors_ = may_move_ && command.enable_motors && !enable_blocked_;
-  Setpoints setpoints = want_motors_ && !command.estop
-                            ? quantise(command.twist, limits_.v_mps, limits_.omega_radps)
-                            : Setpoints{};
+  Setpoints setpoints = want_motors_ && !command.estop ? quantise(setpoint_of(command.twist, limits_),
+                                                                  limits_.v_mps, limits_.omega_radps)
+                                                       : Setpoints{};
   if (on_trial() && setpoints.v_mmps != 0) setpoints = {};
   asked_ = setpoints != Setpoints{};
   if (trial_ && trial_->withholds(setpoints, command.estop, now)) return {};

@@ -75,7 +75,7 @@ types::Status Handshake::begin() {
 }
 
 bool Handshake::opening_refused(bool line_lost) const {
-  if (beginning_.opening == Opening::kSyncAlone) return false;
+  if (!device_.starts_with(kTcp) || beginning_.opening == Opening::kSyncAlone) return false;
   const bool at_the_beginning =
       phase_ == Phase::kQuiet || (phase_ == Phase::kSync && attempts_.sync_index == 0);
   return beginning_.echoed || (line_lost && at_the_beginning && !beginning_.heard);

@@ -57,7 +57,8 @@ class Handshake {
   [[nodiscard]] const std::string& subclass() const { return names_.subclass; }
   [[nodiscard]] const RobotModel& model() const { return *model_; }
   [[nodiscard]] const ConfigAnswer& config() const { return config_; }
-  /// True when the full opening was echoed, or when the line was lost after it before a packet was heard.
+  /// True on TCP when the full opening was echoed, or when the line was lost after it before a packet was
+  /// heard: so do simulators, and no robot.
   [[nodiscard]] bool opening_refused(bool line_lost) const;
   /// Valid after kFailed.
   [[nodiscard]] Health failure() const { return failure_.health; }

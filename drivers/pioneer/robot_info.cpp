@@ -84,7 +84,9 @@ DriveLimits drive_limits(const ConnectionConfig& wanted, const RobotInfo& info,
           .acceleration_mmps2 = at_least_one(wanted.acceleration_mps2 * 1e3, top.acceleration_top_mmps2),
           .deceleration_mmps2 = at_least_one(wanted.deceleration_mps2 * 1e3, top.acceleration_top_mmps2),
           .angular_acceleration_degps2 = at_least_one(wanted.angular_acceleration_radps2 / types::kDegree_rad,
-                                                      top.rot_acceleration_top_degps2)};
+                                                      top.rot_acceleration_top_degps2),
+          .wheels = wanted.wheels,
+          .model_track_m = info.track_m};
 }
 
 }  // namespace topo::pioneer

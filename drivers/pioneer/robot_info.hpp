@@ -28,6 +28,8 @@ struct DriveLimits {
   double omega_radps = 0.0;
   int acceleration_mmps2 = 0, deceleration_mmps2 = 0;
   int angular_acceleration_degps2 = 0;
+  types::WheelCalibration wheels;  ///< by which setpoints differ from what is wanted
+  double model_track_m = 0.357;    ///< with which the firmware reckons
 };
 DriveLimits drive_limits(const ConnectionConfig& wanted, const RobotInfo& info,
                          const std::optional<ConfigPacket>& config);

@@ -35,16 +35,17 @@ void filter_heads(std::span<const std::byte> packet) {
   RadioFilter filter({.team = 1, .robot = 7, .version = kLinkVersion}, 5);
   topo::types::ByteReader in(packet);
   while (in.remaining() > 0) {
-    const RadioHead head{.version = static_cast<std::uint16_t>(in.integer<std::uint8_t>() & 1U),
+    const RadioHead head{.version = static_cast<std::uint16_t>(in.integer<std::uint8_t>() & 3U),
                          .robot = in.integer<std::uint16_t>(),
                          .team = in.integer<std::uint8_t>() & 1U,
                          .run = in.integer<std::uint8_t>(),
-                         .number = in.integer<std::uint16_t>()};
+                         .number = in.integer<std::uint16_t>(),
+                         .writer = in.integer<std::uint16_t>()};
     const std::size_t size = in.integer<std::uint16_t>();
     if (!in.ok()) return;
     if (filter.refuse(head, size)) continue;
-    expect(head.robot >= 1 && head.robot <= kRobotMax && head.robot != 7 && size >= 1 &&
-           size <= kDatagramMax_bytes);
+    expect(head.robot >= 1 && head.robot <= kRobotMax && head.robot != 7 && head.robot == head.writer &&
+           size >= 1 && size <= kDatagramMax_bytes);
     expect(filter.refuse(head, size) == LinkDrop::kRepeated);
   }
 }

@@ -26,12 +26,13 @@ struct ContentFault {
   std::function<void(WireRig&)> undo{};    ///< before `lift`
   const char* order = nullptr;             ///< by the operator, half a second after the blow
   bool sonar_only = false, tcp_only = false;
-  bool journal = false;   ///< sessions are kept
-  bool process = false;   ///< the daemon is one of its own
-  bool guest = false;     ///< of a machine of its own (tests/vm/machine_faults_test.py)
-  std::string cgroup{};   ///< of the daemon
-  bool deaf = false;      ///< the daemon cannot answer while the fault is there
-  bool harmless = false;  ///< it is not to stop the robot
+  bool journal = false;     ///< sessions are kept
+  bool process = false;     ///< the daemon is one of its own
+  bool guest = false;       ///< of a machine of its own (tests/vm/machine_faults_test.py)
+  unsigned processors = 1;  ///< that the machine has at least
+  std::string cgroup{};     ///< of the daemon
+  bool deaf = false;        ///< the daemon cannot answer while the fault is there
+  bool harmless = false;    ///< it is not to stop the robot
 };
 std::ostream& operator<<(std::ostream& out, const ContentFault& fault);
 

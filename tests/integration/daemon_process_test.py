@@ -243,7 +243,7 @@ def test_missions(folder):
         assert done.returncode == 0 and json.loads(done.stdout)["order"] == "home", done
         # The last file to be written; those before it are whole.
         daemon.until(lambda: os.path.exists(folder + "/kept/overview.png"), "the map was not kept")
-        assert sorted(os.listdir(folder + "/kept")) == ["cloud.ply", "goals.json", "map.pgm", "map.yaml", "overview.png",
+        assert sorted(os.listdir(folder + "/kept")) == ["cloud.ply", "doubt.json", "goals.json", "map.pgm", "map.yaml", "overview.png",
                                                         "places.geojson", "trajectory.txt"]
         assert daemon.stop() < 3
 

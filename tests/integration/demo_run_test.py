@@ -52,8 +52,9 @@ class DemoRun(unittest.TestCase):
             except OSError:
                 pass  # it has ended meanwhile
 
-    def test_two_daemons_share_one_map_and_both_come_home(self):
-        process = self.start(600, robots=2, world="wings")
+    def two_explore(self, radio):
+        """Two daemons share one map, and both come home: the report."""
+        process = self.start(600, robots=2, world="wings", radio=radio)
         said = process.communicate(timeout=900)[0]
         print(said, file=sys.stderr)
         self.nothing_is_left()
@@ -64,15 +65,15 @@ class DemoRun(unittest.TestCase):
         self.assertGreater(min(report["distance_m"]), 3.0, "both drove")
         self.assertGreater(min(first["received_bytes"], second["received_bytes"]), 10000)
         self.assertTrue((self.out / "robot2/overview.png").exists())
+        return report
+
+    @unittest.skipUnless(NO_NAMESPACES, "the same over a cut, below")
+    def test_two_daemons_share_one_map_and_both_come_home(self):
+        self.two_explore("perfect")
 
     @unittest.skipIf(NO_NAMESPACES, "no network namespaces here: %s" % NO_NAMESPACES)
     def test_a_minute_apart_while_both_explore_loses_nothing(self):
-        process = self.start(600, robots=2, world="wings", radio="cut:4:64")
-        said = process.communicate(timeout=900)[0]
-        print(said, file=sys.stderr)
-        self.nothing_is_left()
-        report = json.loads((self.out / "report.json").read_text())
-        self.assertEqual((process.returncode, report["passed"], report["why"]), (0, True, []))
+        report = self.two_explore("cut:4:64")
         self.assertEqual(report["radio"]["links"], "namespaces")
         ((apart_s, together_s),) = report["radio"]["gaps_s"]
         self.assertTrue(4.0 <= apart_s < 6.0 and 64.0 <= together_s < 66.0, report["radio"])
@@ -80,15 +81,13 @@ class DemoRun(unittest.TestCase):
         known = [row for t, row in zip(samples["t_s"], samples["known_m2"]) if apart_s <= t <= together_s]
         for robot in (0, 1):
             self.assertGreater(known[-1][robot], known[0][robot] + 10.0, "robot %d explored during the cut" % (robot + 1))
-        # Nobody heard anybody meanwhile: the links were away and heard of again.
+        # No robot heard another meanwhile: the links were away and came back.
         for number in (1, 2):
             self.assertRegex((self.out / ("topolink%d.log" % number)).read_text(),
                              "(?s)radio is gone or down.*radio is back or has another address")
         (cut,) = report["radio"]["cuts"]
         self.assertIsNotNone(cut["caught_up_s"], report["radio"])
         self.assertIsNotNone(cut["equal_s"], report["radio"])
-        first, second = report["each"]
-        self.assertEqual(first["held_hash"], second["held_hash"])
         for name in ("ways.png", "coverage.png", "goals.png"):
             self.assertTrue((self.out / name).exists(), name)
 

@@ -30,6 +30,7 @@ Written by the tests that inject them, row by row:
 ```sh
 TOPOMETRIC_FAULT_TABLE=$PWD/doc/faults.md build/release/tests/integration/plausibility_sim_test
 TOPOMETRIC_FAULT_TABLE=$PWD/doc/faults.md ctest --test-dir build/release -R wire_faults
+TOPOMETRIC_FAULT_TABLE=$PWD/doc/faults.md python3 -B tests/vm/machine_faults_test.py build/release
 ```
 
 *Values*: a P3-DX in lock-step with the simulator, the fault from the start or at 0.7 m/s, three seeds each, the worst of
@@ -37,7 +38,12 @@ them shown. A box appears 1 m ahead 1.5 s after the fault (late commands: 3.5 an
 encoder: 2.5 s). *Wires*: the whole daemon at 0.7 m/s on a mission against `toposim`'s devices, in real time, on the
 transport that the row names, with the sonar on or off. Where the fault leaves the robot driving a box appears 1 m ahead
 as well. Way and time are from the fault (values) or from the blow (wires) until the robot stands. No run touched anything
-unless the row says so. Every kind on TCP and on terminals, with sonar and without, N seeds:
+unless the row says so. *An emulated guest*: the same, robot and daemon in a guest of one processor whose clock counts its
+instructions, so that it keeps time; the front scanner at 10 Hz, the coronal one a URG-04LX. The limits are set as systemd
+sets them (RLIMIT_RTTIME, memory.max), without systemd. Suspend is to RAM, and the simulated robot sleeps as well: one that
+does not is stopped by its watchdog, as in the row of SIGSTOP. Not run: suspend to idle, because the guest's kernel has no
+idle state in which it stops its clock; a hog on one of several processors, because QEMU counts the instructions of one
+(the row without a guest has it). Every kind on TCP and on terminals, with sonar and without, N seeds:
 
 ```sh
 TOPOMETRIC_FAULT_CROSS=N python3 -B tests/integration/side_by_side.py \

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -19,7 +20,9 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <list>
 #include <memory>
+#include <thread>
 
 #include "tests/integration/content_faults.hpp"
 
@@ -75,7 +78,8 @@ ContentFault suspended() {
     ::clock_gettime(CLOCK_MONOTONIC, &monotonic[0]);
     ::clock_gettime(CLOCK_BOOTTIME, &boot[0]);
     put("/sys/class/rtc/rtc0/wakealarm", "+5");
-    put("/sys/power/state", "freeze");
+    put("/sys/power/mem_sleep", "deep");
+    put("/sys/power/state", "mem");
     ::clock_gettime(CLOCK_MONOTONIC, &monotonic[1]);
     ::clock_gettime(CLOCK_BOOTTIME, &boot[1]);
     const auto elapsed = [](const timespec(&t)[2]) { return t[1].tv_sec - t[0].tv_sec; };
@@ -95,7 +99,9 @@ void set_own_policy(int policy, int priority) {
     set_policy(static_cast<pid_t>(std::stol(task.path().filename())), policy, priority);
 }
 
-/// A process that computes for some seconds above the daemon, on so many processors of two.
+unsigned processors_here() { return std::thread::hardware_concurrency(); }
+
+/// A process that computes for some seconds above the daemon, on each of so many processors.
 class PriorityHog {
  public:
   explicit PriorityHog(unsigned processors) {
@@ -137,7 +143,7 @@ ContentFault hogged(const std::string& name, unsigned processors, double box_aft
   const auto hog = std::make_shared<std::unique_ptr<PriorityHog>>();
   fault.act = [hog, processors](WireRig&) {
     // On all processors the kernel would leave a twentieth to the others, not to the simulator.
-    if (processors > 1) put("/proc/sys/kernel/sched_rt_runtime_us", "-1");
+    if (processors == processors_here()) put("/proc/sys/kernel/sched_rt_runtime_us", "-1");
     set_own_policy(SCHED_FIFO, kTestPriority);
     *hog = std::make_unique<PriorityHog>(processors);
   };
@@ -145,6 +151,13 @@ ContentFault hogged(const std::string& name, unsigned processors, double box_aft
     hog->reset();
     set_own_policy(SCHED_OTHER, 0);
   };
+  return fault;
+}
+
+ContentFault half_hogged() {
+  constexpr double kBoxAfter_s = 1.5;
+  ContentFault fault = hogged("CPU hog at a higher priority, on one of two processors", 1, kBoxAfter_s);
+  fault.processors = 2;
   return fault;
 }
 
@@ -238,8 +251,7 @@ ContentFault memory_pressure() {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     std::ofstream("/proc/self/oom_score_adj") << "0" << std::flush;
     constexpr std::size_t kPiece = 1 << 20;
-    while (void* const piece = std::malloc(kPiece)) std::memset(piece, 1, kPiece);
-    ::_exit(1);
+    for (std::list<std::array<char, kPiece>> taken;;) taken.emplace_back();  // its pages are written
   };
   fault.undo = [eater](WireRig&) {
     int status = 0;
@@ -274,13 +286,13 @@ std::vector<ContentFault> host_faults() {
   return {
       in_a_guest(clock_set("the clock is set ahead by an hour", kHour_s)),
       in_a_guest(clock_set("the clock is set back by a year", -kYear_s)),
-      in_a_guest(suspended()),
       read_only(),
       in_a_guest(memory_pressure()),
       in_a_guest(memory_used_up()),
       endless_computation(),
-      hogged("CPU hog at a higher priority, on one of two processors", 1, 1.5),
-      in_a_guest(hogged("CPU hog at a higher priority, on all processors", 2, kNoBox)),
+      half_hogged(),
+      in_a_guest(hogged("CPU hog at a higher priority, on all processors", processors_here(), kNoBox)),
+      in_a_guest(suspended()),  // the last: files that the guest shares with its host are gone afterwards
   };
 }
 

@@ -111,9 +111,9 @@ int run(const std::string& path, const LinkIdentity& own, types::Duration period
     ::poll(entries.data(), entries.size(), 2);
     if ((entries[1].revents & (POLLHUP | POLLIN)) != 0) return 0;
     const types::Stamp now = io::monotonic_now();
-    const auto changed = socket->turn(now, [&heard](std::span<const std::byte> got) {
+    const auto changed = socket->turn(now, [&heard](std::uint16_t sender, std::span<const std::byte> got) {
       if (got.size() < 6) return;
-      Heard& mate = heard[types::load_le<std::uint16_t>(got, 0)];
+      Heard& mate = heard[sender];
       ++mate.count;
       mate.newest = types::load_le<std::uint32_t>(got, 2);
     });

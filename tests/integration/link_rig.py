@@ -3,13 +3,17 @@
 """Robots that consist of a link and of link_end in place of a daemon, and networks of namespaces to put them into."""
 import itertools
 import json
-import os
 import pathlib
-import shutil
 import signal
 import subprocess
+import sys
+import tempfile
 import threading
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "toolchain/lib"))
+import demo_processes  # noqa: E402
+import team_network  # noqa: E402
 
 CONFIGURATION = """[robot]
 model = "p3dx"
@@ -29,12 +33,12 @@ PATIENCE_S = 30.0
 
 
 class Robot:
-    """`inside`: name of the network namespace that the link runs in; None: this one."""
+    """`inside`: the words that enter the network namespace that the link runs in."""
 
     serial = itertools.count()
 
     def __init__(self, programs, folder, number, **options):
-        o = {"team": "office", "interface": "lo", "peers": ["127.0.0.1"], "domain": 0, "security": "off", "inside": None,
+        o = {"team": "office", "interface": "lo", "peers": ["127.0.0.1"], "domain": 0, "security": "off", "inside": (),
              "period_ms": 20, "size": 200, **options}
         self.programs, self.inside, self.number = pathlib.Path(programs), o["inside"], number
         place = pathlib.Path(folder) / ("robot%d-%d" % (number, next(self.serial)))
@@ -85,8 +89,7 @@ class Robot:
                     raise AssertionError("no status of robot %d within %g s" % (self.number, PATIENCE_S))
 
     def command(self, *more):
-        where = ["ip", "netns", "exec", self.inside] if self.inside else []
-        return [*where, self.programs / "topolink", "--config", self.config, *more]
+        return [*self.inside, self.programs / "topolink", "--config", self.config, *more]
 
     def start(self):
         with open(self.log, "a") as log:
@@ -136,69 +139,26 @@ class Robot:
         self.close_end()
 
 
-def ip(*words):
-    subprocess.run(["ip", *words], check=True, capture_output=True, text=True)
+WHY_NOT = team_network.trouble()  # no network namespaces; empty: they can be made
 
 
-def may_make_namespaces():
-    if os.geteuid() != 0 or not shutil.which("ip"):
-        return False
-    name = "topo-probe-%d" % os.getpid()
-    try:
-        ip("netns", "add", name)
-        ip("netns", "exec", name, "ip", "link", "add", "va", "type", "veth", "peer", "name", "vb")
-        return True
-    except subprocess.CalledProcessError:
-        return False
-    finally:
-        subprocess.run(["ip", "netns", "del", name], capture_output=True, check=False)
-
-
-class Network:
-    """Namespaces of robots, each with a veth `radio` to one bridge."""
+class Network(team_network.Network):
+    """Namespaces of robots, which are gone with it."""
 
     def __init__(self, robots):
-        self.prefix = "topo-%d-" % os.getpid()
-        self.air = self.prefix + "air"
-        self.names = {}
-        ip("netns", "add", self.air)
-        ip("-n", self.air, "link", "add", "bridge", "type", "bridge", "mcast_snooping", "0")
-        ip("-n", self.air, "link", "set", "bridge", "up")
-        for robot in robots:
-            self.names[robot] = self.prefix + str(robot)
-            ip("netns", "add", self.names[robot])
-            ip("-n", self.names[robot], "link", "set", "lo", "up")
-
-    def plug(self, robot, address=None):
-        """The robot's radio comes into being, and is switched on."""
-        ip("-n", self.air, "link", "add", "to%d" % robot, "type", "veth", "peer", "name", "radio", "netns",
-           self.names[robot])
-        ip("-n", self.air, "link", "set", "to%d" % robot, "master", "bridge", "up")
-        self.inside(robot, "addr", "add", (address or self.address(robot)) + "/24", "dev", "radio")
-        self.inside(robot, "link", "set", "radio", "up")
-
-    def unplug(self, robot):
-        self.inside(robot, "link", "del", "radio")
+        self.folder = tempfile.TemporaryDirectory(prefix="topo-network-")
+        place = pathlib.Path(self.folder.name)
+        try:
+            super().__init__(demo_processes.Processes(place, place), robots)
+        except team_network.Unavailable:
+            self.folder.cleanup()
+            raise
 
     def lose(self, robot, percent):
         """Of every hundred packets that reach the robot's radio, by chance; once."""
-        rules = ("table netdev loss { chain in { type filter hook ingress device radio priority 0; "
-                 "numgen random mod 100 < %d drop; }; }" % percent)
-        subprocess.run(["ip", "netns", "exec", self.names[robot], "nft", rules], check=True, capture_output=True)
-
-    @staticmethod
-    def address(robot):
-        return "10.77.0.%d" % robot
-
-    def inside(self, robot, *words):
-        ip("-n", self.names[robot], *words)
-
-    def packets(self, robot):
-        """Sent over the robot's radio."""
-        done = subprocess.run(["ip", "-n", self.names[robot], "-s", "-j", "link", "show", "radio"], check=True,
-                              capture_output=True, text=True)
-        return json.loads(done.stdout)[0]["stats64"]["tx"]["packets"]
+        self.filter(robot, "table netdev loss { chain in { type filter hook ingress device radio priority 0; "
+                    "numgen random mod 100 < %d drop; }; }" % percent)
 
     def close(self):
-        for name in [*self.names.values(), self.air]:
-            subprocess.run(["ip", "netns", "del", name], capture_output=True, check=False)
+        self.processes.end_all()
+        self.folder.cleanup()

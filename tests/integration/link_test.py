@@ -15,7 +15,8 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from link_rig import Network, Robot, may_make_namespaces  # noqa: E402
+from link_rig import WHY_NOT, Network, Robot  # noqa: E402
+from team_network import address  # noqa: E402
 
 PROGRAMS, SOURCES = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 TEAM = SOURCES / "daemon/link/topometric-team"
@@ -155,6 +156,20 @@ class Trust(Links):
         for robot in (wrong, none):
             self.assertEqual((robot.status["heard"], robot.status["mates"]), ({}, 0))
 
+    def test_a_number_belongs_to_its_credentials(self):
+        a, b = self.credentials("office", "office", 1, 2)
+        one = self.robot(1, security=a).start()
+        command = [PROGRAMS / "false_number", b, str(20 + Links.domain), "office"]
+        with subprocess.Popen([*command, "2", "3"], stdin=subprocess.PIPE) as stray:
+            status, _ = one.wait("a false number", lambda s: s["dropped"]["under a false number"] >= 10)
+            self.assertEqual(status["heard"], {})
+            stray.stdin.close()
+            self.assertEqual(stray.wait(60), 0)
+        # In the partition of the number that it says its own permissions do not let it write.
+        with subprocess.Popen([*command, "3", "3"], stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as stray:
+            self.assertEqual(stray.wait(60), 3)
+            self.assertIn('"topometric-team add 3" makes anew', stray.stderr.read())
+
     def refusal(self, *texts, **options):
         status, words = self.robot(1, **options).refused()
         self.assertEqual(status, 2, words)
@@ -193,7 +208,7 @@ class Trust(Links):
         self.assertRegex(team("list", self.folder / "office").stdout, r"(?s)^team office\nrobot-1: until .* GMT\n$")
 
 
-@unittest.skipUnless(may_make_namespaces(), "network namespaces are not permitted here")
+@unittest.skipIf(WHY_NOT, "no network namespaces here: %s" % WHY_NOT)
 class InNamespaces(Links):
     def setUp(self):
         super().setUp()
@@ -201,7 +216,7 @@ class InNamespaces(Links):
         self.addCleanup(self.network.close)
 
     def robot(self, number, **options):
-        return super().robot(number, interface="radio", inside=self.network.names[number], **{"peers": [], **options})
+        return super().robot(number, interface="radio", inside=self.network.rooms[number], **{"peers": [], **options})
 
     def plugged(self, *numbers, **options):
         robots = []
@@ -235,8 +250,8 @@ class InNamespaces(Links):
         for number in (1, 2):
             self.network.plug(number)
             self.network.inside(number, "link", "set", "radio", "multicast", "off")
-        one = self.robot(1, peers=[self.network.address(2)]).start()
-        two = self.robot(2, peers=[self.network.address(1)]).start()
+        one = self.robot(1, peers=[address(2)]).start()
+        two = self.robot(2, peers=[address(1)]).start()
         self.hear_each_other(one, two)
 
     def test_an_absent_interface_is_waited_for(self):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Topometric authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Debian package and the man pages, read by Debian's own programs: lintian, dpkg-deb and mandoc.
+"""The Debian packages and the man pages, read by Debian's own programs: lintian, dpkg-deb and mandoc.
 
 usage: package_test.py BUILD SOURCE [unittest options]; exit status 77: skipped, a program is not here."""
 import gzip
@@ -17,6 +17,11 @@ BUILD = SOURCE = pathlib.Path()
 # address in the network.
 NOT_OURS = ("initial-upload-closes-no-bugs", "bogus-mail-host", "bogus-mail-host-in-debian-changelog")
 
+MAN_PAGES = {
+    "topometric": ["topoctl.1.gz", "topolink.8.gz", "topometric-estop.8.gz", "topometric-team.8.gz", "topometricd.8.gz"],
+    "topometric-view": ["topoview.8.gz"],
+}
+
 
 def run(*command, **options):
     return subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, **options)
@@ -29,34 +34,43 @@ class Package(unittest.TestCase):
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name)
         made = run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", cls.folder)
-        packages = list(cls.folder.glob("*.deb"))
-        if made.returncode != 0 or len(packages) != 1:
-            raise AssertionError("cpack: status %d, %s\n%s%s" % (made.returncode, packages, made.stdout, made.stderr))
-        cls.deb = packages[0]
-        cls.files = cls.folder / "files"
-        run("dpkg-deb", "-R", cls.deb, cls.files)
+        cls.debs = sorted(cls.folder.glob("*.deb"))
+        if made.returncode != 0 or {deb.name.split("_")[0] for deb in cls.debs} != set(MAN_PAGES):
+            raise AssertionError("cpack: status %d, %s\n%s%s" % (made.returncode, cls.debs, made.stdout, made.stderr))
+        for deb in cls.debs:
+            run("dpkg-deb", "-R", deb, cls.folder / deb.name.split("_")[0])
 
     def test_lintian_finds_no_error_and_no_warning(self):
         # As root it would refuse; what it then tests is the same.
         done = run("lintian", "--allow-root", "--no-cfg", "--fail-on", "error,warning", "--suppress-tags",
-                   ",".join(NOT_OURS), self.deb)
+                   ",".join(NOT_OURS), *self.debs)
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
 
-    def test_it_has_what_a_package_has(self):
-        control = (self.files / "DEBIAN" / "control").read_text()
+    def test_they_have_what_a_package_has(self):
+        for name, man_pages in MAN_PAGES.items():
+            with self.subTest(package=name):
+                self.look_at(self.folder / name, name, man_pages)
+
+    def look_at(self, files, name, man_pages):
+        control = (files / "DEBIAN" / "control").read_text()
         extended = control.split("Description: ", 1)[1].splitlines()[1:]
         self.assertGreater(len(extended), 5, control)
-        documents = self.files / "usr" / "share" / "doc" / "topometric"
-        with gzip.open(documents / "changelog.gz", "rt") as log:
+        with gzip.open(files / "usr" / "share" / "doc" / name / "changelog.gz", "rt") as log:
             self.assertTrue(log.readline().startswith("topometric ("))
-        pages = sorted(path.name for path in (self.files / "usr" / "share" / "man").glob("*/*"))
-        self.assertEqual(pages, ["topoctl.1.gz", "topolink.8.gz", "topometric-estop.8.gz", "topometric-team.8.gz",
-                                 "topometricd.8.gz"])
-        for script in (self.files / "DEBIAN").glob("p*"):
+        pages = sorted(path.name for path in (files / "usr" / "share" / "man").glob("*/*"))
+        self.assertEqual(pages, man_pages)
+        scripts = list((files / "DEBIAN").glob("p*"))
+        self.assertEqual(len(scripts), 3)
+        for script in scripts:
             self.assertEqual(run("sh", "-n", script).returncode, 0, script)
             for line in script.read_text().splitlines():
                 if line.strip().startswith("systemctl"):
                     self.assertIn("systemctl daemon-reload", line, script)
+
+    def test_a_summary_of_its_own(self):
+        summaries = {(self.folder / name / "DEBIAN" / "control").read_text().split("Description: ", 1)[1].splitlines()[0]
+                     for name in MAN_PAGES}
+        self.assertEqual(len(summaries), len(MAN_PAGES), summaries)
 
 
 class ManPages(unittest.TestCase):

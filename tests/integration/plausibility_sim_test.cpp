@@ -12,6 +12,7 @@
 #include "tests/integration/fault_table.hpp"
 #include "tests/integration/value_faults.hpp"
 #include "tests/unit/sim/rooms.hpp"
+#include "tests/unit/support/times.hpp"
 
 namespace topo::test {
 namespace {
@@ -144,7 +145,8 @@ TEST(PlausibilitySim, NoFaultEndsInACollision) {
   for (const ValueFault& fault : faults) {
     for (const bool at_start : {true, false}) {
       Seen worst;
-      for (std::uint64_t seed = 1; seed <= 3; ++seed) suffer(fault, at_start, seed, worst);
+      for (int seed = 1; seed <= test::times(3, 1); ++seed)
+        suffer(fault, at_start, static_cast<std::uint64_t>(seed), worst);
       std::printf("%-48s %-6s %5.2f m %5.2f s  %s; back: %s\n", fault.name.c_str(),
                   at_start ? "start" : "0.7", worst.way_m, worst.time_s, worst.says.c_str(),
                   worst.back.c_str());

@@ -86,4 +86,6 @@ class RobotProcesses(unittest.TestCase):
 def main():
     """usage: TEST BIN_FOLDER SOURCE_FOLDER [unittest options]"""
     RobotProcesses.programs, RobotProcesses.source = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
-    unittest.main(module="__main__", verbosity=2)
+    done = unittest.main(module="__main__", verbosity=2, exit=False).result
+    # A pattern (-k) that names no test would pass without having tested anything.
+    sys.exit(0 if done.wasSuccessful() and done.testsRun > 0 else 1)

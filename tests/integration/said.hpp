@@ -23,7 +23,7 @@ inline std::string without_addresses(std::string words) {
     regex_t compiled = {};
     if (regcomp(
             &compiled,
-            R"( ?\(?((serial|tcp):)?(/tmp/[^ :)]*|127\.0\.0\.1:[0-9]+)\)?(: |, )?|journal-[0-9TZ.a-z]*: )",
+            R"( ?\(?((serial|tcp):)?(/tmp/[^ :)]*|127\.0\.0\.1:[0-9]+)\)?(: |, )?|(journal|log)-[0-9TZ.a-z]*: )",
             REG_EXTENDED) != 0)
       std::abort();
     return compiled;

@@ -302,9 +302,9 @@ class Sessions(RobotProcesses):
         (self.sessions / "empty.session").touch()
         self.start_daemon()
         wait_for(lambda: "found version 99" in self.ctl("start").stderr, "a refusal")
-        self.assertIn("found version 99, expected 2", self.ctl("doctor").stdout)
+        self.assertIn("found version 99, expected 3", self.ctl("doctor").stdout)
         listed = self.ctl("session", "list").stdout
-        self.assertRegex(listed, "journal-20260102T030405Z .* no session: found version 99, expected 2")
+        self.assertRegex(listed, "journal-20260102T030405Z .* no session: found version 99, expected 3")
         self.assertRegex(listed, "empty .* no session: the file is empty")
 
     def test_a_full_disk_is_told_and_mapping_goes_on(self):

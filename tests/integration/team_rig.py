@@ -15,7 +15,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "toolchain/lib"))
 from demo_processes import configure, end_with_parent  # noqa: E402
-from link_rig import Network, ip  # noqa: E402
+from link_rig import Network  # noqa: E402
 from robot_processes import wait_for  # noqa: E402
 
 TEAM = """
@@ -48,13 +48,6 @@ def look(path, method):
         return ask(path, {"jsonrpc": "2.0", "method": method, "id": 1}).get("result", {})
     except (OSError, ValueError):
         return {}
-
-
-class Air(Network):
-    """A radio in which it is decided who hears whom: isolated robots hear only those that are not."""
-
-    def isolate(self, robot, on=True):
-        ip("-n", self.air, "link", "set", "to%d" % robot, "type", "bridge_slave", "isolated", "on" if on else "off")
 
 
 class Building:
@@ -127,8 +120,7 @@ class TeamRobot:
         wait_for(lambda: self.status().get("map", {}).get("keyframes", 0) > 0, "%s with a map" % self.name, PATIENCE_S)
 
     def start_link(self):
-        inside = ["ip", "netns", "exec", self.rig.air.names[self.namespace()]]
-        self.link = self.spawn(self.link_log, *inside, self.rig.programs / "topolink", "--config", self.config)
+        self.link = self.spawn(self.link_log, *self.rig.air.rooms[self.namespace()], self.rig.programs / "topolink", "--config", self.config)
 
     def namespace(self):
         """The place of the robot in the building, and not its number: two may have one."""
@@ -187,15 +179,15 @@ class TeamRobot:
 
 
 class Rig:
-    """`domain`: of DDS; another one for each rig, so that none hears what an earlier one leaves."""
+    """`domain`: of DDS; another one for each rig, so that none hears what an earlier one leaves. `world`: the building."""
 
-    def __init__(self, programs, sources, folder, robots, domain):
+    def __init__(self, programs, sources, folder, robots, domain, world=None):
         self.programs, self.sources, self.folder, self.domain = pathlib.Path(programs), pathlib.Path(sources), folder, domain
         self.robots, self.teams = [], {}
-        self.air = Air(range(1, robots + 1))
+        self.air = Network(range(1, robots + 1))
         for number in range(1, robots + 1):
             self.air.plug(number)
-        self.building = Building(self.programs, folder, self.sources / "tests/integration/trio.toml", robots)
+        self.building = Building(self.programs, folder, world or self.sources / "tests/integration/trio.toml", robots)
 
     def credentials(self, number, authority="office"):
         """Folder of a robot's credentials; another authority of the same team's name makes false ones."""
@@ -220,6 +212,15 @@ class Rig:
             robot.close()
         self.building.close()
         self.air.close()
+
+
+def in_contact(robots, patience_s=PATIENCE_S):
+    """Until each hears all others; how long it took."""
+    begin = time.monotonic()
+    for robot in robots:
+        others = [other.number for other in robots if other is not robot]
+        wait_for(lambda r=robot, o=others: r.hears(*o), "%s hearing %s" % (robot.name, others), patience_s)
+    return time.monotonic() - begin
 
 
 def equal_sets(robots, what, patience_s=PATIENCE_S):

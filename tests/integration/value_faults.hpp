@@ -34,7 +34,7 @@ struct Matcher {
   const DriveRig& rig;
   bool other_robots = false;  ///< the scanner is on a robot that stands
   bool upside_down = false;
-  double carried_mps = 0.0;  ///< to the left, by somebody
+  double carried_mps = 0.0;  ///< to the left, over and above what the wheels do
   plausibility::MatchedMotion motion{};
   sim::Se2 last{};
 

@@ -38,12 +38,15 @@ bool has_spoilt_bytes(const Evidence& before, const Evidence& now) {
   };
   return grew("checksum_errors") || grew("resyncs") || grew("reconnects");
 }
-/// The daemon cannot tell a set clock from a late link at once; the device's own counter shows the step.
+/// The daemon cannot tell a set clock from a late link at once; the device's own counter shows the step. It
+/// is as long as the scanner has been on, which is a second when the fault before this one ended with its
+/// reset.
 template <std::size_t kLaser>
 bool has_stepped(const Evidence& before, const Evidence& now) {
+  constexpr double kStep_s = 0.1;  // 100 ppm of a minute are 0.006 s
   const double device_s =
       1e-3 * (static_cast<double>(now.moment.laser_ms[kLaser]) - before.moment.laser_ms[kLaser]);
-  return std::abs(device_s - (now.moment.truth.sim_s - before.moment.truth.sim_s)) > 2.0;
+  return std::abs(device_s - (now.moment.truth.sim_s - before.moment.truth.sim_s)) > kStep_s;
 }
 /// More bytes than status packets hold, 37 and three for each of the three or four echoes of a cycle; what
 /// has no header is no bad packet.

@@ -342,7 +342,7 @@ TEST_F(WireEventsOnce, AFirmwareWithoutAGoodWatchdogIsNotDriven) {
 }
 
 TEST(WireFaultsTable, HasEveryFaultThatToposimCanInject) {
-  std::set<std::string> named{"truth",    "status",      "remove-obstacle",              // no faults
+  std::set<std::string> named{"truth",    "status",      "remove-obstacle", "person",    // no faults
                               "obstacle", "stop-button", "bumper",          "battery"};  // events, above
   for (const auto& faults : {front_faults(), coronal_faults(), base_faults()})
     for (const WireFault& fault : faults)

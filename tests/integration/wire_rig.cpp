@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using sim::DeviceId;
 
-constexpr double kStart_x_m = 2.0, kEnd_x_m = 30.0;
+constexpr double kEnd_x_m = 30.0, kMiddle_y_m = 4.0;  // the hall begins at x = 0
 
 types::Duration from_s(double seconds) { return types::from_seconds(seconds); }
 
@@ -49,7 +49,9 @@ std::unique_ptr<WireRig> WireRig::start(const WireSetup& setup) {
   rig->setup_ = setup;
   if (setup.journal) std::filesystem::create_directories(rig->sessions());
   std::filesystem::create_directories(rig->state_folder());
-  if (!rig->start_simulator(setup) || !rig->start_daemon()) return nullptr;
+  if (!rig->start_simulator(setup)) return nullptr;
+  rig->map_begins_here();
+  if (!rig->start_daemon()) return nullptr;
   return rig;
 }
 
@@ -127,6 +129,7 @@ WireRig::~WireRig() { end_daemon(); }
 
 void WireRig::restart_daemon() {
   end_daemon();
+  map_begins_here();
   EXPECT_TRUE(start_daemon());
 }
 
@@ -139,6 +142,7 @@ void WireRig::kill_daemon(const std::function<void()>& meanwhile, const std::fun
   EXPECT_EQ(process_->wait(), 128 + SIGKILL);
   process_.reset();
   meanwhile();
+  if (!setup_.journal) map_begins_here();  // a session goes on in its map
   EXPECT_TRUE(start_daemon());
 }
 
@@ -218,12 +222,17 @@ bool WireRig::wait(double seconds, const std::function<bool()>& is_so) {
   return true;
 }
 
+void WireRig::map_begins_here() { world_from_map_ = moment().truth.pose; }
+
 void WireRig::order_down_the_hall(bool to_the_east) {
-  const double here_m = moment().truth.pose.x_m - kStart_x_m;
+  constexpr double kOffEnd_m = 2.0;
+  const double here_m = moment().truth.pose.x_m;
   // Far away the beams are wider apart than the cells: what lies there is not known at first, and refused.
   for (const double way_m : {26.0, 22.0, 18.0, 14.0, 10.0}) {
-    const double x_m = std::clamp(to_the_east ? here_m + way_m : here_m - way_m, 0.0, 25.5);
-    if (!try_ask("goto", {{"x_m", x_m}, {"y_m", 0.0}})) continue;
+    const double x_m =
+        std::clamp(to_the_east ? here_m + way_m : here_m - way_m, kOffEnd_m, kEnd_x_m - kOffEnd_m);
+    const types::Vector2 to = world_from_map_.inverse() * types::Vector2{x_m, kMiddle_y_m};
+    if (!try_ask("goto", {{"x_m", to.x()}, {"y_m", to.y()}})) continue;
     to_the_east_ = to_the_east;
     return;
   }

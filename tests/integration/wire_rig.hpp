@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/types/se2.hpp"
 #include "daemon/app/app.hpp"
 #include "daemon/topoctl/client.hpp"
 #include "tests/integration/child_process.hpp"
@@ -128,6 +129,8 @@ class WireRig {
   [[nodiscard]] std::string state_folder() const { return folder_.file("state"); }
   [[nodiscard]] std::string socket() const { return folder_.file("control.sock"); }
   std::string configuration();
+  /// The next daemon's map has its origin where the robot stands now.
+  void map_begins_here();
   void order_down_the_hall(bool to_the_east);
 
   WireSetup setup_;
@@ -139,6 +142,7 @@ class WireRig {
   types::Status ran_;
   std::optional<daemon::Client> client_;
   bool to_the_east_ = false;  ///< the last order
+  types::Se2 world_from_map_;
   MachineWatch machine_;
 };
 

@@ -28,12 +28,13 @@ std::string Difficulty::text() const {
   return fmt::format(
       "{}difficulty: range noise {:g} mm to {:g} m and {:g} mm beyond; {:g} % dropouts; mixed pixels at {:g} "
       "% of "
-      "depth edges over {:g} m; glass {}; wheel scale errors {:g} %, track error {:g} %; {}; sonar noise "
+      "depth edges over {:g} m; glass {}; wheel scale errors {:g} %, track error {:g} %{}; {}; sonar noise "
       "{:g} %, {:g} % dropouts",
       *this == Difficulty{} ? "" : "CHANGED ", 1e3 * range_sigma_near_m, range_sigma_split_m,
       1e3 * range_sigma_far_m, 100.0 * dropout_probability, 100.0 * mixed_pixel_probability,
       mixed_pixel_step_m, glass_transparent ? "by scene" : "opaque", 100.0 * wheel_scale_error,
-      100.0 * track_error, slip, 100.0 * sonar_relative_sigma, 100.0 * sonar_dropout_probability);
+      100.0 * track_error, skid > 0.0 ? fmt::format(", skid {:g} % of every turn", 100.0 * skid) : "", slip,
+      100.0 * sonar_relative_sigma, 100.0 * sonar_dropout_probability);
 }
 
 }  // namespace topo::sim

@@ -21,6 +21,7 @@ struct Difficulty {
   // Wheels. Signs are drawn from the seed, sizes are fixed.
   double wheel_scale_error = 0.02;  ///< of each wheel's travel, sign drawn per wheel
   double track_error = 0.05;        ///< of the effective track
+  double skid = 0.0;                ///< share of every turn that the wheels count and the robot does not make
   double slip_interval_s = 20.0;    ///< mean driving time between two bursts
   double slip_duration_min_s = 0.2;
   double slip_duration_max_s = 0.8;

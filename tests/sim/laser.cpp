@@ -49,13 +49,16 @@ LaserSimulator::LaserSimulator(const World& world, LaserModel model, LaserMount 
 
 Ray LaserSimulator::beam(int step, const Se2& pose) const {
   const Vector2 origin = pose * Vector2(mount_.x_m, mount_.y_m);
+  const double side = mount_.mirrored ? -1.0 : 1.0;
   const double angle = model_.angle_rad(step);
   const double yaw = pose.theta_rad + mount_.yaw_rad;
   if (mount_.plane == ScanPlane::kLevel) {
-    return {origin.x(), origin.y(), mount_.z_m, std::cos(yaw + angle), std::sin(yaw + angle), 0.0};
+    return {origin.x(), origin.y(), mount_.z_m, std::cos(yaw + side * angle), std::sin(yaw + side * angle),
+            0.0};
   }
-  const double left = std::sin(angle);
-  return {origin.x(), origin.y(), mount_.z_m, -std::sin(yaw) * left, std::cos(yaw) * left, std::cos(angle)};
+  const double rolled = angle + mount_.roll_rad;
+  const double left = side * std::sin(rolled);
+  return {origin.x(), origin.y(), mount_.z_m, -std::sin(yaw) * left, std::cos(yaw) * left, std::cos(rolled)};
 }
 
 void LaserSimulator::cast_all(SimTime step0, const PoseAt& pose_at, Random& random) {

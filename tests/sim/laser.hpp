@@ -53,6 +53,8 @@ struct LaserMount {
   double x_m = 0.0, y_m = 0.0, z_m = 0.30;
   double yaw_rad = 0.0;  ///< rotates the plane about the vertical
   ScanPlane plane = ScanPlane::kLevel;
+  double roll_rad = 0.0;  ///< coronal: turn of angle 0 from straight up, to the left
+  bool mirrored = false;  ///< angles count the other way: mounted upside down, or looking backward
 };
 
 /// One turn of the mirror, as measured by the sensor.

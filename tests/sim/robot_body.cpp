@@ -12,6 +12,11 @@ namespace {
 
 constexpr SimTime kMemory{1'000'000'000};
 
+// A pressed bumper comes free after a few millimetres of way back. Nearer than that a contact goes on: where
+// a step is blocked a shorter one may fit (a robot that brakes, a wheel that slips), which is no new
+// collision.
+constexpr double kBumperTravelM = 0.005;
+
 Prism body_prism(const RobotModel& model, const Polygon& footprint, const Se2& pose) {
   return {transformed(footprint, pose), model.clearance_m, model.height_m};
 }
@@ -82,16 +87,17 @@ void RobotBody::step(double dt_s, double left_mps, double right_mps) {
   if (driving) {
     const double left_m = left_mps * dt_s * scale_left_ * (1.0 - loss_left_);
     const double right_m = right_mps * dt_s * scale_right_ * (1.0 - loss_right_);
-    const Se2 next = pose_ * arc(left_m, right_m, true_track_m_);
+    const double track_m = true_track_m_ / (1.0 - difficulty_.skid);
+    const Se2 next = pose_ * arc(left_m, right_m, track_m);
     if (blocked_at(next)) {
       note_contact(last_touch_, left_mps, right_mps);
       encoder_left_mps_ = encoder_right_mps_ = 0.0;
       twist_ = {};
     } else {
-      contact_ = {};
-      twist_ = {0.5 * (left_m + right_m) / dt_s, (right_m - left_m) / true_track_m_ / dt_s};
+      twist_ = {0.5 * (left_m + right_m) / dt_s, (right_m - left_m) / track_m / dt_s};
       path_m_ += std::abs(0.5 * (left_m + right_m));
       pose_ = next;
+      leave_contact();
       encoder_left_m_ += left_mps * dt_s;
       encoder_right_m_ += right_mps * dt_s;
       publish();
@@ -106,6 +112,7 @@ void RobotBody::step(double dt_s, double left_mps, double right_mps) {
 void RobotBody::note_contact(const Touch& touch, double left_mps, double right_mps) {
   if (contact_.side == ContactSide::kNone) ++collisions_;
   contact_ = {};
+  contact_.at = pose_;
   contact_.point = touch.point;
   contact_.stall_left = left_mps != 0.0;
   contact_.stall_right = right_mps != 0.0;
@@ -126,6 +133,13 @@ void RobotBody::note_contact(const Touch& touch, double left_mps, double right_m
   } else {
     contact_.side = aside > 0.0 ? ContactSide::kLeft : ContactSide::kRight;
   }
+}
+
+void RobotBody::leave_contact() {
+  contact_.stall_left = contact_.stall_right = false;
+  const Se2 moved = contact_.at.inverse() * pose_;
+  const double turned_m = std::abs(moved.theta_rad) * std::hypot(contact_.point.x(), contact_.point.y());
+  if (std::hypot(moved.x_m, moved.y_m) + turned_m > kBumperTravelM) contact_ = {};
 }
 
 void RobotBody::remember() {

@@ -8,6 +8,7 @@
 
 #include "core/types/stamp.hpp"
 #include "core/types/transform.hpp"
+#include "core/types/wheel_calibration.hpp"
 #include "tests/sim/difficulty.hpp"
 #include "tests/sim/random.hpp"
 #include "tests/sim/robot_model.hpp"
@@ -28,6 +29,7 @@ struct Contact {
   std::uint8_t bumpers_rear = 0;
   bool stall_left = false;  ///< the wheel is commanded to turn and cannot
   bool stall_right = false;
+  Se2 at;  ///< T_building_base of the last step that was blocked
 };
 
 /// True differential-drive motion of one robot. Wheel speeds come from the firmware and are exact at the
@@ -54,6 +56,10 @@ class RobotBody {
   [[nodiscard]] double encoder_right_mps() const { return encoder_right_mps_; }
   [[nodiscard]] const Contact& contact() const { return contact_; }
   [[nodiscard]] std::uint64_t collisions() const { return collisions_; }  ///< contacts begun since the start
+  /// What the wheels really are, against what the firmware reckons with.
+  [[nodiscard]] types::WheelCalibration true_wheels() const {
+    return {scale_left_, scale_right_, true_track_m_};
+  }
   [[nodiscard]] bool slipping() const { return slip_left_s_ > 0.0; }
   [[nodiscard]] double path_m() const { return path_m_; }  ///< length of the true path
   [[nodiscard]] SimTime now() const { return now_; }
@@ -73,6 +79,7 @@ class RobotBody {
   void draw_slip(double dt_s, bool driving);
   bool blocked_at(const Se2& pose);
   void note_contact(const Touch& touch, double left_mps, double right_mps);
+  void leave_contact();
   void remember();
   void publish();
 

@@ -46,6 +46,11 @@ struct Options {
   std::string control;
   std::string truth;
   std::string difficulty = "fixed";
+  std::vector<double> front_mount;
+  bool front_upside_down = false;
+  double coronal_roll_deg = 0.0;
+  bool coronal_backward = false;
+  std::optional<double> wheel_error, track_error;
   int watchdog_ms = 2000;
   double battery_volts = 12.7;
   bool die_with_parent = false;
@@ -164,6 +169,39 @@ void add_options(CLI::App& app, Options& o) {
   ctl->add_option("COMMAND", o.ctl_words, "name and KEY=VALUE arguments")->required()->expected(1, 32);
 }
 
+/// A robot that is not as its configuration says.
+void add_mount_options(CLI::App& app, Options& o) {
+  app.add_option("--front-mount", o.front_mount,
+                 "place of the front scanners from the centre, m, and yaw in degrees (0.021 0 0)")
+      ->type_name("X Y DEG")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->type_size(3);
+  app.add_flag("--front-upside-down", o.front_upside_down, "the front scanners' beams run clockwise");
+  app.add_option("--coronal-roll", o.coronal_roll_deg,
+                 "turn of the coronal scanners' zero beam from up, degrees")
+      ->type_name("DEG")
+      ->check(CLI::Range(-360.0, 360.0));
+  app.add_flag("--coronal-backward", o.coronal_backward,
+               "the coronal scanners' beams run from left to right");
+  app.add_option("--wheel-error", o.wheel_error, "of each wheel's travel, signs by the seed (0.02)")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.0, 0.2));
+  app.add_option("--track-error", o.track_error, "of the track, sign by the seed (0.05)")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.0, 0.2));
+}
+
+void mount_scanners(const Options& o, sim::RobotConfig& robot) {
+  if (o.front_mount.size() == 3) {
+    robot.front_mount.x_m = o.front_mount[0];
+    robot.front_mount.y_m = o.front_mount[1];
+    robot.front_mount.yaw_rad = o.front_mount[2] * types::kDegree_rad;
+  }
+  robot.front_mount.mirrored = o.front_upside_down;
+  robot.coronal_mount.roll_rad = o.coronal_roll_deg * types::kDegree_rad;
+  robot.coronal_mount.mirrored = o.coronal_backward;
+}
+
 types::Result<sim::RobotConfig> robot_config(const Options& o, std::size_t i) {
   namespace fs = std::filesystem;
   fs::path folder = o.pty_folder;
@@ -172,6 +210,7 @@ types::Result<sim::RobotConfig> robot_config(const Options& o, std::size_t i) {
   robot.model = o.model;
   robot.watchdog_ms = o.watchdog_ms;
   robot.battery_volts = o.battery_volts;
+  mount_scanners(o, robot);
   if (o.starts.size() >= 3 * (i + 1))
     robot.start = {o.starts[3 * i], o.starts[3 * i + 1], o.starts[3 * i + 2]};
   if (o.pty_folder.empty() && o.ports == "standard") {
@@ -226,6 +265,8 @@ types::Result<sim::RigConfig> rig_config(const Options& o) {
   config.truth_file = o.truth;
   config.control_socket = o.control;
   if (o.difficulty == "none") config.difficulty = sim::Difficulty::none();
+  if (o.wheel_error) config.difficulty.wheel_scale_error = *o.wheel_error;
+  if (o.track_error) config.difficulty.track_error = *o.track_error;
   for (std::size_t i = 0; i < static_cast<std::size_t>(o.robots); ++i) {
     auto robot = robot_config(o, i);
     if (!robot.has_value()) return tl::unexpected(robot.error());
@@ -356,6 +397,7 @@ int start(int argc, char** argv) {
   app.footer(footer());
   app.set_version_flag("--version", "toposim " TOPO_VERSION, "print the version and exit");
   add_options(app, options);
+  add_mount_options(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

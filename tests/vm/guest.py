@@ -19,8 +19,13 @@ KERNEL = "linux-image-amd64"  # the "cloud" flavour is built without CAN
 MODULES = ["virtio_pci", "9pnet_virtio", "9p", "can", "can-raw", "vcan", "can-dev", "kvaser_pci", "sch_tbf", "sch_prio"]
 PROGRAMS = {"qemu-system-x86_64": "qemu-system-x86", "busybox": "busybox-static", "cpio": "cpio", "modprobe": "kmod",
             "depmod": "kmod", "dpkg-deb": "dpkg", "ip": "iproute2", "tc": "iproute2"}
-MEMORY_MB = 1024
 DONE = re.compile(r"^\[guest\] status (\d+)", re.MULTILINE)
+# Two processors, each as fast as this machine can emulate it at the moment, and this machine's time.
+FAST = ["-smp", "2", "-m", "1024"]
+# A guest that keeps time however busy this machine is: its clock advances by 2 ns an instruction while it computes, and by
+# this machine's clock while it waits. QEMU 7.2 counts instructions of several processors only very slowly. The clock
+# that goes on while the guest is suspended is this machine's.
+PUNCTUAL = ["-smp", "1", "-m", "512", "-icount", "shift=1,sleep=on", "-rtc", "clock=host"]
 # /tmp, /run and the like are the guest's own; `shared` is this machine's, to be written to.
 INIT = """#!/bin/busybox sh
 b=/bin/busybox
@@ -128,16 +133,16 @@ def share(tag, path, read_only):
     return ["-fsdev", options, "-device", "virtio-9p-pci,fsdev=%s,mount_tag=%s" % (tag, tag)]
 
 
-def run(cache, script, shared, visible, limit_s):
+def run(cache, script, shared, visible, limit_s, processors=FAST):
     """Runs a bash script in the guest, which it powers off afterwards, and prints what it says. `shared`: a folder that
-    the guest may write to; `visible`: folders under /tmp or /root that it must see. Returns the script's status (124 when the time was
-    up, 125 when the guest did not come to an end) and all that was said."""
+    the guest may write to; `visible`: folders under /tmp or /root that it must see; `processors`: FAST or PUNCTUAL. Returns
+    the script's status (124 when the time was up, 125 when the guest did not come to an end) and all that was said."""
     check_programs()
     image, modules = kernel(cache)
     (shared / "run").write_text(script)
     with tempfile.TemporaryDirectory(prefix="topometric-guest-") as holder:
         command = ["qemu-system-x86_64", "-nodefaults", "-no-user-config", "-no-reboot", "-display", "none",
-                   "-machine", "q35,accel=tcg", "-cpu", "max", "-smp", "2", "-m", str(MEMORY_MB), "-kernel", image,
+                   "-machine", "q35,accel=tcg", "-cpu", "max", *processors, "-kernel", image,
                    "-initrd", initrd(pathlib.Path(holder), modules, shared, visible), "-append",
                    "console=ttyS0 quiet panic=-1 mitigations=off random.trust_cpu=on", "-serial", "stdio",
                    # two controllers on one bus, as hardware has them
@@ -170,6 +175,8 @@ def watch(command, limit_s):
             for line in guest.stdout:
                 text += line
                 print(line.rstrip(), flush=True)
+                if DONE.match(line):
+                    guest.kill()  # one that was suspended does not always power off
         finally:
             timer.cancel()
     if out_of_time.is_set():

@@ -94,7 +94,7 @@ def minimal_debian(cache):
 def make_package(build, folder):
     done = subprocess.run(["cpack", "-G", "DEB", "--config", str(build / "CPackConfig.cmake"), "-B", str(folder / "cpack")],
                           capture_output=True, text=True, check=False)
-    packages = list((folder / "cpack").glob("*.deb"))
+    packages = list((folder / "cpack").glob("topometric_*.deb"))
     if done.returncode != 0 or len(packages) != 1:
         sys.exit("cpack: status %d, packages %s\n%s%s" % (done.returncode, packages, done.stdout[-3000:], done.stderr[-3000:]))
     shutil.move(packages[0], folder / "topometric.deb")

@@ -23,11 +23,13 @@ import demo_radio
 import demo_record
 import demo_report
 import demo_robot
+import demo_view
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 RESULTS = ("map.pgm", "map.yaml", "cloud.ply", "places.geojson", "overview.png")
 PICTURES = ("ways.png", "coverage.png", "goals.png")
-ALSO = (*PICTURES, "judge.png", "report.json", "samples.json", "trajectory.txt", "goals.json", "topometricd.log", "truth.tsv")
+ALSO = (*PICTURES, "judge.png", "report.json", "samples.json", "trajectory.txt", "goals.json", "topometricd.log",
+        "topoview.log", "truth.tsv")
 POLL_PERIOD_S = 0.5
 AIR_PERIOD_S = 0.2  # at 0.7 m/s a range is kept to within 0.3 m
 SETTLE_LIMIT_S = 60  # after ten minutes apart all is held by all within a minute
@@ -103,6 +105,19 @@ class Demo:
             time.sleep(AIR_PERIOD_S)
             self.follow()
         time.sleep(max(0.0, end - time.monotonic()))
+
+    def hold(self):
+        """With --view: everything stays as it is for who looks at the page, until Ctrl-C."""
+        if not self.options.view:
+            return
+        print("all is saved; the page stays at %s until Ctrl-C" % self.page, flush=True)
+        try:
+            while True:
+                for robot in self.robots:
+                    robot.check_alive()
+                self.pause()
+        except KeyboardInterrupt:
+            print()
 
     def explore(self):
         self.begin_s, wall_end = self.truths()[0], time.monotonic() + WALL_TIME_FACTOR * self.options.time_limit
@@ -193,7 +208,7 @@ class Demo:
             if status != 0:
                 self.why.append("topometricd of %s ended with status %s" % (robot.name, status))
         self.processes.end_all()
-        for path in (*self.folder.glob("topometricd*.log"), *self.folder.glob("topolink*.log"), *self.folder.glob("truth.tsv*")):
+        for path in (*self.folder.glob("topometricd*.log"), *self.folder.glob("topolink*.log"), *self.folder.glob("topoview.log"), *self.folder.glob("truth.tsv*")):
             shutil.copy(path, self.out)
 
     def judge(self, robot):
@@ -232,8 +247,11 @@ class Demo:
         self.lay_network()
         self.start_simulator()
         self.start_daemons()
+        self.page = demo_view.start(self.robots[0], self.processes)
+        print("page: %s" % self.page, flush=True)
         self.explore()
         self.save()
+        self.hold()
         self.stop()
         judged = [self.judge(robot) for robot in self.robots]
         self.draw(judged)
@@ -267,6 +285,7 @@ def main():
     parser.add_argument("--entry-delay", type=float, default=0.0)
     parser.add_argument("--time-limit", type=int, required=True)
     parser.add_argument("--radio", dest="radio_text", default="perfect")
+    parser.add_argument("--view", action="store_true")
     options = parser.parse_args()
     try:
         options.radio = demo_radio.parse(options.radio_text, options.time_limit)

@@ -6,7 +6,7 @@ BEFORE_S = -1.0  # the time before the start, when no cut has begun
 
 
 class Air:
-    """`network`: has switch() and part(), as demo_network.Network; None: nothing can be kept from anybody. `gaps`: [from, to]
+    """`network`: has switch_all() and part(), as demo_network.Network; None: nothing can be kept from anybody. `gaps`: [from, to]
     in seconds since the start, while not every robot was in direct reach of every other; `to` is None while it lasts."""
 
     def __init__(self, radio, network):
@@ -17,7 +17,7 @@ class Air:
         """Brings the network to what holds at this time, where the robots are there; `places`: [(x, y), ...] in m."""
         cut, far = self.radio.is_cut(elapsed_s), self.radio.far_pairs(places)
         if cut != self.cut:
-            self.network.switch(not cut)
+            self.network.switch_all(not cut)
         if far != self.far:
             self.network.part(far)
         was_apart, is_apart = bool(self.cut or self.far), bool(cut or far)

@@ -7,7 +7,7 @@ import itertools
 from PIL import Image, ImageDraw, ImageFont
 
 INK, LINE, GAP = (60, 60, 60), (222, 222, 222), (238, 232, 214)
-# Told apart by people who do not see all colours (Okabe and Ito), of a team of eight.
+# Colours that remain distinct under colour blindness (Okabe and Ito), for a team of eight.
 COLOURS = ((213, 94, 0), (0, 114, 178), (0, 158, 115), (204, 121, 167), (120, 94, 240), (160, 120, 0), (86, 180, 233), (90, 90, 90))
 LEFT, RIGHT, TOP, BOTTOM = 64, 16, 46, 34
 WIDTH = 960

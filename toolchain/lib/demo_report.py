@@ -107,7 +107,7 @@ def tell(report, out):
         report["peak_rss_mb"]))
     for number, each in enumerate(report.get("each", []), 1):
         print("robot %d: home after %s s, %s of the area in its map, %.1f kB sent, link %.1f %% of a core" % (
-            number, each["t_home_s"], "-" if each["covered"] is None else "%.1f %%" % (100 * each["covered"]),
+            number, "-" if each["t_home_s"] is None else "%.1f" % each["t_home_s"], "-" if each["covered"] is None else "%.1f %%" % (100 * each["covered"]),
             (each["sent_bytes"] or 0) / 1e3, each["link_cpu_percent"]))
     for cut in report.get("radio", {}).get("cuts", []):
         print("cut from %g to %g s: caught up %s s after it, all held the same %s s after it" % (

@@ -10,6 +10,7 @@ import subprocess
 import time
 
 import demo_processes
+import demo_view
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 READY_LIMIT_S = 60
@@ -56,6 +57,7 @@ class Robot:
         self.link_log = "topolink" + suffix
         self.socket = folder / ("control%s.sock" % suffix)
         self.config = folder / ("topometric%s.toml" % suffix)
+        self.view_folder, self.view_port = folder / ("view%s" % suffix), demo_view.free_port()
         self.link_socket = folder / ("link%s.sock" % suffix)
         self.status, self.team, self.begin_s, self.home_s, self.waiter = {}, {}, None, None, None
 
@@ -67,7 +69,8 @@ class Robot:
         return json.loads(done.stdout) if done.returncode == 0 else {}
 
     def configuration(self):
-        values = {("control", "socket"): str(self.socket), ("exploration", "strategy"): self.options.strategy,
+        values = {("control", "socket"): str(self.socket), ("view", "state_folder"): str(self.view_folder),
+                  ("view", "port"): self.view_port, ("exploration", "strategy"): self.options.strategy,
                   ("exploration", "finish"): self.options.finish}
         for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
             values[section, "address"] = self.devices[device]["address"]

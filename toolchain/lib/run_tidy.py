@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Topometric authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""clang-tidy over the entries of a compile_commands.json, a file at a time, clean ones remembered."""
+"""clang-tidy over the entries of a compile_commands.json, clean ones remembered.
+
+Most of its time goes into the headers of a file. Files of one folder with the same flags are therefore looked at together
+first, as the build compiles them; only where that is not clean is each looked at alone, and that is what is told."""
 
 import argparse
 import concurrent.futures
@@ -12,66 +15,112 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 import time
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("core", "drivers", "daemon")
-
-
-# What clang-tidy reads in comments: what it shall not say, and names of arguments.
-MARKS = re.compile(rb"NOLINT\w*(?:\([^)\n]*\))?|/\*[^\n]*?\*/")
-# Where a line stands is no part of the verdict: a comment above it may have grown.
-LINE_NUMBER = re.compile(rb"^# \d+ ", re.M)
+TOGETHER = 8  # CMAKE_UNITY_BUILD_BATCH_SIZE
 EMPTY_LINES = re.compile(rb"\n\s*\n")
 
 
-def key_of(entry, version):
-    """A hash of everything that clang-tidy's verdict depends on, or None when the file does not preprocess."""
-    # The checks in effect for this file: a folder may have rules of its own.
-    rules = subprocess.run(["clang-tidy", "--dump-config", entry["file"], "--"], capture_output=True, check=True).stdout
-    command = [word for word in shlex.split(entry["command"]) if not word.endswith("ccache")]
-    if "-o" in command:
-        at = command.index("-o")
-        del command[at : at + 2]
-    command = [word for word in command if word != "-c"]
-    texts = []
-    for more in (["-dD", "-dI"], ["-C"]):
-        done = subprocess.run([*command, "-E", *more], cwd=entry["directory"], capture_output=True, check=False)
-        if done.returncode != 0:
-            return None
-        texts.append(done.stdout)
-    code = EMPTY_LINES.sub(b"\n", LINE_NUMBER.sub(b"# ", texts[0]))
-    marks = b"\n".join(MARKS.findall(texts[1]))
-    # Where the tree stands is no part of the verdict: a fresh clone has the same keys.
-    here = str(TOP).encode()
-    parts = [version, rules, " ".join(command).encode(), code, marks]
-    return hashlib.sha256(b"\0".join(part.replace(here, b"TOP") for part in parts)).hexdigest()
+def flags_of(entry):
+    """Of the compiler, without the file and what it writes."""
+    words = [word for word in shlex.split(entry["command"])[1:] if word != "-c" and not word.endswith(("ccache", entry["file"]))]
+    if words and pathlib.Path(words[0]).name.startswith("clang"):
+        del words[0]
+    if "-o" in words:
+        at = words.index("-o")
+        del words[at : at + 2]
+    return words
 
 
-def check(entry, database, version, cache):
-    """(file, seconds, output or None when clean)."""
-    start = time.monotonic()
-    key = key_of(entry, version)
-    if key and (cache / key).exists():
-        return entry["file"], 0.0, None
+def batches(entries):
+    """Neighbours of one folder with equal flags, as many as the build puts together."""
+    batch = []
+    for entry in entries:
+        alike = batch and os.path.dirname(batch[0]["file"]) == os.path.dirname(entry["file"]) and flags_of(batch[0]) == flags_of(entry)
+        if batch and (not alike or len(batch) == TOGETHER):
+            yield batch
+            batch = []
+        batch.append(entry)
+    if batch:
+        yield batch
+
+
+def together(entries):
+    """The text of one file that includes all of them."""
+    return "".join('#include "%s"\n' % entry["file"] for entry in entries)
+
+
+def key_of(entries, version):
+    """A hash of everything that clang-tidy's verdict on them depends on, or None when they do not preprocess. They are of
+    one folder and have the same flags."""
+    # The checks in effect there: a folder may have rules of its own.
+    rules = subprocess.run(["clang-tidy", "--dump-config", entries[0]["file"], "--"], capture_output=True, check=True).stdout
+    flags = flags_of(entries[0])
+    # With macros, include lines and comments, among them what clang-tidy shall not say and names of arguments. Where a line
+    # stands is no part of the verdict.
+    done = subprocess.run(["clang++", *flags, "-E", "-P", "-C", "-dD", "-dI", "-x", "c++", "-"],
+                          input=together(entries).encode(), cwd=entries[0]["directory"], capture_output=True, check=False)
+    if done.returncode != 0:
+        return None
+    # Nor where the tree stands: a fresh clone has the same keys.
+    parts = [part.replace(str(TOP).encode(), b"TOP")
+             for part in (version, rules, " ".join(flags).encode(), EMPTY_LINES.sub(b"\n", done.stdout))]
+    return hashlib.sha256(b"\0".join(parts)).hexdigest()
+
+
+def are_clean_together(entries):
+    """clang-tidy sees the one file in their folder: that folder's rules hold for it."""
+    folder = os.path.dirname(entries[0]["file"])
+    with tempfile.TemporaryDirectory() as name:
+        content, overlay = pathlib.Path(name) / "content", pathlib.Path(name) / "overlay"
+        content.write_text(together(entries))
+        file = {"name": "together.cpp", "type": "file", "external-contents": str(content)}
+        overlay.write_text(json.dumps({
+            "version": 0, "use-external-names": False,
+            "roots": [{"name": folder, "type": "directory", "contents": [file]}]}))
+        # That it includes .cpp files is its purpose.
+        done = subprocess.run(
+            ["clang-tidy", "--quiet", f"--vfsoverlay={overlay}", "--checks=-bugprone-suspicious-include",
+             folder + "/together.cpp", "--", *flags_of(entries[0])],
+            cwd=entries[0]["directory"], capture_output=True, check=False)
+    return done.returncode == 0
+
+
+def check_alone(entry, database):
+    """Output, or None when clean."""
     done = subprocess.run(
         ["clang-tidy", "--quiet", "-p", str(database.parent), entry["file"]],
         capture_output=True,
         text=True,
         check=False,
     )
-    if done.returncode == 0:
-        if key:
-            (cache / key).touch()
-        return entry["file"], time.monotonic() - start, None
-    return entry["file"], time.monotonic() - start, done.stdout + done.stderr
+    return None if done.returncode == 0 else done.stdout + done.stderr
+
+
+def check(batch, database, version, cache):
+    """(whether a clean run is remembered, seconds, output by file of those that are not clean)"""
+    start = time.monotonic()
+    key = key_of(batch, version)
+    if key and (cache / key).exists():
+        return True, 0.0, {}
+    found = {}
+    if len(batch) == 1 or not are_clean_together(batch):
+        outputs = {entry["file"]: check_alone(entry, database) for entry in batch}
+        found = {file: output for file, output in outputs.items() if output is not None}
+    if key and not found:
+        (cache / key).touch()
+    return False, time.monotonic() - start, found
 
 
 def chosen(entries, files):
+    # A file that a test builds again, with other definitions, is looked at as the product builds it.
+    by_file = {entry["file"]: entry for entry in reversed(entries)}
     if not files:
         rooms = tuple(str(TOP / room) + os.sep for room in ROOMS)
-        return [entry for entry in entries if entry["file"].startswith(rooms)]
-    by_file = {entry["file"]: entry for entry in entries}
+        return [entry for entry in entries if entry["file"].startswith(rooms) and entry is by_file[entry["file"]]]
     wanted = [str(pathlib.Path(file).resolve()) for file in files]
     missing = [file for file in wanted if file not in by_file]
     if missing:
@@ -92,14 +141,13 @@ def main():
         raise SystemExit("check-tidy: nothing to check")
     failed = remembered = 0
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        for file, seconds, output in pool.map(
-            lambda entry: check(entry, arguments.database, version, cache), entries
-        ):
-            name = os.path.relpath(file, TOP)
-            remembered += seconds == 0.0
-            failed += output is not None
-            if output is not None:
-                print(f"{name}: {seconds:.1f} s\n{output}", flush=True)
+        work = list(batches(entries))
+        results = pool.map(lambda batch: check(batch, arguments.database, version, cache), work)
+        for batch, (known, seconds, found) in zip(work, results):
+            remembered += len(batch) if known else 0
+            failed += len(found)
+            for file, output in found.items():
+                print(f"{os.path.relpath(file, TOP)} ({len(batch)} in {seconds:.1f} s)\n{output}", flush=True)
     print(f"check-tidy: {len(entries)} files, {remembered} unchanged since a clean run, {failed} with findings")
     return 1 if failed else 0
 

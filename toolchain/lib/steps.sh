@@ -68,6 +68,27 @@ step() {
   return $status
 }
 
+# meanwhile LOG COMMAND...: runs it in the background until it ends or the script does, on what the steps leave of the
+# processors. Of what it builds, steps run the same command again: build() waits for what builds in its folder. What became
+# of the command itself became_of_meanwhile tells.
+meanwhile() {
+  meanwhile_log=$1
+  shift
+  rm -f "$meanwhile_log.status"
+  # A session of its own: the kernel weighs sessions first (sched(7), autogroups), then the threads of each.
+  setsid bash -c 'echo 19 >/proc/self/autogroup; chrt --idle --pid 0 $$ && "${@:2}"; echo $? >"$1.status"' meanwhile \
+    "$meanwhile_log" "$@" </dev/null >"$meanwhile_log" 2>&1 &
+  meanwhile_job=$!
+  trap 'kill -TERM -- "-$meanwhile_job" 2>/dev/null' EXIT
+}
+
+# became_of_meanwhile: waits for it, shows the end of its log and returns its status.
+became_of_meanwhile() {
+  tail --pid="$meanwhile_job" -f /dev/null
+  tail -n 200 "$meanwhile_log"
+  return "$(cat "$meanwhile_log.status" || echo 1)"
+}
+
 # skip_step NAME WHY: a step that cannot run because one before it failed, or for want of time. It failed too.
 skip_step() {
   printf '\n== %s: not run, %s\n' "$1" "$2"

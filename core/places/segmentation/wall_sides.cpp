@@ -23,14 +23,17 @@ std::uint32_t label_beside(const DenseMap& map, Labels labels, const types::Vect
   return 0;
 }
 
-/// Calls f(a, b) for every step of a wall with labels on both sides.
+/// Calls f(a, b) for every step of a wall with labels on both sides. Steps lie evenly about the middle of the
+/// wall: turned round it has the very same points, also where they are on the border of two cells.
 template <class F>
 void for_each_step(const DenseMap& map, Labels labels, const Segment& wall, const WallSideParams& params,
                    F&& f) {
   const double length_m = wall.length_m();
   const types::Vector2 along = (wall.b - wall.a) / length_m, across(-along.y(), along.x());
-  for (double d = 0.5 * params.step_m; d < length_m; d += params.step_m) {
-    const types::Vector2 p = wall.a + d * along;
+  const types::Vector2 middle = 0.5 * (wall.a + wall.b);
+  const double steps = std::ceil(length_m / params.step_m - 0.5);
+  for (double i = 0.5 - 0.5 * steps; i < 0.5 * steps; ++i) {
+    const types::Vector2 p = middle + i * params.step_m * along;
     const std::uint32_t a = label_beside(map, labels, p, across, params.reach_m);
     if (a == 0) continue;
     const std::uint32_t b = label_beside(map, labels, p, -across, params.reach_m);

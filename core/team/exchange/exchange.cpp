@@ -3,20 +3,20 @@
 #include "core/team/exchange/exchange.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "core/slam/keyframe_codec.hpp"
 #include "core/team/exchange/codecs.hpp"
 #include "core/team/exchange/exchange_state.hpp"
+#include "core/types/bytes.hpp"
 
 namespace topo::team {
 namespace {
 
 using types::Errc;
 using types::fail;
-
-constexpr types::Duration kRunAge = std::chrono::seconds(10);  // a later run silent for so long is over
 
 ItemKey key_of(ItemKind kind, const slam::KeyframeId& id) { return {{kind, id.origin()}, id.sequence}; }
 slam::KeyframeId id_of(const ItemKey& key) {
@@ -72,12 +72,9 @@ EntryId append(ExchangeState& state, const LogBody& body) {
 
 std::vector<HeardStatus> take_statuses(ExchangeState& state, types::Stamp now) {
   std::vector<HeardStatus> statuses;
-  for (auto at = state.peers.all().begin(); at != state.peers.all().end(); ++at) {
-    auto& [origin, peer] = *at;
-    const auto later = std::next(at);  // runs of one robot are neighbours, the later behind
-    const bool over = later != state.peers.all().end() && later->first.robot == origin.robot &&
-                      later->second.status && now - later->second.heard <= kRunAge;
-    if (!std::exchange(peer.status_is_new, false) || over || origin.robot == state.identity.robot) continue;
+  for (const slam::Origin& origin : state.peers.listed(state.self(), state.params.periods, now)) {
+    Peer& peer = *state.peers.find(origin);
+    if (!std::exchange(peer.status_is_new, false) || origin.robot == state.identity.robot) continue;
     HeardStatus heard{*peer.status, origin.run, peer.said};
     LogPlaces places = places_of(state.store, origin);
     heard.message.visited = std::move(places.visited);
@@ -153,22 +150,29 @@ void Exchange::say(const StatusMessage& status) {
 
 EntryId Exchange::order(const Order& order, types::Stamp now) {
   const EntryId id = append(*state_, order);
-  state_->orders.repeat(id, {}, now);
+  state_->orders.repeat(id, {}, now, order.to);
   return id;
 }
 
-void Exchange::acknowledge(const EntryId& order, types::Stamp /*now*/) {
+void Exchange::acknowledge(const EntryId& order, types::Stamp /*now*/, std::string_view refused) {
   const std::uint16_t robot = state_->identity.robot;
-  if (!state_->orders.has_acknowledged(robot, order)) append(*state_, Acknowledgement{order});
+  const auto shown = std::as_bytes(std::span(refused.substr(0, kRefusalBytesMax)));
+  if (!state_->orders.has_acknowledged(robot, order))
+    append(*state_, Acknowledgement{order, types::ByteReader(shown).text()});
   state_->orders.send_acknowledgement(robot, order);
+}
+
+std::map<std::uint16_t, std::string> Exchange::refused_by(const EntryId& order) const {
+  return state_->orders.refused_by(order);
 }
 
 std::vector<std::uint16_t> Exchange::acknowledged_by(const EntryId& order) const {
   return state_->orders.acknowledged_by(order);
 }
 
-void Exchange::take(std::span<const std::byte> datagram, types::Stamp now) {
-  take_datagram(*state_, datagram, now);
+void Exchange::take(std::span<const std::byte> datagram, types::Stamp now,
+                    std::optional<std::uint16_t> sender) {
+  take_datagram(*state_, datagram, now, sender);
 }
 
 std::vector<Datagram> Exchange::datagrams(types::Stamp now) { return make_datagrams(*state_, now); }

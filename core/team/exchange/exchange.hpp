@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/slam/keyframe_set.hpp"
@@ -60,17 +63,21 @@ class Exchange {
   /// pose and start exactly.
   void say(const StatusMessage& status);
 
-  /// Gives an order to the whole team: an entry of the log, and repeated before everything else until all
-  /// mates that are alive have acknowledged it. It does not appear in this robot's own news.
+  /// Gives an order to the whole team or to one mate: an entry of the log, and repeated before everything
+  /// else until all mates that are alive and that it is for have said their word. It does not appear in this
+  /// robot's own news.
   [[nodiscard]] EntryId order(const Order& order, types::Stamp now);
-  /// This robot has carried out an order: the giver learns of it. To be called when the wheels' thread has
-  /// it.
-  void acknowledge(const EntryId& order, types::Stamp now);
-  /// Robots that have acknowledged an order, by id, whatever way their word took.
+  /// This robot has carried out an order, or refuses it with a reason: the giver learns of it. To be called
+  /// when the wheels' thread has it. Of the reason what is printable and fits is kept.
+  void acknowledge(const EntryId& order, types::Stamp now, std::string_view refused = {});
+  /// Robots that have acknowledged an order, by id, whatever way their word took, and those that refuse it.
   [[nodiscard]] std::vector<std::uint16_t> acknowledged_by(const EntryId& order) const;
+  [[nodiscard]] std::map<std::uint16_t, std::string> refused_by(const EntryId& order) const;
 
   /// Takes one datagram as it arrived. Everything in it is checked; what is wrong is dropped and counted.
-  void take(std::span<const std::byte> datagram, types::Stamp now);
+  /// `sender`: the robot that the carrier has it from, by more than the sender's word; nothing: by its word.
+  void take(std::span<const std::byte> datagram, types::Stamp now,
+            std::optional<std::uint16_t> sender = std::nullopt);
 
   /// What to broadcast now, most urgent first, within the budget. Empty when nothing is due.
   [[nodiscard]] std::vector<Datagram> datagrams(types::Stamp now);

@@ -72,7 +72,8 @@ struct Exchange::State : ExchangeState {
 Stored store_item(ExchangeState& state, const ItemKey& key, std::vector<std::byte> bytes);
 
 /// Exchange::take.
-void take_datagram(ExchangeState& state, std::span<const std::byte> datagram, types::Stamp now);
+void take_datagram(ExchangeState& state, std::span<const std::byte> datagram, types::Stamp now,
+                   std::optional<std::uint16_t> sender);
 
 /// Exchange::datagrams.
 [[nodiscard]] std::vector<Datagram> make_datagrams(ExchangeState& state, types::Stamp now);

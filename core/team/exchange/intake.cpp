@@ -139,8 +139,8 @@ class Intake {
     const bool own = id.origin() == state_.self();
     if (!own && state_.orders.has_acknowledged(robot, id)) state_.orders.send_acknowledgement(robot, id);
     if (age > types::from_seconds(state_.params.periods.order_repeat_s)) return;
-    if (own || !state_.orders.repeat(id, age, now_)) return;
-    state_.unread.orders.push_back({id, order, age});
+    if (own || !state_.orders.repeat(id, age, now_, order.to)) return;
+    if (order.is_for(robot)) state_.unread.orders.push_back({id, order, age});
   }
 
   bool take_small(ItemKind kind, std::span<const std::byte> body) {
@@ -248,7 +248,7 @@ class Intake {
     unread.entries.push_back(key);
     const auto body = decode_log(*state_.store.find(key));
     const auto* order = body ? std::get_if<Order>(&*body) : nullptr;
-    if (order == nullptr || as_order) return;
+    if (order == nullptr || as_order || !order->is_for(state_.identity.robot)) return;
     const auto& [robot, run] = key.stream.origin;
     unread.orders.push_back({{robot, key.number, run}, *order, std::nullopt});
   }
@@ -287,11 +287,17 @@ void greet(ExchangeState& state, const slam::Origin& sender, types::Stamp now) {
 
 }  // namespace
 
-void take_datagram(ExchangeState& state, std::span<const std::byte> datagram, types::Stamp now) {
+void take_datagram(ExchangeState& state, std::span<const std::byte> datagram, types::Stamp now,
+                   std::optional<std::uint16_t> sender) {
   ++state.counters.received;
   state.counters.received_bytes += datagram.size();
   DatagramHead head;
-  if (const HeadVerdict verdict = read_head(datagram, head); !is_for_us(state, verdict, head)) return;
+  const HeadVerdict verdict = read_head(datagram, head);
+  if (verdict == HeadVerdict::kGood && sender && head.sender.robot != *sender) {
+    ++state.counters.false_number;
+    return;
+  }
+  if (!is_for_us(state, verdict, head)) return;
   greet(state, head.sender, now);
   const Hearing hearing = state.peers.hear(head.sender, head.counter, state.params, now);
   if (hearing == Hearing::kRepeated) ++state.counters.replayed;

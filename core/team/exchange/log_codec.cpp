@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <span>
+#include <string>
+
 #include "core/team/exchange/codecs.hpp"
 #include "core/team/exchange/fields.hpp"
 #include "core/team/exchange/wire.hpp"
@@ -11,9 +15,19 @@ using types::ByteReader;
 using types::ByteWriter;
 
 // u8 kind of the entry, then: a place and u8 `again`; a number of corners and their places; an order's kind;
-// a key.
-enum EntryKind : std::uint8_t { kVisited, kLookedInto, kKeepOut, kOrder, kAcknowledgement };
-constexpr std::uint8_t kOrderKinds = 2;
+// a key; a key; a number of corners and their places; an order's kind and a robot; a key, a number of bytes
+// and these.
+enum EntryKind : std::uint8_t {
+  kVisited,
+  kLookedInto,
+  kKeepOut,
+  kOrder,
+  kAcknowledgement,
+  kWithdrawn,
+  kHereFirst,
+  kOrderToOne,
+  kRefusal
+};
 
 void write(ByteWriter& out, const Visited& body) {
   out.integer(static_cast<std::uint8_t>(kVisited));
@@ -25,19 +39,44 @@ void write(ByteWriter& out, const LookedInto& body) {
   write_place(out, body.p_map);
   out.integer(static_cast<std::uint8_t>(body.again));
 }
+void write_corners(ByteWriter& out, const types::Polygon& corners_map) {
+  out.varint(corners_map.size());
+  for (const types::Vector2& corner : corners_map) write_place(out, corner);
+}
 void write(ByteWriter& out, const KeepOut& body) {
   out.integer(static_cast<std::uint8_t>(kKeepOut));
-  out.varint(body.corners_map.size());
-  for (const types::Vector2& corner : body.corners_map) write_place(out, corner);
+  write_corners(out, body.corners_map);
+}
+void write(ByteWriter& out, const HereFirst& body) {
+  out.integer(static_cast<std::uint8_t>(kHereFirst));
+  write_corners(out, body.corners_map);
 }
 void write(ByteWriter& out, const Order& body) {
-  out.integer(static_cast<std::uint8_t>(kOrder));
+  out.integer(static_cast<std::uint8_t>(body.to ? kOrderToOne : kOrder));
   out.integer(static_cast<std::uint8_t>(body.kind));
+  if (body.to) out.integer(*body.to);
+}
+void write_key(ByteWriter& out, const EntryId& id) {
+  write_origin(out, id.origin());
+  out.varint(id.sequence);
 }
 void write(ByteWriter& out, const Acknowledgement& body) {
-  out.integer(static_cast<std::uint8_t>(kAcknowledgement));
-  write_origin(out, body.order.origin());
-  out.varint(body.order.sequence);
+  out.integer(static_cast<std::uint8_t>(body.refused.empty() ? kAcknowledgement : kRefusal));
+  write_key(out, body.order);
+  if (body.refused.empty()) return;
+  out.varint(body.refused.size());
+  out.append(std::as_bytes(std::span(body.refused)));
+}
+void write(ByteWriter& out, const Withdrawn& body) {
+  out.integer(static_cast<std::uint8_t>(kWithdrawn));
+  write_key(out, body.area);
+}
+
+EntryId read_key(ByteReader& in, bool& ok) {
+  const slam::Origin origin = read_origin(in, ok);
+  const std::uint64_t number = in.varint();
+  ok = ok && number < kNumbersMax;
+  return {origin.robot, static_cast<std::uint32_t>(number), origin.run};
 }
 
 bool read_flag(ByteReader& in, bool& ok) {
@@ -46,12 +85,34 @@ bool read_flag(ByteReader& in, bool& ok) {
   return flag == 1;
 }
 
-KeepOut read_keep_out(ByteReader& in, bool& ok) {
-  KeepOut area;
+types::Polygon read_corners(ByteReader& in, bool& ok) {
+  types::Polygon corners_map;
   const std::size_t corners = in.count(16);
   ok = ok && corners >= 3 && corners <= kCornersMax;
-  for (std::size_t i = 0; ok && i < corners; ++i) area.corners_map.push_back(read_place(in, ok));
-  return area;
+  for (std::size_t i = 0; ok && i < corners; ++i) corners_map.push_back(read_place(in, ok));
+  return corners_map;
+}
+
+Order read_order(ByteReader& in, bool& ok) {
+  const auto kind = in.integer<std::uint8_t>();
+  ok = ok && kind < kOrderKinds;
+  return {static_cast<OrderKind>(ok ? kind : 0)};
+}
+
+Order read_order_to_one(ByteReader& in, bool& ok) {
+  Order order = read_order(in, ok);
+  order.to = in.integer<std::uint16_t>();
+  return order;
+}
+
+/// Printable ASCII: it is shown to an operator.
+std::string read_refusal(ByteReader& in, bool& ok) {
+  const std::size_t length = in.count(1);
+  ok = ok && length >= 1 && length <= kRefusalBytesMax;
+  std::string text;
+  for (std::size_t i = 0; ok && i < length; ++i) text += static_cast<char>(in.integer<std::uint8_t>());
+  ok = ok && std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
+  return text;
 }
 
 LogBody read(ByteReader& in, bool& ok) {
@@ -65,18 +126,21 @@ LogBody read(ByteReader& in, bool& ok) {
       return LookedInto{p_map, read_flag(in, ok)};
     }
     case kKeepOut:
-      return read_keep_out(in, ok);
-    case kOrder: {
-      const auto kind = in.integer<std::uint8_t>();
-      ok = ok && kind < kOrderKinds;
-      return Order{static_cast<OrderKind>(ok ? kind : 0)};
+      return KeepOut{read_corners(in, ok)};
+    case kHereFirst:
+      return HereFirst{read_corners(in, ok)};
+    case kOrder:
+      return read_order(in, ok);
+    case kOrderToOne:
+      return read_order_to_one(in, ok);
+    case kAcknowledgement:
+      return Acknowledgement{read_key(in, ok)};
+    case kRefusal: {
+      const EntryId order = read_key(in, ok);
+      return Acknowledgement{order, read_refusal(in, ok)};
     }
-    case kAcknowledgement: {
-      const slam::Origin origin = read_origin(in, ok);
-      const std::uint64_t number = in.varint();
-      ok = ok && number < kNumbersMax;
-      return Acknowledgement{{origin.robot, static_cast<std::uint32_t>(number), origin.run}};
-    }
+    case kWithdrawn:
+      return Withdrawn{read_key(in, ok)};
     default:
       ok = false;
       return Visited{};
@@ -91,6 +155,14 @@ std::string_view to_text(OrderKind kind) {
       return "stop";
     case OrderKind::kEstop:
       return "estop";
+    case OrderKind::kStart:
+      return "start";
+    case OrderKind::kPause:
+      return "pause";
+    case OrderKind::kResume:
+      return "resume";
+    case OrderKind::kHome:
+      return "home";
   }
   return "unknown";
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -12,7 +13,8 @@
 #include "core/types/area_limits.hpp"
 #include "core/types/se2.hpp"
 
-// The log that all robots of a team share: what each visited and looked into, areas to keep out of, and the
+// The log that all robots of a team share: what each visited and looked into, areas to keep out of and
+// to go to first, and the
 // operator's orders with their acknowledgements. Entries are immutable; the state is a fold over them in the
 // order of their numbers. Places are in the map frame of the entry's origin.
 namespace topo::team {
@@ -42,25 +44,52 @@ struct KeepOut {
 };
 inline constexpr std::size_t kCornersMax = 60;
 
+/// An area whose goals come before all others, 3 to kCornersMax corners.
+struct HereFirst {
+  types::Polygon corners_map;
+  friend bool operator==(const HereFirst&, const HereFirst&) = default;
+};
+
+/// An area that is no more, whoever drew it.
+struct Withdrawn {
+  EntryId area;
+  friend bool operator==(const Withdrawn&, const Withdrawn&) = default;
+};
+
 enum class OrderKind : std::uint8_t {
   kStop = 0,   ///< the mission ends, the robot stands
   kEstop = 1,  ///< the emergency stop, which latches
+  kStart = 2,  ///< a mission: exploring, and home at its end
+  kPause = 3,
+  kResume = 4,
+  kHome = 5,
 };
+inline constexpr std::uint8_t kOrderKinds = 6;
 std::string_view to_text(OrderKind kind);
 
-/// An order of the operator to all robots of the team.
+/// After these a robot drives that stood: they are obeyed at once or not at all.
+[[nodiscard]] inline bool sets_in_motion(OrderKind kind) {
+  return kind == OrderKind::kStart || kind == OrderKind::kResume || kind == OrderKind::kHome;
+}
+
+/// An order of the operator to all robots of the team, or to one.
 struct Order {
   OrderKind kind = OrderKind::kStop;
+  std::optional<std::uint16_t> to = std::nullopt;  ///< this robot alone
+  [[nodiscard]] bool is_for(std::uint16_t robot) const { return !to || *to == robot; }
   friend bool operator==(const Order&, const Order&) = default;
 };
 
-/// The origin's robot has carried out an order.
+/// The origin's robot has carried out an order, or refuses it.
 struct Acknowledgement {
   EntryId order;
+  std::string refused{};  ///< why, at most kRefusalBytesMax of printable text; empty: it was carried out
   friend bool operator==(const Acknowledgement&, const Acknowledgement&) = default;
 };
 
-using LogBody = std::variant<Visited, LookedInto, KeepOut, Order, Acknowledgement>;
+inline constexpr std::size_t kRefusalBytesMax = 200;
+
+using LogBody = std::variant<Visited, LookedInto, KeepOut, Order, Acknowledgement, Withdrawn, HereFirst>;
 
 struct LogEntry {
   EntryId id;

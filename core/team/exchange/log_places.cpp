@@ -23,12 +23,12 @@ void find_changes(const Places& before, const Places& now, std::vector<LogBody>&
     return std::find(places.begin(), places.end(), p) != places.end();
   };
   for (const Vector2& p : before) {
-    if (!has(now, p)) changes.push_back(Entry{p, true});
+    if (!has(now, p)) changes.emplace_back(Entry{p, true});
   }
   Places noted = before;
   for (const Vector2& p : now) {
     if (has(noted, p) || !p.allFinite()) continue;
-    changes.push_back(Entry{p, false});
+    changes.emplace_back(Entry{p, false});
     noted.push_back(p);
   }
 }

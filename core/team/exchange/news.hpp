@@ -97,6 +97,7 @@ struct ExchangeCounters {
   std::uint64_t own_echo = 0;        ///< this robot's own datagrams, by way of multicast
   std::uint64_t other_version = 0;   ///< dropped
   std::uint64_t other_team = 0;      ///< dropped
+  std::uint64_t false_number = 0;    ///< from another robot than they say; dropped
   std::uint64_t malformed = 0;       ///< datagrams of which something was dropped
   std::uint64_t malformed_item = 0;  ///< complete items that do not decode to what their key says; dropped
   std::uint64_t replayed = 0;        ///< statuses, summaries and wants older than one that was taken; dropped

@@ -12,10 +12,11 @@ constexpr std::size_t kUrgentMax = 8;
 
 }  // namespace
 
-bool Orders::repeat(const EntryId& id, types::Duration age, types::Stamp now) {
+bool Orders::repeat(const EntryId& id, types::Duration age, types::Stamp now,
+                    std::optional<std::uint16_t> to) {
   if (is_urgent(id)) return false;
   if (urgent_.size() >= kUrgentMax) urgent_.erase(urgent_.begin());
-  urgent_.push_back({id, now, age, Periodic(seed_ + id.sequence)});
+  urgent_.push_back({id, now, age, Periodic(seed_ + id.sequence), to});
   return true;
 }
 
@@ -31,7 +32,7 @@ bool Orders::is_urgent(const EntryId& id) const {
 }
 
 void Orders::note(const Acknowledgement& body, const EntryId& entry) {
-  acknowledged_[body.order].emplace(entry.robot, entry);
+  acknowledged_[body.order].emplace(entry.robot, Word{entry, body.refused});
 }
 
 bool Orders::has_acknowledged(std::uint16_t robot, const EntryId& order) const {
@@ -42,7 +43,17 @@ bool Orders::has_acknowledged(std::uint16_t robot, const EntryId& order) const {
 std::vector<std::uint16_t> Orders::acknowledged_by(const EntryId& order) const {
   std::vector<std::uint16_t> robots;
   if (const auto at = acknowledged_.find(order); at != acknowledged_.end()) {
-    for (const auto& [robot, entry] : at->second) robots.push_back(robot);
+    for (const auto& [robot, word] : at->second)
+      if (word.refused.empty()) robots.push_back(robot);
+  }
+  return robots;
+}
+
+std::map<std::uint16_t, std::string> Orders::refused_by(const EntryId& order) const {
+  std::map<std::uint16_t, std::string> robots;
+  if (const auto at = acknowledged_.find(order); at != acknowledged_.end()) {
+    for (const auto& [robot, word] : at->second)
+      if (!word.refused.empty()) robots.emplace(robot, word.refused);
   }
   return robots;
 }
@@ -50,7 +61,8 @@ std::vector<std::uint16_t> Orders::acknowledged_by(const EntryId& order) const {
 void Orders::send_acknowledgement(std::uint16_t robot, const EntryId& order) {
   const auto at = acknowledged_.find(order);
   if (at == acknowledged_.end()) return;
-  if (const auto entry = at->second.find(robot); entry != at->second.end()) to_send_.insert(entry->second);
+  if (const auto entry = at->second.find(robot); entry != at->second.end())
+    to_send_.insert(entry->second.entry);
 }
 
 }  // namespace topo::team

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,17 +21,19 @@ struct UrgentOrder {
   types::Stamp since{};   ///< when it came to this robot
   types::Duration age{};  ///< that it had then
   Periodic next;
+  std::optional<std::uint16_t> to = std::nullopt;  ///< whose word is awaited; nothing: that of all
 };
 
 /// The operator's orders: who has acknowledged which, and which are repeated. Every robot that holds a young
-/// order repeats it until all mates that it hears have acknowledged it: so it gets through a robot in
-/// between.
+/// order repeats it until all mates that it hears and that it is for have acknowledged or refused it: so it
+/// gets through a robot in between.
 class Orders {
  public:
   explicit Orders(std::uint64_t seed) : seed_(seed) {}
 
   /// An order that came, or was given here, at that age. False when it is repeated already.
-  bool repeat(const EntryId& id, types::Duration age, types::Stamp now);
+  bool repeat(const EntryId& id, types::Duration age, types::Stamp now,
+              std::optional<std::uint16_t> to = std::nullopt);
   /// Drops those that have been repeated for as long as is allowed.
   void expire(const PeriodParams& periods, types::Stamp now);
   [[nodiscard]] std::vector<UrgentOrder>& urgent() { return urgent_; }
@@ -37,8 +41,11 @@ class Orders {
 
   /// An acknowledgement, own or of a mate, that is held as `entry`.
   void note(const Acknowledgement& body, const EntryId& entry);
+  /// True for a refusal too: the robot has said its word.
   [[nodiscard]] bool has_acknowledged(std::uint16_t robot, const EntryId& order) const;
+  /// The robots that have carried it out, and those that refuse it, with the reason.
   [[nodiscard]] std::vector<std::uint16_t> acknowledged_by(const EntryId& order) const;
+  [[nodiscard]] std::map<std::uint16_t, std::string> refused_by(const EntryId& order) const;
 
   /// A robot's acknowledgement is sent with the next datagrams, before what is wanted.
   void send_acknowledgement(std::uint16_t robot, const EntryId& order);
@@ -47,7 +54,11 @@ class Orders {
  private:
   std::uint64_t seed_;
   std::vector<UrgentOrder> urgent_;
-  std::map<EntryId, std::map<std::uint16_t, EntryId>> acknowledged_;  ///< by order and robot, the entry
+  struct Word {
+    EntryId entry;
+    std::string refused;  ///< empty: carried out
+  };
+  std::map<EntryId, std::map<std::uint16_t, Word>> acknowledged_;  ///< by order and robot
   std::set<EntryId> to_send_;
 };
 

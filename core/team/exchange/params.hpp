@@ -16,8 +16,8 @@ inline constexpr std::size_t kDatagramBytesMax = 1'200;
 struct ExchangeIdentity {
   std::uint32_t team = 0;   ///< team_hash() of the team's name; datagrams of another team are dropped
   std::uint16_t robot = 0;  ///< different for each robot of the team
-  /// Of this start of the program, greater at each start: the run of the keyframes and log entries made in
-  /// it.
+  /// Of this start of the program, which no other one has: the run of the keyframes and log entries made in
+  /// it. Runs have no order: of two the one that was heard last is the newer.
   std::uint32_t run = 0;
 };
 

@@ -88,4 +88,25 @@ std::vector<DuplicateId> Peers::duplicates(const slam::Origin& self, const Perio
   return found;
 }
 
+std::vector<slam::Origin> Peers::listed(const slam::Origin& self, const PeriodParams& periods,
+                                        types::Stamp now) const {
+  const std::vector<DuplicateId> doubled = duplicates(self, periods, now);
+  std::map<std::uint16_t, Map::const_iterator> newest;
+  for (auto at = peers_.begin(); at != peers_.end(); ++at) {
+    const auto [known, added] = newest.try_emplace(at->first.robot, at);
+    if (!added && at->second.heard > known->second->second.heard) known->second = at;
+  }
+  std::vector<slam::Origin> runs;
+  for (auto at = peers_.begin(); at != peers_.end(); ++at) {
+    const slam::Origin& peer = at->first;
+    const bool is_doubled = std::ranges::any_of(doubled, [&](const DuplicateId& id) {
+      return id.robot == peer.robot && (id.run_a == peer.run || id.run_b == peer.run);
+    });
+    const bool is_newest = peer.robot != self.robot && newest.at(peer.robot) == at;
+    if ((is_doubled || is_newest) && now - at->second.heard <= types::from_seconds(periods.forget_s))
+      runs.push_back(peer);
+  }
+  return runs;
+}
+
 }  // namespace topo::team

@@ -57,6 +57,10 @@ class Peers {
   /// Robots of which two runs are both heard; `self` is heard all the time.
   [[nodiscard]] std::vector<DuplicateId> duplicates(const slam::Origin& self, const PeriodParams& periods,
                                                     types::Stamp now) const;
+  /// Of each mate that is not forgotten the run that was heard last, and both of two runs that are
+  /// duplicates. An earlier run is over: its items stay, and it speaks no more.
+  [[nodiscard]] std::vector<slam::Origin> listed(const slam::Origin& self, const PeriodParams& periods,
+                                                 types::Stamp now) const;
 
  private:
   Map peers_;

@@ -106,7 +106,7 @@ class Composer {
   [[nodiscard]] bool is_awaited(const UrgentOrder& order) const {
     return std::ranges::any_of(state_.peers.all(), [&](const auto& entry) {
       const std::uint16_t robot = entry.first.robot;
-      return robot != order.id.robot && robot != state_.identity.robot &&
+      return robot != order.id.robot && robot != state_.identity.robot && (!order.to || *order.to == robot) &&
              is_alive(entry.second, periods(), now_) && !state_.orders.has_acknowledged(robot, order.id);
     });
   }

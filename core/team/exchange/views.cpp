@@ -75,10 +75,9 @@ void for_each(const ItemStore& items, ItemKind kind, F f) {
 
 std::vector<PeerView> views_of(const ExchangeState& state, types::Stamp now) {
   std::vector<PeerView> views;
-  for (const auto& [origin, peer] : state.peers.all()) {
-    if (now - peer.heard <= types::from_seconds(state.params.periods.forget_s))
-      views.push_back(view_of(state, origin, peer, now));
-  }
+  const PeriodParams& periods = state.params.periods;
+  for (const slam::Origin& origin : state.peers.listed(state.self(), periods, now))
+    views.push_back(view_of(state, origin, state.peers.all().at(origin), now));
   return views;
 }
 

@@ -80,6 +80,7 @@ Json Monitor::map() const {
   const auto& coronal = hand_overs_.coronal.to_mapping;
   return {{"revision", mapping_.revision},
           {"keyframes", mapping_.keyframes},
+          {"keyframes_of_all", mapping_.keyframes_of_all},
           {"scans_matched", mapping_.matched},
           {"scans_lost", mapping_.lost},
           {"scans_skipped", front.skipped() + coronal.skipped()},

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "daemon/app/display_json.hpp"
 #include "daemon/app/doctor.hpp"
 #include "daemon/app/json/plan_json.hpp"
 #include "daemon/app/monitor.hpp"
@@ -33,6 +34,7 @@ Json Operator::status() const {
   json["estop_latch"] = estop_.json();
   json["mission"] = mission_json();
   json["session"] = sessions_.status();
+  json["map"]["doubt"] = doubts_.json();
   json["team"] = team_.brief();
   const auto* report = plan_.report();
   if (report == nullptr) return json;
@@ -58,6 +60,10 @@ Json Operator::health() const {
     json["healthy"] = false;
     json["faults"].push_back("team: " + trouble);
   }
+  if (const std::string trouble = areas_.trouble(); !trouble.empty()) {
+    json["healthy"] = false;
+    json["faults"].push_back("areas: " + trouble);
+  }
   if (const std::string& trouble = silence_.trouble(); !trouble.empty()) {
     json["healthy"] = false;
     json["faults"].push_back("base: " + trouble);
@@ -75,7 +81,7 @@ Json Operator::mission_json() const {
           {"state", to_text(missions_.state())},
           {"reason", missions_.reason()},
           {"elapsed_s", types::to_seconds(missions_.elapsed(io::monotonic_now()))},
-          {"distance_m", distance_m_}};
+          {"distance_m", way_.distance_m()}};
 }
 
 Json Operator::progress() const {
@@ -85,12 +91,24 @@ Json Operator::progress() const {
 
 Json Operator::goals() const {
   const auto* report = plan_.report();
-  return report == nullptr ? Json::object() : goals_json(*report);
+  if (report == nullptr) return Json::object();
+  Json json = goals_json(*report);
+  Json& route = json["route"] = Json::array();
+  for (const types::Vector2& p : report->route_map) route.push_back({{"x_m", p.x()}, {"y_m", p.y()}});
+  return json;
 }
 
 Json Operator::places() const {
   const auto* report = plan_.report();
   return report == nullptr ? Json::object() : places_json(*report);
+}
+
+Json Operator::scan() const {
+  const types::Scan* scan = hand_overs_.front.to_main.read();
+  if (scan == nullptr) return Json::object();
+  const double sweep_s = static_cast<double>(scan->geometry.time_increment_s) * scan->beams;
+  const types::Stamp middle = scan->first_beam + types::from_seconds(sweep_s / 2.0);
+  return scan_json(*scan, monitor_.pose_at(middle) * mapper_params(configuration_).T_base_laser);
 }
 
 void Operator::doctor(std::function<void(Json)> done) {
@@ -99,6 +117,7 @@ void Operator::doctor(std::function<void(Json)> done) {
   facts.estop_trouble = estop_.trouble();
   facts.session_obstacle = sessions_.obstacle();
   facts.place = sessions_.standing();
+  facts.map_doubt = doubts_.text();
   facts.journal = sessions_.journal();
   facts.team = team_.facts();
   // The disk may be slow.

@@ -113,6 +113,13 @@ Result<std::size_t> read_sweep(const Fields& f, std::string_view layout, std::si
   return words;
 }
 
+/// The end of a line with poses: those from word `first` on, and the stamp.
+Result<CarmenScan> read_poses_and_stamp(const Fields& f, std::size_t first, CarmenScan& scan) {
+  if (auto s = read_poses(f, first, scan); !s) return tl::unexpected(s.error());
+  if (auto s = read_stamp(f, scan.stamp_s); !s) return tl::unexpected(s.error());
+  return scan;
+}
+
 }  // namespace
 
 void mark_beyond_reach(CarmenScan& scan) {
@@ -136,9 +143,7 @@ Result<CarmenScan> read_flaser(const Fields& f) {
   if (!beams) return tl::unexpected(beams.error());
   if (auto s = f.expect_count(2 + *beams + 6 + kTail, kLayout); !s) return tl::unexpected(s.error());
   if (auto s = read_ranges(f, 2, *beams, scan); !s) return tl::unexpected(s.error());
-  if (auto s = read_poses(f, 2 + *beams, scan); !s) return tl::unexpected(s.error());
-  if (auto s = read_stamp(f, scan.stamp_s); !s) return tl::unexpected(s.error());
-  return scan;
+  return read_poses_and_stamp(f, 2 + *beams, scan);
 }
 
 Result<CarmenScan> read_robotlaser(const Fields& f) {
@@ -151,9 +156,7 @@ Result<CarmenScan> read_robotlaser(const Fields& f) {
   CarmenScan scan;
   const auto words = read_sweep(f, kLayout, 6 + kAfterPoses + kTail, scan);
   if (!words) return tl::unexpected(words.error());
-  if (auto s = read_poses(f, *words, scan); !s) return tl::unexpected(s.error());
-  if (auto s = read_stamp(f, scan.stamp_s); !s) return tl::unexpected(s.error());
-  return scan;
+  return read_poses_and_stamp(f, *words, scan);
 }
 
 Result<CarmenScan> read_rawlaser(const Fields& f) {

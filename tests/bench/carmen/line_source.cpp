@@ -14,6 +14,8 @@ using types::Result;
 
 namespace {
 
+constexpr std::size_t kBlock = 65536;
+
 std::string_view without_carriage_return(std::string_view text) {
   if (text.ends_with('\r')) text.remove_suffix(1);
   return text;
@@ -22,7 +24,7 @@ std::string_view without_carriage_return(std::string_view text) {
 }  // namespace
 
 LineSource::LineSource(std::string path, std::unique_ptr<ByteSource> source)
-    : path_(std::move(path)), source_(std::move(source)), buffer_(2 * kMaxLine) {}
+    : path_(std::move(path)), source_(std::move(source)), buffer_(kBlock) {}
 
 Result<LineSource> LineSource::open(const std::string& path) {
   auto source = open_source(path);
@@ -39,6 +41,7 @@ Result<bool> LineSource::refill() {
             buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
   end_ -= begin_;
   begin_ = 0;
+  if (end_ == buffer_.size()) buffer_.resize(2 * buffer_.size());  // at most to twice the longest line
   const auto n = source_->read(std::span(buffer_).subspan(end_));
   if (!n.has_value()) return tl::unexpected(n.error());
   end_ += *n;

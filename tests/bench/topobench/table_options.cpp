@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/table_options.hpp"
 
+#include "core/exploration/finish.hpp"
+
 #include "tests/bench/topobench/explore/contender.hpp"
 
 namespace topo::bench {
@@ -11,6 +13,14 @@ CLI::Validator not_empty() {
     return path.empty() ? std::string("found an empty path, expected one") : std::string();
   };
   return {fault, "PATH"};
+}
+
+CLI::Validator finish_form() {
+  const auto fault = [](const std::string& text) {
+    const auto parsed = exploration::parse_finish(text);
+    return parsed ? std::string() : parsed.error().message;
+  };
+  return {fault, "FINISH"};
 }
 
 void add_options(CLI::App& app, TableCommand& table) {
@@ -41,8 +51,8 @@ void add_options(CLI::App& app, TableCommand& table) {
       ->check(CLI::IsMember({"drawn", "own"}))
       ->capture_default_str();
   app.add_option("--fidelity", table.fidelity)->check(CLI::IsMember({"full", "plan"}))->capture_default_str();
-  app.add_option("--finish", table.finish)
-      ->check(CLI::IsMember({"essential", "complete"}))
+  app.add_option("--finish", table.finish, "As explore --finish, for all strategies")
+      ->check(finish_form())
       ->capture_default_str();
   app.add_option("--radio", table.radios, "As explore --radio has it; several: each")
       ->delimiter(',')

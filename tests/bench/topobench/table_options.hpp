@@ -13,6 +13,8 @@ namespace topo::bench {
 
 /// An empty name is a variable of the shell that is not set, and not the wish for no files.
 CLI::Validator not_empty();
+/// Accepts what exploration::parse_finish does.
+CLI::Validator finish_form();
 
 void add_options(CLI::App& app, TableCommand& table);
 void add_options(CLI::App& app, BoundCommand& bound);

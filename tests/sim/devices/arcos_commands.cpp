@@ -39,6 +39,7 @@ enum Number : std::uint8_t {
   kEStop = 55,
   kEStall = 56,
   kQStop = 57,
+  kGyro = 58,
   kBatteryTest = 250,
   kReset = 253
 };
@@ -171,6 +172,9 @@ void ArcosDevice::handle_request(const arcos::Command& command, SimTime now) {
       return;
     case kIoRequest:
       io_stream_ = command.value;
+      return;
+    case kGyro:
+      gyro_stream_ = parameters_.has_gyro && command.value != 0;
       return;
     case kHostBaud:
       return set_baud(command.value);

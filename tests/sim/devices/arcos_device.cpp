@@ -25,7 +25,8 @@ ArcosDevice::ArcosDevice(arcos::Parameters parameters, std::uint64_t seed)
       drive_(parameters_),
       output_(kSerialOutputLimit),
       random_(seed),
-      baud_code_(parameters_.host_baud_code) {}
+      baud_code_(parameters_.host_baud_code),
+      gyro_(seed) {}
 
 void ArcosDevice::receive(std::span<const std::uint8_t> bytes, SimTime now) {
   bytes_heard_ += bytes.size();
@@ -53,6 +54,7 @@ void ArcosDevice::close_session() {
   drive_.revert();
   sonar_arrays_ = 0;
   encoder_stream_ = io_stream_ = 0;
+  gyro_stream_ = false;
   e_stall_ = true;
   bump_stall_mode_ = 0;
   // Only the change by AutoBaud 2 reverts when the link closes (PROTOCOLS section 1.2).
@@ -169,6 +171,7 @@ arcos::WheelTargets ArcosDevice::control(SimTime now, SimTime dt, const BaseInpu
     inputs_.rear_bumpers |= pressed_rear_;
   }
   dead_reckon(inputs_);
+  gyro_.feel(now, inputs_.omega_radps);
   bump_stall();
   tick(now);
   if (state_ != State::kOpen || !motors_on_) {
@@ -195,6 +198,9 @@ void ArcosDevice::send_sip(SimTime now) {
   // The fixed difficulty: a SIP leaves 20 to 60 ms after its data were sampled.
   const auto late_us = 20000 + static_cast<std::int64_t>(random_() % 40001);
   const SimTime due = now + std::chrono::microseconds{late_us};
+  constexpr int kWarm = 30;
+  if (const auto readings = gyro_.take(); gyro_stream_)
+    output_.push_droppable(arcos::gyro_packet(readings, kWarm), due);
   output_.push_droppable(arcos::sip_packet(compose_sip(now)), due);
   if (encoder_stream_ != 0) {
     output_.push_droppable(arcos::encoder_packet(static_cast<std::int32_t>(left_ticks_),

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/sim/devices/arcos_drive.hpp"
+#include "tests/sim/devices/arcos_gyro.hpp"
 #include "tests/sim/devices/arcos_model.hpp"
 #include "tests/sim/devices/arcos_packet.hpp"
 #include "tests/sim/devices/arcos_sip.hpp"
@@ -29,6 +30,7 @@ struct BaseInputs {
   bool right_stall = false;
   std::uint8_t front_bumpers = 0;  ///< bit i is segment i + 1
   std::uint8_t rear_bumpers = 0;
+  double omega_radps = 0.0;  ///< true turning speed, which a gyro feels
 };
 
 /// A Pioneer's firmware without its wire: receives commands, sends SIPs, returns wheel speeds for the motors
@@ -123,6 +125,8 @@ class ArcosDevice final : public WireDevice {
   int digout_ = 0;
   int encoder_stream_ = 0;  ///< 0 off, 1 once, 2 continuously
   int io_stream_ = 0;
+  bool gyro_stream_ = false;
+  arcos::AnalogGyro gyro_;
 
   [[nodiscard]] bool swallows(const arcos::Command& command);
   [[nodiscard]] BaseInputs faulty(BaseInputs inputs, SimTime now);

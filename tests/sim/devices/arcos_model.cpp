@@ -27,6 +27,7 @@ Parameters p3at_parameters() {
   p.serial = "SA0456";
   p.track_mm = 2.0 / 0.0034;
   p.four_motors = true;
+  p.has_gyro = true;
   p.ticks_per_mm = 170;
   p.rev_count = 32550;
   return p;
@@ -48,7 +49,8 @@ std::string config_packet(const Parameters& p, int baud_code) {
   b.u16(p.rot_vel_max).u16(p.trans_vel_max);
   b.u16(p.rot_acc).u16(p.rot_decel).u16(40).u16(20).u16(0);      // rotation Kp Kv Ki
   b.u16(p.trans_acc).u16(p.trans_decel).u16(40).u16(30).u16(0);  // translation Kp Kv Ki
-  b.u8(p.front_bumpers).u8(p.rear_bumpers).u8(0).u8(p.sonar_cycle_ms).u8(p.auto_baud).u8(0);  // charger, gyro
+  b.u8(p.front_bumpers).u8(p.rear_bumpers).u8(0).u8(p.sonar_cycle_ms).u8(p.auto_baud);  // charger
+  b.u8(p.has_gyro ? 1 : 0);
   b.u16(0).u8(0).u8(0).u16(p.ticks_per_mm).u16(105);  // drift factor, AUX rates, ShutdownVolts
   b.text("2.9").u16(0).u16(0).u8(0);                  // firmware, gyro scales, kinematics delay
   return b.frame();

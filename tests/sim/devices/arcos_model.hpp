@@ -34,6 +34,7 @@ struct Parameters {
   int host_baud_code = 0;  ///< 9600
   int auto_baud = 2;       ///< the rate reverts when the session closes
   double battery_volts = 12.7;
+  bool has_gyro = false;
 };
 
 inline constexpr int kVel2Unit = 20;  ///< mm/s per count of VEL2

@@ -26,6 +26,13 @@ std::string encoder_packet(std::int32_t left_ticks, std::int32_t right_ticks) {
   return PacketBuilder(0x90).i32(left_ticks).i32(right_ticks).frame();
 }
 
+std::string gyro_packet(std::span<const int> readings, int temperature) {
+  PacketBuilder b(0x98);
+  b.u8(static_cast<int>(readings.size()));
+  for (const int reading : readings) b.u16(reading).u8(temperature);
+  return b.frame();
+}
+
 std::string io_packet(int digin, int front_bumpers, int rear_bumpers, int digout) {
   constexpr int kAnalogPorts = 9;
   PacketBuilder b(0xF0);

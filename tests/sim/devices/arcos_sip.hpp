@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Sip {
 
 [[nodiscard]] std::string sip_packet(const Sip& sip);
 [[nodiscard]] std::string encoder_packet(std::int32_t left_ticks, std::int32_t right_ticks);
+/// Readings of the analog gyro: 512 and its drift at rest, less counter-clockwise.
+[[nodiscard]] std::string gyro_packet(std::span<const int> readings, int temperature);
 /// P3: four digital inputs (port, front and rear bumpers, infrared), one output, nine analog ports.
 [[nodiscard]] std::string io_packet(int digin, int front_bumpers, int rear_bumpers, int digout);
 

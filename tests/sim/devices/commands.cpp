@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/sim/devices/command_parts.hpp"
+#include "tests/sim/shapes.hpp"
 
 namespace topo::sim {
 namespace {
@@ -140,6 +141,18 @@ Action obstacle(const Context& c) {
       };
 }
 
+Action person(const Context& c) {
+  constexpr double kFar_m = 20.0, kRadius_m = 0.2, kHeight_m = 1.75;
+  const double x_m = c.arguments.number("x_m", -kFar_m, kFar_m);
+  const double y_m = c.arguments.number("y_m", -kFar_m, kFar_m);
+  return [&rig = c.rig, robot = c.robot_index(), at = Vector2(x_m, y_m)]() -> json {
+    const Vector2 stands = rig.simulation().body(robot).truth() * at;
+    auto id = rig.simulation().add_obstacle(make_cylinder(stands, kRadius_m, 0.0, kHeight_m));
+    if (!id.has_value()) return {{"ok", false}, {"error", id.error().message}};
+    return {{"id", *id}};
+  };
+}
+
 Action remove_obstacle(const Context& c) {
   return [&rig = c.rig, id = c.arguments.whole("id", 0, 1e6)]() -> json {
     const auto removed = rig.simulation().remove_obstacle(static_cast<MovableId>(id));
@@ -163,7 +176,8 @@ constexpr std::array kCommands{
     Command{"battery", "volts [falls_v_per_s=0]", battery},
     Command{"clock-jump", "device=front|coronal ms: the sensor's clock steps", clock_jump},
     Command{"obstacle", "distance_m: a box appears so far ahead; answers its id", obstacle},
-    Command{"remove-obstacle", "id: as obstacle answered it", remove_obstacle},
+    Command{"person", "x_m y_m: stands ahead and to the left of the robot; answers the id", person},
+    Command{"remove-obstacle", "id: as obstacle or person answered it", remove_obstacle},
 };
 
 std::vector<Command> all_commands() {

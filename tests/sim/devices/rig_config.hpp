@@ -14,6 +14,7 @@
 #include "core/types/se2.hpp"
 #include "tests/sim/devices/scip_models.hpp"
 #include "tests/sim/difficulty.hpp"
+#include "tests/sim/laser.hpp"
 
 namespace topo::sim {
 
@@ -37,6 +38,9 @@ struct RobotConfig {
   ScipModel coronal = ScipModel::kUtm30LxEw;
   int watchdog_ms = 2000;
   double battery_volts = 12.7;
+  /// The scanners' mounts, as in config/.
+  LaserMount front_mount{0.021, 0.0, 0.30, 0.0, ScanPlane::kLevel, 0.0, false};
+  LaserMount coronal_mount{0.10, 0.0, 0.40, 0.0, ScanPlane::kCoronal, 0.0, false};
   std::array<LinkConfig, kDeviceCount> links;
 };
 

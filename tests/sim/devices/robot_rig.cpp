@@ -4,14 +4,12 @@
 
 #include <cstdio>
 
+#include "tests/sim/devices/sweep_turn.hpp"
 #include "tests/sim/random.hpp"
 
 namespace topo::sim {
 namespace {
 
-/// Scanner mounts as in config/.
-constexpr LaserMount kFrontMount{0.021, 0.0, 0.30, 0.0, ScanPlane::kLevel};
-constexpr LaserMount kCoronalMount{0.10, 0.0, 0.40, 0.0, ScanPlane::kCoronal};
 /// The mirrors of two sensors are not in phase.
 constexpr SimTime kCoronalPhase = std::chrono::microseconds{9300};
 
@@ -109,8 +107,8 @@ RobotSetup RobotRig::setup(const types::Se2& start) {
   RobotSetup setup;
   setup.model = config_.model == "p3at" ? RobotModel::p3at() : RobotModel::p3dx();
   setup.start = start;
-  setup.lasers = {{laser_model(config_.front), kFrontMount, SimTime{0}},
-                  {laser_model(config_.coronal), kCoronalMount, kCoronalPhase}};
+  setup.lasers = {{laser_model(config_.front), config_.front_mount, SimTime{0}},
+                  {laser_model(config_.coronal), config_.coronal_mount, kCoronalPhase}};
   setup.drive = this;
   setup.sink = this;
   return setup;
@@ -140,7 +138,8 @@ WheelSpeeds RobotRig::wheel_speeds(SimTime now, SimTime dt, const RobotBody& bod
                           .left_stall = contact.stall_left,
                           .right_stall = contact.stall_right,
                           .front_bumpers = contact.bumpers_front,
-                          .rear_bumpers = contact.bumpers_rear};
+                          .rear_bumpers = contact.bumpers_rear,
+                          .omega_radps = body.true_twist().omega_radps};
   const auto wanted = base_.control(now, dt, inputs);
   return {wanted.left_mps, wanted.right_mps};
 }
@@ -164,12 +163,7 @@ void RobotRig::set_foreign(DeviceId id, bool foreign) {
 void RobotRig::on_sweep(std::size_t laser, const Sweep& sweep) {
   ScipDevice& device = *lasers_[exchanged_ ? 1 - laser : laser];
   if (!device.laser_on()) return;
-  turn_.step0 = sweep.step0;
-  turn_.beams.resize(sweep.range_mm.size());
-  for (std::size_t i = 0; i < turn_.beams.size(); ++i) {
-    turn_.beams[i].count = 1;
-    turn_.beams[i].echoes[0] = {sweep.range_mm[i], sweep.intensity[i]};
-  }
+  fill_turn(sweep, turn_);
   device.deliver(turn_, sweep.end);
 }
 

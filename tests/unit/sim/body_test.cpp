@@ -64,6 +64,22 @@ TEST(RobotBody, AWallStopsItAndTheFrontBumperSaysSo) {
   EXPECT_LT(body.truth().x_m, 7.7);
 }
 
+// Shorter steps fit into what is left before the wall; the bumper stays pressed meanwhile.
+TEST(RobotBody, BrakingOrSlippingAgainstAWallIsOneCollision) {
+  World world = scene(room_text());
+  RobotBody body(world, RobotModel::p3dx(), {7.0002, 3.0, 0.0}, Difficulty::none(), 1);
+  drive(body, 5.0, 0.5, 0.5);
+  for (double speed = 0.5; speed > 0.0; speed -= 0.0007) {
+    body.step(1e-3, speed, speed);
+    ASSERT_EQ(body.contact().side, ContactSide::kFront) << speed;
+  }
+  EXPECT_EQ(body.collisions(), 1U);
+  drive(body, 0.1, -0.1, -0.1);
+  EXPECT_EQ(body.contact().side, ContactSide::kNone);
+  drive(body, 1.0, 0.1, 0.1);
+  EXPECT_EQ(body.collisions(), 2U);
+}
+
 TEST(RobotBody, TheRearBumperAndTheOuterSegmentsAreTold) {
   World world = scene(room_text() + R"([[cylinder]]
 center_m = [4.6, 3.12]

@@ -16,6 +16,7 @@ import demo_air  # noqa: E402
 import demo_network  # noqa: E402
 import demo_radio  # noqa: E402
 import demo_record  # noqa: E402
+import team_network  # noqa: E402
 from demo_radio import Radio, parse  # noqa: E402
 
 
@@ -82,8 +83,8 @@ class When(unittest.TestCase):
 
 class Refusal(unittest.TestCase):
     def test_a_missing_program_is_named_with_its_package(self):
-        with self.assertRaisesRegex(demo_network.Unavailable, "no-such-tool is missing .package some-package."):
-            demo_network.tool("no-such-tool", "some-package")
+        with self.assertRaisesRegex(team_network.Unavailable, "no-such-tool is missing .package some-package."):
+            team_network.tool("no-such-tool", "some-package")
 
     def test_it_says_what_needs_namespaces_why_there_are_none_and_what_to_do(self):
         said = demo_network.refusal("loss:0.3", "unshare: Operation not permitted")
@@ -91,7 +92,7 @@ class Refusal(unittest.TestCase):
             self.assertIn(part, said)
 
     def test_every_robot_has_a_mac_of_its_own(self):
-        self.assertEqual(len({demo_network.mac(robot) for robot in range(8)}), 8)
+        self.assertEqual(len({team_network.mac(robot) for robot in range(1, 9)}), 8)
 
 
 class Told:
@@ -100,7 +101,7 @@ class Told:
     def __init__(self):
         self.done = []
 
-    def switch(self, on):
+    def switch_all(self, on):
         self.done.append(on)
 
     def part(self, pairs):

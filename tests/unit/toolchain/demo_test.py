@@ -18,6 +18,7 @@ sys.path.insert(0, str(TOP / "toolchain/lib"))
 import demo  # noqa: E402
 import demo_processes  # noqa: E402
 import demo_report  # noqa: E402
+import demo_view  # noqa: E402
 
 
 class CommandLine(unittest.TestCase):
@@ -27,7 +28,7 @@ class CommandLine(unittest.TestCase):
     def test_help(self):
         done = self.demo("--help")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for option in ("--robots", "--entry-delay", "--world", "--seed", "--strategy", "--finish", "--out", "--time-limit", "--no-install"):
+        for option in ("--robots", "--entry-delay", "--world", "--seed", "--strategy", "--finish", "--out", "--time-limit", "--view", "--no-install"):
             self.assertIn(option, done.stdout)
 
     def test_faults_are_named_before_anything_is_installed_or_built(self):
@@ -43,6 +44,14 @@ class CommandLine(unittest.TestCase):
             self.assertIn(expected, done.stderr)
 
 
+class Page(unittest.TestCase):
+    def test_the_address_is_what_pair_printed(self):
+        address = "http://127.0.0.1:8080/#token=ab-cd"
+        self.assertEqual(demo_view.address_of("token    ab-cd\naddress  %s\n\nIt is shown this once.\n" % address), address)
+        with self.assertRaisesRegex(demo_processes.Failure, "no right"):
+            demo_view.address_of("no right")
+
+
 class Configuration(unittest.TestCase):
     def test_keys_are_set_in_their_own_section(self):
         text = '[a]\naddress = "1"\n# strategy = "x"  # why\n[b.c]\n# more\naddress = "2"\n'
@@ -53,7 +62,8 @@ class Configuration(unittest.TestCase):
 
     def test_the_simulations_file_takes_what_the_demo_sets(self):
         values = {("base", "address"): "tcp:h:1", ("scanner.front", "address"): "tcp:h:2", ("scanner.coronal", "address"): "tcp:h:3",
-                  ("control", "socket"): "/s", ("exploration", "strategy"): "nearest_frontier", ("exploration", "finish"): "essential"}
+                  ("control", "socket"): "/s", ("exploration", "strategy"): "nearest_frontier", ("exploration", "finish"): "essential",
+                  ("view", "port"): 8081, ("view", "state_folder"): "/v"}
         made = tomllib.loads(demo_processes.configure((TOP / "config/simulation.toml").read_text(), values))
         for (section, key), value in values.items():
             found = made

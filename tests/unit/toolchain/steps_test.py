@@ -71,6 +71,19 @@ class Steps(unittest.TestCase):
         self.assertIn("== long: OUT OF TIME", done.stdout)
         self.assertRegex(done.stdout, r"(?m)^  late +0\.0 min  NOT RUN$")
 
+    def test_what_runs_meanwhile_gives_way_and_ends_with_the_script(self):
+        with tempfile.TemporaryDirectory() as name:
+            # The pipe gives its end when nothing holds it any more.
+            done = bash(f"cd '{name}'; mkfifo held; cat held > seen & "
+                        "meanwhile log bash -c 'chrt --pid $$; cat /proc/self/autogroup; echo begun > held; sleep 1000 > held'; "
+                        "until [ -s seen ]; do sleep 0.02; done; step good echo done; summary all-of-it")
+            log = (pathlib.Path(name) / "log").read_text()
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("SCHED_IDLE", log)
+        if pathlib.Path("/proc/self/autogroup").exists():
+            self.assertIn("nice 19", log)
+        self.assertRegex(done.stdout, r"(?m)^  good +0\.0 min  ok$")
+
     def test_with_a_deadline_a_step_in_time_is_as_without(self):
         done = bash("steps_deadline=$(($(date +%s) + 600)); step good echo done; step three sh -c 'exit 3'; "
                     "echo status $?; summary all-of-it")

@@ -14,6 +14,7 @@ import unittest
 SYSTEMD = pathlib.Path(__file__).resolve().parents[3] / "systemd"
 UNIT = SYSTEMD / "topometric.service"
 LINK = SYSTEMD / "topometric-link.service"
+VIEW = SYSTEMD / "topometric-view.service"
 # systemd-analyze's scale: 0 is best, 10 is unconfined; its --threshold takes tenths.
 EXPOSURE_MAX_TENTHS = 30
 LINK_EXPOSURE_MAX_TENTHS = 20  # it opens no device
@@ -48,10 +49,17 @@ class SystemdFiles(unittest.TestCase):
         unit.write_text(text)
         return str(unit)
 
+    def staged_view(self):
+        text, programs = re.subn(r"^ExecStart=/usr/bin/topoview\b", "ExecStart=/bin/true", VIEW.read_text(), flags=re.M)
+        self.assertEqual(programs, 1, "the package installs /usr/bin/topoview")
+        unit = self.folder / VIEW.name
+        unit.write_text(text)
+        return str(unit)
+
     def test_systemd_reads_the_units_without_a_word(self):
         # Unknown keys are warnings and leave the exit status at 0, so the output must be empty as well. Words
         # about other units of this machine are not ours.
-        for unit in (self.staged_unit(), self.staged_link()):
+        for unit in (self.staged_unit(), self.staged_link(), self.staged_view()):
             status, output = run("systemd-analyze", "verify", "--man=no", "--recursive-errors=no", unit)
             ours = [line for line in output.splitlines() if "topometric" in line]
             self.assertEqual((status, ours), (0, []), output)
@@ -63,7 +71,8 @@ class SystemdFiles(unittest.TestCase):
         self.assertIn("WatchdogSecs", output)
 
     def test_the_units_are_confined(self):
-        for unit, most_tenths in ((self.staged_unit(), EXPOSURE_MAX_TENTHS), (self.staged_link(), LINK_EXPOSURE_MAX_TENTHS)):
+        for unit, most_tenths in ((self.staged_unit(), EXPOSURE_MAX_TENTHS), (self.staged_link(), LINK_EXPOSURE_MAX_TENTHS),
+                                  (self.staged_view(), LINK_EXPOSURE_MAX_TENTHS)):
             status, output = run("systemd-analyze", "security", "--offline=true", f"--threshold={most_tenths}", unit)
             self.assertEqual(status, 0, output)
 
@@ -81,6 +90,13 @@ class SystemdFiles(unittest.TestCase):
         lines = set(LINK.read_text().splitlines())
         for line in ("Type=notify", "User=topometric", "Restart=on-failure", "RestartPreventExitStatus=2", "PrivateDevices=yes",
                      "InaccessiblePaths=-/var/lib/topometric", "RestrictAddressFamilies=AF_UNIX AF_INET AF_NETLINK"):
+            self.assertIn(line, lines)
+
+    def test_the_page_is_the_daemons_user_and_reaches_no_device(self):
+        lines = set(VIEW.read_text().splitlines())
+        for line in ("Type=notify", "User=topometric", "Restart=on-failure", "RestartPreventExitStatus=2", "PrivateDevices=yes",
+                     "StateDirectory=topometric/view", "StateDirectoryMode=0700", "MemoryMax=64M",
+                     "RestrictAddressFamilies=AF_UNIX AF_INET AF_INET6"):
             self.assertIn(line, lines)
 
     @unittest.skipUnless(shutil.which("systemd-sysusers"), "no systemd-sysusers here")

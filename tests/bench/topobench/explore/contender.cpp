@@ -15,7 +15,11 @@ using exploration::Strategy;
 using pipeline::PlannerParams;
 
 void drop_walls(PlannerParams& planner) { planner.analysis.wall_store = false; }
-void drop_k_means(PlannerParams& planner) { planner.explore.k_means = false; }
+void share_single_goals(PlannerParams& planner) { planner.explore.rule = team::Rule::kNoClusters; }
+void share_clusters(PlannerParams& planner) { planner.explore.rule = team::Rule::kClusters; }
+void fill_gaps_in_turn(PlannerParams& planner) { planner.explore.tour.now_share = -1.0; }
+void look_everywhere(PlannerParams& planner) { planner.explore.worth.look_m2ps = 1e-9; }
+void stay_out(PlannerParams& planner) { planner.explore.ending.stays_out = true; }
 
 /// No reason is left against any merge, so that the reduction ends with one place for what hangs together.
 void drop_places(PlannerParams& planner) {
@@ -33,8 +37,12 @@ struct Ablation {
   std::string_view name;
   void (*drop)(PlannerParams&);
 };
-constexpr std::array<Ablation, 3> kAblations{{{"topometric_no_walls", drop_walls},
-                                              {"topometric_no_kmeans", drop_k_means},
+constexpr std::array<Ablation, 7> kAblations{{{"topometric_no_walls", drop_walls},
+                                              {"topometric_gaps_in_turn", fill_gaps_in_turn},
+                                              {"topometric_all_looks", look_everywhere},
+                                              {"topometric_stays_out", stay_out},
+                                              {"topometric_kmeans", share_clusters},
+                                              {"topometric_no_kmeans", share_single_goals},
                                               {"topometric_no_places", drop_places}}};
 
 }  // namespace

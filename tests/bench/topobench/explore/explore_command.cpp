@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/bench/topobench/bound/bound_command.hpp"
+#include "tests/bench/topobench/explore/calibrated_setup.hpp"
 #include "tests/bench/topobench/explore/contender.hpp"
 #include "tests/bench/topobench/explore/crossings.hpp"
 #include "tests/bench/topobench/explore/explore_report.hpp"
@@ -51,6 +52,11 @@ types::Status check(const ExploreCommand& command) {
         fmt::format("--starts: found unknown in fidelity {}, expected fidelity full: without a "
                     "mapper all poses are known",
                     command.fidelity));
+  if (!command.calibration.empty() && (command.robots > 1 || command.fidelity != "full"))
+    return types::fail(
+        Errc::kInvalidInput,
+        fmt::format("--calibration: found {} robots in fidelity {}, expected one in fidelity full",
+                    command.robots, command.fidelity));
   if (const auto radio = parse_radio(command.radio); !radio) return tl::unexpected(radio.error());
   if (!(command.entry_delay_s >= 0.0 && command.entry_delay_s <= kLimitMax_s))
     return types::fail(Errc::kInvalidInput,
@@ -64,14 +70,19 @@ types::Status check(const ExploreCommand& command) {
 types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World& world) {
   const auto& s = command.start;
   const sim::Se2 start = s.empty() ? world.start_poses().front() : sim::Se2{s[0], s[1], s[2]};
-  RunSetup setup =
-      default_setup(start, command.seed, command.fidelity == "full" ? Fidelity::kFull : Fidelity::kPlan);
+  const Fidelity fidelity = command.fidelity == "full" ? Fidelity::kFull : Fidelity::kPlan;
+  auto made = command.calibration.empty()
+                  ? types::Result<RunSetup>(default_setup(start, command.seed, fidelity))
+                  : calibrated_setup(command.calibration, start, command.seed);
+  if (!made) return made;
+  RunSetup setup = std::move(*made);
   setup.limit_s = command.limit_s;
   if (auto set = set_contender(command.strategy, setup.mind.planner); !set)
     return tl::unexpected(set.error());
   setup.mind.planner.contact_lost_s = command.contact_lost_s;
-  setup.mind.planner.explore.finish =
-      command.finish == "complete" ? pipeline::Finish::kComplete : pipeline::Finish::kEssential;
+  const auto finish = exploration::parse_finish(command.finish);
+  if (!finish) return tl::unexpected(finish.error());
+  exploration::set_finish(*finish, setup.mind.planner.explore);
   return setup;
 }
 
@@ -155,6 +166,7 @@ types::Result<nlohmann::json> explore(const ExploreCommand& command, RunHooks& h
           .visible;
   auto report = command.robots == 1 ? run_alone(command, std::move(*world), title, *setup, visible, hooks)
                                     : run_together(command, std::move(*world), title, *setup, visible, hooks);
+  if (report && !command.calibration.empty()) (*report)["calibration"] = command.calibration;
   if (!report || !command.bound) return report;
   if (auto added = add_bound(command, setup->plant.start, *report); !added)
     return tl::unexpected(added.error());

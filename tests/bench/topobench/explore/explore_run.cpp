@@ -86,6 +86,11 @@ RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidel
   configuration.front.x_m = 0.021;
   configuration.coronal.x_m = 0.10;
   configuration.coronal.z_m = 0.40;
+  return configured_setup(configuration, start, seed, fidelity);
+}
+
+RunSetup configured_setup(const daemon::Configuration& configuration, const sim::Se2& start,
+                          std::uint64_t seed, Fidelity fidelity) {
   RunSetup setup;
   setup.fidelity = fidelity;
   MindSetup& mind = setup.mind;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/config/configuration.hpp"
 #include "tests/bench/topobench/explore/coverage.hpp"
 #include "tests/bench/topobench/explore/plant.hpp"
 #include "tests/bench/topobench/explore/robot_mind.hpp"
@@ -96,5 +97,10 @@ std::unique_ptr<RobotMind> make_mind(const RunSetup& setup);
 
 /// Everything as config/simulation.toml has it.
 RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity);
+
+/// The same with another configuration, of a robot that is as it says: but for its wheels, which are always a
+/// little wrong.
+RunSetup configured_setup(const daemon::Configuration& configuration, const sim::Se2& start,
+                          std::uint64_t seed, Fidelity fidelity);
 
 }  // namespace topo::bench

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "tests/bench/topobench/explore/calibrated_reckoning.hpp"
 #include "tests/bench/topobench/explore/plant.hpp"
 #include "tests/bench/topobench/explore/virtual_base.hpp"
 #include "tests/sim/value_feed.hpp"
@@ -21,7 +22,8 @@ sim::RobotSetup robot_setup(const PlantSetup& plant) {
   sim::LaserSetup front, coronal;
   front.mount = {at.T_base_laser.x_m, at.T_base_laser.y_m, kFrontHeight_m, at.T_base_laser.theta_rad,
                  sim::ScanPlane::kLevel};
-  coronal.mount = {at.coronal.x_m, at.coronal.y_m, at.coronal.z_m, 0.0, sim::ScanPlane::kCoronal};
+  coronal.mount = {at.coronal.x_m,           at.coronal.y_m,     at.coronal.z_m, 0.0,
+                   sim::ScanPlane::kCoronal, at.coronal.roll_rad};
   coronal.phase = kCoronalPhase;
   setup.lasers = {front, coronal};
   return setup;
@@ -30,7 +32,9 @@ sim::RobotSetup robot_setup(const PlantSetup& plant) {
 class FullPlant final : public Plant, private sim::SensorSink {
  public:
   FullPlant(std::shared_ptr<sim::Simulation> simulation, const PlantSetup& setup)
-      : base_(setup.limits, setup.firmware_watchdog),
+      : driver_(setup.driver),
+        base_(setup.limits, setup.firmware_watchdog, sim::arcos::p3dx_parameters(), driver_.wheels),
+        reckoning_(driver_.wheels),
         feed_(robot_setup(setup)),
         simulation_(std::move(simulation)),
         time_(simulation_->now()) {}
@@ -56,8 +60,12 @@ class FullPlant final : public Plant, private sim::SensorSink {
     time_ += kTick;
     simulation_->advance_to(time_);  // of several robots the first one's tick moves all
     feed_.sample(body());
-    while (const auto odometry = feed_.next_odometry())
-      on_the_way_.push_back(base_.status(*odometry, odometry->stamp + kStatusDelay, body()));
+    while (const auto counted = feed_.next_odometry()) {
+      const types::Stamp arrival = counted->stamp + kStatusDelay + driver_.status_delay;
+      types::Odometry odometry = reckoning_.update(*counted);
+      odometry.stamp += driver_.status_delay - driver_.told_delay;
+      on_the_way_.push_back(base_.status(odometry, arrival, body()));
+    }
     const types::Stamp now{simulation_->now()};
     for (; !on_the_way_.empty() && on_the_way_.front().arrival <= now; on_the_way_.pop_front())
       out.states.push_back(on_the_way_.front());
@@ -74,7 +82,9 @@ class FullPlant final : public Plant, private sim::SensorSink {
   void on_sweep(std::size_t laser, const sim::Sweep& sweep) override { feed_.on_sweep(laser, sweep); }
   void on_sonar(const sim::SonarEcho& echo) override { base_.on_sonar(echo); }
 
+  DriverSetup driver_;
   VirtualBase base_;
+  CalibratedReckoning reckoning_;
   sim::ValueFeed feed_;
   std::deque<types::BaseState> on_the_way_;
   types::Scan scan_;

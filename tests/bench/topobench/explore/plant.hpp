@@ -9,12 +9,20 @@
 #include "core/slam/params.hpp"
 #include "core/types/result.hpp"
 #include "core/types/robot_limits.hpp"
+#include "core/types/wheel_calibration.hpp"
 #include "tests/bench/topobench/explore/readings.hpp"
 #include "tests/sim/simulation.hpp"
 
 namespace topo::bench {
 
 constexpr double kFrontHeight_m = 0.30;  ///< of the level laser, as config/simulation.toml has it
+
+/// What lies between the firmware and the robot's mind: the driver, and what it is told of this robot.
+struct DriverSetup {
+  types::WheelCalibration wheels;  ///< as configured; those of the model: nothing is corrected
+  types::Duration status_delay{};  ///< of status packets, beyond what the driver can observe
+  types::Duration told_delay{};    ///< as configured
+};
 
 struct PlantSetup {
   sim::Se2 start;
@@ -24,6 +32,7 @@ struct PlantSetup {
   types::Duration firmware_watchdog = std::chrono::milliseconds(2000);
   sim::Difficulty difficulty;
   std::uint64_t seed = 1;
+  DriverSetup driver;  ///< of fidelity full alone
 };
 
 /// The building with the robot's body and devices in it: takes commands, gives readings. What it knows of the

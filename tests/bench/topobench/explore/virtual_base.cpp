@@ -19,8 +19,9 @@ int whole(double value) { return static_cast<int>(value); }
 }  // namespace
 
 VirtualBase::VirtualBase(const types::RobotLimits& limits, types::Duration watchdog,
-                         const sim::arcos::Parameters& firmware)
+                         const sim::arcos::Parameters& firmware, const types::WheelCalibration& wheels)
     : drive_(firmware),
+      wheels_(wheels),
       v_max_mps_(limits.v_max_mps),
       omega_max_radps_(limits.omega_max_radps),
       watchdog_(watchdog) {
@@ -30,6 +31,14 @@ VirtualBase::VirtualBase(const types::RobotLimits& limits, types::Duration watch
   drive_.set_acceleration(-whole(limits.deceleration_mps2 * 1e3));
   drive_.set_rotation_acceleration(whole(limits.angular_acceleration_radps2 / types::kDegree_rad));
   drive_.set_rotation_acceleration(-whole(limits.angular_acceleration_radps2 / types::kDegree_rad));
+}
+
+/// What the firmware must be given, which reckons with the model's wheels.
+types::Twist2 VirtualBase::counted(const types::Twist2& wanted) const {
+  if (wheels_ == types::WheelCalibration{}) return wanted;
+  const types::Progress p =
+      types::counted_progress(wheels_, sim::RobotModel::p3dx().track_m, {wanted.v_mps, wanted.omega_radps});
+  return {p.way_m, p.turn_rad};
 }
 
 void VirtualBase::command(const types::BaseCommand& command, sim::SimTime now) {
@@ -47,7 +56,7 @@ void VirtualBase::command(const types::BaseCommand& command, sim::SimTime now) {
   }
   const bool moves = want_motors_ && motors_on_;
   const auto setpoints =
-      moves ? pioneer::quantise(command.twist, v_max_mps_, omega_max_radps_) : pioneer::Setpoints{};
+      moves ? pioneer::quantise(counted(command.twist), v_max_mps_, omega_max_radps_) : pioneer::Setpoints{};
   drive_.set_velocity(setpoints.v_mmps);
   drive_.set_rotation(setpoints.omega_degps);
 }

@@ -6,6 +6,7 @@
 
 #include "core/types/base_state.hpp"
 #include "core/types/robot_limits.hpp"
+#include "core/types/wheel_calibration.hpp"
 #include "tests/sim/devices/arcos_drive.hpp"
 #include "tests/sim/simulation.hpp"
 
@@ -16,8 +17,10 @@ namespace topo::bench {
 /// says. Not thread-safe.
 class VirtualBase final : public sim::WheelDrive {
  public:
+  /// `wheels`: as the driver is told that they are.
   VirtualBase(const types::RobotLimits& limits, types::Duration watchdog,
-              const sim::arcos::Parameters& firmware = sim::arcos::p3dx_parameters());
+              const sim::arcos::Parameters& firmware = sim::arcos::p3dx_parameters(),
+              const types::WheelCalibration& wheels = {});
 
   /// Bytes that the firmware does not obey feed its watchdog all the same.
   void feed_watchdog(sim::SimTime now) { last_command_ = now; }
@@ -35,8 +38,10 @@ class VirtualBase final : public sim::WheelDrive {
 
  private:
   void switch_motors(const types::Twist2& twist);
+  [[nodiscard]] types::Twist2 counted(const types::Twist2& wanted) const;
 
   sim::arcos::Drive drive_;
+  types::WheelCalibration wheels_;
   double v_max_mps_, omega_max_radps_;
   sim::SimTime watchdog_;
   sim::SimTime last_command_{0};

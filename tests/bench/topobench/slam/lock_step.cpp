@@ -49,6 +49,7 @@ MappingRun LockStep::finish() {
   const pipeline::MappingOutput output = state_.finish();
   timer.stop({&run_.end});
   collect(output);
+  look_back();
   const std::span<const types::Se2> poses = state_.mapper().poses();
   for (std::size_t i = 0; i < run_.hung.size(); ++i) {
     const Hung& hung = run_.hung[i];
@@ -83,11 +84,24 @@ void LockStep::collect(const pipeline::MappingOutput& output) {
     timer.stop({&run_.graph});
   }
   if (!output.alignment_query) return;
+  alignments_.emplace_back(keyframes_ + answer_delay_, align(*output.alignment_query));
+}
+
+slam::Alignment LockStep::align(const slam::AlignmentQuery& query) {
   const StageTimer timer;
-  slam::Alignment alignment = slam::align_maps(*output.alignment_query);
+  slam::Alignment alignment = slam::align_maps(query);
   timer.stop({&run_.loop_search});
   if (on_alignment) on_alignment(alignment);
-  alignments_.emplace_back(keyframes_ + answer_delay_, std::move(alignment));
+  return alignment;
+}
+
+void LockStep::look_back() {
+  while (const auto query = state_.take_idle_query()) {
+    const slam::Alignment alignment = align(*query);
+    if (!alignment.found()) continue;
+    state_.offer(alignment);
+    collect(state_.finish());
+  }
 }
 
 void LockStep::hand_over() {

@@ -71,7 +71,8 @@ class LockStep {
 
   void step(const pipeline::MappingInput& input);
 
-  /// The end of the input: what still waits is placed and applied, the graph solved once more. Call once.
+  /// The end of the input: what still waits is placed and applied, the graph solved once more, and the own
+  /// past searched as by an idle robot. Call once.
   MappingRun finish();
 
  private:
@@ -81,6 +82,8 @@ class LockStep {
   };
   void collect(const pipeline::MappingOutput& output);
   void hand_over();
+  slam::Alignment align(const slam::AlignmentQuery& query);
+  void look_back();
 
   pipeline::MappingState& state_;
   std::size_t answer_delay_;

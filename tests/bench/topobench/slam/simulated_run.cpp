@@ -8,6 +8,7 @@
 #include <deque>
 
 #include "drivers/pioneer/sip_delay.hpp"
+#include "tests/bench/topobench/explore/calibrated_reckoning.hpp"
 #include "tests/bench/topobench/slam/patrol.hpp"
 #include "tests/sim/random.hpp"
 #include "tests/sim/value_feed.hpp"
@@ -48,20 +49,29 @@ class CarefulDrive final : public sim::WheelDrive {
   bool blocked_ = false;
 };
 
-sim::RobotSetup robot_at(const sim::Se2& start) {
+sim::RobotSetup robot_at(const sim::Se2& start, const sim::Se2& T_base_laser) {
   sim::RobotSetup setup;
   setup.start = start;
   setup.lasers.resize(1);
-  setup.lasers[0].mount.x_m = kLaserAhead_m;
+  setup.lasers[0].mount.x_m = T_base_laser.x_m;
+  setup.lasers[0].mount.y_m = T_base_laser.y_m;
+  setup.lasers[0].mount.yaw_rad = T_base_laser.theta_rad;
   setup.lasers[0].mount.z_m = kLaserHeight_m;
   return setup;
 }
 
-/// Status packets on their way: late, and stamped by the driver's estimate of how late.
+/// Status packets on their way: late, and stamped by the driver's estimate of how late, or, of a driver that
+/// is set up, by what it is told.
 class LatePackets {
  public:
-  explicit LatePackets(std::uint64_t seed) : random_(seed) {}
+  LatePackets(const std::optional<DriverSetup>& driver, std::uint64_t seed) : driver_(driver), random_(seed) {
+    if (driver) reckoning_.emplace(driver->wheels);
+  }
   void send(const types::Odometry& odometry) {
+    if (driver_) {
+      waiting_.push_back({reckoning_->update(odometry), odometry.stamp + driver_->status_delay});
+      return;
+    }
     const auto late = types::from_seconds(random_.uniform(kEarliest_s, kLatest_s));
     types::Stamp arrival = odometry.stamp + late;
     if (!waiting_.empty()) arrival = std::max(arrival, waiting_.back().arrival);
@@ -72,7 +82,8 @@ class LatePackets {
     types::Odometry odometry = waiting_.front().odometry;
     const types::Stamp arrival = waiting_.front().arrival;
     waiting_.pop_front();
-    odometry.stamp = arrival - delay_.update(arrival, types::Duration::zero());
+    odometry.stamp =
+        driver_ ? arrival - driver_->told_delay : arrival - delay_.update(arrival, types::Duration::zero());
     return odometry;
   }
 
@@ -81,6 +92,8 @@ class LatePackets {
     types::Odometry odometry;
     types::Stamp arrival;
   };
+  std::optional<DriverSetup> driver_;
+  std::optional<CalibratedReckoning> reckoning_;  ///< of that driver
   sim::Random random_;
   pioneer::SipDelay delay_;
   std::deque<Packet> waiting_;
@@ -108,9 +121,10 @@ class Runner {
       : simulation_(simulation),
         setup_(setup),
         start_(simulation.world().start_poses().front()),
-        robot_(robot_at(start_)),
+        robot_(robot_at(start_, setup.T_base_laser)),
         feed_(robot_),
-        packets_(setup.seed ^ 0x51bU),
+        packets_(setup.driver, setup.seed ^ 0x51bU),
+        thinner_(setup.thinning),
         lock_step_(state) {}
 
   types::Result<SimulatedRun> run() {
@@ -154,6 +168,7 @@ class Runner {
       while (const auto odometry = packets_.receive(types::Stamp{simulation_.now()}))
         lock_step_.step({{&*odometry, 1}, nullptr, nullptr});
       while (feed_.next_scan(0, scan)) {
+        if (!thinner_.keeps_next()) continue;
         ++out_.scans;
         lock_step_.step({{}, &scan, nullptr});
       }
@@ -179,6 +194,7 @@ class Runner {
   sim::RobotSetup robot_;
   sim::ValueFeed feed_;
   LatePackets packets_;
+  Thinner thinner_;
   LockStep lock_step_;
   const sim::RobotBody* body_ = nullptr;
   sim::Se2 odom_;

@@ -67,16 +67,6 @@ nlohmann::json report_of(const pipeline::MappingState& state, const MappingRun& 
           {"peak_rss_mb", peak_rss_mb()}};
 }
 
-std::string doubt_of(const MappingRun& run) {
-  constexpr double kFew = 0.1;  // a good log loses none
-  const std::size_t scans = run.trajectory.size();
-  if (static_cast<double>(run.lost) <= kFew * static_cast<double>(scans)) return {};
-  return fmt::format(
-      "lost in {} of {} scans: they fit nowhere in the map and stand where the odometry says; expected scans "
-      "that see walls, and each much of what the one before saw",
-      run.lost, scans);
-}
-
 nlohmann::json error_report(std::span<const PosePair> pairs) {
   if (pairs.empty()) return nullptr;
   const types::Se2 fit = best_fit(pairs);

@@ -16,10 +16,6 @@ nlohmann::json report_of(const pipeline::MappingState& state, const MappingRun& 
 /// alone: what a user sees who knows where the robot began.
 nlohmann::json error_report(std::span<const PosePair> pairs);
 
-/// What a person should know who takes the map for one: so many scans lost that their places are dead
-/// reckoning. Empty when there is nothing to say.
-std::string doubt_of(const MappingRun& run);
-
 /// Length of the path, as the map has it.
 double path_length_m(const MappingRun& run);
 

@@ -16,18 +16,20 @@
 #include "tests/sim/area.hpp"
 #include "tests/sim/team_start.hpp"
 #include "tests/unit/daemon/support/temp_dir.hpp"
+#include "tests/unit/support/times.hpp"
 
 namespace topo::bench::fresh {
 namespace {
 
-constexpr int kBuildings = 200;
+constexpr std::size_t kBuildings = test::times(200, 40);
+constexpr std::size_t kDrawnAgain = test::times(20, 4);
 
-/// The same two hundred for every property: drawing them is most of the time.
+/// The same for every property: drawing them is most of the time.
 const std::vector<Building>& buildings() {
   static const std::vector<Building> kAll = [] {
     std::vector<Building> all;
-    for (int i = 1; i <= kBuildings; ++i) {
-      auto building = draw_building(seed_of_building(99, i));
+    for (std::size_t i = 1; i <= kBuildings; ++i) {
+      auto building = draw_building(seed_of_building(99, static_cast<int>(i)));
       if (building) all.push_back(std::move(*building));
     }
     return all;
@@ -35,9 +37,7 @@ const std::vector<Building>& buildings() {
   return kAll;
 }
 
-TEST(FreshBuilding, existsForEverySeed) {
-  EXPECT_EQ(buildings().size(), static_cast<std::size_t>(kBuildings));
-}
+TEST(FreshBuilding, existsForEverySeed) { EXPECT_EQ(buildings().size(), kBuildings); }
 
 TEST(FreshBuilding, hasAnAreaInTheRange) {
   double least_m2 = HUGE_VAL, most_m2 = 0.0;
@@ -89,7 +89,7 @@ TEST(FreshBuilding, hasDoorsOfThePermittedWidths) {
       }
     }
   }
-  EXPECT_GT(doors, 20U * kBuildings);
+  EXPECT_GT(doors, 20 * kBuildings);
 }
 
 /// A door that is not turned keeps its width in the image, to the cell.
@@ -113,7 +113,7 @@ TEST(FreshBuilding, drawsADoorAsWideAsPlanned) {
       }
     }
   }
-  EXPECT_GT(checked, 1000U);
+  EXPECT_GT(checked, 5 * kBuildings);
 }
 
 TEST(FreshBuilding, hasAClosedOuterWall) {
@@ -132,15 +132,15 @@ TEST(FreshBuilding, hasAClosedOuterWall) {
 
 TEST(FreshBuilding, isTheSameForTheSameSeed) {
   std::set<std::size_t> different;
-  for (int i = 1; i <= 20; ++i) {
-    const auto again = draw_building(seed_of_building(99, i));
+  for (std::size_t i = 1; i <= kDrawnAgain; ++i) {
+    const auto again = draw_building(seed_of_building(99, static_cast<int>(i)));
     ASSERT_TRUE(again.has_value()) << again.error().message;
-    const Building& first = buildings()[static_cast<std::size_t>(i - 1)];
+    const Building& first = buildings()[i - 1];
     EXPECT_EQ(again->free.cells, first.free.cells);
     EXPECT_EQ(again->start, first.start);
     different.insert(first.free.cells.size());
   }
-  EXPECT_GT(different.size(), 15U) << "another building for another seed";
+  EXPECT_GE(5 * different.size(), 4 * kDrawnAgain) << "another building for another seed";
 }
 
 /// A large office floor has corridors that cross.
@@ -161,7 +161,7 @@ TEST(FreshBuilding, hasCorridorsThatMeet) {
                   : 0U;
     }
   }
-  EXPECT_GT(several, 60U);
+  EXPECT_GT(10 * several, 3 * kBuildings);
   EXPECT_GT(10 * meet, 8 * several);
 }
 
@@ -186,10 +186,10 @@ TEST(FreshBuilding, hasEveryKindOfPlan) {
     halls += has(Use::kHall) ? 1U : 0U;
     closed += has(Use::kClosed) ? 1U : 0U;
   }
-  EXPECT_GT(several, 40U);
-  EXPECT_GT(skew, 20U);
-  EXPECT_GT(halls, 60U);
-  EXPECT_GT(closed, 60U);
+  EXPECT_GT(10 * several, 2 * kBuildings);
+  EXPECT_GT(10 * skew, kBuildings);
+  EXPECT_GT(10 * halls, 3 * kBuildings);
+  EXPECT_GT(10 * closed, 3 * kBuildings);
 }
 
 TEST(FreshSuite, writesPlansThatTheSimulatorReads) {

@@ -199,31 +199,76 @@ TEST_F(Deciding, WithAllGoalsClaimedTheRobotWaits) {
   EXPECT_EQ(then.offer.bids.size(), then.outlook.open_goals.size());
 }
 
+TEST_F(Deciding, WithTheOnlyGoalClaimedTheRobotWaits) {
+  params_.finish = Finish::kEssential;
+  params_.tour.overlooked_m2 = 1e6;  // no gaps
+  const Intent alone = first();
+  const std::vector<goals::Goal>& goals = alone.outlook.open_goals;
+  Intent intent = begun();
+  for (std::size_t i = 1; i < goals.size(); ++i) intent.deferred.visit(goals[i].p_map, std::nullopt);
+  team::StatusMessage mate = mate_at(1, {500.0, 0.0});
+  mate.bids = {{place_for_team(goals.front()), 0.01}};
+  mate.claim = mate.bids.front();
+  hear(mate);
+  const Intent then = after(situation(), intent);
+  EXPECT_FALSE(then.pursuit.goal || then.pursuit.has_target);
+  EXPECT_EQ(then.reason, "waits: others are nearer to every goal");
+  EXPECT_EQ(then.offer.bids.size(), then.outlook.open_goals.size());
+}
+
+TEST_F(Deciding, WithoutAGoalOfItsOwnTheRobotHelps) {
+  const Intent alone = first();
+  team::StatusMessage mate = mate_at(1, {500.0, 0.0});
+  mate.bids = alone.offer.bids;  // nearer to each, but it goes to the first before
+  for (team::Bid& bid : mate.bids) bid.cost_m -= 0.5;
+  mate.claim = mate.bids.front();
+  hear(mate);
+  const Intent then = after(situation(), begun());
+  ASSERT_TRUE(then.pursuit.goal);
+  EXPECT_FALSE(team::is_same_goal(place_for_team(*then.pursuit.goal), mate.claim->p_map));
+}
+
+TEST_F(Deciding, WhatIsNotWorthItsTimeIsLeftOut) {
+  params_.finish = Finish::kWorth;
+  params_.worth.rate_m2ps = 1e6;
+  Situation now = situation();
+  now.start = here() - Vector2(3.0, 0.0);
+  const Intent intent = after(now, begun());
+  EXPECT_TRUE(intent.outlook.open_goals.empty());
+  EXPECT_FALSE(intent.outlook.left_out.empty());
+  ASSERT_TRUE(std::holds_alternative<Returning>(intent.phase)) << intent.reason;
+  EXPECT_TRUE(std::get<Returning>(intent.phase).why.starts_with("explored: goals that are not worth"));
+  EXPECT_TRUE(has_note(intent, "left out: "));
+  params_.worth.rate_m2ps = 1e-6;
+  EXPECT_TRUE(first().outlook.left_out.empty());
+}
+
 /// All there is to choose among, and a choice among some of it.
 class FirstOfTour : public Deciding {
  protected:
-  FirstOfTour()
-      : all_(propose(situation(), searches(), params_, false, deferred_, SweepState{}).candidates) {}
-  [[nodiscard]] std::vector<const Candidate*> pointers() const {
-    std::vector<const Candidate*> candidates;
-    for (const Candidate& c : all_) candidates.push_back(&c);
-    return candidates;
+  FirstOfTour() : all_(propose(situation(), searches(), params_, false, deferred_, SweepState{}).candidates) {
+    for (std::size_t i = 0; i < all_.size(); ++i) everything_.push_back(i);
+  }
+  [[nodiscard]] const Candidate* first(const std::vector<std::size_t>& share, const Candidate* present,
+                                       const TourParams& params) {
+    const TravelTable table = travel_table(all_, present, here(), searches(), params);
+    return &all_[first_of_tour(share, {all_, table, present, 0.0}, params)];
   }
   std::vector<Candidate> all_;
+  std::vector<std::size_t> everything_;
 };
 
-TEST_F(FirstOfTour, OfNoneIsNoneAndOfOneIsThat) {
+TEST_F(FirstOfTour, OfOneIsThat) {
   ASSERT_GE(all_.size(), 2U);
-  EXPECT_EQ(first_of_tour({}, nullptr, searches(), params_.tour), nullptr);
-  for (const Candidate& c : all_) EXPECT_EQ(first_of_tour({&c}, nullptr, searches(), params_.tour), &c);
+  for (std::size_t i = 0; i < all_.size(); ++i) EXPECT_EQ(first({i}, nullptr, params_.tour), &all_[i]);
 }
 
 TEST_F(FirstOfTour, DoesNotDependOnTheOrder) {
-  std::vector<const Candidate*> candidates = pointers();
-  const Candidate* const first = first_of_tour(candidates, nullptr, searches(), params_.tour);
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    std::ranges::rotate(candidates, candidates.begin() + 1);
-    EXPECT_EQ(first_of_tour(candidates, nullptr, searches(), params_.tour), first);
+  std::vector<std::size_t> share = everything_;
+  const Candidate* const one = first(share, nullptr, params_.tour);
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    std::ranges::rotate(share, share.begin() + 1);
+    EXPECT_EQ(first(share, nullptr, params_.tour), one);
   }
 }
 
@@ -231,21 +276,28 @@ TEST_F(FirstOfTour, ThePresentGoalStaysUnlessMuchIsSaved) {
   TourParams patient = params_.tour, hasty = params_.tour;
   patient.switch_share = 1e9;
   hasty.switch_share = 0.0;
-  const Candidate* const first = first_of_tour(pointers(), nullptr, searches(), params_.tour);
+  const Candidate* const one = first(everything_, nullptr, params_.tour);
   for (const Candidate& present : all_) {
-    EXPECT_EQ(first_of_tour(pointers(), &present, searches(), patient), &present);
+    EXPECT_EQ(first(everything_, &present, patient), &present);
     patient.goals_max = 1;
-    EXPECT_EQ(first_of_tour(pointers(), &present, searches(), patient), &present)
-        << "it is among the nearest";
+    EXPECT_EQ(first(everything_, &present, patient), &present) << "it is in the table";
     patient.goals_max = 20;
   }
-  EXPECT_EQ(first_of_tour(pointers(), first, searches(), hasty), first);
+  EXPECT_EQ(first(everything_, one, hasty), one);
 }
 
 TEST_F(FirstOfTour, AmongOneGoalTheNearestIsLooked) {
   params_.tour.goals_max = 1;
-  const Candidate* const first = first_of_tour(pointers(), nullptr, searches(), params_.tour);
-  for (const Candidate& c : all_) EXPECT_LE(first->cost_m, c.cost_m);
+  const Candidate* const one = first(everything_, nullptr, params_.tour);
+  for (const Candidate& c : all_) EXPECT_LE(one->cost_m, c.cost_m);
+}
+
+TEST_F(FirstOfTour, BeyondTheTableTheNearestIsTaken) {
+  params_.tour.goals_max = 1;
+  std::ranges::sort(everything_, {}, [&](std::size_t i) { return all_[i].cost_m; });
+  const std::vector<std::size_t> beyond(everything_.begin() + 1, everything_.end());
+  ASSERT_FALSE(beyond.empty());
+  EXPECT_EQ(first(beyond, nullptr, params_.tour), &all_[beyond.front()]);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ DeferredGoals any_deferred() {
   DeferredGoals deferred;
   for (int k = *rc::gen::inRange(0, 12); k > 0; --k) {
     const types::Stamp until = second(*rc::gen::inRange(0, 120));
-    switch (*rc::gen::inRange(0, 4)) {
+    switch (*rc::gen::inRange(0, 5)) {
       case 0:
         deferred.give_up(anywhere(), until, "stuck");
         break;
@@ -29,6 +29,9 @@ DeferredGoals any_deferred() {
         break;
       case 2:
         deferred.visit(anywhere(), std::nullopt);
+        break;
+      case 3:
+        deferred.vanish(anywhere(), until);
         break;
       default:
         deferred.call_back(second(*rc::gen::inRange(0, 120)));
@@ -53,6 +56,24 @@ TEST(DeferredGoals, areHeldWithinEightyCentimetresOfThoseThatAreTold) {
       if (g.visited) visited.push_back(g.p_map);
     RC_ASSERT(deferred.visited(now) == visited);
   }));
+}
+
+TEST(DeferredGoals, areThoseThatVanishAgainAndNotForGood) {
+  const Vector2 p(3.0, 1.0);
+  DeferredGoals deferred;
+  deferred.vanish(p, second(60));
+  EXPECT_FALSE(deferred.hold(p, second(0))) << "seen from afar";
+  deferred.vanish(p + Vector2(0.3, 0.0), second(61));
+  EXPECT_TRUE(deferred.hold(p, second(60)));
+  EXPECT_FALSE(deferred.hold(p, second(61)));
+  for (int k = 0; k < 9; ++k) deferred.vanish(p, second(100 + 100 * k));
+  EXPECT_FALSE(deferred.hold(p, second(900)));
+  deferred.give_up(p, second(1000), "stuck");
+  EXPECT_FALSE(deferred.hold(p, second(1000))) << "given up once only";
+  deferred.vanish(p, second(1100));
+  EXPECT_TRUE(deferred.hold(p, second(1099)));
+  EXPECT_TRUE(deferred.call_back(second(1050)));
+  EXPECT_FALSE(deferred.hold(p, second(1050)));
 }
 
 TEST(DeferredGoals, comeBackAsTimeGoesByAndNeverGoAway) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "core/exploration/choice.hpp"
@@ -14,7 +15,13 @@ namespace topo::exploration {
 namespace {
 
 /// One decision's sources after the first look around.
-class Sources : public ToyDecision {};
+class Sources : public ToyDecision {
+ protected:
+  [[nodiscard]] Choice chosen(const std::vector<Candidate>& candidates) {
+    const TravelTable table = travel_table(candidates, nullptr, here(), searches(), params_.tour);
+    return choose({candidates, table, nullptr, 0.0}, situation(), map_, params_);
+  }
+};
 
 TEST_F(Sources, EssentialGoalsLieAtEitherEnd) {
   const Reachable found = essential_candidates(situation(), map_, deferred_, params_, false);
@@ -115,17 +122,19 @@ TEST_F(Sources, AnEssentialExplorationLeavesGapsForLater) {
 
 TEST_F(Sources, ARobotAloneChoosesWhatATeamOfOneWould) {
   const Proposal proposal = propose(situation(), {map_, ways_}, params_, false, deferred_, SweepState{});
-  const Choice choice = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
+  const Choice choice = chosen(proposal.candidates);
   ASSERT_NE(choice.best, nullptr);
   EXPECT_EQ(choice.bids.size(), proposal.candidates.size()) << "its bids are what it would tell a team";
-  std::vector<const Candidate*> all;
-  for (const Candidate& c : proposal.candidates) all.push_back(&c);
-  EXPECT_EQ(choice.best, first_of_tour(std::move(all), nullptr, {map_, ways_}, params_.tour));
+  std::vector<std::size_t> all(proposal.candidates.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const TravelTable table = travel_table(proposal.candidates, nullptr, here(), searches(), params_.tour);
+  const std::size_t first = first_of_tour(all, {proposal.candidates, table, nullptr, 0.0}, params_.tour);
+  EXPECT_EQ(choice.best, &proposal.candidates[first]);
 }
 
 TEST_F(Sources, AGoalThatACheaperClaimTakesIsLeft) {
   const Proposal proposal = propose(situation(), {map_, ways_}, params_, false, deferred_, SweepState{});
-  const Choice alone = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
+  const Choice alone = chosen(proposal.candidates);
   team::StatusMessage mate;
   mate.robot = 1;
   mate.duty = team::Duty::kAble;
@@ -133,7 +142,7 @@ TEST_F(Sources, AGoalThatACheaperClaimTakesIsLeft) {
   mate.claim = team::Bid{place_for_team(alone.best->goal), 0.1};
   mate.bids = {*mate.claim};
   hear(mate);
-  const Choice shared = choose(proposal.candidates, nullptr, 0.0, situation(), {map_, ways_}, params_);
+  const Choice shared = chosen(proposal.candidates);
   EXPECT_EQ(shared.bids.size(), proposal.candidates.size());
   if (shared.best != nullptr) {
     EXPECT_FALSE(team::is_same_goal(place_for_team(shared.best->goal), mate.claim->p_map));

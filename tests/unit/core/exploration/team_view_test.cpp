@@ -209,10 +209,5 @@ TEST(DecisionLog, KeepsTheLastOnesInTheirOrder) {
   }
 }
 
-TEST(Finish, HasAName) {
-  EXPECT_EQ(to_text(Finish::kEssential), "essential");
-  EXPECT_EQ(to_text(Finish::kComplete), "complete");
-}
-
 }  // namespace
 }  // namespace topo::exploration

@@ -114,10 +114,11 @@ TEST(BreadcrumbPath, MirroredLeadsBackTheMirroredWay) {
       right.update({pose.x_m, -pose.y_m, -pose.theta_rad});
       const types::Twist2 a = left.back_twist(0.1), b = right.back_twist(0.1);
       RC_ASSERT(a.v_mps == b.v_mps);
-      RC_ASSERT(std::abs(a.omega_radps + b.omega_radps) < 1e-9);
-      RC_ASSERT(std::abs(types::wrap_angle(left.turn_to_back_rad() + right.turn_to_back_rad())) < 1e-9);
-      RC_ASSERT(std::abs(left.behind_m() - right.behind_m()) < 1e-9);
-      RC_ASSERT(std::abs(left.length_m() - right.length_m()) < 1e-9);
+      // To the last bit: a comparison with a threshold must not come out otherwise on the other side.
+      RC_ASSERT(a.omega_radps == -b.omega_radps);
+      RC_ASSERT(types::wrap_angle(left.turn_to_back_rad() + right.turn_to_back_rad()) == 0.0);
+      RC_ASSERT(left.behind_m() == right.behind_m());
+      RC_ASSERT(left.length_m() == right.length_m());
     }
   }));
 }

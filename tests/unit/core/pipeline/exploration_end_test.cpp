@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "tests/unit/core/pipeline/toy_building.hpp"
 
@@ -141,6 +143,97 @@ TEST_F(Door, thatTeasesAndNeverTiresDoesNotKeepTheRobotOut) {
   EXPECT_TRUE(out.report->mission_ended);
   EXPECT_GE(taken_up, 2);
   EXPECT_LE(taken_up, 8);
+}
+
+/// The door on the right is the nearer one, and shut as long as the robot wants to go there.
+TEST(TwoDoors, ofWhichOneIsShutWheneverTheRobotTurnsToItDoNotKeepItTurning) {
+  std::vector<std::string> rows(
+      10, "#" + std::string(24, ' ') + "#" + std::string(24, ' ') + "#" + std::string(24, ' ') + "#");
+  constexpr std::size_t kLeft = 25, kRight = 50;
+  for (const std::size_t row : {3U, 4U, 5U, 6U, 7U}) rows[row][kLeft] = rows[row][kRight] = ' ';
+  rows[5][40] = 'S';
+  rows.insert(rows.begin(), std::string(76, '#'));
+  rows.push_back(std::string(76, '#'));
+  ToyBuilding building{rows, 4.5};
+  PlanningState state{PlannerParams{}};
+  PlanningOutput out;
+  const double right_m = 0.25 * kRight, left_m = 0.25 * kLeft;
+  int periods = 0;
+  for (; periods < 400 && building.robot().x() > left_m - 1.0; ++periods) {
+    out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
+    ASSERT_FALSE(out.report->mission_ended) << out.report->reason;
+    const bool wants_right = out.report->goal && out.report->goal->p_map.x() > right_m - 1.5;
+    for (const int row : {4, 5, 6, 7, 8})
+      wants_right ? building.close(kRight, row) : building.open(kRight, row);
+  }
+  EXPECT_LT(building.robot().x(), left_m) << "it went through the other one";
+  EXPECT_LT(periods, 150);
+  EXPECT_LT(out.report->goals_issued, 15U);
+}
+
+/// A goal without a route keeps nobody from the look.
+TEST_F(Door, APlaceIsLookedAtAgainThoughTheWayToAGoalIsShut) {
+  go_to_the_door();
+  shut();
+  building.doubt({{2.0, 1.5}});
+  bool looks = false;
+  for (int i = 0; i < 1000 && !out.report->mission_ended; ++i) {
+    const bool looks_now = std::ranges::any_of(period().decisions, [](const Decision& d) {
+      return d.text.find("taken: a place that is looked at again") != std::string::npos;
+    });
+    looks = looks || looks_now;
+  }
+  EXPECT_TRUE(out.report->mission_ended);
+  EXPECT_TRUE(looks);
+}
+
+/// A map of one hall that is doubted at two places beside each other, and at one that no robot can reach.
+class DoubtedHall : public ::testing::Test {
+ protected:
+  static std::vector<std::string> hall() {
+    std::vector<std::string> rows(12, "#" + std::string(60, ' ') + "#");
+    rows.insert(rows.begin(), std::string(62, '#'));
+    rows.push_back(std::string(62, '#'));
+    rows[6][4] = 'S';
+    return rows;
+  }
+  /// How near the robot came to a place before it was done.
+  double nearest_m(Finish finish) {
+    PlannerParams params;
+    params.explore.finish = finish;
+    PlanningState state(params);
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < 1000; ++i) {
+      const PlanningOutput out = building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}});
+      nearest = std::min(nearest, (building.robot() - place).norm());
+      looks = std::ranges::count_if(out.report->decisions, [](const Decision& d) {
+        return d.text.find("taken: a place that is looked at again") != std::string::npos;
+      });
+      if (out.report->mission_ended) return nearest;
+    }
+    ADD_FAILURE() << "not done";
+    return nearest;
+  }
+  ToyBuilding building{hall(), 40.0};  // all is seen from the start
+  const types::Vector2 place{12.0, 1.5}, beside{12.5, 1.5}, outside{30.0, 30.0};
+  std::ptrdiff_t looks = 0;
+};
+class Doubted : public DoubtedHall, public ::testing::WithParamInterface<Finish> {};
+
+TEST_P(Doubted, APlaceWhereTheMapIsDoubtedIsLookedAtOnceBeforeTheEnd) {
+  building.doubt({place, beside, outside});
+  EXPECT_LT(nearest_m(GetParam()), 1.0);
+  EXPECT_EQ(looks, 1);
+}
+TEST_P(Doubted, AMapThatIsNotDoubtedIsNot) {
+  (void)nearest_m(GetParam());
+  EXPECT_EQ(looks, 0);
+}
+INSTANTIATE_TEST_SUITE_P(Finishes, Doubted, ::testing::Values(Finish::kComplete, Finish::kEssential));
+
+TEST_F(DoubtedHall, WhatHasToBeWorthItsTimeIsNotLookedAtAgain) {
+  building.doubt({place});
+  EXPECT_GT(nearest_m(Finish::kWorth), 4.0);
 }
 
 }  // namespace

@@ -222,5 +222,49 @@ TEST(MapSnapshot, NeverChangesAndCarriesPoseWithMap) {
   EXPECT_EQ(late->stamp, Stamp{milliseconds(2800)});
 }
 
+/// A robot that goes ahead, turns where it sees nothing, and stands; a hundredth of a radian of doubt is
+/// enough for a search of its past.
+class LostAndIdle {
+ public:
+  LostAndIdle() : state_(params()) {
+    for (int ms = 0; ms <= 8000; ms += 100) (void)step(ms, {0.0005 * ms, 0.0, 0.0}, true);
+    for (int ms = 8100; ms <= 12'000; ms += 100) (void)step(ms, {4.0, 0.0, 0.001 * (ms - 8000)}, false);
+  }
+  static slam::MapperParams params() {
+    slam::MapperParams params;
+    params.past = {.window = 6, .every = 3, .past_min = 3};
+    params.loop.search_max_rad = 0.01;
+    params.loop.chain_gap_m = 1.0;
+    return params;
+  }
+  MappingOutput step(int ms, const Se2& pose, bool sees, bool is_searching = false) {
+    const types::Odometry odometry = odometry_at(ms, pose);
+    types::Scan scan = scan_at(ms, truth_at(0) * pose);
+    if (!sees) scan.range_m.fill(types::kInvalid);
+    return mapping_step(state_, {{&odometry, 1}, &scan, nullptr, is_searching});
+  }
+  /// Searches of its past while it stands for half a minute.
+  int looks_back(bool is_searching) {
+    int looks = 0;
+    for (int i = 0; i < 300; ++i, ms_ += 100)
+      looks += step(ms_, {4.0, 0.0, 4.0}, false, is_searching).alignment_query ? 1 : 0;
+    return looks;
+  }
+
+ private:
+  MappingState state_;
+  int ms_ = 12'100;
+};
+
+TEST(MappingStep, AStandingRobotHasItsPastSearched) { EXPECT_GE(LostAndIdle().looks_back(false), 1); }
+
+TEST(MappingStep, WhileSearchesAreLeftThatOfThePastWaitsAndIsNotLost) {
+  LostAndIdle robot;
+  EXPECT_EQ(robot.looks_back(true), 0);
+  const int later = robot.looks_back(false);
+  EXPECT_GE(later, 1);
+  EXPECT_EQ(later, LostAndIdle().looks_back(false));
+}
+
 }  // namespace
 }  // namespace topo::pipeline

@@ -414,6 +414,42 @@ TEST(PlanningStep, refusesTargetsItCannotReach) {
   EXPECT_THAT(check({0.22, building.robot().y()}).error().message, HasSubstr("stands"));
 }
 
+TEST(PlanningStep, goesRoundAnAreaThatIsDrawnOverItsRoute) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const types::Vector2 start = building.robot(), target = start + types::Vector2(6.5, 0.0);
+  const Mission mission{1, Order::kGoTo, false, target};
+  for (int i = 0; i < 6; ++i) (void)building.run_period(state, mission);
+  const double x_m = building.robot().x() + 1.0, y_m = start.y();
+  types::AreaLimits drawn;
+  drawn.keep_out = {{{x_m, y_m - 0.4}, {x_m + 2.0, y_m - 0.4}, {x_m + 2.0, y_m + 0.4}, {x_m, y_m + 0.4}}};
+  building.limit(&drawn);
+  PlanningOutput out;
+  int periods = 0;
+  do {
+    out = building.run_period(state, mission);
+    ASSERT_TRUE(types::allows(drawn, building.robot())) << periods;
+    for (const types::Vector2& p : out.report->route_map) ASSERT_TRUE(types::allows(drawn, p)) << periods;
+  } while (!out.report->mission_ended && ++periods < 100);
+  EXPECT_EQ(out.report->activity, Activity::kDone) << out.report->reason;
+  EXPECT_LE((building.robot() - target).norm(), 0.3);
+}
+
+TEST(PlanningStep, goesAgainWhereAnAreaWasWithdrawn) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  types::AreaLimits drawn;
+  const types::Vector2 target = building.robot() + types::Vector2(5.0, 0.0);
+  const double x_m = target.x() - 2.0;
+  drawn.keep_out = {{{x_m, 0.0}, {x_m + 1.0, 0.0}, {x_m + 1.0, 20.0}, {x_m, 20.0}}};
+  building.limit(&drawn);
+  const PlanningOutput shut = building.run_period(state, {1, Order::kGoTo, false, target});
+  EXPECT_FALSE(shut.plan.moving);
+  drawn.keep_out.clear();
+  const Outcome run = run_until_ended(building, state, {2, Order::kGoTo, false, target}, 100);
+  EXPECT_EQ(run.last.report->activity, Activity::kDone) << run.last.report->reason;
+}
+
 TEST(PlanningStep, doesNotLeaveItsArea) {
   ToyBuilding building(kFloor);
   PlannerParams params = params_of(exploration::Strategy::kTopometric, Finish::kComplete);

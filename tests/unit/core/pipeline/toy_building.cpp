@@ -113,6 +113,8 @@ PlanningOutput ToyBuilding::run_period(PlanningState& state, const Mission& miss
   input.control = &control_;
   if (team_ != nullptr) input.team = *team_;
   input.front = front_;
+  input.area = area_;
+  input.doubted = doubted_;
   input.mission = mission;
   PlanningOutput out = planning_step(state, input);
   follow(out.plan, step_m);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pipeline/planning_step.hpp"
@@ -30,6 +31,10 @@ class ToyBuilding {
   void hear(const TeamInput* team) { team_ = team; }
   /// What its front scanner has from now on; borrowed. Null: nothing.
   void show(const types::Scan* front) { front_ = front; }
+  /// The area limits that are in force from now on; borrowed. Null: those of the parameters.
+  void limit(const types::AreaLimits* area) { area_ = area; }
+  /// Places where the map is doubted from now on.
+  void doubt(std::vector<types::Vector2> places) { doubted_ = std::move(places); }
   [[nodiscard]] types::Stamp now() const { return now_; }
   [[nodiscard]] const MapSnapshot& snapshot() const { return snapshot_; }
   /// A wall from now on, or floor.
@@ -56,6 +61,8 @@ class ToyBuilding {
   TrackedPose tracked_;
   const TeamInput* team_ = nullptr;
   const types::Scan* front_ = nullptr;
+  const types::AreaLimits* area_ = nullptr;
+  std::vector<types::Vector2> doubted_;
   types::Stamp now_ = types::stamp_from_seconds(100.0);
 };
 

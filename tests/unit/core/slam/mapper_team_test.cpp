@@ -116,12 +116,12 @@ TEST(MapperTeam, ofTwoMatchesOfOnePairTheLowerOneIsKept) {
   const auto of = [&](std::uint16_t finder, const Relation& relation) {
     return FoundRelation{{finder, 500, 0}, known.first, relation};
   };
-  const auto x_of = [&](const Mapper& mapper) {
+  const auto kept_in = [&](const Mapper& mapper) {
     for (const Edge& edge : mapper.edges()) {
       const RelationKey key{mapper.keyframes()[edge.from]->id, mapper.keyframes()[edge.to]->id};
-      if (key == known.first) return edge.T_from_to.x_m;
+      if (key == known.first) return std::pair(edge.T_from_to.x_m, edge.finder.robot);
     }
-    return std::nan("");
+    return std::pair(std::nan(""), std::uint16_t{0});
   };
   const std::vector<FoundRelation> rising{of(1, lower), of(2, higher)}, falling{of(2, higher), of(1, lower)};
   for (const auto& order : {rising, falling}) {
@@ -131,7 +131,7 @@ TEST(MapperTeam, ofTwoMatchesOfOnePairTheLowerOneIsKept) {
       mapper.join({}, {&order[0], 1});
       mapper.join({}, {&order[1], 1});
       if (!keyframes_first) mapper.join(robots.second.keyframes(), {});
-      EXPECT_EQ(x_of(mapper), lower.T_from_to.x_m) << keyframes_first;
+      EXPECT_EQ(kept_in(mapper), std::pair(lower.T_from_to.x_m, std::uint16_t{1})) << keyframes_first;
     }
   }
 }

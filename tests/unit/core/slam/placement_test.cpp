@@ -71,6 +71,23 @@ TEST(Placement, OfTwinsBothAreNamedAndTheEndProposed) {
   }
 }
 
+/// The newest keyframe is of a team-mate, in the first room.
+TEST(Placement, OfTwinsThatAtTheEndOfTheOwnPathIsProposedWhereverMatesAre) {
+  testing::TwinSession twins;
+  auto mates = std::make_shared<Keyframe>(*twins.session.keyframes.front());
+  mates->id = {7, 0, 1};
+  twins.session.keyframes.push_back(std::move(mates));
+  twins.session.poses.push_back(twins.in_map(kInTheFirst));
+  for (const Se2& place : {kInTheFirst, kInTheSecond}) {
+    const Placement found = place_in(twins.session, twins.view(place).cloud, {}, {});
+    ASSERT_TRUE(found.found()) << describe(found);
+    EXPECT_LT(distance_m(found.place.match.T_map_base, twins.in_map(kInTheSecond)), 0.1) << describe(found);
+  }
+  const Placement of_the_mate =
+      place_in(twins.session, twins.view(kInTheFirst).cloud, {std::nullopt, false, false, 7}, {});
+  EXPECT_LT(distance_m(of_the_mate.place.match.T_map_base, twins.in_map(kInTheFirst)), 0.1);
+}
+
 TEST(Placement, AGivenPoseIsAFactWhoseRivalIsKnown) {
   testing::TwinSession twins;
   const Placement given =

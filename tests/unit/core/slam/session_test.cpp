@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "core/slam/found_relations.hpp"
 #include "core/slam/localise.hpp"
 #include "core/slam/mapper.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
@@ -65,6 +66,43 @@ TEST(Resume, GoesOnMappingInTheSameFrameWithNewNumbers) {
   const Se2 at = mapper.T_map_base();
   EXPECT_TRUE(mapper.optimise().solved);
   EXPECT_LT((mapper.T_map_base().translation() - at.translation()).norm(), 0.02);
+}
+
+// What a robot found is in its session under the finder's number: a restart tells a team nothing twice.
+TEST(Resume, FindsNothingOnceMoreThatHasAFinder) {
+  const mocks::FlatWorld world = mocks::two_rooms();
+  std::mt19937 random(3);
+  Mapper first({}, {1, 11});
+  drive(first, world, kStart, {5.0, 1.5, 0.0}, kStart, random);
+  const Session session = first.session();
+  const auto told = first.found_since(0);
+  ASSERT_GT(told.size(), 4U);
+  const auto kept = found_relations(session.keyframes, session.edges);
+  ASSERT_EQ(kept.size(), told.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(kept[i].id, told[i].id);
+    EXPECT_EQ(kept[i].key, told[i].key);
+    EXPECT_EQ(kept[i].relation.T_from_to, told[i].relation.T_from_to);
+  }
+  const auto view = testing::view_of(world, {5.0, 1.5, 0.0}, 0.01, random);
+  const Arrival arrival{view.cloud, {}, first.T_map_base(), Eigen::Matrix3d::Identity() * 1e4};
+  Mapper second({}, {1, 22}), third({}, {1, 33}), again({}, {1, 11});
+  second.resume(session, arrival);
+  third.resume(second.session(), arrival);
+  for (const Mapper* mapper : {&second, &third}) {
+    ASSERT_EQ(mapper->found_since(0).size(), 1U) << "where it arrived";
+    EXPECT_EQ(mapper->found_since(0).front().id.origin(), mapper->origin());
+  }
+  EXPECT_EQ(found_relations(third.keyframes(), third.edges()).size(), told.size() + 2U);
+  again.resume(session, arrival);
+  ASSERT_EQ(again.found_since(0).size(), 1U);
+  EXPECT_EQ(again.found_since(0).front().id.sequence, told.size()) << "no number comes twice";
+  EXPECT_TRUE(again.found_since(static_cast<std::uint32_t>(told.size()) + 1).empty());
+  Session nameless = session;
+  for (Edge& edge : nameless.edges) edge.finder = {};
+  Mapper fourth({}, {1, 44});
+  fourth.resume(nameless, arrival);
+  EXPECT_EQ(fourth.found_since(0).size(), told.size() + 1U) << "else the team would never get them";
 }
 
 // The first scans after a resume see another part of the room than the session's last keyframes.

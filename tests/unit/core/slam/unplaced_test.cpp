@@ -49,7 +49,7 @@ TEST(Unplaced, HoldsWhatCameAndHasNotLeft) {
       } else if (action == 2 && a != b) {
         Relation relation;
         relation.T_from_to.x_m = step;
-        unplaced.add({a, b}, relation);
+        unplaced.add({{}, {a, b}, relation});
         relations.try_emplace({a, b}, step);
       } else if (action == 3) {
         unplaced.erase({a, b});  // which may not be there
@@ -57,10 +57,10 @@ TEST(Unplaced, HoldsWhatCameAndHasNotLeft) {
       }
       ASSERT_EQ(unplaced.keyframes(), keyframes) << seed;
       EXPECT_EQ(unplaced.contains(a), keyframes.contains(a));
-      const Relation* found = unplaced.find({a, b});
+      const FoundRelation* found = unplaced.find({a, b});
       ASSERT_EQ(found != nullptr, relations.contains({a, b})) << seed;
       if (found != nullptr) {
-        EXPECT_EQ(found->T_from_to.x_m, relations.at({a, b}));
+        EXPECT_EQ(found->relation.T_from_to.x_m, relations.at({a, b}));
       }
       std::set<RelationKey> expected;
       for (const auto& [key, length] : relations)
@@ -79,12 +79,12 @@ TEST(Unplaced, TiedToIsAMapOfThoseThatHangTogether) {
   const auto relate = [&](std::size_t from, std::size_t to) {
     Relation relation;
     relation.T_from_to = truth[from].inverse() * truth[to];
-    unplaced.add({id(from), id(to)}, relation);
+    unplaced.add({{}, {id(from), id(to)}, relation});
   };
   relate(0, 1);
-  relate(3, 1);                       // against the way
-  relate(4, 5);                       // of another piece
-  unplaced.add({id(3), {9, 9}}, {});  // whose other end is elsewhere
+  relate(3, 1);                             // against the way
+  relate(4, 5);                             // of another piece
+  unplaced.add({{}, {id(3), {9, 9}}, {}});  // whose other end is elsewhere
   const Session map = unplaced.tied_to(id(1), {});
   ASSERT_EQ(map.keyframes.size(), 3U);
   ASSERT_TRUE(check_session(map));

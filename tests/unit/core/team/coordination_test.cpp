@@ -13,10 +13,11 @@ namespace {
 
 using types::Vector2;
 
-const PointsInSight kAllInSight = [](const Vector2&, const Vector2&) { return true; };
-const PointsInSight kNoneInSight = [](const Vector2&, const Vector2&) { return false; };
-constexpr std::array kRules{Rule::kAlone,  Rule::kClusters, Rule::kNoClusters,
-                            Rule::kInTurn, Rule::kUtility,  Rule::kMinPos};
+double straight_m(const Vector2& a, const Vector2& b) { return (a - b).norm(); }
+const MapView kAllInSight{[](const Vector2&, const Vector2&) { return true; }, straight_m};
+const MapView kNoneInSight{[](const Vector2&, const Vector2&) { return false; }, straight_m};
+constexpr std::array kRules{Rule::kAlone,   Rule::kClusters, Rule::kNoClusters, Rule::kInTurn,
+                            Rule::kUtility, Rule::kMinPos,   Rule::kShares};
 
 StatusMessage message(std::uint16_t robot, std::vector<Bid> bids, std::optional<Bid> claim = {}) {
   StatusMessage w;
@@ -52,7 +53,7 @@ std::vector<StatusMessage> arbitrary_team() {
 }
 
 std::optional<Vector2> target_of(Rule rule, const std::vector<StatusMessage>& team, std::size_t self,
-                                 const PointsInSight& in_sight = kNoneInSight) {
+                                 const MapView& in_sight = kNoneInSight) {
   const auto bid = coordinate(rule, team[self], others(team, self), in_sight);
   if (!bid) return std::nullopt;
   return team[self].bids[*bid].p_map;
@@ -144,7 +145,7 @@ TEST(Coordinate, aGoalIsNotLeftToAMateThatGoesElsewhere) {
 
 TEST(Coordinate, whatAMateComesPastSoonerIsLeftToIt) {
   const Vector2 near(0.0, 5.0), far(0.0, 9.0);  // along a corridor
-  const auto second = [&](double way_m, const PointsInSight& in_sight) {
+  const auto second = [&](double way_m, const MapView& in_sight) {
     return target_of(Rule::kClusters,
                      {message(0, {{near, 4.0}, {far, 8.0}}), message(1, {{near, 6.0}, {far, way_m}})}, 1,
                      in_sight);
@@ -260,6 +261,73 @@ TEST(Coordinate, robotsDoNotSwapWithoutGain) {
 TEST(Coordinate, nothingToBidForIsNothingToDo) {
   const std::vector<StatusMessage> team{message(0, {}), message(1, {{{9.0, 0.0}, 1.0}})};
   for (const Rule rule : kRules) EXPECT_EQ(target_of(rule, team, 0), std::nullopt);
+}
+
+/// What a robot is offered of its bids under Rule::kShares.
+std::vector<std::size_t> offered(const StatusMessage& self, const StatusMessage& mate,
+                                 const TravelBetween& between_m = straight_m) {
+  std::vector<std::size_t> share;
+  const Chooser first = [&](std::span<const std::size_t> s) {
+    share.assign(s.begin(), s.end());
+    return s.front();
+  };
+  const std::vector<const StatusMessage*> mates{&mate};
+  (void)coordinate(Rule::kShares, self, mates, {kNoneInSight.in_sight, between_m}, first);
+  return share;
+}
+
+using Share = std::vector<std::size_t>;
+
+TEST(Shares, aGoalIsOfWhoIsOrWillBeNearest) {
+  const Vector2 here(0.0, 0.0), there(30.0, 0.0), beyond(34.0, 0.0);
+  const std::vector<Bid> bids{{here, 2.0}, {there, 30.0}, {beyond, 34.0}};
+  const StatusMessage mate = message(1, {{here, 9.0}, {there, 25.0}, {beyond, 29.0}}, Bid{there, 25.0});
+  EXPECT_EQ(offered(message(0, bids), mate), Share{0}) << "what lies behind the mate's goal is the mate's";
+  EXPECT_EQ(offered(mate, message(0, bids)), (Share{1, 2}));
+}
+
+TEST(Shares, aGapBesideTheRobotIsItsOwn) {
+  const Vector2 gap(20.0, 2.0), mates(20.0, 6.0);
+  const StatusMessage self = message(3, {{gap, 2.0}, {mates, 8.0}}, {});
+  const StatusMessage mate = message(1, {{gap, 19.0}, {mates, 15.0}}, Bid{mates, 15.0});
+  EXPECT_EQ(offered(self, mate), Share{0}) << "though it lies beside the mate's goal";
+}
+
+TEST(Shares, wallsDivideWhatIsSideBySide) {
+  const Vector2 mates(10.0, 0.0), next_door(12.0, 0.0);
+  const StatusMessage self = message(3, {{mates, 30.0}, {next_door, 12.0}});
+  const StatusMessage mate = message(1, {{mates, 3.0}, {next_door, 25.0}}, Bid{mates, 3.0});
+  EXPECT_EQ(offered(self, mate, [](const Vector2&, const Vector2&) { return 22.0; }), Share{1});
+  EXPECT_EQ(offered(mate, self), (Share{0, 1})) << "without the wall it is the mate's";
+}
+
+TEST(Shares, inAnEntranceHallTheRobotsPart) {
+  // Both stand together; corridors lead to either side, gaps are beside the first goal.
+  const Vector2 west(-12.0, 0.0), gap(-11.0, 3.0), east(14.0, 0.0);
+  const std::vector<Bid> bids{{west, 12.0}, {gap, 11.5}, {east, 14.0}};
+  const StatusMessage first = message(0, bids, Bid{west, 12.0});
+  EXPECT_EQ(offered(first, message(1, bids)), (Share{0, 1, 2})) << "of equal ways the lower id";
+  EXPECT_EQ(offered(message(1, bids), first), Share{2}) << "where the first is not going";
+}
+
+TEST(Shares, whatIsSharedHoldsWhileBothDrive) {
+  const Vector2 west(-20.0, 0.0), east(20.0, 0.0);
+  for (double driven_m = 0.0; driven_m < 18.0; driven_m += 3.0) {
+    const auto bid = [&](const Vector2& goal, double x_m) {
+      return Bid{goal, (goal - Vector2(x_m, 0.0)).norm()};
+    };
+    const StatusMessage one = message(0, {bid(west, -driven_m), bid(east, -driven_m)}, Bid{west, 20.0});
+    const StatusMessage other = message(1, {bid(west, driven_m), bid(east, driven_m)}, Bid{east, 20.0});
+    EXPECT_EQ(offered(one, other).front(), 0U) << driven_m;
+    EXPECT_EQ(offered(other, one), Share{1}) << driven_m;
+  }
+}
+
+TEST(Shares, whoHasNoneHelpsWhereItIsLeastBehind) {
+  const Vector2 mates(3.0, 0.0), near(6.0, 0.0), far(30.0, 0.0);
+  const StatusMessage mate = message(1, {{mates, 1.0}, {near, 4.0}, {far, 28.0}}, Bid{mates, 1.0});
+  EXPECT_EQ(offered(message(3, {{mates, 20.0}, {near, 23.0}, {far, 40.0}}), mate), Share{2});
+  EXPECT_EQ(offered(message(3, {{mates, 20.0}}), mate), Share{}) << "that is the mate's";
 }
 
 }  // namespace

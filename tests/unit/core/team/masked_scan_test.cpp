@@ -3,7 +3,10 @@
 #include "core/team/masked_scan.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -55,6 +58,31 @@ TEST(MaskMates, theCoronalScannerSeesMateAndCeiling) {
   EXPECT_TRUE(std::isnan(scan->range_m[135 + 70]));
   EXPECT_EQ(scan->range_m[135 + 16], 4.0F) << "the ceiling";
   EXPECT_EQ(scan->range_m[135 - 90], 1.0F);
+}
+
+// Each beam by itself, whatever the scanner's first bearing and sense.
+TEST(MaskMates, leavesExactlyTheBeamsThatEndElsewhere) {
+  EXPECT_TRUE(rc::check("against each beam by itself", [] {
+    const auto real = [](int low, int high) { return *rc::gen::inRange(100 * low, 100 * high) / 100.0; };
+    auto scan = round_room();
+    scan->geometry.angle_min_rad = static_cast<float>(real(-4, 4));
+    if (*rc::gen::arbitrary<bool>()) scan->geometry.angle_increment_rad *= -1.0F;
+    for (std::size_t i = 0; i < scan->beams; ++i)
+      scan->range_m[i] = i % 7 == 0 ? types::kNoReturn : static_cast<float>(real(0, 5));
+    const types::Se2 T_map_laser{real(-5, 5), real(-5, 5), real(-4, 4)};
+    const std::vector<Vector2> mates{{real(-7, 7), real(-7, 7)}, {real(-7, 7), real(-7, 7)}};
+    const double radius_m = real(0, 2);
+    const types::Scan before = *scan;
+    (void)mask_mates(*scan, T_map_laser, mates, radius_m);
+    for (std::size_t i = 0; i < before.beams; ++i) {
+      if (!types::is_hit(before.range_m[i])) continue;
+      const double range_m = before.range_m[i], angle_rad = before.angle_rad(i);
+      const Vector2 end = T_map_laser * Vector2(range_m * std::cos(angle_rad), range_m * std::sin(angle_rad));
+      const double nearest_m = std::min((mates[0] - end).norm(), (mates[1] - end).norm());
+      if (std::abs(nearest_m - radius_m) < 1e-9) continue;  // rounding decides
+      RC_ASSERT(std::isnan(scan->range_m[i]) == (nearest_m < radius_m));
+    }
+  }));
 }
 
 }  // namespace

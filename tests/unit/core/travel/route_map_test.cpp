@@ -98,6 +98,32 @@ TEST(RouteMap, TakesEachRevisionOnce) {
   EXPECT_EQ(map.revision(), 7U);
 }
 
+TEST(RouteMap, OtherLimitsAreThoseOfTheSameRevision) {
+  const Hall hall;
+  RouteMap map(hall.rules, hall.area);
+  const auto middle = [&] { return map.map().state(map.map().cell_at({5.5, 1.5})); };
+  map.take(1, hall.cells.grid(), hall.ways());
+  EXPECT_EQ(middle(), CellState::kFree);
+  types::AreaLimits drawn;
+  drawn.keep_out = {{{5.0, 1.0}, {6.0, 1.0}, {6.0, 2.0}, {5.0, 2.0}}};
+  EXPECT_TRUE(map.limit(drawn));
+  EXPECT_FALSE(map.limit(drawn)) << "they are the same";
+  map.take(1, hall.cells.grid(), hall.ways());
+  EXPECT_NE(middle(), CellState::kFree);
+  EXPECT_TRUE(map.limit({}));
+  map.take(1, hall.cells.grid(), hall.ways());
+  EXPECT_EQ(middle(), CellState::kFree);
+  EXPECT_EQ(map.clearance_m(), grid::clearance_m(map.map(), grid::Boundary::kOccupiedOrUnknown));
+}
+
+TEST(RouteMap, AWayThatWasDrivenIsShutByAnAreaOverIt) {
+  Hall hall(kOneDoor);
+  hall.drive_through();
+  EXPECT_TRUE(hall.has_way_through());
+  hall.area.keep_out = {{{3.5, 1.4}, {4.5, 1.4}, {4.5, 2.7}, {3.5, 2.7}}};
+  EXPECT_FALSE(hall.has_way_through());
+}
+
 TEST(RouteMap, ClearanceAndAreaAreThoseOfItsMap) {
   const Hall hall(kOneDoor);
   const RoutesIn map(hall, stands_at(1.0, 1.0));

@@ -56,12 +56,43 @@ TEST_F(MissionLogTest, aStateSaysWhatTheRobotDoesAndWhy) {
 }
 
 TEST_F(MissionLogTest, aStateSaysWhatIsKnownOfMates) {
-  const Json team{{"present", true},
-                  {"exchange", {{"sent", 1}}},
-                  {"peers", {{{"robot", 2}, {"alive", true}, {"heard_s_ago", 0.2}, {"it_lacks", 3}}}}};
+  const Json team{
+      {"present", true},
+      {"exchange", {{"sent", 1}}},
+      {"peers", {{{"robot", 2}, {"alive", true}, {"heard_s_ago", 0.2}, {"it_lacks", 3}, {"here", nullptr}}}}};
   log.note_state(begin, status, team);
   EXPECT_EQ(parsed(lines.take())[0]["team"],
             Json::array({{{"robot", 2}, {"alive", true}, {"heard_s_ago", 0.2}}}));
+}
+
+TEST_F(MissionLogTest, aStateSaysWhereAMateIsButNotItsWay) {
+  const Json pose{{"x_m", 1.0}, {"y_m", 2.0}, {"theta_rad", 0.5}};
+  const Json team{
+      {"peers", {{{"robot", 2}, {"here", {{"pose", pose}, {"claim", nullptr}, {"way", {pose, pose}}}}}}}};
+  log.note_state(begin, status, team);
+  EXPECT_EQ(parsed(lines.take())[0]["team"],
+            Json::array({{{"robot", 2}, {"here", {{"pose", pose}, {"claim", nullptr}}}}}));
+}
+
+TEST_F(MissionLogTest, aStateSaysHowManyKeyframesOfAllAreInTheMap) {
+  status["map"]["keyframes_of_all"] = 9;
+  log.note_state(begin, status, Json::object());
+  EXPECT_EQ(parsed(lines.take())[0]["map"],
+            (Json{{"revision", 7}, {"keyframes", 5}, {"keyframes_of_all", 9}}));
+}
+
+TEST_F(MissionLogTest, aStateSaysWhichOrderToMatesWasObeyed) {
+  Json team{{"present", true},  {"robot", 1},
+            {"name", "office"}, {"peers", Json::array()},
+            {"trouble", ""},    {"order", {{"number", 0}, {"acknowledged", Json::array()}}}};
+  log.note_state(begin, status, team);
+  EXPECT_EQ(parsed(lines.take())[0]["in_team"], (Json{{"robot", 1}})) << "small: none was given";
+  team["order"]["number"] = 3;
+  team["order"]["acknowledged"] = Json::array({2});
+  team["trouble"] = "no link";
+  log.note_state(begin, status, team);
+  EXPECT_EQ(parsed(lines.take())[0]["in_team"],
+            (Json{{"robot", 1}, {"order", team["order"]}, {"trouble", "no link"}}));
 }
 
 TEST_F(MissionLogTest, eventsKeepTheirMembersAndOrder) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/app/team_control.hpp"
+#include "drivers/io/posix.hpp"
 
 #include <gmock/gmock.h>
 
@@ -36,9 +37,35 @@ class TeamControlTest : public ::testing::Test {
   TeamConfig configuration;
   types::Stamp now = types::stamp_from_seconds(100.0);
   std::unique_ptr<TeamHandOver> team = std::make_unique<TeamHandOver>();
+  /// An order of robot 2 arrives; what the giver is told of it.
+  OrderDone heard(std::uint32_t number, team::OrderKind kind, std::optional<types::Duration> age) {
+    team::HeardOrder* slot = team->orders.try_acquire();
+    if (slot == nullptr) return {};
+    *slot = {{2, number, 5}, {kind, std::uint16_t{1}}, age};
+    team->orders.commit();
+    control.collect();
+    const TeamRequest* request = team->requests.front();
+    const OrderDone done = request != nullptr ? std::get<OrderDone>(*request) : OrderDone{};
+    team->requests.pop();
+    return done;
+  }
+  void report_mate(std::uint16_t robot, bool alive) {
+    TeamReport told;
+    told.joined = true;
+    team::PeerView peer;
+    peer.robot = robot;
+    peer.alive = alive;
+    peer.heard = now - std::chrono::seconds(12);
+    told.peers.push_back(peer);
+    report(told);
+  }
+
   std::vector<std::pair<team::OrderKind, std::uint16_t>> obeyed;
-  TeamControl control{configuration, *team,
-                      [this](team::OrderKind kind, std::uint16_t from) { obeyed.emplace_back(kind, from); }};
+  types::Status outcome;
+  TeamControl control{configuration, *team, [this](team::OrderKind kind, std::uint16_t from) {
+                        obeyed.emplace_back(kind, from);
+                        return outcome;
+                      }};
 };
 
 TEST_F(TeamControlTest, AMatesOrderIsObeyedThenAcknowledged) {
@@ -52,6 +79,75 @@ TEST_F(TeamControlTest, AMatesOrderIsObeyedThenAcknowledged) {
   ASSERT_NE(request, nullptr);
   ASSERT_TRUE(std::holds_alternative<OrderDone>(*request));
   EXPECT_EQ(std::get<OrderDone>(*request).order, (team::EntryId{2, 7, 5}));
+}
+
+TEST_F(TeamControlTest, WhatTheRobotRefusesTheGiverLearns) {
+  outcome = types::fail(types::Errc::kBusy, "the e-stop is latched");
+  EXPECT_EQ(heard(7, team::OrderKind::kStart, types::Duration::zero()).refused, "the e-stop is latched");
+  EXPECT_EQ(obeyed.size(), 1U);
+}
+
+TEST_F(TeamControlTest, NoLateOrderSetsTheRobotInMotion) {
+  const types::Duration late = std::chrono::seconds(3);
+  for (const auto kind : {team::OrderKind::kStart, team::OrderKind::kResume, team::OrderKind::kHome}) {
+    EXPECT_THAT(heard(7, kind, late).refused, HasSubstr("3 s late"));
+    EXPECT_NE(heard(8, kind, std::nullopt).refused, "");
+  }
+  EXPECT_TRUE(obeyed.empty());
+  for (const auto kind : {team::OrderKind::kStop, team::OrderKind::kEstop, team::OrderKind::kPause})
+    EXPECT_EQ(heard(9, kind, late).refused, "");
+  EXPECT_EQ(obeyed.size(), 3U) << "what stops is obeyed whenever it comes";
+}
+
+TEST_F(TeamControlTest, AStopIsNotUndoneByAnEarlierStart) {
+  EXPECT_EQ(heard(8, team::OrderKind::kStop, types::Duration::zero()).refused, "");
+  EXPECT_THAT(heard(7, team::OrderKind::kStart, types::Duration::zero()).refused, HasSubstr("later order"));
+  EXPECT_EQ(heard(9, team::OrderKind::kStart, types::Duration::zero()).refused, "");
+  EXPECT_EQ(obeyed.size(), 2U);
+}
+
+TEST_F(TeamControlTest, WhatWasGivenBeforeAHaltByWhomeverSetsNothingInMotion) {
+  control.note_halt(io::monotonic_now());
+  EXPECT_THAT(heard(7, team::OrderKind::kStart, std::chrono::milliseconds(500)).refused,
+              HasSubstr("halted after"));
+  EXPECT_TRUE(obeyed.empty());
+  EXPECT_EQ(heard(8, team::OrderKind::kStart, types::Duration::zero()).refused, "");
+}
+
+TEST_F(TeamControlTest, AnOrderToOneNeedsThatOneInReach) {
+  const auto fault = [&](std::uint16_t robot) {
+    const auto sent = control.order_one(team::OrderKind::kStart, robot, now);
+    return sent ? std::string() : sent.error().message;
+  };
+  EXPECT_THAT(fault(3), HasSubstr("robot 3 was not heard"));
+  report_mate(3, false);
+  EXPECT_THAT(fault(3), HasSubstr("robot 3 is out of reach, heard 12 s ago"));
+  EXPECT_EQ(team->requests.front(), nullptr) << "nothing was sent";
+  report_mate(3, true);
+  EXPECT_EQ(fault(3), "");
+  const auto& order = std::get<TeamOrder>(*team->requests.front()).order;
+  EXPECT_EQ(order.kind, team::OrderKind::kStart);
+  EXPECT_EQ(order.to, std::uint16_t{3});
+  TeamReport told;
+  told.order_to = 3;
+  report(told);
+  EXPECT_EQ(control.json(now)["order"]["to"], 3);
+  report_mate(3, true);
+  configuration.present = false;
+  EXPECT_THAT(fault(3), HasSubstr("no team"));
+}
+
+TEST_F(TeamControlTest, TellsWhoRefusesAndWhy) {
+  TeamReport told;
+  told.order = 4;
+  told.acknowledged = {2};
+  told.refused = {{3, "there is no map yet"}};
+  report(told);
+  EXPECT_EQ(control.json(now)["order"],
+            (Json{{"number", 4},
+                  {"to", nullptr},
+                  {"acknowledged", {2}},
+                  {"refused", {{{"robot", 3}, {"why", "there is no map yet"}}}}}));
 }
 
 TEST_F(TeamControlTest, OrdersAreNumberedAndWithoutATeamThereAreNone) {
@@ -133,6 +229,28 @@ TEST_F(TeamControlTest, ShowsMatesWithWhatTheyLack) {
   EXPECT_EQ(json["peers"][0]["map_joined"], true);
   EXPECT_EQ(json["peers"][0]["status"]["claim"]["x_m"], 4.0);
   EXPECT_EQ(control.brief()["alive"], 1);
+}
+
+TEST_F(TeamControlTest, ShowsMatesInThisRobotsMapWhereItsFrameIsKnown) {
+  TeamReport heard;
+  heard.joined = true;
+  for (const std::uint16_t robot : {std::uint16_t{2}, std::uint16_t{3}}) {
+    team::PeerView peer;
+    peer.robot = robot;
+    heard.peers.push_back(peer);
+  }
+  team::StatusMessage mate;
+  mate.robot = 3;
+  mate.T_map_base = {1.0, 2.0, 0.5};
+  mate.way_map = {{1.0, 2.0}, {3.0, 4.0}};
+  heard.in_map.push_back(mate);
+  report(heard);
+  const Json json = control.json(types::Stamp{});
+  EXPECT_TRUE(json["peers"][0]["here"].is_null());
+  const Json& here = json["peers"][1]["here"];
+  EXPECT_EQ(here["pose"], (Json{{"x_m", 1.0}, {"y_m", 2.0}, {"theta_rad", 0.5}}));
+  EXPECT_EQ(here["way"][1]["y_m"], 4.0);
+  EXPECT_TRUE(here["claim"].is_null());
 }
 
 }  // namespace

@@ -38,6 +38,12 @@ TEST(ForwardView, WhatIsAcceptedIsWhatIsPrintedAsRight) {
   EXPECT_NE(forward_view_fault(-1.31), "");
 }
 
+TEST(ForwardView, TheGreatestYawIsTheLastThatIsAccepted) {
+  EXPECT_EQ(forward_view_fault(yaw_max_rad()), "");
+  EXPECT_EQ(forward_view_fault(-yaw_max_rad()), "");
+  EXPECT_NE(forward_view_fault(yaw_max_rad() + 1e-4), "");
+}
+
 /// The configuration's check and the gate judge by the same sector.
 RC_GTEST_PROP(ForwardView, AgreesWithTheGatesShareOfBeams, ()) {
   const double yaw_rad = *rc::gen::inRange(-3150, 3151) * 1e-3;

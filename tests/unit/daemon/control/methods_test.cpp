@@ -40,6 +40,20 @@ TEST_F(MethodsTest, TheTeamIsStoppedWhenAllIsSaid) {
   EXPECT_THAT(operations.calls, ElementsAre("estop_team", "stop_team", "stop"));
 }
 
+TEST_F(MethodsTest, AMissionIsOfThisRobotOfAMateOrOfAll) {
+  EXPECT_EQ((**ask("start", {{"robot", 3}}))["order"], 8);
+  EXPECT_EQ((**ask("home", {{"all", true}}))["order"], 8);
+  EXPECT_TRUE((*ask("resume", Json::object()))->empty());
+  EXPECT_THAT(operations.calls, ElementsAre("start to 3", "home_team", "resume"));
+  EXPECT_EQ(refusal("pause", {{"robot", 3}, {"all", true}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("pause", {{"robot", 70'000}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("pause", {{"robot", "3"}}), RpcCode::kInvalidParams);
+  EXPECT_EQ(refusal("start", {{"robot", 3}}, false), RpcCode::kForbidden);
+  EXPECT_EQ(operations.calls.size(), 3U);
+  operations.outcome = types::fail(types::Errc::kBusy, "robot 3 is out of reach");
+  EXPECT_EQ(refusal("start", {{"robot", 3}}), RpcCode::kRefused);
+}
+
 TEST_F(MethodsTest, AnEstopWithAMistakeStopsThisRobot) {
   EXPECT_EQ(refusal("estop", {{"all", "yes"}}), RpcCode::kInvalidParams);
   EXPECT_THAT(operations.calls, ElementsAre("estop"));
@@ -47,11 +61,28 @@ TEST_F(MethodsTest, AnEstopWithAMistakeStopsThisRobot) {
 
 TEST_F(MethodsTest, AnybodyMayLookAndEstop) {
   for (const auto* method : {"status", "version", "health", "latency", "config", "estop", "goals", "places",
-                             "team", "progress", "events.subscribe"}) {
+                             "team", "progress", "areas", "scan", "events.subscribe"}) {
     const auto answer = ask(method, Json::object(), false);
     ASSERT_TRUE(answer.has_value() && answer->has_value()) << method;
   }
   EXPECT_THAT(operations.calls, ElementsAre("estop"));
+}
+
+TEST_F(MethodsTest, AnAreaIsDrawnAndWithdrawn) {
+  EXPECT_EQ((**ask("area.draw", {{"corners_m", {0, 0, 1.5, 0, 1, 1}}}))["id"], "7");
+  EXPECT_EQ(operations.polygon, (types::Polygon{{0.0, 0.0}, {1.5, 0.0}, {1.0, 1.0}}));
+  EXPECT_TRUE(ask("area.withdraw", {{"id", "7"}})->has_value());
+  EXPECT_TRUE(ask("area.draw", {{"corners_m", {0, 0, 1.5, 0, 1, 1}}, {"kind", "here_first"}})->has_value());
+  EXPECT_EQ(operations.area_kind, types::AreaKind::kHereFirst);
+  EXPECT_EQ(refusal("area.draw", {{"corners_m", {0, 0, 1.5, 0, 1, 1}}, {"kind", "other"}}),
+            RpcCode::kInvalidParams);
+  EXPECT_THAT(operations.calls, ElementsAre("withdraw 7"));
+  for (const Json& corners :
+       {Json(), Json{1, 2, 3}, Json{"0", "0"}, Json(std::vector<double>(122, 0.0)), Json{1e6, 0}})
+    EXPECT_EQ(refusal("area.draw", {{"corners_m", corners}}), RpcCode::kInvalidParams) << corners;
+  EXPECT_EQ(refusal("area.withdraw", {{"id", 7}}), RpcCode::kInvalidParams);
+  operations.outcome = types::fail(types::Errc::kBusy, "there are enough");
+  EXPECT_EQ(refusal("area.draw", {{"corners_m", {0, 0, 1, 0, 1, 1}}}), RpcCode::kRefused);
 }
 
 TEST_F(MethodsTest, CommandsNeedTheRight) {
@@ -64,6 +95,9 @@ TEST_F(MethodsTest, CommandsNeedTheRight) {
   for (const auto* method : {"start", "home", "pause", "resume"})
     EXPECT_EQ(refusal(method, Json::object(), false), RpcCode::kForbidden) << method;
   EXPECT_EQ(refusal("goto", {{"x_m", 1}, {"y_m", 1}}, false), RpcCode::kForbidden);
+  EXPECT_EQ(refusal("area.draw", {{"corners_m", {0, 0, 1, 0, 1, 1}}}, false), RpcCode::kForbidden);
+  EXPECT_EQ(refusal("area.withdraw", {{"id", "1"}}, false), RpcCode::kForbidden);
+  EXPECT_TRUE(operations.polygon.empty());
   EXPECT_FALSE(operations.save_done);
   EXPECT_FALSE(operations.goto_done);
 }
@@ -145,6 +179,19 @@ TEST_F(MethodsTest, ASessionIsLoadedAnywhereOrAroundAWholePose) {
   EXPECT_EQ(refusal("session.confirm", Json::object(), false), RpcCode::kForbidden);
   EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"x_m", 1.5}}), RpcCode::kInvalidParams);
   EXPECT_EQ(refusal("session.load", {{"name", "office"}, {"at", 1}}), RpcCode::kInvalidParams);
+}
+
+TEST_F(MethodsTest, TheMapIsForEverybodyAndByItsChanges) {
+  EXPECT_FALSE(ask("map.tiles", {{"since", 41}}, false).has_value());
+  ASSERT_TRUE(late && late->has_value());
+  EXPECT_EQ((**late)["revision"], 42);
+  EXPECT_FALSE(ask("map.tiles", Json::object(), false).has_value());
+  EXPECT_EQ((**late)["revision"], 1) << "all of it";
+  EXPECT_FALSE(ask("map.trails", Json::object(), false).has_value());
+  EXPECT_TRUE((**late).contains("own"));
+  for (const Json& since : {Json(-1), Json(1.5), Json("1"), Json(1ULL << 60U)})
+    EXPECT_EQ(refusal("map.tiles", {{"since", since}}), RpcCode::kInvalidParams) << since;
+  EXPECT_EQ(refusal("map.tiles", {{"until", 1}}), RpcCode::kInvalidParams);
 }
 
 TEST_F(MethodsTest, GotoIsAnsweredWhenTheWayWasLookedFor) {

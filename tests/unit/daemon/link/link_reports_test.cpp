@@ -53,11 +53,12 @@ TEST(LineLimit, FewAPeriodAndTheRestCounted) {
   EXPECT_EQ(limit.pass(now + 61s, "f"), "f");
 }
 
-TEST(RefusedHandshake, IsToldFromOtherLines) {
-  EXPECT_TRUE(is_refused_handshake(
+TEST(Refusal, IsToldFromOtherLines) {
+  EXPECT_TRUE(is_refusal(
       "Begin handshake reply failed: Certificate not valid: error: certificate signature failure"));
-  EXPECT_FALSE(is_refused_handshake("ddsi_udp_conn_write to udp/239.255.0.1:7650 failed with retcode -1"));
-  EXPECT_FALSE(is_refused_handshake(""));
+  EXPECT_TRUE(is_refusal("Access control does not allow remote writer 110a2f:1:1:103"));
+  EXPECT_FALSE(is_refusal("ddsi_udp_conn_write to udp/239.255.0.1:7650 failed with retcode -1"));
+  EXPECT_FALSE(is_refusal(""));
 }
 
 TEST(Carried, IsReadBack) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "daemon/link/link_socket.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -37,7 +38,8 @@ class LinkSocketTest : public ::testing::Test {
   }
 
   std::optional<LinkNews> daemon_turn() {
-    auto news = daemon->turn(now, [this](std::span<const std::byte> datagram) {
+    auto news = daemon->turn(now, [this](std::uint16_t sender, std::span<const std::byte> datagram) {
+      senders.push_back(sender);
       at_daemon.emplace_back(reinterpret_cast<const char*>(datagram.data()), datagram.size());
     });
     if (news) told.push_back(*news);
@@ -72,6 +74,7 @@ class LinkSocketTest : public ::testing::Test {
   types::Stamp now = types::stamp_from_seconds(1000.0);
   std::vector<LinkNews> told;
   std::vector<std::string> at_daemon, at_link;
+  std::vector<std::uint16_t> senders;
   std::uint64_t wrong_size = 0;
 };
 
@@ -80,11 +83,12 @@ TEST_F(LinkSocketTest, DatagramsFlowBothWays) {
   greet(line);
   EXPECT_TRUE(daemon->send(bytes("out")));
   EXPECT_TRUE(daemon->send(bytes("more")));
-  EXPECT_EQ(line.send(bytes("in")), LinkChannel::Sent::kYes);
+  EXPECT_EQ(line.send(3, bytes("in")), LinkChannel::Sent::kYes);
   static_cast<void>(link_turn(line));
   static_cast<void>(daemon_turn());
   EXPECT_THAT(at_link, ElementsAre("out", "more"));
   EXPECT_THAT(at_daemon, ElementsAre("in"));
+  EXPECT_THAT(senders, ElementsAre(3));
   EXPECT_EQ(daemon->counts().sent, 2U);
   EXPECT_EQ(daemon->counts().received, 1U);
   EXPECT_THAT(kinds(), ElementsAre(Kind::kJoined));
@@ -175,7 +179,7 @@ TEST_F(LinkSocketTest, AnotherVersionIsRefusedByBoth) {
   static_cast<void>(link_turn(line));
   static_cast<void>(daemon_turn());
   ASSERT_THAT(kinds(), ElementsAre(Kind::kRefused));
-  EXPECT_THAT(told[0].words, HasSubstr("found version 3"));
+  EXPECT_THAT(told[0].words, HasSubstr(fmt::format("found version {}", kLinkVersion + 1)));
   const auto said = link_turn(line);
   ASSERT_TRUE(said.has_value());
   EXPECT_THAT(*said, HasSubstr("do not fit"));
@@ -231,12 +235,13 @@ TEST_F(LinkSocketTest, UnknownMessagesAreCounted) {
   auto socket = io::connect_unix(path, 1s, kLinkSocketKind);
   ASSERT_TRUE(socket.has_value());
   LinkChannel channel(std::move(*socket), kOwn);
-  const std::byte odd{99}, datagram{2};
+  const std::byte odd{99};
   channel.send({&odd, 1});
-  channel.send({&datagram, 1});  // a datagram without content
-  channel.send(std::vector<std::byte>(kDatagramMax_bytes + 2, std::byte{2}));
+  channel.send(std::vector<std::byte>(3, std::byte{5}));  // a datagram without content
+  channel.send(std::vector<std::byte>(kDatagramMax_bytes + 4, std::byte{5}));
+  channel.send(std::vector<std::byte>(9, std::byte{2}));  // whose sender is not told
   static_cast<void>(daemon_turn());
-  EXPECT_EQ(daemon->counts().malformed, 3U);
+  EXPECT_EQ(daemon->counts().malformed, 4U);
   EXPECT_THAT(at_daemon, IsEmpty());
   EXPECT_TRUE(daemon->joined());
 }
@@ -245,7 +250,7 @@ TEST_F(LinkSocketTest, TooLongAMessageEndsTheConnection) {
   auto socket = io::connect_unix(path, 1s, kLinkSocketKind);
   ASSERT_TRUE(socket.has_value());
   LinkChannel channel(std::move(*socket), kOwn);
-  channel.send(std::vector<std::byte>(5000, std::byte{2}));
+  channel.send(std::vector<std::byte>(5000, std::byte{5}));
   static_cast<void>(daemon_turn());
   static_cast<void>(daemon_turn());
   ASSERT_FALSE(told.empty());
@@ -283,7 +288,7 @@ TEST_F(LinkSocketTest, TheDescriptorIsReadableWhenThereIsNews) {
   EXPECT_EQ(::poll(&entry, 1, 0), 1);
   greet(line);
   EXPECT_EQ(::poll(&entry, 1, 0), 0);
-  line.send(bytes("x"));
+  line.send(2, bytes("x"));
   EXPECT_EQ(::poll(&entry, 1, 0), 1);
 }
 

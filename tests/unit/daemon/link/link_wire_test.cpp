@@ -52,7 +52,7 @@ TEST(LinkWire, GreetingOfAnotherVersionTellsIt) {
   const auto read = decode_hello(packet);
   ASSERT_TRUE(read.has_value()) << read.error().message;
   EXPECT_EQ(read->version, kLinkVersion + 1);
-  EXPECT_THAT(mismatch(kSelf, *read), HasSubstr("found version 3 "));
+  EXPECT_THAT(mismatch(kSelf, *read), HasSubstr("found version " + std::to_string(kLinkVersion + 1) + " "));
 }
 
 TEST(LinkWire, StatisticsAreReadBack) {
@@ -60,7 +60,7 @@ TEST(LinkWire, StatisticsAreReadBack) {
   const auto read = decode_stats(packet);
   ASSERT_TRUE(read.has_value()) << read.error().message;
   EXPECT_EQ(*read, some_stats());
-  EXPECT_EQ(read->dropped_by(LinkDrop::kNotTrusted), 10 + kLinkDrops - 1);
+  EXPECT_EQ(read->dropped_by(LinkDrop::kFalseNumber), 10 + kLinkDrops - 1);
   for (std::size_t n = 0; n < packet.size(); ++n)
     EXPECT_FALSE(decode_stats(std::span(packet).first(n)).has_value()) << n;
 }

@@ -16,7 +16,7 @@ constexpr std::uint64_t kRun = 77;
 const LinkIdentity kHere{.team = 1, .robot = 7, .version = kLinkVersion};
 
 RadioHead from(std::uint16_t robot, std::uint64_t run, std::uint64_t number) {
-  return {.version = kRadioVersion, .robot = robot, .team = 1, .run = run, .number = number};
+  return {.version = kRadioVersion, .robot = robot, .team = 1, .run = run, .number = number, .writer = robot};
 }
 
 TEST(RadioFilter, LetsAMatesDatagramThroughOnce) {
@@ -47,6 +47,28 @@ TEST(RadioFilter, OwnNumberFromAnotherRobotIsSeen) {
   RadioFilter filter(kHere, kRun);
   EXPECT_EQ(filter.refuse(from(7, kRun + 1, 1), 100), LinkDrop::kOwnNumber);
   EXPECT_EQ(filter.refuse(from(7, kRun, 1), 100), LinkDrop::kRepeated);
+}
+
+TEST(RadioFilter, ANumberThatIsNotTheWritersIsRefused) {
+  RadioFilter filter(kHere, kRun);
+  for (const std::uint16_t writer : std::vector<std::uint16_t>{0, 3, 7, 250}) {
+    RadioHead head = from(2, 5, 1);
+    head.writer = writer;
+    EXPECT_EQ(filter.refuse(head, 100), LinkDrop::kFalseNumber) << writer;
+    head.robot = kHere.robot;
+    if (writer != kHere.robot) {
+      EXPECT_EQ(filter.refuse(head, 100), LinkDrop::kFalseNumber) << "it makes no double of this robot";
+    }
+  }
+  EXPECT_EQ(filter.refuse(from(2, 5, 1), 100), std::nullopt) << "what was refused is not taken for received";
+}
+
+TEST(RobotPartition, HasOneNameForEachNumber) {
+  for (std::uint16_t robot = 1; robot <= kRobotMax; ++robot)
+    EXPECT_EQ(robot_of_partition(robot_partition(robot)), robot);
+  for (const char* other : {"", "*", "robot-", "robot-0", "robot-251", "robot-07", "robot-7 ", "robot--7",
+                            "robot-65543", "Robot-7", "xrobot-7", "robot-7*"})
+    EXPECT_EQ(robot_of_partition(other), 0) << other;
 }
 
 TEST(RadioFilter, AMateThatBeginsAnewCountsFromOne) {

@@ -201,6 +201,17 @@ TEST(Overview, ShowsWhatItSaysItShows) {
       << "the place's colour";
 }
 
+TEST(Overview, FramesTheRegionsInWhichTheMapIsDoubted) {
+  const analysis::Analysis a = sample();
+  const auto doubted = [&](std::span<const slam::RevisitRegion> regions) {
+    const Picture picture = overview_of(a, {}, a.goals.goals, regions);
+    return std::count(picture.pixels().begin(), picture.pixels().end(), Rgb{230, 0, 120});
+  };
+  const slam::RevisitRegion region{{2.5, 2.5}, 2000, 600};
+  EXPECT_EQ(doubted({}), 0);
+  EXPECT_GT(doubted({&region, 1}), 50);
+}
+
 TEST(Overview, OfNothingIsOnePixel) {
   const Picture picture = overview_of({}, {}, {});
   EXPECT_EQ(picture.width(), 1);

@@ -223,5 +223,26 @@ TEST_F(ReplayTest, ChannelsPlayOnThreadsOfTheirOwn) {
   EXPECT_TRUE(replay_->finished());
 }
 
+TEST_F(ReplayTest, AtOnceTakesNoTimeAndKeepsTheRecordedTimes) {
+  HandMade made = record();
+  made.add(0, RecordKind::kOpen, 0)
+      .add(0, RecordKind::kFromDevice, 5, "a")
+      .add(0, RecordKind::kFromDevice, 3'600'000, "b");
+  play(made, {.gate_timeout = 1s, .gate_span = 10s, .at_once = true});
+  const auto front = connector("front");
+  auto stream = front->connect(1s);
+  ASSERT_TRUE(stream.has_value());
+  const Stamp before = io::monotonic_now();
+  const auto [a, a_stamp] = read(**stream);
+  std::pair<std::string, Stamp> next;
+  while (next.first.empty()) next = read(**stream);  // each waits at most ten seconds of the recording
+  EXPECT_EQ(a + next.first, "ab");
+  EXPECT_EQ(next.second - a_stamp, 3'599'995ms);
+  EXPECT_EQ((*stream)->now(), next.second);
+  EXPECT_LT(io::monotonic_now() - before, 60s);
+  EXPECT_TRUE(at_end(**stream));
+  EXPECT_TRUE(replay_->finished());
+}
+
 }  // namespace
 }  // namespace topo::daemon

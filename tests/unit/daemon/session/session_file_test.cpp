@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include "core/slam/found_relations.hpp"
 #include "core/slam/map_builder.hpp"
 #include "core/slam/mapper.hpp"
 #include "core/types/bytes.hpp"
@@ -176,7 +177,7 @@ TEST(SessionFile, AnotherVersionAndAnotherFileAreNamed) {
             folder.file("a.session") + ": the file does not begin as a session does");
   const auto version = parse_session(of_version_9());
   ASSERT_FALSE(version);
-  EXPECT_EQ(version.error().message, "found version 9, expected 2");
+  EXPECT_EQ(version.error().message, "found version 9, expected 3");
   const auto empty = load_session(folder.write("empty.session", ""));
   ASSERT_FALSE(empty);
   EXPECT_EQ(empty.error().message, folder.file("empty.session") + ": the file is empty");
@@ -229,7 +230,7 @@ TEST(SessionFile, ItsHeaderSaysWhetherItIsOne) {
   file.resize(SessionHeader::kSize);
   EXPECT_EQ(fault_of(), "") << "a journal that has only begun";
   file = of_version_9();
-  EXPECT_EQ(fault_of(), "found version 9, expected 2");
+  EXPECT_EQ(fault_of(), "found version 9, expected 3");
   file[21] ^= std::byte{1};
   EXPECT_EQ(fault_of(), "its header is damaged; what else is whole can be loaded");
   file[0] ^= std::byte{1};
@@ -259,6 +260,33 @@ TEST(SessionFile, TheVersionBeforeIsReadUpToItsDamage) {
   ASSERT_TRUE(part) << part.error().message;
   EXPECT_EQ(part->session.keyframes.size(), 2U);
   EXPECT_THAT(damage_text(*part), HasSubstr("1 of its records are lost, 2 of 2 keyframes are kept"));
+}
+
+// A journal that version 2 wrote does not say who found its edges; the same of version 3 says it of two of
+// three.
+TEST(SessionFile, EdgesOfVersionTwoHaveNoFinder) {
+  const char* source = std::getenv("TOPOMETRIC_SOURCE");
+  ASSERT_NE(source, nullptr) << "set TOPOMETRIC_SOURCE to the source folder, as ctest does";
+  const auto session_of = [&](const std::string& seed) {
+    const auto content = read_file(std::string(source) + "/tests/fuzz/seeds/session/" + seed, 100'000);
+    EXPECT_TRUE(content) << content.error().message;
+    const auto loaded = parse_session(std::as_bytes(std::span(*content)));
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->damaged, 0U);
+    return loaded->session;
+  };
+  const slam::Session before = session_of("journal"), now = session_of("finders");
+  ASSERT_GT(before.edges.size(), 3U);
+  EXPECT_TRUE(slam::found_relations(before.keyframes, before.edges).empty());
+  ASSERT_EQ(now.edges.size(), before.edges.size());
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < now.edges.size(); ++i) {
+    EXPECT_EQ(now.edges[i].T_from_to, before.edges[i].T_from_to);
+    EXPECT_EQ(now.edges[i].finder.sequence, i);
+    known += slam::has_finder(now.edges[i]) ? 1U : 0U;
+  }
+  EXPECT_EQ(slam::found_relations(now.keyframes, now.edges).size(), known);
+  EXPECT_EQ(known, now.edges.size() - (now.edges.size() + 2) / 3);
 }
 
 // What is loaded draws the same map as what was mapped, to the bit: keyframes are rounded before they enter

@@ -27,6 +27,9 @@ inline void grow(slam::Session& session, std::size_t keyframes, std::mt19937& ra
       for (int r = 0; r < 3; ++r) {
         for (int c = r; c < 3; ++c) edge.information(r, c) = edge.information(c, r) = any(random);
       }
+      // Of three finders, one of whom nobody knows.
+      const auto finder = static_cast<std::uint16_t>(random() % 3);
+      edge.finder = {finder, static_cast<std::uint32_t>(random()), finder * 0x9000'0001U};
       session.edges.push_back(edge);
     }
   }
@@ -66,7 +69,7 @@ inline void drive_on(slam::Session& session, std::size_t keyframes, std::mt19937
 
 inline bool same(const slam::Edge& a, const slam::Edge& b) {
   return a.from == b.from && a.to == b.to && a.robust == b.robust && a.T_from_to == b.T_from_to &&
-         a.information == b.information;
+         a.information == b.information && a.finder == b.finder;
 }
 
 inline bool same_keyframes(const slam::Session& a, const slam::Session& b, std::size_t count) {

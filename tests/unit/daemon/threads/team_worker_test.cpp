@@ -66,7 +66,9 @@ class Robot {
     EXPECT_EQ(wrong, 0U);
     line_.send_stats({});
   }
-  void receive(std::span<const std::byte> datagram) { line_.send(datagram); }
+  void receive(std::uint16_t sender, std::span<const std::byte> datagram) {
+    (void)line_.send(sender, datagram);
+  }
   void say(const team::StatusMessage& status) { hand_overs->team.status.store(status); }
   void request(const TeamRequest& wish) {
     TeamRequest* slot = hand_overs->team.requests.try_acquire();
@@ -81,6 +83,7 @@ class Robot {
   std::vector<team::StatusMessage> statuses;
   std::vector<team::HeardOrder> orders;
   TeamReport report;
+  std::vector<slam::FoundRelation> held_relations;  ///< that the map was begun with
   std::size_t known_starts = 0;
   bool mapping_is_busy = false;
   std::uint64_t map = 1;
@@ -104,6 +107,7 @@ class Robot {
     const std::size_t from = ask.map == map ? ask.keyframes : 0;
     news->keyframes.assign(own_.begin() + static_cast<std::ptrdiff_t>(from), own_.end());
     news->own_way = own_.size();
+    if (ask.map != map) news->held_relations = held_relations;
     if (!own_.empty()) news->anchors = {{origin_.run, 0, {1.0 * origin_.robot, 0.0, 0.0}}};
     slot->content = std::move(news);
     hand_overs->team.own.commit();
@@ -126,10 +130,10 @@ class TeamWorkerTest : public ::testing::Test {
     const types::Stamp limit = io::monotonic_now() + 60s;
     while (io::monotonic_now() < limit) {
       a.turn([&](auto datagram) {
-        if (radio) b.receive(datagram);
+        if (radio) b.receive(1, datagram);
       });
       b.turn([&](auto datagram) {
-        if (radio) a.receive(datagram);
+        if (radio) a.receive(2, datagram);
       });
       if (holds()) return true;
       std::this_thread::sleep_for(1ms);
@@ -194,6 +198,14 @@ TEST_F(TeamWorkerTest, AnOrderReachesTheMateAndIsAcknowledged) {
   EXPECT_TRUE(
       until([&] { return a.report.order == 1 && a.report.acknowledged == std::vector<std::uint16_t>{2}; }));
   EXPECT_EQ(b.orders.size(), 1U);
+  EXPECT_EQ(a.report.order_to, std::nullopt) << "it was for all";
+  a.request(TeamOrder{2, {team::OrderKind::kPause, std::uint16_t{2}}});
+  ASSERT_TRUE(until([&] { return a.report.order == 2 && b.orders.size() == 2; }));
+  EXPECT_EQ(a.report.order_to, std::uint16_t{2});
+  b.request(OrderDone{b.orders.back().id, "it stands"});
+  EXPECT_TRUE(until([&] {
+    return a.report.refused == std::map<std::uint16_t, std::string>{{2, "it stands"}};
+  }));
 }
 
 TEST_F(TeamWorkerTest, AnOrderWaitsForNoMapping) {
@@ -225,14 +237,14 @@ TEST_F(TeamWorkerTest, WhatTheJournalHoldsIsNotFetchedAgain) {
   ASSERT_TRUE(until([&] { return b.joined.size() == 40; }));
   Robot again(3, 33, folder_, true);
   const auto one_turn = [&] {
-    a.turn([&](auto datagram) { again.receive(datagram); });
-    again.turn([&](auto datagram) { a.receive(datagram); });
+    a.turn([&](auto datagram) { again.receive(1, datagram); });
+    again.turn([&](auto datagram) { a.receive(3, datagram); });
     std::this_thread::sleep_for(1ms);
   };
   for (int i = 0; i < 500; ++i) one_turn();
   EXPECT_EQ(again.report.items, 0U) << "nothing is asked for before the journal is read";
   auto* slot = again.hand_overs->team.journalled.try_acquire();
-  slot->content = std::make_unique<std::vector<slam::KeyframePtr>>(b.joined);
+  slot->content = std::make_unique<JournalledItems>(JournalledItems{b.joined, {}});
   again.hand_overs->team.journalled.commit();
   for (int i = 0; i < 30'000 && !(again.report.items == 40 && again.joined.size() == 40); ++i) one_turn();
   for (int i = 0; i < 500; ++i) one_turn();
@@ -247,6 +259,16 @@ TEST_F(TeamWorkerTest, WhatTheJournalHoldsIsNotFetchedAgain) {
   std::size_t bytes = 0;
   for (const auto& keyframe : b.joined) bytes += slam::encode_keyframe(*keyframe).size();
   EXPECT_LT(again.report.counters.received_bytes, bytes / 2);
+}
+
+TEST_F(TeamWorkerTest, RelationsOfEarlierRunsAreTheSameAgain) {
+  for (std::uint32_t i = 1; i <= 20; ++i) b.held_relations.push_back(team::testing::odometry({2, i, 21}));
+  ++b.map;  // a session is taken over
+  EXPECT_TRUE(until([&] { return a.report.items == 20 && a.report.hash == b.report.hash; }));
+  ++b.map;  // and once more
+  b.make_keyframe();
+  EXPECT_TRUE(until([&] { return b.report.items == 21 && a.report.hash == b.report.hash; }));
+  EXPECT_EQ(a.report.items, 21U) << "the keyframe is all that is new";
 }
 
 TEST_F(TeamWorkerTest, WithoutALinkTheRobotIsAlone) {

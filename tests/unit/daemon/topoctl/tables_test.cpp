@@ -96,6 +96,15 @@ TEST(Tables, ASessionsFaultIsSaid) {
   EXPECT_THAT(sessions_table(answer), HasSubstr(row + "  no session: too short\n"));
 }
 
+TEST(Tables, AnAreaHasItsIdAndCorners) {
+  const Json areas{{"kept", false},
+                   {"trouble", "the disk is full"},
+                   {"areas", {{{"id", "1"}, {"robot", nullptr}, {"corners_m", {{0, 0.5}, {1, 0}, {1, 1}}}}}}};
+  EXPECT_THAT(areas_table(areas), HasSubstr("(0.00, 0.50) (1.00, 0.00) (1.00, 1.00)"));
+  EXPECT_THAT(areas_table(areas), HasSubstr("a restart does not find them"));
+  EXPECT_THAT(areas_table(areas), HasSubstr("the disk is full"));
+}
+
 TEST(Tables, DoctorNamesTheCureOfWhatIsBad) {
   const Json doctor{{"checks",
                      {{{"check", "base"}, {"ok", true}, {"found", "ready"}, {"cure", ""}},
@@ -120,6 +129,18 @@ TEST(Tables, Mission) {
   for (const char* none : {"", "-"}) {
     EXPECT_EQ(mission_text({{"reason", none}}), "mission - (-) -; - s, - m driven\n");
   }
+}
+
+TEST(Tables, StatusSaysWhyTheMapIsDoubtedAndWhere) {
+  Json status{{"map", {{"doubt", {{"why", "walls stand twice"}, {"look_again", Json::array()}}}}}};
+  status["map"]["doubt"]["look_again"] = {
+      {{"x_m", 1.04}, {"y_m", -2.0}}, {{"x_m", 3.0}}, {{"x_m", 5.0}, {"y_m", 6.0}}};
+  EXPECT_THAT(status_table(status),
+              HasSubstr("doubt       walls stand twice; places to look at again: (1.0, -2.0), (5.0, 6.0)\n"));
+  status["map"]["doubt"]["why"] = "";
+  EXPECT_THAT(status_table(status), Not(HasSubstr("doubt")));
+  status["map"]["doubt"] = nullptr;
+  EXPECT_THAT(status_table(status), Not(HasSubstr("doubt")));
 }
 
 }  // namespace

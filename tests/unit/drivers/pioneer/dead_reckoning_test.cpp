@@ -109,5 +109,44 @@ TEST(DeadReckoning, AReconnectGoesOnFromTheLastPoseAndHeading) {
   EXPECT_NEAR(d.T_odom_base().theta_rad, kPi / 2, 1e-9);
 }
 
+TEST(DeadReckoning, ACalibratedRobotGoesItsOwnWay) {
+  DeadReckoning d;
+  d.restart(*find_model("p3dx-sh"), 1.5, 6.3, {1.04, 1.04, 0.0});
+  d.update(status(0, 0, 1024), milliseconds(100));
+  d.update(status(0, 100, 1024), milliseconds(100));  // ahead, as its firmware looks north
+  EXPECT_NEAR(d.T_odom_base().x_m, 0.104, 1e-9);
+  EXPECT_NEAR(d.T_odom_base().y_m, 0.0, 1e-9);
+  EXPECT_NEAR(d.T_odom_base().theta_rad, 0.0, 1e-9);
+}
+
+TEST(DeadReckoning, AWiderTrackTurnsLess) {
+  DeadReckoning d;
+  d.restart(*find_model("p3dx-sh"), 1.5, 6.3, {1.0, 1.0, 2.0 * 2e-3 / 0.0056});
+  d.update(status(0, 0, 0), milliseconds(100));
+  for (int i = 1; i <= 8; ++i) d.update(status(0, 0, 64 * i), milliseconds(100));
+  EXPECT_NEAR(d.T_odom_base().theta_rad, 256 * radians_per_heading_unit(), 1e-9);
+}
+
+TEST(DeadReckoning, TheGyroTurnsInPlaceOfTheWheels) {
+  auto d = started();
+  d.update(status(0, 0, 0), milliseconds(100));
+  d.update(status(0, 0, 100), milliseconds(100), 0.1);
+  EXPECT_NEAR(d.T_odom_base().theta_rad, 0.1, 1e-9);
+  // Without it, the wheels' turn goes on from there.
+  d.update(status(0, 0, 150), milliseconds(100));
+  EXPECT_NEAR(d.T_odom_base().theta_rad, 0.1 + 50 * radians_per_heading_unit(), 1e-9);
+}
+
+TEST(DeadReckoning, StandsWhileNothingIsCounted) {
+  auto d = started();
+  EXPECT_FALSE(d.stands(status(5, 6, 7)));
+  d.update(status(5, 6, 7), milliseconds(100));
+  EXPECT_TRUE(d.stands(status(5, 6, 7)));
+  EXPECT_FALSE(d.stands(status(5, 6, 8)));
+  auto moving = status(5, 6, 7);
+  moving.left_velocity = 3;
+  EXPECT_FALSE(d.stands(moving));
+}
+
 }  // namespace
 }  // namespace topo::pioneer

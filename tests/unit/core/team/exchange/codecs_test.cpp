@@ -72,9 +72,15 @@ TEST(RelationCodec, WhatIsNoRelationIsRefused) {
 }
 
 TEST(LogCodec, GivesEveryEntryBack) {
-  const std::vector<LogBody> bodies{Visited{{1.5, -2.25}, false}, LookedInto{{0.1, 0.2}, true},
-                                    KeepOut{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}}, Order{OrderKind::kEstop},
-                                    Acknowledgement{{4, 17, 3}}};
+  const std::vector<LogBody> bodies{Visited{{1.5, -2.25}, false},
+                                    LookedInto{{0.1, 0.2}, true},
+                                    KeepOut{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}},
+                                    Order{OrderKind::kEstop},
+                                    Order{OrderKind::kHome, std::uint16_t{65'535}},
+                                    Acknowledgement{{4, 17, 3}},
+                                    Acknowledgement{{4, 17, 3}, "the e-stop is latched"},
+                                    Withdrawn{{2, 5, 77}},
+                                    HereFirst{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}}};
   for (const LogBody& body : bodies) {
     const auto read = decode_log(encode_log(body));
     ASSERT_TRUE(read.has_value()) << body.index();
@@ -94,13 +100,24 @@ TEST(LogCodec, WhatIsNoEntryIsRefused) {
   EXPECT_FALSE(decode_log(encode_log(Visited{{2e5, 0.0}, false})));
   EXPECT_FALSE(decode_log(encode_log(KeepOut{{{0.0, 0.0}, {1.0, 0.0}}})));
   EXPECT_FALSE(decode_log(encode_log(KeepOut{types::Polygon(kCornersMax + 1, types::Vector2(0.0, 0.0))})));
+  EXPECT_FALSE(decode_log(encode_log(HereFirst{{{0.0, 0.0}, {1.0, 0.0}}})));
   EXPECT_FALSE(decode_log(testing::bytes_of({9, 0})));
   EXPECT_FALSE(decode_log(testing::bytes_of({3, 200}))) << "no such order";
+  EXPECT_FALSE(decode_log(testing::bytes_of({7, 200, 1, 0}))) << "no such order";
+  EXPECT_TRUE(decode_log(testing::bytes_of({7, 2, 1, 0})));
+  const EntryId order{4, 17, 3};
+  EXPECT_TRUE(decode_log(encode_log(Acknowledgement{order, std::string(kRefusalBytesMax, 'x')})));
+  EXPECT_FALSE(decode_log(encode_log(Acknowledgement{order, std::string(kRefusalBytesMax + 1, 'x')})));
+  EXPECT_FALSE(decode_log(encode_log(Acknowledgement{order, "a line\nand another"})));
 }
 
 TEST(LogCodec, OrdersHaveNames) {
   EXPECT_EQ(to_text(OrderKind::kStop), "stop");
   EXPECT_EQ(to_text(OrderKind::kEstop), "estop");
+  EXPECT_EQ(to_text(OrderKind::kStart), "start");
+  EXPECT_EQ(to_text(OrderKind::kPause), "pause");
+  EXPECT_EQ(to_text(OrderKind::kResume), "resume");
+  EXPECT_EQ(to_text(OrderKind::kHome), "home");
 }
 
 StatusMessage full_status() {

@@ -238,6 +238,23 @@ TEST(Exchange, WhatIsNotOfTheTeamIsCountedByItsKind) {
   EXPECT_TRUE(a.exchange.take_news(at(1.0)).empty());
 }
 
+TEST(Exchange, WhoSaysAnothersNumberIsNotHeard) {
+  Robot a(1), b(2);
+  EXPECT_TRUE(b.make());
+  for (double t = 0.0; t < 3.0; t += 0.05) {
+    for (const Datagram& datagram : b.exchange.datagrams(at(t))) a.exchange.take(datagram, at(t), 3);
+    send(a, b, at(t));
+  }
+  EXPECT_GT(a.exchange.counters().false_number, 0U);
+  EXPECT_TRUE(a.exchange.peers(at(3.0)).empty());
+  EXPECT_EQ(a.exchange.items().size(), 0U);
+  for (double t = 3.0; t < 6.0; t += 0.05) {
+    for (const Datagram& datagram : b.exchange.datagrams(at(t))) a.exchange.take(datagram, at(t), 2);
+    send(a, b, at(t));
+  }
+  EXPECT_EQ(a.exchange.items().size(), 1U) << "the carrier knows it by this number";
+}
+
 TEST(Exchange, BytesThatAreNoItemStayOutside) {
   Robot a(1);
   DatagramWriter writer({kTeam, {2, 1}, 0});
@@ -283,6 +300,26 @@ TEST(Exchange, AMateIsSeenAsItIs) {
   ASSERT_TRUE(late.round_trip_s);
   EXPECT_LT(*late.round_trip_s, 0.06);
   EXPECT_FALSE(a.exchange.peers(at(40.0)).front().alive);
+}
+
+TEST(Exchange, ARestartedMateIsHeardAtOnce) {
+  for (const std::uint32_t next_run : {3U, 9U}) {  // runs are drawn: the next may be the lower one
+    Robot a(1), before(2, 5), after(2, next_run);
+    const auto says = [&](Robot& mate, double charge, double from_s) {
+      StatusMessage status;
+      status.T_map_base.x_m = charge;
+      mate.exchange.say(status);
+      talk(a, mate, from_s, from_s + 2.0);
+      std::vector<HeardStatus> heard = a.exchange.take_news(at(from_s + 2.0)).statuses;
+      return heard.size() == 1 ? std::pair(heard[0].run, heard[0].message.T_map_base.x_m)
+                               : std::pair(0U, 0.0);
+    };
+    EXPECT_EQ(says(before, 1.0, 0.0), std::pair(5U, 1.0));
+    EXPECT_EQ(says(after, 2.0, 2.5), std::pair(next_run, 2.0));
+    const auto peers = a.exchange.peers(at(4.5));
+    ASSERT_EQ(peers.size(), 1U) << "the run before is over";
+    EXPECT_EQ(peers.front().run, next_run);
+  }
 }
 
 TEST(Exchange, TwoWithOneIdAreSeenByBothAndByOthers) {

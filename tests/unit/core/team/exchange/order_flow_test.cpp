@@ -85,6 +85,43 @@ TEST(OrderFlow, ItPassesThroughARobotInBetween) {
   EXPECT_EQ(a.exchange.acknowledged_by(id), (std::vector<std::uint16_t>{2, 3}));
 }
 
+TEST(OrderFlow, AnOrderToOneReachesThatOneThroughAnother) {
+  Robot a(1), b(2), c(3);
+  const auto all_hear = [&](double t) {
+    for (Robot* from : {&a, &b, &c}) {
+      for (const Datagram& datagram : from->exchange.datagrams(at(t)))
+        for (Robot* to : {&a, &b, &c})
+          if (to != from) to->exchange.take(datagram, at(t));
+    }
+  };
+  for (double t = 0.0; t < 1.0; t += 0.05) all_hear(t);
+  const EntryId id = a.exchange.order({OrderKind::kStart, std::uint16_t{3}}, at(1.0));
+  // From now on a reaches c by way of b alone.
+  const auto through_b = [&](double t) {
+    send(a, b, at(t));
+    for (const Datagram& datagram : b.exchange.datagrams(at(t)))
+      for (Robot* to : {&a, &c}) to->exchange.take(datagram, at(t));
+    send(c, b, at(t));
+  };
+  for (double t = 1.0; t < 1.3; t += 0.05) {
+    through_b(t);
+    EXPECT_TRUE(b.exchange.take_news(at(t)).orders.empty()) << "it is not for b";
+    for (const HeardOrder& heard : c.exchange.take_news(at(t)).orders) {
+      ASSERT_TRUE(heard.age) << "it is young";
+      EXPECT_EQ(heard.order, (Order{OrderKind::kStart, std::uint16_t{3}}));
+      c.exchange.acknowledge(heard.id, at(t), "the e-stop is\nlatched");
+    }
+  }
+  EXPECT_TRUE(a.exchange.acknowledged_by(id).empty());
+  EXPECT_EQ(a.exchange.refused_by(id), (std::map<std::uint16_t, std::string>{{3, "the e-stop is?latched"}}));
+  const auto sent = [&] {
+    return a.exchange.counters().sent_bytes_of.at(static_cast<std::size_t>(MessageKind::kOrder));
+  };
+  const std::uint64_t at_end = sent();
+  for (double t = 1.3; t < 2.0; t += 0.05) through_b(t);
+  EXPECT_EQ(sent(), at_end) << "b's word is not awaited";
+}
+
 TEST(OrderFlow, AnOldOneComesWithTheLogAndWithoutAnAge) {
   Robot a(1), b(2);
   (void)a.exchange.order({OrderKind::kStop}, at(0.0));

@@ -40,6 +40,10 @@ TEST(Orders, AcknowledgementsAreKeptByRobot) {
   EXPECT_TRUE(orders.has_acknowledged(2, kOrder));
   EXPECT_EQ(orders.acknowledged_by(kOrder), (std::vector<std::uint16_t>{2, 3}));
   EXPECT_TRUE(orders.acknowledged_by({9, 9, 9}).empty());
+  orders.note({kOrder, "no"}, {4, 1, 1});
+  EXPECT_TRUE(orders.has_acknowledged(4, kOrder)) << "it has said its word";
+  EXPECT_EQ(orders.acknowledged_by(kOrder), (std::vector<std::uint16_t>{2, 3}));
+  EXPECT_EQ(orders.refused_by(kOrder), (std::map<std::uint16_t, std::string>{{4, "no"}}));
 }
 
 TEST(Orders, AnAcknowledgementIsSentOncePerRequest) {

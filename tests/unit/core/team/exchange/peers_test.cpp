@@ -101,6 +101,32 @@ TEST(Peers, AnotherWithThisRobotsIdIsADuplicate) {
   EXPECT_EQ(found[0].run_b, 5U);
 }
 
+TEST(Peers, ARobotIsListedOnceByItsNewestRun) {
+  const slam::Origin other{7, 3};
+  for (const auto& [before, after] : {std::pair(kMate, kMateAgain), std::pair(kMateAgain, kMate)}) {
+    Peers peers;
+    for (int i = 0; i < 100; ++i) peers.hear(before, static_cast<std::uint32_t>(i), {}, at(0.05 * i));
+    peers.hear(other, 0, {}, at(1.0));
+    EXPECT_EQ(peers.listed(kSelf, {}, at(5.0)), (std::vector{before, other}));
+    for (int i = 0; i < 100; ++i) peers.hear(after, static_cast<std::uint32_t>(i), {}, at(5.0 + 0.05 * i));
+    for (const double t : {5.0, 6.0, 8.0, 10.0, 300.0})
+      EXPECT_EQ(peers.listed(kSelf, {}, at(t)), (std::vector{after, other})) << t << ": runs have no order";
+    EXPECT_TRUE(peers.listed(kSelf, {}, at(700.0)).empty()) << "forgotten";
+  }
+}
+
+TEST(Peers, BothOfTwoWithOneIdAreListed) {
+  Peers peers;
+  const slam::Origin own_id{kSelf.robot, 5};
+  for (int i = 0; i < 40; ++i) {
+    for (const slam::Origin& mate : {kMate, kMateAgain, own_id})
+      peers.hear(mate, static_cast<std::uint32_t>(i), {}, at(0.05 * i));
+  }
+  EXPECT_EQ(peers.listed(kSelf, {}, at(2.0)), (std::vector{own_id, kMate, kMateAgain}));
+  for (int i = 0; i < 100; ++i) peers.hear(kMate, static_cast<std::uint32_t>(40 + i), {}, at(2.0 + 0.05 * i));
+  EXPECT_EQ(peers.listed(kSelf, {}, at(7.0)), std::vector{kMate}) << "the others are gone";
+}
+
 TEST(Peers, TheNewestMessageOfAKindCounts) {
   std::optional<std::uint32_t> newest;
   EXPECT_TRUE(is_newer(newest, 4));

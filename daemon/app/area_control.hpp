@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "daemon/app/area_book.hpp"
+#include "daemon/app/background.hpp"
+#include "daemon/threads/hand_overs.hpp"
+
+namespace topo::daemon {
+
+/// The areas that operators draw: in force at once, given to the team, and kept in a file, which a restart
+/// finds. Like those of the configuration they are measured in whatever map is the present one. Main only.
+class AreaControl {
+ public:
+  using Announce = std::function<void(const Json& event)>;
+  /// `configured`: in force besides. `files`: the thread that writes. `folder`: control.state_folder; empty:
+  /// nothing is kept.
+  AreaControl(const types::AreaLimits& configured, HandOvers& hand_overs, Background& files,
+              const std::string& folder, Announce announce);
+
+  /// Puts those of before into force; to be called before the base's thread starts.
+  void start();
+  /// As Operations::draw_area and withdraw_area.
+  types::Result<std::string> draw(const types::Polygon& corners_map,
+                                  types::AreaKind kind = types::AreaKind::kKeepOut);
+  types::Status withdraw(const std::string& id);
+  /// What the team says of areas, every tick.
+  void note(const TeamAreas& team);
+
+  /// All limits that are in force.
+  [[nodiscard]] types::AreaLimits in_force() const { return book_.with(configured_); }
+  /// Why no mission may begin: the file cannot be read, so that areas may be missing; empty: none.
+  [[nodiscard]] const std::string& obstacle() const { return unread_; }
+  /// What is wrong; empty: nothing.
+  [[nodiscard]] std::string trouble() const;
+  /// As AreaBook::json(), and "kept": whether a restart finds them.
+  [[nodiscard]] Json json() const;
+
+ private:
+  void enforce();
+  void keep();
+  void tell(const char* what, const DrawnArea& area);
+
+  const types::AreaLimits& configured_;
+  HandOvers& hand_overs_;
+  Background& files_;
+  std::string file_;
+  Announce announce_;
+  AreaBook book_;
+  std::string unread_, unwritten_;
+  std::uint64_t writes_ = 0, written_ = 0;
+};
+
+}  // namespace topo::daemon

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/area_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace topo::daemon {
+namespace {
+
+bool is_of_areas(const team::LogEntry& entry) {
+  return std::holds_alternative<team::KeepOut>(entry.body) ||
+         std::holds_alternative<team::HereFirst>(entry.body) ||
+         std::holds_alternative<team::Withdrawn>(entry.body);
+}
+
+team::LogBody entry_for(const AreaWishes::Own& area) {
+  if (area.kind == types::AreaKind::kHereFirst) return team::HereFirst{area.corners_map};
+  return team::KeepOut{area.corners_map};
+}
+
+types::Polygon in_frame(const types::Se2& T_map_mates, types::Polygon corners) {
+  for (types::Vector2& corner : corners) corner = T_map_mates * corner;
+  return corners;
+}
+
+}  // namespace
+
+void AreaLog::begin_map() {
+  own_.clear();
+  frames_.clear();
+  changed_ = true;
+}
+
+void AreaLog::want(const AreaWishes& wishes) {
+  wishes_ = wishes;
+  changed_ = true;
+}
+
+void AreaLog::note(const std::vector<team::LogEntry>& entries) {
+  changed_ = changed_ || std::ranges::any_of(entries, &is_of_areas);
+}
+
+void AreaLog::place(const slam::Origin& origin, const types::Se2& T_map_mates) {
+  const auto [at, is_new] = frames_.try_emplace(origin, T_map_mates);
+  const types::Se2 moved = at->second.inverse() * T_map_mates;
+  if (!is_new && moved.translation().norm() <= params_.moved_m &&
+      std::abs(moved.theta_rad) <= params_.moved_rad)
+    return;
+  at->second = T_map_mates;
+  changed_ = true;
+}
+
+bool AreaLog::settle(team::Exchange& exchange) {
+  if (!std::exchange(changed_, false)) return false;
+  const team::ExchangeIdentity& self = exchange.identity();
+  log_ = team::areas_of(team::log_of(exchange.items()));
+  for (const AreaWishes::Own& area : wishes_.own) {
+    if (own_.contains(area.number)) continue;
+    if (const auto id = exchange.add_entry(entry_for(area))) own_[area.number] = *id;
+  }
+  std::erase_if(own_, [&](const auto& own) {
+    if (std::ranges::count(wishes_.own, own.first, &AreaWishes::Own::number) > 0) return false;
+    withdraw(exchange, own.second);
+    return true;
+  });
+  for (const team::EntryId& id : wishes_.withdrawn) withdraw(exchange, id);
+  // An area of an earlier run of this robot is in the log again under this one.
+  for (const team::TeamArea& area : log_.areas) {
+    const bool is_ours = area.id.robot == self.robot && area.id.run != self.run;
+    const auto is_it = [&](const AreaWishes::Own& own) {
+      return own.kind == area.kind && own.corners_map == area.corners_map;
+    };
+    if (is_ours && std::ranges::any_of(wishes_.own, is_it)) withdraw(exchange, area.id);
+  }
+  log_ = team::areas_of(team::log_of(exchange.items()));
+  return true;
+}
+
+void AreaLog::withdraw(team::Exchange& exchange, const team::EntryId& id) {
+  if (!log_.withdrawn.insert(id).second) return;
+  (void)exchange.add_entry(team::Withdrawn{id});  // a key has nothing that could be refused
+}
+
+TeamAreas AreaLog::report() const {
+  TeamAreas areas;
+  areas.withdrawn.assign(log_.withdrawn.begin(), log_.withdrawn.end());
+  for (const auto& [number, id] : own_)
+    if (log_.withdrawn.contains(id)) areas.own_withdrawn.push_back(number);
+  for (const team::TeamArea& area : log_.areas) {
+    if (std::ranges::any_of(own_, [&](const auto& own) { return own.second == area.id; })) continue;
+    const auto frame = frames_.find(area.id.origin());
+    areas.of_mates.push_back(
+        {area.id,
+         frame == frames_.end() ? std::nullopt : std::optional(in_frame(frame->second, area.corners_map)),
+         area.kind});
+  }
+  return areas;
+}
+
+}  // namespace topo::daemon

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Topometric authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "daemon/threads/area_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/team/exchange/exchange_fixture.hpp"
+
+namespace topo::daemon {
+namespace {
+
+const types::Polygon kStairs{{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}};
+
+/// A robot's exchange and what stands between it and main.
+struct Side {
+  explicit Side(std::uint16_t number, std::uint32_t run = 1) : robot(number, run) {}
+  /// What the log says of areas after what came.
+  TeamAreas areas() {
+    log.note(robot.exchange.take_news(team::testing::at(now_s)).entries);
+    (void)log.settle(robot.exchange);
+    return log.report();
+  }
+  team::testing::Robot robot;
+  AreaLog log;
+  double now_s = 0.0;
+};
+
+void talk(Side& a, Side& b) {
+  team::testing::talk(a.robot, b.robot, a.now_s, a.now_s + 5.0);
+  a.now_s = b.now_s = a.now_s + 5.0;
+}
+
+TEST(AreaLog, BringsAnAreaIntoAMatesMap) {
+  Side a(1), b(2);
+  a.log.want({{{1, kStairs}}, {}});
+  EXPECT_TRUE(a.areas().of_mates.empty()) << "own ones are main's";
+  talk(a, b);
+  ASSERT_EQ(b.areas().of_mates.size(), 1U);
+  EXPECT_FALSE(b.areas().of_mates.front().corners_map.has_value()) << "where is that map?";
+  b.log.place({1, 1}, {10.0, 0.0, M_PI / 2.0});
+  const TeamAreas there = b.areas();
+  ASSERT_TRUE(there.of_mates.front().corners_map.has_value());
+  const types::Polygon& corners = *there.of_mates.front().corners_map;
+  EXPECT_NEAR((corners[1] - types::Vector2(10.0, 2.0)).norm(), 0.0, 1e-9);
+}
+
+TEST(AreaLog, AnAreaKeepsItsKind) {
+  Side a(1), b(2);
+  a.log.want({{{1, kStairs, types::AreaKind::kHereFirst}, {2, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  const TeamAreas there = b.areas();
+  ASSERT_EQ(there.of_mates.size(), 2U);
+  EXPECT_EQ(there.of_mates[0].kind, types::AreaKind::kHereFirst);
+  EXPECT_EQ(there.of_mates[1].kind, types::AreaKind::kKeepOut);
+}
+
+TEST(AreaLog, AFrameThatHardlyMovesMovesNoArea) {
+  Side a(1), b(2);
+  a.log.want({{{1, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  b.log.place({1, 1}, {10.0, 0.0, 0.0});
+  const auto x_m = [&] { return b.areas().of_mates.front().corners_map->front().x(); };
+  EXPECT_EQ(x_m(), 10.0);
+  b.log.place({1, 1}, {10.01, 0.0, 0.0});
+  EXPECT_EQ(x_m(), 10.0);
+  b.log.place({1, 1}, {10.05, 0.0, 0.0});
+  EXPECT_EQ(x_m(), 10.05);
+}
+
+TEST(AreaLog, TheOwnerAndAMateWithdraw) {
+  Side a(1), b(2);
+  a.log.want({{{1, kStairs}, {2, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  const TeamAreas there = b.areas();
+  ASSERT_EQ(there.of_mates.size(), 2U);
+  b.log.want({{}, {there.of_mates[0].id}});
+  EXPECT_EQ(b.areas().of_mates.size(), 1U);
+  talk(a, b);
+  EXPECT_EQ(a.areas().own_withdrawn, std::vector<std::uint64_t>{1});
+  a.log.want({{}, {}});
+  (void)a.areas();
+  talk(a, b);
+  EXPECT_TRUE(b.areas().of_mates.empty());
+  EXPECT_EQ(b.areas().withdrawn.size(), 2U);
+}
+
+TEST(AreaLog, ARestartedRobotsAreasAreThereOnce) {
+  Side a(1), b(2), again(1, 2);
+  a.log.want({{{1, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  again.now_s = b.now_s;
+  again.log.want({{{1, kStairs}}, {}});
+  (void)again.areas();
+  for (int i = 0; i < 6; ++i) {
+    talk(again, b);
+    (void)again.areas();
+  }
+  const TeamAreas there = b.areas();
+  ASSERT_EQ(there.of_mates.size(), 1U);
+  EXPECT_EQ(there.of_mates.front().id.run, 2U);
+}
+
+TEST(AreaLog, ANewMapsRunHasThemAnew) {
+  Side a(1);
+  a.log.want({{{1, kStairs}}, {}});
+  (void)a.areas();
+  EXPECT_EQ(team::areas_of(team::log_of(a.robot.exchange.items())).areas.size(), 1U);
+  team::testing::Robot later(1, 2);
+  a.log.begin_map();
+  EXPECT_TRUE(a.log.settle(later.exchange));
+  EXPECT_EQ(team::areas_of(team::log_of(later.exchange.items())).areas.size(), 1U);
+  EXPECT_FALSE(a.log.settle(later.exchange)) << "nothing has changed";
+}
+
+}  // namespace
+}  // namespace topo::daemon
