@@ -196,7 +196,6 @@ class Demo:
                 if not (folder / name).exists():
                     self.why.append("%s was not written" % (folder / name))
             robot.goals, robot.latency = robot.answer("goals"), robot.answer("latency")
-            robot.ask_team()
         self.lost_s = json.loads(self.processes.run("toposim", "ctl", self.sim_control, "status").stdout or "{}").get("lost_s")
 
     def stop(self):
