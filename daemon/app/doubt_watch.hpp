@@ -35,6 +35,8 @@ class DoubtWatch {
   [[nodiscard]] std::string text() const;
   /// For status: revision, figure, why, look_again; null before the first result.
   [[nodiscard]] Json json() const;
+  /// For map.doubt: doubt_json() of what was found; null before the first result.
+  [[nodiscard]] Json whole_json() const { return found_.map == 0 ? Json() : doubt_json(found_); }
 
  private:
   void take(const types::Result<FoundDoubt>& found, types::Stamp begun);

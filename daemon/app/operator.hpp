@@ -83,6 +83,7 @@ class Operator final : public Operations {
   void confirm_session(const std::optional<types::Se2>& pose, SessionDone done) override;
   types::Status begin_anew() override;
   types::Status set_log_level(const std::string& level) override;
+  [[nodiscard]] Json map_doubt() const override { return doubts_.whole_json(); }
   [[nodiscard]] Json areas() const override { return areas_.json(); }
   types::Result<std::string> draw_area(const types::Polygon& corners_map, types::AreaKind kind) override {
     return areas_.draw(corners_map, kind);

@@ -108,8 +108,8 @@ Answer call_withdraw(Operations& o, const Json& params) {
   return done(o.withdraw_area(*id));
 }
 
-const std::array<Method, 22>& methods() {
-  static const std::array<Method, 22> table{{
+const std::array<Method, 23>& methods() {
+  static const std::array<Method, 23> table{{
       {"status", false, {}, [](Operations& o, const Json&) -> Answer { return o.status(); }},
       {"version",
        false,
@@ -134,6 +134,7 @@ const std::array<Method, 22>& methods() {
       {"stop", true, {"robot", "all"}, &call_order<team::OrderKind::kStop>},
       {"session.new", true, {}, [](Operations& o, const Json&) { return done(o.begin_anew()); }},
       {"log_level", true, {"level"}, &call_log_level},
+      {"map.doubt", false, {}, [](Operations& o, const Json&) -> Answer { return o.map_doubt(); }},
       {"areas", false, {}, [](Operations& o, const Json&) -> Answer { return o.areas(); }},
       {"area.draw", true, {"corners_m", "kind"}, &call_draw},
       {"area.withdraw", true, {"id"}, &call_withdraw},

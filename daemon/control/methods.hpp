@@ -74,6 +74,8 @@ class Operations {
   /// Checks whether the point can be reached, and calls `done` on the main thread, later.
   virtual void go_to(const types::Vector2& target, std::function<void(types::Status)> done) = 0;
   virtual types::Status set_log_level(const std::string& level) = 0;
+  /// What speaks against the map as it was last looked at (doubt.json); null before.
+  [[nodiscard]] virtual Json map_doubt() const = 0;
   /// Areas that operators drew, of this robot and of its mates, and whether they are in force here.
   [[nodiscard]] virtual Json areas() const = 0;
   /// No wheel enters the area from the base's next period on; mates learn of it by the link. Gives its id.

@@ -26,7 +26,7 @@ bool is_tile(const Json& tile) {
 std::string_view to_text(Topic topic) {
   constexpr std::array<std::string_view, kTopics> kNames{"link",   "status", "team",   "goals",
                                                          "places", "health", "doctor", "trails",
-                                                         "areas",  "scan",   "replay", "past"};
+                                                         "doubt",  "areas",  "scan",   "replay", "past"};
   return kNames[static_cast<std::size_t>(topic)];
 }
 

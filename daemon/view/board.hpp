@@ -31,12 +31,13 @@ enum class Topic {
   kHealth,
   kDoctor,
   kTrails,
+  kDoubt,
   kAreas,
   kScan,
   kReplay,
   kPast
 };
-inline constexpr std::size_t kTopics = 12;
+inline constexpr std::size_t kTopics = 13;
 
 /// The name of a topic in messages to pages.
 std::string_view to_text(Topic topic);

@@ -39,6 +39,7 @@ Feed::Feed(boost::asio::io_context& io, const std::string& socket, Board& board,
                   {"health", Topic::kHealth, seconds(2)},
                   {"doctor", Topic::kDoctor, seconds(10)},
                   {"map.trails", Topic::kTrails, seconds(5)},
+                  {"map.doubt", Topic::kDoubt, seconds(5)},
                   {"areas", Topic::kAreas, milliseconds(500)},
                   {"scan", Topic::kScan, milliseconds(500)}}} {}
 

@@ -43,7 +43,7 @@ class Feed {
   BoardRules rules_;
   ControlLine line_;
   boost::asio::steady_timer tick_;
-  std::array<Question, 9> questions_;
+  std::array<Question, 10> questions_;
   std::uint64_t map_revision_ = 0;
   types::Stamp map_due_{};
   bool map_under_way_ = false;

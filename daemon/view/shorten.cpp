@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 4> kPlace{"standing", "session", "waits",
 constexpr std::array<std::string_view, 3> kMap{"revision", "keyframes", "closures"};
 constexpr std::array<std::string_view, 1> kPlausibility{"doubts"};
 constexpr std::array<std::string_view, 6> kGoals{"goal", "open", "given_up", "dropped", "decisions", "route"};
-constexpr std::array<std::string_view, 2> kDropped{"x_m", "y_m"};
+constexpr std::array<std::string_view, 4> kDoubt{"why", "side_m", "regions", "loose"};
+constexpr std::array<std::string_view, 2> kPoint{"x_m", "y_m"};
 constexpr std::array<std::string_view, 6> kTeam{"present", "name", "robot", "peers", "order", "trouble"};
 
 void keep(Json& object, Names names) {
@@ -68,8 +69,12 @@ Json shorten(Topic topic, Json answer) {
       keep_in(*session, "place", kPlace);
   } else if (topic == Topic::kGoals) {
     keep(answer, kGoals);
-    keep_in(answer, "dropped", kDropped);
+    keep_in(answer, "dropped", kPoint);
     keep_last(answer, "decisions");
+  } else if (topic == Topic::kDoubt) {
+    keep(answer, kDoubt);
+    keep_in(answer, "regions", kPoint);
+    keep_in(answer, "loose", kPoint);
   } else if (topic == Topic::kTeam) {
     keep(answer, kTeam);
   }

@@ -3,11 +3,8 @@
 """A made-up daemon: it answers on a control socket as topometricd would in a building of 5,000 m2 with a team of 20 robots
 that drive about in it and find something new every second. For measures of the page, which no 20 real daemons disturb."""
 import itertools
-import json
 import math
-import os
 import random
-import socketserver
 import threading
 import time
 
@@ -236,32 +233,8 @@ class BigTeam:
         if method == "areas":
             return {"areas": [{"id": "%d" % i, "kind": "keep_out", "robot": 1, "corners_m": [[x, 20], [x + 4, 20], [x + 4, 24], [x, 24]]}
                               for i, x in enumerate((20, 60))], "trouble": ""}
+        if method == "map.doubt":
+            return {"why": "the map is doubted", "side_m": 5.0, "regions": [point(42.5, 12.5), point(47.5, 12.5)], "loose": [point(70, 30)]}
         simple = {"status": self.status, "team": self.team, "goals": self.goals, "places": self.places, "scan": self.scan,
                   "health": lambda: {"faults": []}, "doctor": lambda: {"checks": []}, "events.subscribe": dict}
         return simple[method]() if method in simple else None
-
-
-class Line(socketserver.StreamRequestHandler):
-    def handle(self):
-        for line in self.rfile:
-            asked = json.loads(line)
-            result = self.server.team.answer(asked["method"], asked.get("params") or {})
-            answer = {"error": {"code": -32601, "message": "not here"}} if result is None else {"result": result}
-            self.wfile.write(json.dumps({"jsonrpc": "2.0", "id": asked["id"], **answer}).encode() + b"\n")
-
-
-class Daemon(socketserver.ThreadingMixIn, socketserver.UnixStreamServer):
-    """Answers on the socket `path` until it is closed."""
-
-    daemon_threads = True
-
-    def __init__(self, path, team):
-        self.team = team
-        if os.path.exists(path):
-            os.unlink(path)
-        super().__init__(str(path), Line)
-        threading.Thread(target=self.serve_forever, daemon=True).start()
-
-    def close(self):
-        self.shutdown()
-        self.server_close()

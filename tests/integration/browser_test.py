@@ -4,6 +4,7 @@
 """The page in a headless Chromium, with a real daemon and a simulated robot: what an operator sees and clicks.
 
 usage: browser_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]; exit status 77: skipped, there is no Chromium here"""
+import json
 import math
 import signal
 import sys
@@ -11,8 +12,9 @@ import tempfile
 import time
 
 import browser
+from made_up_daemon import Daemon
 from robot_processes import main, wait_for
-from view_rig import START_M, DrivenOnce, ViewProcesses
+from view_rig import START_M, DrivenOnce, ViewProcesses, free_port
 
 LIVE = 'document.getElementById("link").textContent === "live"'
 STALE = 'document.body.classList.contains("stale")'
@@ -97,6 +99,52 @@ class BrowserTest(Shown, ViewProcesses):
         shown.click("#areas button")
         shown.click("#do-it")
         shown.until('document.querySelectorAll("#areas button").length === 0', "no area")
+        self.assertEqual(shown.complaints, [])
+
+
+class Doubting:
+    """A robot that has 4 x 4 m of free floor, and doubts 2 x 2 m of it."""
+
+    def __init__(self):
+        # 64 x 64 cells that are free (decode_cells in page_client.py).
+        self.answers = {
+            "status": {"robot": "one", "state": "standing", "pose": {"x_m": 0.3, "y_m": 0.3, "theta_rad": 0.0}},
+            "map.tiles": {"revision": 1, "more": False, "resolution_m": 0.0625, "side": 64, "tiles": [[0, 0, "_f" * 15 + "f"]]},
+            "map.doubt": {"why": "walls may stand twice", "side_m": 2.0, "figure": 2.0, "loose": [],
+                          "regions": [{"x_m": 2.0, "y_m": 2.0, "points": 9, "contradicted": 0.8}]},
+            "events.subscribe": {}}
+
+    def answer(self, method, params):
+        return self.answers.get(method)
+
+
+class DoubtTest(Shown, ViewProcesses):
+    """The page of a daemon that says what is wanted."""
+
+    def setUp(self):
+        super(ViewProcesses, self).setUp()
+        self.write_config({device: {"address": "tcp:127.0.0.1:%d" % port} for port, device in enumerate(("base", "front", "coronal"), 1)})
+        self.robot, self.port = Doubting(), free_port()
+        self.addCleanup(Daemon(self.socket, self.robot).close)
+        self.configure("")
+        self.start_view()
+
+    def test_a_doubted_region_is_framed_and_named(self):
+        shown = self.open()
+        shown.until('document.getElementById("findings").textContent.includes("walls may stand twice")', "the doubt")
+        # Points of the frame's upper edge and, for comparison, below it.
+        edge, inside = ([self.at(shown, 1.2 + 0.05 * i, y) for i in range(33)] for y in (3.0, 2.5))
+        colours = """(points => { const c = document.getElementById("ground"), box = c.getBoundingClientRect();
+            return points.map(([x, y]) => c.getContext("2d").getImageData(x - box.x, y - box.y, 1, 1).data.join()); })(%s)"""
+        self.assertGreater(len(set(shown.value(colours % json.dumps(edge)))), 1, "dashes")
+        self.assertEqual(len(set(shown.value(colours % json.dumps(inside)))), 1, "floor")
+        for place, words in (((2.0, 2.5), "free, doubtful"), ((3.5, 3.5), "free")):
+            x, y = self.at(shown, *place)
+            shown.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+            shown.until('document.getElementById("under").textContent.endsWith(" m · %s")' % words, words)
+        self.robot.answers["map.doubt"] = {**self.robot.answers["map.doubt"], "why": "", "regions": []}
+        shown.until('!document.getElementById("findings").textContent.includes("twice")', "no doubt any more")
+        shown.until("new Set(%s).size === 1" % (colours % json.dumps(edge)), "no frame any more")
         self.assertEqual(shown.complaints, [])
 
 

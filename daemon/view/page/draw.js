@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Everything on the map that is not the map. Kinds differ in shape, not in colour alone.
 import { drawAreas, drawPen } from "./areas.js";
+import { drawDoubt } from "./doubt.js";
 import { colourOf } from "./palette.js";
 
 const ROBOT_M = 0.25;          // half the length of what is drawn for a robot
@@ -158,6 +159,7 @@ function drawGround(context, view, c, tiles, known) {
   const trails = known.trails || {};
   for (const trail of trails.mates || []) line(context, view, trail, c.mate, 1.2, [2, 3]);
   line(context, view, trails.own, c.own, 1.5, [2, 3]);
+  drawDoubt(context, view, known.doubt);
   drawAreas(context, view, (known.areas || {}).areas);
   drawPlaces(context, view, c, known.places || {});
 }
@@ -167,7 +169,7 @@ function drawGround(context, view, c, tiles, known) {
 export function drawAll(context, ground, view, tiles, known, teamAge_s, live, pin, pen) {
   const c = colours();
   context.clearRect(0, 0, view.width, view.height);
-  ground.draw(view, [tiles.changes, known.trails, known.areas, known.places],
+  ground.draw(view, [tiles.changes, known.trails, known.doubt, known.areas, known.places],
     (beneath) => drawGround(beneath, view, c, tiles, known));
   if (live) drawScan(context, view, c, (known.scan || {}).cm || []);
   drawGoals(context, view, c, known.goals || {});

@@ -4,6 +4,7 @@
 import { Acts, forgetToken, storedToken, tokenOfAddress } from "./act.js";
 import { KINDS, Pen, showAreas } from "./areas.js";
 import { View } from "./canvas.js";
+import { isDoubted } from "./doubt.js";
 import { drawAll } from "./draw.js";
 import { Layer } from "./layer.js";
 import { Link } from "./link.js";
@@ -55,7 +56,7 @@ function redraw() {
 
 const CELLS = ["unknown", "free", "wall"];
 const view = new View(at("canvas"), redraw, clicked, (x, y) => {
-  at("under").textContent = `${x.toFixed(2)}, ${y.toFixed(2)} m · ${CELLS[tiles.stateAt(x, y)]}`;
+  at("under").textContent = `${x.toFixed(2)}, ${y.toFixed(2)} m · ${CELLS[tiles.stateAt(x, y)]}${isDoubted(known.doubt, x, y) ? ", doubtful" : ""}`;
 });
 
 // For tests, and for who looks with the browser's own tools: where the window shows a point of the map.
@@ -132,6 +133,7 @@ const shows = {
   },
   health: () => showFindings(known),
   doctor: () => showFindings(known),
+  doubt: () => showFindings(known),
 };
 
 function take(message) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Topometric authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The words beside the map. All text goes in as text: nothing that a robot says is read as a page.
+import { CURE } from "./doubt.js";
 import { MATE_STALE_S, mateAge } from "./draw.js";
 import { colourOf } from "./palette.js";
 import { clock } from "./replay.js";
@@ -42,6 +43,7 @@ export function showState(status) {
 export function showFindings(known) {
   const items = [];
   for (const doubt of ((known.status || {}).plausibility || {}).doubts || []) items.push([doubt.found, doubt.cure]);
+  if (known.doubt && known.doubt.why) items.push([known.doubt.why, CURE]);
   for (const fault of (known.health || {}).faults || []) items.push([fault, ""]);
   for (const check of (known.doctor || {}).checks || []) {
     if (!check.ok) items.push([`${check.check}: ${check.found}`, check.cure]);

@@ -83,6 +83,7 @@ class FakeOperations final : public Operations {
   }
   types::Status begin_anew() override { return calls.push_back("new"), outcome; }
   types::Status set_log_level(const std::string&) override { return calls.push_back("log_level"), outcome; }
+  [[nodiscard]] Json map_doubt() const override { return nullptr; }
   [[nodiscard]] Json areas() const override { return Json{{"areas", Json::array()}}; }
   types::Result<std::string> draw_area(const types::Polygon& corners_map, types::AreaKind kind) override {
     polygon = corners_map;

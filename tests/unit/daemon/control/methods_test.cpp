@@ -61,7 +61,7 @@ TEST_F(MethodsTest, AnEstopWithAMistakeStopsThisRobot) {
 
 TEST_F(MethodsTest, AnybodyMayLookAndEstop) {
   for (const auto* method : {"status", "version", "health", "latency", "config", "estop", "goals", "places",
-                             "team", "progress", "areas", "scan", "events.subscribe"}) {
+                             "team", "progress", "areas", "map.doubt", "scan", "events.subscribe"}) {
     const auto answer = ask(method, Json::object(), false);
     ASSERT_TRUE(answer.has_value() && answer->has_value()) << method;
   }

@@ -31,6 +31,15 @@ TEST(Shorten, OfGoalsThePlacesReasonsAndTheLastDecision) {
     "dropped": [{"x_m": 1, "y_m": 2}], "decisions": [{"text": "b"}]})"));
 }
 
+TEST(Shorten, OfADoubtWhyAndWhere) {
+  const Json doubt = Json::parse(R"({"revision": 7, "figure": 1.2, "why": "w", "side_m": 2.0, "lost": 0.1,
+    "regions": [{"x_m": 1.23456, "y_m": 2, "points": 30, "contradicted": 0.9}],
+    "loose": [{"x_m": 3, "y_m": 4, "sigma_rad": 0.7}]})");
+  EXPECT_EQ(shorten(Topic::kDoubt, doubt), Json::parse(R"({"why": "w", "side_m": 2.0,
+    "regions": [{"x_m": 1.235, "y_m": 2}], "loose": [{"x_m": 3, "y_m": 4}]})"));
+  EXPECT_EQ(shorten(Topic::kDoubt, nullptr), nullptr) << "not looked at yet";
+}
+
 TEST(Shorten, WhatIsNotAsExpectedIsLeftAlone) {
   EXPECT_EQ(shorten(Topic::kStatus, Json(3)), Json(3));
   EXPECT_EQ(shorten(Topic::kGoals, Json{{"decisions", "none"}, {"dropped", 1}}),
