@@ -24,9 +24,9 @@ bool is_tile(const Json& tile) {
 }  // namespace
 
 std::string_view to_text(Topic topic) {
-  constexpr std::array<std::string_view, kTopics> kNames{"link",   "status", "team",   "goals",
-                                                         "places", "health", "doctor", "trails",
-                                                         "doubt",  "areas",  "scan",   "replay", "past"};
+  constexpr std::array<std::string_view, kTopics> kNames{"link",   "status", "team",   "goals", "places",
+                                                         "health", "doctor", "trails", "doubt", "areas",
+                                                         "scan",   "replay", "past"};
   return kNames[static_cast<std::size_t>(topic)];
 }
 
