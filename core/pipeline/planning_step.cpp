@@ -81,6 +81,7 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& in) {
   report->sequence = sequence;
   report->known_m2 = caches.map.known_m2();
   report->analysis = plan.analysed.analysis;
+  report->area = caches.map.area();
   out.report = std::move(report);
   out.message = make_message(in, plan.intent, place, plan.route.points, params);
   out.message.sequence = sequence;

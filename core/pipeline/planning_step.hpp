@@ -82,6 +82,7 @@ struct PlanningReport {
   types::Transform2<types::Map, types::Base> T_map_start;
   double known_m2 = 0.0;                               ///< area of the free cells seen so far
   std::shared_ptr<const analysis::Analysis> analysis;  ///< newest; null before the first
+  types::AreaLimits area;                              ///< those that the analysis was made with
   std::vector<goals::Goal> open_goals;                 ///< available alternatives, in both phases
   std::vector<exploration::DeferredGoal> deferred;     ///< at this time
   std::vector<Decision> decisions;                     ///< the last 64, oldest first
@@ -118,10 +119,17 @@ class PlanningState {
 /// throws; when an input is missing or stale the plan is to stand, and the report contains the reason.
 PlanningOutput planning_step(PlanningState& state, const PlanningInput& input);
 
+/// What an operator's goal is checked against: of a report.
+struct TargetGround {
+  std::shared_ptr<const analysis::Analysis> analysis;  ///< never null
+  types::AreaLimits area;
+  types::Vector2 from{0.0, 0.0};  ///< where the robot is
+};
+
 /// Success when an operator's goal can be reached on the present map, else the reason (unknown space,
-/// occupied, not reachable, forbidden area: `params.area` is what is in force). For the control socket,
-/// before the goal becomes a mission.
-types::Status check_target(const analysis::Analysis& analysis, const PlannerParams& params,
-                           const types::Vector2& from, const types::Vector2& target);
+/// occupied, not reachable, forbidden area: `params.area` is what is in force). kBusy: the analysis was made
+/// before the areas changed. For the control socket, before the goal becomes a mission.
+types::Status check_target(const TargetGround& ground, const PlannerParams& params,
+                           const types::Vector2& target);
 
 }  // namespace topo::pipeline

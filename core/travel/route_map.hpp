@@ -37,6 +37,7 @@ class RouteMap {
 
   /// The area limits from now on. True when they are others: the next take() prepares the map anew.
   bool limit(const types::AreaLimits& area);
+  [[nodiscard]] const types::AreaLimits& area() const { return area_; }
   /// Takes a generation of the map. Costs nothing when the revision is the current one.
   void take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways);
   /// Begins the searches of a period at the robot's pose, with the clearance from map and overlays. Driven

@@ -268,9 +268,10 @@ void Operator::go_to(const types::Vector2& target, std::function<void(Status)> d
   // The duration of the search grows with the map; an e-stop must not wait for it.
   pipeline::PlannerParams params = planner_params(configuration_);
   params.area = areas_.in_force();
-  auto job = [this, analysis = report->analysis, params = std::move(params), target, done,
-              from = report->T_map_base.se2().translation(), number = ++commands_]() -> Background::Finish {
-    const Status possible = pipeline::check_target(*analysis, params, from, target);
+  pipeline::TargetGround ground{report->analysis, report->area, report->T_map_base.se2().translation()};
+  auto job = [this, ground = std::move(ground), params = std::move(params), target, done,
+              number = ++commands_]() -> Background::Finish {
+    const Status possible = pipeline::check_target(ground, params, target);
     return [this, possible, target, done, number] {
       if (!possible) return done(possible);
       // After a stop in the meantime the robot must not start to drive.

@@ -406,12 +406,31 @@ TEST(PlanningStep, refusesTargetsItCannotReach) {
   PlanningState state({});
   const PlanningOutput out = building.run_period(state, {});
   ASSERT_NE(out.report->analysis, nullptr);
-  const auto check = [&](const types::Vector2& p) {
-    return check_target(*out.report->analysis, PlannerParams{}, building.robot(), p);
-  };
+  TargetGround ground{out.report->analysis, out.report->area, building.robot()};
+  const auto check = [&](const types::Vector2& p) { return check_target(ground, PlannerParams{}, p); };
   EXPECT_TRUE(check(building.robot() + types::Vector2(2.0, 0.0)).has_value());
   EXPECT_THAT(check({100.0, 100.0}).error().message, HasSubstr("unknown"));
   EXPECT_THAT(check({0.22, building.robot().y()}).error().message, HasSubstr("stands"));
+}
+
+/// An area withdrawn a moment ago still stands in the map as a wall: that is no reason that an operator can
+/// act on.
+TEST(PlanningStep, saysThatTheMapIsNotAnalysedWithANewAreaYet) {
+  ToyBuilding building(kFloor);
+  PlanningState state({});
+  const types::Vector2 at = building.robot() + types::Vector2(2.0, 0.0);
+  types::AreaLimits drawn;
+  drawn.keep_out = {
+      {at + types::Vector2(-0.5, -0.5), at + types::Vector2(0.5, -0.5), at + types::Vector2(0.0, 0.5)}};
+  building.limit(&drawn);
+  const PlanningOutput before = building.run_period(state, {});
+  ASSERT_EQ(before.report->area, drawn);
+  const auto check = [&](const PlanningOutput& out) {
+    return check_target({out.report->analysis, out.report->area, building.robot()}, PlannerParams{}, at);
+  };
+  ASSERT_EQ(check(before).error().code, types::Errc::kBusy);
+  building.limit(nullptr);
+  EXPECT_TRUE(check(building.run_period(state, {})).has_value());
 }
 
 TEST(PlanningStep, goesRoundAnAreaThatIsDrawnOverItsRoute) {
