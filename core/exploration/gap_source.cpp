@@ -61,8 +61,11 @@ std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, 
                                         const goals::GoalParams& essential, const TourParams& params) {
   goals::GoalParams onto_much = essential;
   onto_much.behind_m2 = params.overlooked_m2;
+  onto_much.look_m = params.overlooked_look_m;
   std::erase_if(frontiers, [&](const goals::Frontier& frontier) {
-    return !goals::leads_to_unknown(map.map(), frontier.cells, onto_much);
+    // The first, which most fail, looks less far.
+    return !goals::leads_to_unknown(map.map(), frontier.cells, essential) ||
+           !goals::leads_to_unknown(map.map(), frontier.cells, onto_much);
   });
   return frontiers;
 }

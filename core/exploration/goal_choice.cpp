@@ -40,7 +40,7 @@ std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const 
     const grid::CellIndex at = map.cell_at(goal.p_map);
     auto cell = grid::nearest_to_stay_at(map, field, at, params.cell_reach_m);
     if (!cell && goal.side != goals::Side::kNone)
-      cell = grid::end_of_way(map, clearance_m, field, at, radius_m, params.unseen_way_m);
+      cell = grid::end_of_way(map, clearance_m, field, at, radius_m, {params.unseen_way_m, 0.0});
     if (!cell) {
       cut_off = true;
       continue;

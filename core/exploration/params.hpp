@@ -19,8 +19,10 @@ namespace topo::exploration {
 
 /// From a goal to the cell from which the robot attends to it, and the cost of that (goal_choice.hpp).
 struct CandidateParams {
-  double cell_reach_m = 0.6;      ///< to a reachable cell, when the goal's own is closed by an obstacle
-  double unseen_way_m = 3.0;      ///< from a goal to the end of the known route, at most
+  double cell_reach_m = 0.6;  ///< to a reachable cell, when the goal's own is closed by an obstacle
+  double unseen_way_m = 3.0;  ///< from a goal to the end of the known route, at most
+  double unknown_way_m =
+      3.0;  ///< through unknown cells, to a goal when no other is left: the shadows of a row of pillars
   double frontier_reach_m = 1.0;  ///< a frontier is visible from this distance
   double successor_m = 2.5;       ///< largest displacement of a goal from one map to the next
   double turn_m_per_rad = 1.0;    ///< cost to stop, turn on the spot and accelerate again
@@ -58,6 +60,7 @@ struct TourParams {
                                 ///< it
   double pocket_m2 = 0.1;       ///< a gap onto less enclosed unknown space is no goal
   double overlooked_m2 = 10.0;  ///< Finish::kEssential: a gap onto more is inspected before the return
+  double overlooked_look_m = 6.0;  ///< depth to which that is counted: of a room 1.7 m wide
   double switch_share = 0.1;    ///< least saving of another tour, as a share of the route to the present goal
   std::size_t goals_max = 20;   ///< only the nearest goals are considered
   double now_share = 0.25;      ///< a gap is filled on the way to the first goal of a tour when the detour is

@@ -75,6 +75,8 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
     append(found.candidates, gaps.candidates);
     found.cut_off = found.cut_off || gaps.cut_off;
   }
+  if (!complete && found.candidates.empty() && !homing)
+    found.candidates = unseen_way_candidates(frontiers, situation, map, deferred, params);
   const bool sweeps = has_final_sweep(params) && !homing;
   if (sweeps) sweep = swept(std::move(sweep), found.candidates, found.cut_off, situation, map, params);
   if (!found.candidates.empty()) {

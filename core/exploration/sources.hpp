@@ -39,6 +39,13 @@ Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<c
 std::vector<goals::Frontier> overlooked(std::vector<goals::Frontier> frontiers, const travel::RouteMap& map,
                                         const goals::GoalParams& essential, const TourParams& params);
 
+/// Where to look when the rest is cut off (unseen_source.cpp): for each essential goal, and each frontier of
+/// `onto_much`, that has no route, the place at which the known route to it ends and unknown cells begin,
+/// CandidateParams::unknown_way_m of them at most. Such places are visited once each.
+std::vector<Candidate> unseen_way_candidates(std::span<const goals::Frontier> onto_much,
+                                             const Situation& situation, const travel::RouteMap& map,
+                                             const DeferredGoals& deferred, const ExplorationParams& params);
+
 /// All frontiers, as the goals of a frontier strategy (gap_source.cpp). Searches the map only until the
 /// cheapest goal is certain.
 Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,

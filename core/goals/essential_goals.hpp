@@ -37,6 +37,7 @@ struct GoalParams {
   double room_reach_m = 6.0;       ///< maximum distance from an opening to its goal, through free space
   double behind_m = 2.4;           ///< minimum depth of the unknown space behind an opening
   double behind_m2 = 4.0;          ///< minimum area of that space; no room worth exploring is smaller
+  double look_m = 0.0;             ///< depth to which that area is counted, when it is more than behind_m
   ChanceParams chance;
 };
 

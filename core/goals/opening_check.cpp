@@ -31,7 +31,8 @@ struct Step {
 
 bool leads_to_unknown(const grid::DenseMap& map, std::span<const std::uint32_t> opening,
                       const GoalParams& params) {
-  const int reach = static_cast<int>(std::lround(params.behind_m / map.resolution_m));
+  const int deep = static_cast<int>(std::lround(params.behind_m / map.resolution_m));
+  const int reach = std::max(deep, static_cast<int>(std::lround(params.look_m / map.resolution_m)));
   const auto enough =
       static_cast<std::size_t>(std::ceil(params.behind_m2 / (map.resolution_m * map.resolution_m)));
   grid::DiscRoom room(map, surroundings_of(map, opening, reach), params.robot_radius_m);
@@ -43,7 +44,7 @@ bool leads_to_unknown(const grid::DenseMap& map, std::span<const std::uint32_t> 
       if (!room.is_open(to) || map.state(to) != CellState::kUnknown) continue;
       room.close(to);
       const double dx = to.x - step.from.x, dy = to.y - step.from.y;
-      goes_on = goes_on || dx * dx + dy * dy >= static_cast<double>(reach) * reach;
+      goes_on = goes_on || dx * dx + dy * dy >= static_cast<double>(deep) * deep;
       steps.push_back({to, step.from});
     }
   };

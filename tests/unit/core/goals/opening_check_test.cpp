@@ -42,10 +42,22 @@ TEST(OpeningCheck, APocketLeadsOnIfDeepEnoughAndLargeEnough) {
     const int least_depth = *rc::gen::inRange(1, 40), least_cells = *rc::gen::inRange(1, 900);
     params.behind_m = 0.05 * least_depth;
     params.behind_m2 = 0.0025 * (least_cells - 0.5);
-    // What lies farther than behind_m is not looked at.
-    const bool expected = depth >= least_depth && width * least_depth >= least_cells;
+    const int looked = *rc::gen::inRange(0, 60);
+    params.look_m = 0.05 * looked;
+    const int counted = std::min(depth, std::max(least_depth, looked));
+    const bool expected = depth >= least_depth && width * counted >= least_cells;
     RC_ASSERT(leads_on(room_with_pocket(width, depth), params) == expected);
   }));
+}
+
+/// A room of 3.5 x 9 m behind its narrow side: 2.4 m of depth have less than the 10 m2 that are asked for.
+TEST(OpeningCheck, AreaIsCountedAsDeepAsIsAskedFor) {
+  GoalParams params = for_a_point();
+  params.behind_m2 = 10.0;
+  EXPECT_FALSE(leads_on(room_with_pocket(70, 180), params));
+  params.look_m = 6.0;
+  EXPECT_TRUE(leads_on(room_with_pocket(70, 180), params));
+  EXPECT_FALSE(leads_on(room_with_pocket(70, 50), params)) << "8.75 m2";
 }
 
 TEST(OpeningCheck, TheRobotsDiscHasToGetThrough) {

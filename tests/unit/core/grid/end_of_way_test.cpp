@@ -29,7 +29,7 @@ std::optional<CellIndex> end_in(const DenseMap& map, double within_m) {
   const TravelRules rules{.radius_m = kRadius_m, .preferred_m = 0.2, .crowding = 1.0, .start_m = 0.0};
   const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
   const TravelField field = travel_field(map, clearance, {8, 10}, rules);
-  const auto end = end_of_way(map, clearance, field, {30, 11}, kRadius_m, within_m);
+  const auto end = end_of_way(map, clearance, field, {30, 11}, kRadius_m, {within_m});
   EXPECT_TRUE(!end || !std::isinf(field.cost_m[map.index(*end)]));
   return end;
 }
@@ -55,7 +55,7 @@ TEST(EndOfWay, IsNowhereWhereTheMapHasAWay) {
   TravelField field;
   for (std::size_t i = 0; i < map.cells.size(); ++i)
     field.cost_m.push_back(map.cell(i).x < 17 ? 1.0F : std::numeric_limits<float>::infinity());
-  EXPECT_FALSE(end_of_way(map, clearance, field, {30, 11}, kRadius_m, 1.0));
+  EXPECT_FALSE(end_of_way(map, clearance, field, {30, 11}, kRadius_m, {1.0}));
 }
 
 TEST(EndOfWay, IsNowhereFartherThanAskedFor) { EXPECT_FALSE(end_in(two_rooms('?'), 0.4)); }
@@ -65,15 +65,41 @@ TEST(EndOfWay, IsNowhereForAGoalThatIsNotFreeOrOutside) {
   TravelField field;
   field.cost_m.assign(map.cells.size(), 0.0F);
   const std::vector<float> room(map.cells.size(), 1.0F);
-  EXPECT_FALSE(end_of_way(map, room, field, {0, 0}, kRadius_m, 1.0));
-  EXPECT_FALSE(end_of_way(map, room, field, {500, -500}, kRadius_m, 1.0));
+  EXPECT_FALSE(end_of_way(map, room, field, {0, 0}, kRadius_m, {1.0}));
+  EXPECT_FALSE(end_of_way(map, room, field, {500, -500}, kRadius_m, {1.0}));
 }
 
-/// Chains from the goal, in steps, by the definition: free cells with room for the disc, within the box.
-std::vector<int> chain_steps(const DenseMap& map, CellIndex goal, double radius_m, int reach) {
-  std::vector<int> steps(map.cells.size(), -1);
+/// Shadows of two pillars, each two cells wide, across the whole second room.
+TEST(EndOfWay, LiesBeforeTheShadowsThatItMayCross) {
+  DenseMap map = two_rooms('.');
+  for (const int x : {24, 27})
+    for (int y = 1; y < 20; ++y)
+      for (const int wide : {0, 1}) map.cells[map.index({x + wide, y})] = CellState::kUnknown;
+  const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
+  const TravelRules rules{.radius_m = kRadius_m, .preferred_m = 0.2, .crowding = 1.0, .start_m = 0.0};
+  const TravelField field = travel_field(map, clearance, {8, 10}, rules);
+  const auto end_past = [&](double unseen_m) {
+    return end_of_way(map, clearance, field, {34, 11}, kRadius_m, {HUGE_VAL, unseen_m});
+  };
+  EXPECT_FALSE(end_past(0.16));
+  const auto end = end_past(0.21);
+  ASSERT_TRUE(end);
+  EXPECT_GE(end->x, 20);
+  EXPECT_LT(end->x, 24);
+}
+
+/// Chains from the goal by the definition: free or unknown cells with room for the disc, within the box.
+/// Unknown cells of the best one to each cell, and its steps; -1: none.
+struct Chain {
+  int unknown = -1, steps = -1;
+  [[nodiscard]] bool is_better_than(const Chain& other) const {
+    return other.unknown < 0 || unknown < other.unknown || (unknown == other.unknown && steps < other.steps);
+  }
+};
+std::vector<Chain> chains(const DenseMap& map, CellIndex goal, double radius_m, int reach) {
+  std::vector<Chain> best(map.cells.size());
   const auto is_open = [&](CellIndex c) {
-    if (map.state(c) != CellState::kFree) return false;
+    if (!map.contains(c)) return false;
     if (std::abs(c.x - goal.x) > reach || std::abs(c.y - goal.y) > reach) return false;
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
       const CellIndex o = map.cell(i);
@@ -82,47 +108,55 @@ std::vector<int> chain_steps(const DenseMap& map, CellIndex goal, double radius_
     }
     return true;
   };
-  std::vector<CellIndex> queue;
-  const auto enter = [&](CellIndex c, int count) {
-    if (!is_open(c) || steps[map.index(c)] >= 0) return;
-    steps[map.index(c)] = count;
-    queue.push_back(c);
-  };
-  enter(goal, 0);
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const CellIndex c = queue[i];
-    for (std::size_t d = 0; d < kNeighbours.size(); d += 2)
-      enter({c.x + kNeighbours[d].x, c.y + kNeighbours[d].y}, steps[map.index(c)] + 1);
+  if (map.state(goal) != CellState::kFree || !is_open(goal)) return best;
+  best[map.index(goal)] = {0, 0};
+  for (bool changed = true; changed;) {  // Bellman and Ford
+    changed = false;
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const CellIndex c = map.cell(i);
+      if (best[i].unknown < 0) continue;
+      for (std::size_t d = 0; d < kNeighbours.size(); d += 2) {
+        const CellIndex to{c.x + kNeighbours[d].x, c.y + kNeighbours[d].y};
+        if (!is_open(to)) continue;
+        const Chain chain{best[i].unknown + (map.state(to) == CellState::kUnknown ? 1 : 0),
+                          best[i].steps + 1};
+        if (!chain.is_better_than(best[map.index(to)])) continue;
+        best[map.index(to)] = chain;
+        changed = true;
+      }
+    }
   }
-  return steps;
+  return best;
 }
 
-TEST(EndOfWay, IsAtTheEndOfTheShortestChain) {
+TEST(EndOfWay, IsAtTheEndOfTheChainWithTheFewestUnknownCells) {
   EXPECT_TRUE(rc::check([] {
-    const DenseMap map = random_map(20);
+    const DenseMap map = random_map(14);
     const auto clearance = clearance_m(map, Boundary::kOccupiedOrUnknown);
     const auto any_cell = [&] { return map.cell(*rc::gen::inRange<std::size_t>(0, map.cells.size())); };
     const TravelRules rules{.radius_m = 0.11, .preferred_m = 0.2, .crowding = 1.0, .start_m = 0.0};
     const TravelField field = travel_field(map, clearance, any_cell(), rules);
     const CellIndex goal = any_cell();
-    const int reach = *rc::gen::inRange(1, 15);
-    const auto end = end_of_way(map, clearance, field, goal, 0.11, (reach + 0.5) * map.resolution_m);
-    const std::vector<int> steps = chain_steps(map, goal, 0.11, reach);
-    int nearest = -1;
+    const int reach = *rc::gen::inRange(1, 15), unknown_max = *rc::gen::inRange(0, 6);
+    const auto end = end_of_way(map, clearance, field, goal, 0.11,
+                                {(reach + 0.5) * map.resolution_m, (unknown_max + 0.5) * map.resolution_m});
+    const std::vector<Chain> all = chains(map, goal, 0.11, reach);
+    Chain nearest;
     bool some_lack_room = false;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (steps[i] < 0) continue;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].unknown < 0 || all[i].unknown > unknown_max) continue;
       some_lack_room = some_lack_room || clearance[i] < 0.11F;
-      if (field.can_stay_at(i) && (nearest < 0 || steps[i] < nearest)) nearest = steps[i];
+      if (field.can_stay_at(i) && all[i].is_better_than(nearest)) nearest = all[i];
     }
     if (end) {
       RC_ASSERT(field.can_stay_at(map.index(*end)));
-      RC_ASSERT(steps[map.index(*end)] == nearest);
-      RC_ASSERT((nearest == 0 || some_lack_room));
+      RC_ASSERT(all[map.index(*end)].unknown == nearest.unknown);
+      if (nearest.unknown == 0) RC_ASSERT(all[map.index(*end)].steps == nearest.steps);
+      RC_ASSERT((nearest.steps == 0 || some_lack_room));
     } else {
-      RC_ASSERT(nearest != 0);
+      RC_ASSERT(nearest.steps != 0);
       // Where the goal itself lacks room, unknown cells are in the way of all chains.
-      if (nearest > 0) RC_ASSERT(clearance[map.index(goal)] >= 0.11F);
+      if (nearest.steps > 0) RC_ASSERT(clearance[map.index(goal)] >= 0.11F);
     }
   }));
 }
