@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -83,6 +84,73 @@ TEST_F(Sources, OverlookedFrontiersLeadOntoARoom) {
   TourParams little;
   little.overlooked_m2 = 0.01;
   EXPECT_FALSE(overlooked(frontiers(), map_, planner_.analysis.goals, little).empty());
+}
+
+/// A hall with a row of pillars that the robot does not fit through, but for the end on the right.
+std::vector<std::string> pillared_hall() {
+  std::vector<std::string> rows(40, std::string(60, '#'));
+  for (std::size_t y = 2; y < 38; ++y) rows[y].replace(2, 56, 56, ' ');
+  for (std::size_t x = 2; x < 44; x += 3) rows[24][x] = '#';
+  rows[32][30] = 'S';
+  return rows;
+}
+
+class Shadows : public ToyDecision {
+ protected:
+  Shadows() : ToyDecision(pillared_hall(), 14.0) {}
+  /// Between the shadows of two pillars, 2 m behind them.
+  [[nodiscard]] Situation with_goal(analysis::Analysis& analysed) const {
+    goals::Goal goal;
+    goal.p_map = here() + types::Vector2(-1.9, 4.6);
+    goal.opening_m = 2.0;
+    analysed = *analysis_;
+    analysed.goals.goals = {goal};
+    const Situation now = situation();
+    return {now.now,  now.T_map_base, now.start, now.mission, now.battery_low, now.feedback,
+            analysed, now.essential,  now.paths, now.route,   now.team};
+  }
+};
+
+TEST_F(Shadows, AGoalBetweenThemIsApproachedOverTheLeastThatIsUnseen) {
+  analysis::Analysis analysed;
+  const Situation now = with_goal(analysed);
+  const Reachable essential = essential_candidates(now, map_, deferred_, params_, false);
+  EXPECT_TRUE(essential.candidates.empty());
+  EXPECT_TRUE(essential.cut_off);
+  const auto found = unseen_way_candidates({}, now, map_, deferred_, params_);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(map_.field().can_stay_at(map_.map().index(found[0].cell)));
+  EXPECT_GT(found[0].goal.p_map.x(), 10.0) << "where the row ends";
+  EXPECT_EQ(found[0].goal.opening_m, 2.0) << "worth as much as the goal";
+  params_.candidate.unknown_way_m = 0.1;
+  EXPECT_TRUE(unseen_way_candidates({}, now, map_, deferred_, params_).empty());
+}
+
+TEST_F(Shadows, APlaceBeforeThemIsVisitedOnce) {
+  analysis::Analysis analysed;
+  const Situation now = with_goal(analysed);
+  const auto found = unseen_way_candidates({}, now, map_, deferred_, params_);
+  ASSERT_EQ(found.size(), 1U);
+  deferred_.visit(found[0].goal.p_map, std::nullopt);
+  EXPECT_TRUE(unseen_way_candidates({}, now, map_, deferred_, params_).empty());
+}
+
+TEST_F(Shadows, AFrontierBetweenThemIsSuchAGoal) {
+  analysis::Analysis analysed;
+  const Situation now = with_goal(analysed);
+  analysed.goals.goals.clear();
+  std::vector<goals::Frontier> onto_much;
+  for (const goals::Frontier& frontier : frontiers()) {
+    const bool behind = frontier.centroid.y() > here().y() + 3.0;
+    if (behind && std::isinf(map_.field().cost_m[goals::middle_of(map_.map(), frontier.cells)]))
+      onto_much.push_back(frontier);
+  }
+  ASSERT_FALSE(onto_much.empty());
+  const auto found = unseen_way_candidates(onto_much, now, map_, deferred_, params_);
+  for (const Candidate& c : found) {
+    EXPECT_TRUE(std::isinf(c.goal.behind_m2));
+    EXPECT_GT(c.goal.chance, 0.0);
+  }
 }
 
 TEST_F(Sources, TheFinalSweepWaitsForOtherGoals) {

@@ -32,7 +32,8 @@ inline std::vector<std::string> corridor_and_rooms() {
 /// One decision's situation after the first look around.
 class ToyDecision : public ::testing::Test {
  protected:
-  ToyDecision() : building_(corridor_and_rooms(), 6.0), map_({}, {}) {
+  explicit ToyDecision(const std::vector<std::string>& rows = corridor_and_rooms(), double range_m = 6.0)
+      : building_(rows, range_m), map_({}, {}) {
     pipeline::PlanningState state(planner_);
     analysis_ = building_.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}, 0.0).report->analysis;
     const pipeline::MapSnapshot& snapshot = building_.snapshot();
