@@ -16,7 +16,9 @@ double rate_m2ps(const ExplorationParams& params) {
 
 /// Expected area of a goal; without limit of one that is not judged.
 double gain_m2(const Candidate& candidate, const ExplorationParams& params) {
-  const bool is_judged = params.finish == Finish::kWorth || candidate.id.source == Source::kViewpoint;
+  const Source source = candidate.id.source;
+  const bool is_judged =
+      source == Source::kViewpoint || (params.finish == Finish::kWorth && source != Source::kDoubt);
   return is_judged ? expected_area_m2(candidate.goal, params.worth.beyond_m2, params.tour) : HUGE_VAL;
 }
 

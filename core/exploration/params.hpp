@@ -23,6 +23,7 @@ struct CandidateParams {
   double unseen_way_m = 3.0;  ///< from a goal to the end of the known route, at most
   double unknown_way_m =
       3.0;  ///< through unknown cells, to a goal when no other is left: the shadows of a row of pillars
+  double unknown_reach_m = 12.0;  ///< from such a goal to the end of the known route, at most
   double frontier_reach_m = 1.0;  ///< a frontier is visible from this distance
   double successor_m = 2.5;       ///< largest displacement of a goal from one map to the next
   double turn_m_per_rad = 1.0;    ///< cost to stop, turn on the spot and accelerate again
@@ -53,13 +54,13 @@ struct TeamViewParams {
 
 /// The order in which a robot visits its goals (core/exploration/tour.hpp).
 struct TourParams {
-  double length_share = 0.2;    ///< see tour_cost_m
-  double leads_on_m2 = 10.0;    ///< expected area behind an opening that certainly leads on
-  double shadow_m2 = 1.0;       ///< expected area behind any opening
-  double gap_share = 0.5;       ///< weight of a gap relative to an essential goal with the same area behind
-                                ///< it
-  double pocket_m2 = 0.1;       ///< a gap onto less enclosed unknown space is no goal
-  double overlooked_m2 = 10.0;  ///< Finish::kEssential: a gap onto more is inspected before the return
+  double length_share = 0.2;   ///< see tour_cost_m
+  double leads_on_m2 = 10.0;   ///< expected area behind an opening that certainly leads on
+  double shadow_m2 = 1.0;      ///< expected area behind any opening
+  double gap_share = 0.5;      ///< weight of a gap relative to an essential goal with the same area behind
+                               ///< it
+  double pocket_m2 = 0.1;      ///< a gap onto less enclosed unknown space is no goal
+  double overlooked_m2 = 5.0;  ///< Finish::kEssential: a gap onto more is inspected before the return
   double overlooked_look_m = 6.0;  ///< depth to which that is counted: of a room 1.7 m wide
   double switch_share = 0.1;    ///< least saving of another tour, as a share of the route to the present goal
   std::size_t goals_max = 20;   ///< only the nearest goals are considered

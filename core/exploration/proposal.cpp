@@ -75,6 +75,7 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
     append(found.candidates, gaps.candidates);
     found.cut_off = found.cut_off || gaps.cut_off;
   }
+  // Otherwise the shadows between the robot and a goal are gaps themselves.
   if (!complete && found.candidates.empty() && !homing)
     found.candidates = unseen_way_candidates(frontiers, situation, map, deferred, params);
   const bool sweeps = has_final_sweep(params) && !homing;
@@ -88,8 +89,10 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
     append(found.candidates, viewpoints.candidates);
     found.cut_off = found.cut_off || viewpoints.cut_off;
   }
-  if (found.candidates.empty() && !homing && params.finish != Finish::kWorth)
-    found.candidates = doubted_candidates(situation, map, sweep.looked_again, params);
+  // Of gaps alone Finish::kWorth may take none: what is left out is known after this.
+  const bool is_last = params.finish == Finish::kWorth ? proposal.only_gaps : found.candidates.empty();
+  if (is_last && !homing)
+    append(found.candidates, doubted_candidates(situation, map, sweep.looked_again, params));
   estimate_far_ones(found.candidates, situation.T_map_base, map, params);
   proposal.candidates = std::move(found.candidates);
   proposal.cut_off = found.cut_off;

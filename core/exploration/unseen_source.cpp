@@ -39,7 +39,7 @@ std::vector<Candidate> unseen_way_candidates(std::span<const goals::Frontier> on
     const CellIndex at = map.cell_at(goal.p_map);
     if (grid::nearest_to_stay_at(map, route_map.field(), at, params.candidate.cell_reach_m)) continue;
     const auto cell = grid::end_of_way(map, route_map.clearance_m(), route_map.field(), at, radius_m,
-                                       {HUGE_VAL, params.candidate.unknown_way_m});
+                                       {params.candidate.unknown_reach_m, params.candidate.unknown_way_m});
     if (!cell) continue;
     goal.p_map = map.centre_of(*cell);
     if (deferred.hold(goal.p_map, situation.now)) continue;

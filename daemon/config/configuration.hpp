@@ -70,7 +70,7 @@ struct ScannerConfig {
 /// The planner's settings. Defaults that the planner has too are taken from there.
 struct ExplorationConfig {
   exploration::Strategy strategy = pipeline::PlannerParams{}.explore.strategy;
-  std::string finish = "complete";  ///< exploration::parse_finish
+  std::string finish = "worth:0.1";  ///< exploration::parse_finish
   double planning_period_s = 0.4;
   double frontier_min_m = pipeline::PlannerParams{}.explore.frontier_min_m;
   double goal_reached_m = pipeline::PlannerParams{}.explore.pursuit.goal_reached_m;

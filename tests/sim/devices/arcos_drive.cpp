@@ -35,14 +35,21 @@ int in_range(int value, int top) { return std::clamp(std::abs(value), 1, top); }
 
 Drive::Drive(const Parameters& parameters) : flash_(parameters), working_(parameters) {}
 
+void Drive::leave_wheels() {
+  if (by_wheels_) velocity_setpoint_ = rotation_setpoint_ = 0.0;
+  by_wheels_ = false;
+}
+
 void Drive::set_velocity(int mm_s) {
   if (emergency_) return;
+  leave_wheels();
   way_goal_mm_.reset();
   velocity_setpoint_ = mm_s;
 }
 
 void Drive::set_rotation(int deg_s) {
   if (emergency_) return;
+  leave_wheels();
   heading_goal_deg_.reset();
   rotation_setpoint_ = deg_s;
 }
@@ -51,6 +58,7 @@ void Drive::set_wheels(int left_counts, int right_counts) {
   if (emergency_) return;
   way_goal_mm_.reset();
   heading_goal_deg_.reset();
+  by_wheels_ = true;
   // The firmware recomposes VEL and RVEL and applies their limits (PROTOCOLS section 3).
   const double left = left_counts * kVel2Unit;
   const double right = right_counts * kVel2Unit;
@@ -59,11 +67,15 @@ void Drive::set_wheels(int left_counts, int right_counts) {
 }
 
 void Drive::move(int mm, const Reckoning& at) {
-  if (!emergency_) way_goal_mm_ = at.way_mm + mm;
+  if (emergency_) return;
+  leave_wheels();
+  way_goal_mm_ = at.way_mm + mm;
 }
 
 void Drive::turn_to(double heading_deg) {
-  if (!emergency_) heading_goal_deg_ = last_heading_goal_deg_ = heading_deg;
+  if (emergency_) return;
+  leave_wheels();
+  heading_goal_deg_ = last_heading_goal_deg_ = heading_deg;
 }
 
 void Drive::turn_on(double deg, const Reckoning& at) {
@@ -93,6 +105,7 @@ void Drive::approach_goals(const Reckoning& at) {
 void Drive::stop() {
   way_goal_mm_.reset();
   heading_goal_deg_.reset();
+  by_wheels_ = false;
   velocity_setpoint_ = 0.0;
   rotation_setpoint_ = 0.0;
 }

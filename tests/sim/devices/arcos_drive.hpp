@@ -21,7 +21,7 @@ struct Reckoning {
 
 /// The firmware's motion: setpoints, working limits, first-order ramps (PROTOCOLS sections 3 and 8).
 /// Setpoints persist: while the watchdog stops the robot, `hold` of step() overrides them. MOVE and VEL
-/// replace each other, and so do HEAD and RVEL; VEL2 replaces all.
+/// replace each other, and so do HEAD and RVEL; VEL2 replaces all, and any of them replaces what VEL2 set.
 class Drive {
  public:
   explicit Drive(const Parameters& parameters);
@@ -55,6 +55,7 @@ class Drive {
   [[nodiscard]] double velocity_setpoint_mm_s() const { return velocity_setpoint_; }
 
  private:
+  void leave_wheels();
   void approach_goals(const Reckoning& at);
 
   const Parameters flash_;
@@ -64,6 +65,7 @@ class Drive {
   double velocity_mm_s_ = 0.0;
   double rotation_deg_s_ = 0.0;
   bool emergency_ = false;
+  bool by_wheels_ = false;  ///< the setpoints are those of VEL2
   std::optional<double> way_goal_mm_;
   std::optional<double> heading_goal_deg_;
   std::optional<double> last_heading_goal_deg_;  ///< also after RVEL, for DCHEAD

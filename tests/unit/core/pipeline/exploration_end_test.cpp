@@ -229,12 +229,8 @@ TEST_P(Doubted, AMapThatIsNotDoubtedIsNot) {
   (void)nearest_m(GetParam());
   EXPECT_EQ(looks, 0);
 }
-INSTANTIATE_TEST_SUITE_P(Finishes, Doubted, ::testing::Values(Finish::kComplete, Finish::kEssential));
-
-TEST_F(DoubtedHall, WhatHasToBeWorthItsTimeIsNotLookedAtAgain) {
-  building.doubt({place});
-  EXPECT_GT(nearest_m(Finish::kWorth), 4.0);
-}
+INSTANTIATE_TEST_SUITE_P(Finishes, Doubted,
+                         ::testing::Values(Finish::kComplete, Finish::kEssential, Finish::kWorth));
 
 }  // namespace
 }  // namespace topo::pipeline

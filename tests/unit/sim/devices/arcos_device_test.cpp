@@ -111,6 +111,29 @@ TEST(ArcosDevice, MoveDrivesItsWayAtSetvAndStands) {
   }
 }
 
+/// ARIA sends no RVEL 0 between VEL2 and MOVE (PROTOCOLS section 3: exclusive modes).
+TEST(ArcosDevice, WhatVel2SetEndsWithEveryOtherMotion) {
+  const std::string wheels = command(32, 0x0A05);  // forwards, turning
+  for (const int other : {8, 11, 12, 13, 21, 22}) {
+    Robot robot;
+    robot.connect();
+    robot.ask(command(4, 1) + command(5, 2000) + command(23, 300) + wheels);
+    robot.run_fed(1500ms);
+    ASSERT_NEAR(robot.speed_mm_s(), 150.0, 5.0);
+    const bool drives = other == 8 || other == 11;
+    robot.ask(command(other, drives ? 300 : 20));
+    robot.run_fed(1s);  // what was set is braked away
+    const Truth before(robot);
+    robot.run_fed(1s);
+    const Truth after(robot);
+    if (drives) {
+      EXPECT_NEAR(after.turn_deg, before.turn_deg, 0.5) << other;
+    } else {
+      EXPECT_NEAR(after.way_mm, before.way_mm, 1.0) << other;
+    }
+  }
+}
+
 TEST(ArcosDevice, MoveIsBoundedAndEndsWithVelOrStop) {
   Robot robot;
   robot.connect();
