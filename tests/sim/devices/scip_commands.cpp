@@ -264,7 +264,8 @@ void ScipDevice::stream(const scip::Request& request, SimTime now) {
 
 void ScipDevice::state_number(const scip::Request& request, SimTime now) {
   std::string number(mesm().substr(0, 3));
-  if (number.find_first_not_of("0123456789") != std::string::npos) number = streaming_ ? "004" : laser_on_ ? "003" : "000";
+  if (number.find_first_not_of("0123456789") != std::string::npos)
+    number = streaming_ ? "004" : laser_on_ ? "003" : "000";
   std::string lines;
   scip::append_summed_line(lines, number);
   reply_lines(request, std::move(lines), now);
