@@ -10,8 +10,6 @@
 namespace topo::exploration {
 namespace {
 
-using grid::CellIndex;
-
 /// A goal at the middle of a frontier, onto space without a known end.
 goals::Goal goal_at(const goals::Frontier& frontier, const Situation& situation, const grid::DenseMap& map) {
   goals::Goal goal;
@@ -31,24 +29,21 @@ std::vector<Candidate> unseen_way_candidates(std::span<const goals::Frontier> on
                                              const Situation& situation, const travel::RouteMap& route_map,
                                              const DeferredGoals& deferred, const ExplorationParams& params) {
   const grid::DenseMap& map = route_map.map();
-  const double radius_m = route_map.rules().radius_m;
+  const CandidateParams& limits = params.candidate;
   std::vector<goals::Goal> cut_off = situation.analysis.goals.goals;
   for (const goals::Frontier& frontier : onto_much) cut_off.push_back(goal_at(frontier, situation, map));
-  std::vector<Candidate> candidates;
+  std::vector<goals::Goal> before_it;
   for (goals::Goal goal : cut_off) {
-    const CellIndex at = map.cell_at(goal.p_map);
-    if (grid::nearest_to_stay_at(map, route_map.field(), at, params.candidate.cell_reach_m)) continue;
-    const auto cell = grid::end_of_way(map, route_map.clearance_m(), route_map.field(), at, radius_m,
-                                       {params.candidate.unknown_reach_m, params.candidate.unknown_way_m});
+    const grid::CellIndex at = map.cell_at(goal.p_map);
+    if (grid::nearest_to_stay_at(map, route_map.field(), at, limits.cell_reach_m)) continue;
+    const auto cell =
+        grid::end_of_way(map, route_map.clearance_m(), route_map.field(), at, route_map.rules().radius_m,
+                         {limits.unknown_reach_m, limits.unknown_way_m});
     if (!cell) continue;
     goal.p_map = map.centre_of(*cell);
-    if (deferred.hold(goal.p_map, situation.now)) continue;
-    candidates.push_back({goal,
-                          {Source::kGap, 0},
-                          *cell,
-                          way_cost_m(map, route_map.field(), *cell, situation.T_map_base, params.candidate)});
+    before_it.push_back(goal);
   }
-  return candidates;
+  return reachable(proposed_by(Source::kGap, before_it), situation, route_map, deferred, params).candidates;
 }
 
 }  // namespace topo::exploration

@@ -66,6 +66,9 @@ class RobotProcesses(unittest.TestCase):
             pattern = r"(\[%s\].*?\naddress = )\"[^\"]*\"" % re.escape(section)
             text = re.sub(pattern, r'\1"%s"' % devices[device]["address"], text, count=1, flags=re.S)
         text = re.sub(r'(?m)^socket = "[^"]*"', 'socket = "%s"' % self.socket, text, count=1)
+        # So that there is something to explore in a single room.
+        text, count = re.subn(r'(?m)^# finish = "[^"]*"', 'finish = "complete"', text)
+        self.assertEqual(count, 1)
         self.config.write_text(text[:text.index("[session]")] + sections if sections else text)
 
     def ctl(self, *words):

@@ -99,7 +99,8 @@ class TeamRobot:
         self.write_config(credentials or rig.credentials(number))
 
     def write_config(self, credentials):
-        values = {("control", "socket"): str(self.socket), ("robot", "id"): self.number}
+        values = {("control", "socket"): str(self.socket), ("robot", "id"): self.number,
+                  ("exploration", "finish"): "complete"}  # there is more to explore then
         for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
             values[section, "address"] = self.devices[device]["address"]
         values["session", "folder"] = str(self.sessions)
