@@ -68,16 +68,18 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
   proposal.clusters = static_cast<int>(frontiers.size());
   Reachable found = essential_candidates(situation, map, deferred, params, homing);
   proposal.only_gaps = found.candidates.empty();
-  const bool complete = params.finish != Finish::kEssential;
-  if (complete || proposal.only_gaps) {
-    if (!complete) frontiers = overlooked(std::move(frontiers), map, situation.essential, params.tour);
+  const bool all_gaps = params.finish != Finish::kEssential;
+  if (all_gaps || proposal.only_gaps) {
+    if (!all_gaps) frontiers = overlooked(std::move(frontiers), map, situation.essential, params.tour);
     const Reachable gaps = gap_candidates(frontiers, found.candidates, situation, map, deferred, params);
     append(found.candidates, gaps.candidates);
     found.cut_off = found.cut_off || gaps.cut_off;
   }
-  // Otherwise the shadows between the robot and a goal are gaps themselves.
-  if (!complete && found.candidates.empty() && !homing)
+  // A complete exploration looks into corners then.
+  if (params.finish != Finish::kComplete && found.candidates.empty() && !homing) {
+    if (all_gaps) frontiers = overlooked(std::move(frontiers), map, situation.essential, params.tour);
     found.candidates = unseen_way_candidates(frontiers, situation, map, deferred, params);
+  }
   const bool sweeps = has_final_sweep(params) && !homing;
   if (sweeps) sweep = swept(std::move(sweep), found.candidates, found.cut_off, situation, map, params);
   if (!found.candidates.empty()) {
