@@ -25,8 +25,7 @@ std::vector<ProposedGoal> goals_at(std::span<const goals::Frontier> frontiers, S
   for (goals::Goal& opening : openings) {
     opening.place = place_at(situation.analysis, opening.p_map);
     if (!std::isinf(opening.behind_m2)) continue;
-    const double from_paths_m = goals::distance_from_paths_m(opening.opening, situation.paths);
-    opening.chance = goals::chance_to_lead_on(opening.opening_m, from_paths_m, situation.essential.chance);
+    opening.chance = chance_of(opening, situation);
   }
   return proposed_by(source, openings);
 }
@@ -39,6 +38,11 @@ bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidate
 }
 
 }  // namespace
+
+double chance_of(const goals::Goal& goal, const Situation& situation) {
+  return goals::chance_to_lead_on(goal.opening_m, goals::distance_from_paths_m(goal.opening, situation.paths),
+                                  situation.essential.chance);
+}
 
 Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<const Candidate> beside,
                          const Situation& situation, const travel::RouteMap& map,

@@ -19,10 +19,10 @@ namespace topo::exploration {
 
 /// From a goal to the cell from which the robot attends to it, and the cost of that (goal_choice.hpp).
 struct CandidateParams {
-  double cell_reach_m = 0.6;  ///< to a reachable cell, when the goal's own is closed by an obstacle
-  double unseen_way_m = 3.0;  ///< from a goal to the end of the known route, at most
-  double unknown_way_m =
-      3.0;  ///< through unknown cells, to a goal when no other is left: the shadows of a row of pillars
+  double cell_reach_m = 0.6;   ///< to a reachable cell, when the goal's own is closed by an obstacle
+  double unseen_way_m = 3.0;   ///< from a goal to the end of the known route, at most
+  double unknown_way_m = 3.0;  ///< the same through unknown cells, when no other goal is left: the shadows of
+                               ///< a row of pillars
   double unknown_reach_m = 12.0;  ///< from such a goal to the end of the known route, at most
   double frontier_reach_m = 1.0;  ///< a frontier is visible from this distance
   double successor_m = 2.5;       ///< largest displacement of a goal from one map to the next

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/exploration/sources.hpp"
-#include "core/goals/opening_chance.hpp"
 #include "core/grid/end_of_way.hpp"
 #include "core/grid/nearest_reachable.hpp"
 
@@ -17,9 +16,7 @@ goals::Goal goal_at(const goals::Frontier& frontier, const Situation& situation,
   goal.opening = frontier.centroid;
   goal.opening_m = frontier.width_m;
   goal.behind_m2 = HUGE_VAL;
-  goal.chance =
-      goals::chance_to_lead_on(goal.opening_m, goals::distance_from_paths_m(goal.opening, situation.paths),
-                               situation.essential.chance);
+  goal.chance = chance_of(goal, situation);
   return goal;
 }
 

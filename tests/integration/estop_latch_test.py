@@ -6,17 +6,7 @@
 usage: estop_latch_test.py BIN_FOLDER SOURCE_FOLDER [unittest options]"""
 import signal
 
-from robot_processes import RobotProcesses, main, wait_for
-
-WORLD = """
-[[start]]
-x_m = 2.0
-y_m = 2.0
-[[wall]]
-points_m = [[-0.1, -0.1], [9.1, -0.1], [9.1, 6.1], [5.0, 6.1], [-0.1, 5.1]]
-closed = true
-thickness_m = 0.2
-"""
+from robot_processes import ONE_ROOM, RobotProcesses, main, wait_for
 
 
 class LatchOutlivesTheDaemon(RobotProcesses):
@@ -26,7 +16,7 @@ class LatchOutlivesTheDaemon(RobotProcesses):
         self.state.mkdir()
         self.latch = self.state / "estop.latch"
         world = self.folder / "world.toml"
-        world.write_text(WORLD)
+        world.write_text(ONE_ROOM)
         _, devices = self.start_simulator(world)
         self.write_config(devices)
         text = self.config.read_text()

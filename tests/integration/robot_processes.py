@@ -11,6 +11,15 @@ import time
 import unittest
 
 PATIENCE_S = 90
+ONE_ROOM = """
+[[start]]
+x_m = 2.0
+y_m = 2.0
+[[wall]]
+points_m = [[-0.1, -0.1], [9.1, -0.1], [9.1, 6.1], [5.0, 6.1], [-0.1, 5.1]]
+closed = true
+thickness_m = 0.2
+"""
 
 
 def wait_for(condition, what, seconds=PATIENCE_S):

@@ -8,17 +8,8 @@ import socket
 import subprocess
 
 from page_client import Page
-from robot_processes import PATIENCE_S, RobotProcesses, wait_for
+from robot_processes import ONE_ROOM, PATIENCE_S, RobotProcesses, wait_for
 
-WORLD = """
-[[start]]
-x_m = 2.0
-y_m = 2.0
-[[wall]]
-points_m = [[-0.1, -0.1], [9.1, -0.1], [9.1, 6.1], [5.0, 6.1], [-0.1, 5.1]]
-closed = true
-thickness_m = 0.2
-"""
 START_M = (2.0, 2.0)  # the map begins there
 
 
@@ -32,7 +23,7 @@ class ViewProcesses(RobotProcesses):
     def setUp(self):
         super().setUp()
         world = self.folder / "world.toml"
-        world.write_text(WORLD)
+        world.write_text(ONE_ROOM)
         self.simulator, devices = self.start_simulator(world)
         self.write_config(devices)
         self.port = free_port()

@@ -147,6 +147,7 @@ TEST_F(Shadows, AFrontierBetweenThemIsSuchAGoal) {
   }
   ASSERT_FALSE(onto_much.empty());
   const auto found = unseen_way_candidates(onto_much, now, map_, deferred_, params_);
+  ASSERT_FALSE(found.empty());
   for (const Candidate& c : found) {
     EXPECT_TRUE(std::isinf(c.goal.behind_m2));
     EXPECT_GT(c.goal.chance, 0.0);
