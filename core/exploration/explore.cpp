@@ -9,6 +9,7 @@
 #include "core/exploration/here_first.hpp"
 #include "core/exploration/intent.hpp"
 #include "core/exploration/judged.hpp"
+#include "core/exploration/look_behind.hpp"
 #include "core/exploration/remains.hpp"
 #include "core/exploration/sources.hpp"
 #include "core/exploration/stuck.hpp"
@@ -75,16 +76,38 @@ Intent reach(const Situation& situation, const ExplorationParams& params, Intent
   return intent;
 }
 
+/// A goal counts as visited by nearness, and a robot that begins with its back to all there is has none:
+/// before it ends, it turns once to what is unknown behind it.
+std::optional<double> due_turn(const Situation& situation, const travel::RouteMap& map,
+                               const LookBehindParams& params, const Attempts& attempts) {
+  const auto& last = attempts.turned_at;
+  if (last && (*last - situation.here()).norm() <= params.again_m) return std::nullopt;
+  return heading_to_unseen(map.map(), situation.T_map_base, params);
+}
+
+Intent turn_to(double heading_rad, const Situation& situation, Intent intent) {
+  intent.log.note(situation.now, situation.here(), "turns on the spot: what lies behind is unknown");
+  intent.attempts.turned_at = situation.here();
+  intent.pursuit = turning_to(heading_rad, std::move(intent.pursuit), situation.now);
+  return intent;
+}
+
 /// The intent after the present goal was reached, given up, or neither.
 Intent settle(const Situation& situation, const travel::RouteMap& map, const ExplorationParams& params,
               Intent intent) {
-  if (!intent.pursuit.goal) return intent;
+  if (!intent.pursuit.goal && !intent.pursuit.turn_to_rad) return intent;
   intent.pursuit = with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
   const Pursuit& pursuit = intent.pursuit;
   const bool looks = is_viewpoint(pursuit) && intent.sweep.sweep.has(pursuit.id.number);
   const double reached_m = looks ? intent.sweep.sweep.reached_m() : params.pursuit.goal_reached_m;
-  switch (settled(pursuit, situation.feedback, situation.here(), map.map().centre_of(pursuit.target),
-                  reached_m, situation.now, params.pursuit)) {
+  const Settled outcome =
+      settled(pursuit, situation.feedback, situation.here(), map.map().centre_of(pursuit.target), reached_m,
+              situation.now, params.pursuit);
+  if (pursuit.turn_to_rad) {  // one that is not possible ends like one that was made
+    if (outcome != Settled::kUnderWay) intent.pursuit = without_goal(std::move(intent.pursuit));
+    return intent;
+  }
+  switch (outcome) {
     case Settled::kUnderWay:
       return intent;
     case Settled::kReached:
@@ -108,10 +131,19 @@ Intent wait_for_goal(const Situation& situation, std::string why, Intent intent)
   return intent;
 }
 
+/// The turn goes on; nothing else is decided meanwhile.
+Intent keep_turning(Intent intent) {
+  intent.pursuit.has_target = false;
+  intent.reason = "turns on the spot: what lies behind is unknown";
+  return intent;
+}
+
 /// No goal is in reach. The exploration does not end at once: a person may stand in a doorway.
 Intent run_dry(const Situation& situation, Searches searches, const ExplorationParams& params, bool cut_off,
                Intent intent) {
   intent.pursuit.has_target = false;
+  if (const auto heading_rad = due_turn(situation, searches.map, params.look_behind, intent.attempts))
+    return keep_turning(turn_to(*heading_rad, situation, std::move(intent)));
   types::Stamp& since = intent.attempts.nothing_since;
   if (since == types::Stamp{}) since = situation.now;
   const bool is_patient = situation.now - since < params.ending.patience;
@@ -210,6 +242,7 @@ Intent explore(const Situation& situation, Searches searches, const ExplorationP
     intent = keep_contact(situation, searches, params, std::move(intent));
     if (std::holds_alternative<SeekingContact>(intent.phase)) return intent;
     intent = settle(situation, searches.map, params, std::move(intent));
+    if (intent.pursuit.turn_to_rad) return keep_turning(std::move(intent));
   }
   Proposal proposal = propose(situation, searches, params, homing, intent.deferred, std::move(intent.sweep));
   intent.sweep = std::move(proposal.sweep);

@@ -54,6 +54,8 @@ struct Attempts {
   int resumed = 0;               ///< resumed on its way home
   int stuck = 0;                 ///< resumptions not counted because the robot was stuck
   types::Stamp nothing_since{};  ///< since when no goal is in reach; zero: there is one
+  std::optional<types::Vector2>
+      turned_at{};  ///< where the robot last turned on the spot to look behind itself
 };
 
 struct SweepState {

@@ -89,6 +89,16 @@ struct PursuitParams {
   double mate_ahead_m = 0.9;      ///< the same to the centre of a team-mate
 };
 
+/// A turn on the spot towards what is unknown behind the robot (look_behind.hpp).
+struct LookBehindParams {
+  double seen_rad =
+      2.2;  ///< a UTM-30LX sees 135 degrees to either side; nine of them at the ends do not count
+  double ray_rad = 0.0873;  ///< between rays: five degrees
+  int rays_min = 3;         ///< fewer end by chance in cells that no beam met
+  double reach_m = 1.0;     ///< farther away, the sides see round what hides it
+  double again_m = 0.5;     ///< no second turn within this distance of the last one
+};
+
 /// When an exploration has ended.
 struct EndingParams {
   bool stays_out = false;  ///< with nothing left to gain the robot does not go home before its mates have no
@@ -135,6 +145,7 @@ struct ExplorationParams {
   DeferralParams deferral;
   FinalSweepParams final_sweep;  ///< Finish::kComplete
   PursuitParams pursuit;
+  LookBehindParams look_behind;
   EndingParams ending;
   HomingParams homing;
   MakingWayParams making_way;

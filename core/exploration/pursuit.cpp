@@ -13,6 +13,16 @@ Pursuit set_out(Pursuit pursuit, const goals::Goal& goal, GoalId id, types::Stam
   ++pursuit.number;
   pursuit.taken = pursuit.last_progress = now;
   pursuit.progress_at = here;
+  pursuit.turn_to_rad.reset();
+  return pursuit;
+}
+
+Pursuit turning_to(double heading_rad, Pursuit pursuit, types::Stamp now) {
+  pursuit.goal.reset();
+  pursuit.turn_to_rad = heading_rad;
+  pursuit.has_target = false;
+  pursuit.taken = pursuit.last_progress = now;
+  ++pursuit.number;  // control's last report does not refer to the turn
   return pursuit;
 }
 
@@ -27,6 +37,7 @@ Pursuit with_progress(Pursuit pursuit, const types::Vector2& here, types::Stamp 
 
 Pursuit without_goal(Pursuit pursuit) {
   pursuit.goal.reset();
+  pursuit.turn_to_rad.reset();
   return pursuit;
 }
 
@@ -35,7 +46,8 @@ Settled settled(const Pursuit& pursuit, const Feedback& feedback, const types::V
                 const PursuitParams& params) {
   const bool about_this = feedback.number == pursuit.number;
   if (about_this && feedback.stuck) return Settled::kStuck;
-  if ((target_map - here).norm() <= reached_m || (about_this && feedback.arrived)) return Settled::kReached;
+  if (about_this && feedback.arrived) return Settled::kReached;
+  if (!pursuit.turn_to_rad && (target_map - here).norm() <= reached_m) return Settled::kReached;
   if (now - pursuit.last_progress > params.standstill) return Settled::kNoProgress;
   if (now - pursuit.taken > params.goal_time_max) return Settled::kTooLong;
   return Settled::kUnderWay;

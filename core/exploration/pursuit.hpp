@@ -22,6 +22,8 @@ struct Pursuit {
   GoalId id;  ///< of the goal
   grid::CellIndex target;
   bool has_target = false;  ///< a route to `target` is required
+  /// Heading in map to which the robot turns on the spot, to see what lies behind it (look_behind.hpp).
+  std::optional<double> turn_to_rad;
   types::Stamp taken{}, last_progress{};
   types::Vector2 progress_at{0.0, 0.0};
 };
@@ -39,12 +41,14 @@ Pursuit set_out(Pursuit pursuit, const goals::Goal& goal, GoalId id, types::Stam
 /// Updates the progress to the robot's position `here`.
 Pursuit with_progress(Pursuit pursuit, const types::Vector2& here, types::Stamp now,
                       const PursuitParams& params);
-/// Drops the goal. The target stays.
+/// Drops the goal for a turn on the spot.
+Pursuit turning_to(double heading_rad, Pursuit pursuit, types::Stamp now);
+/// Drops the goal, and the turn. The target stays.
 Pursuit without_goal(Pursuit pursuit);
 
 enum class Settled : std::uint8_t { kUnderWay, kReached, kStuck, kNoProgress, kTooLong };
-/// State of a pursuit with a goal. `target_map`: centre of its target. `reached_m`: distance that counts as
-/// visited.
+/// State of a pursuit with a goal, or of a turn: control alone reports its end. `target_map`: centre of its
+/// target. `reached_m`: distance that counts as visited.
 Settled settled(const Pursuit& pursuit, const Feedback& feedback, const types::Vector2& here,
                 const types::Vector2& target_map, double reached_m, types::Stamp now,
                 const PursuitParams& params);

@@ -241,9 +241,20 @@ FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInp
   return out;
 }
 
+FollowOutput PathFollower::turn_to(double heading_rad, const FollowInput& in) {
+  reset();
+  const double turn_rad = types::wrap_angle(heading_rad - in.T_odom_base.theta_rad);
+  if (std::abs(turn_rad) > rules_.turn.end_rad) return turn(turn_rad, in);
+  FollowOutput out;
+  out.arrived = true;
+  return out;
+}
+
 FollowOutput PathFollower::step(const FollowInput& in) {
   FollowOutput out;
-  if (in.path_odom.empty() || in.limits == nullptr) return out;
+  if (in.limits == nullptr) return out;
+  if (in.turn_to_rad) return turn_to(*in.turn_to_rad, in);
+  if (in.path_odom.empty()) return out;
   take_path(in);
   const double rest_m = s_m_[points_ - 1] - here_.s_m;
   const Vector2 end_base = in.T_odom_base.inverse() * path_[points_ - 1];

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "core/motion/params.hpp"
@@ -19,6 +20,7 @@ struct FollowInput {
   std::span<const types::Vector2> path_odom;
   std::uint64_t path_number = 0;  ///< changes with the path
   bool ends_at_goal = false;
+  std::optional<double> turn_to_rad;  ///< in place of a path: the heading in odom to turn to on the spot
   std::span<const types::Vector2> obstacles_base;  ///< at most PathFollower::kMaxObstacles
   double blind_s = 0.0;                            ///< as the gate's blind_time_s()
   double alive_s = 0.0;                            ///< as the gate's alive_time_s()
@@ -28,7 +30,7 @@ struct FollowInput {
 
 struct FollowOutput {
   types::Twist2 twist;
-  bool arrived = false;
+  bool arrived = false;   ///< at the end of a path that ends at the goal, or at the heading
   bool blocked = false;   ///< no arc and no turn is possible
   double turn_rad = 0.0;  ///< from the heading to the path
 };
@@ -71,6 +73,7 @@ class PathFollower {
                                        const FollowInput& in) const;
   [[nodiscard]] FollowOutput drive(double turn_rad, double rest_m, const FollowInput& in);
   [[nodiscard]] FollowOutput turn(double turn_rad, const FollowInput& in) const;
+  [[nodiscard]] FollowOutput turn_to(double heading_rad, const FollowInput& in);
 
   FollowerRules rules_;
   std::array<types::Vector2, kMaxPoints> path_{};

@@ -116,7 +116,8 @@ ControlOutput control_step(ControlState& state, const ControlSetup& setup, const
   const Plan* plan = input.plan;
   const bool fresh = plan != nullptr && !motion::is_stale(plan->stamp, input.now, setup.plan_age_max);
   Hold hold = released(memory.hold, plan, fresh);
-  const bool follows = fresh && plan->moving && plan->points > 0 && !hold.held && !memory.gate.estop_latched;
+  const bool follows = fresh && plan->moving && (plan->points > 0 || plan->turn_to_rad) && !hold.held &&
+                       !memory.gate.estop_latched;
   const bool hand = is_by_hand(setup, input);
   if (hand || !follows) memory.following.rest(input.now);
   Wish wish = hand      ? by_hand(*input.teleop, gate_in, memory.senses.breadcrumbs())

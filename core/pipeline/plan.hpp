@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -37,9 +38,10 @@ struct Plan {  // NOLINT(cppcoreguidelines-pro-type-member-init): the path is fi
   std::uint64_t sequence = 0;  ///< counts the plans
   std::uint64_t goal_id = 0;   ///< counts the goals; control's report refers to this one
   Activity activity = Activity::kIdle;
-  bool moving = false;                                    ///< follow the path; false: stand
-  bool path_ends_at_goal = false;                         ///< the route is complete; false: it continues
-                                                          ///< beyond the path
+  bool moving = false;                  ///< follow the path, or turn; false: stand
+  std::optional<double> turn_to_rad{};  ///< in place of a path: the heading in odom to turn to on the spot
+  bool path_ends_at_goal = false;       ///< the route is complete; false: it continues
+                                        ///< beyond the path
   types::Transform2<types::Map, types::Odom> T_map_odom;  ///< with which the plan was made
   /// How often a correction of the map moved the robot: then T_map_odom jumped without a drift of odometry.
   std::uint32_t bends = 0;

@@ -66,8 +66,8 @@ const types::Vector2& end_of(const Plan& plan) {
 
 /// The arrival; cleared when the plan no longer ends there.
 Arrival kept(Arrival arrival, const Plan& plan, double same_end_m) {
-  arrival.arrived = arrival.arrived && arrival.goal == plan.goal_id && plan.path_ends_at_goal &&
-                    (end_of(plan) - arrival.at_odom).norm() < same_end_m;
+  arrival.arrived = arrival.arrived && arrival.goal == plan.goal_id && !plan.turn_to_rad &&
+                    plan.path_ends_at_goal && (end_of(plan) - arrival.at_odom).norm() < same_end_m;
   return arrival;
 }
 
@@ -115,6 +115,7 @@ motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base
   f.path_odom = {plan.path_odom.data(), points_of(plan)};
   f.path_number = plan.sequence;
   f.ends_at_goal = plan.path_ends_at_goal;
+  f.turn_to_rad = plan.turn_to_rad;
   f.obstacles_base = {obstacles_.data(), count};
   f.blind_s = motion::blind_time_s(gate_in);
   f.alive_s = motion::alive_time_s(gate_in);
@@ -175,7 +176,7 @@ Wish PlanFollowing::follow(const Plan& plan, const motion::GateInput& gate_in, c
   wish.twist = may_go ? out.twist : rescued.twist;
   wish.backing = rescued.backing;
   if (may_go && out.arrived) {
-    arrival_ = {true, plan.goal_id, end_of(plan)};
+    if (!plan.turn_to_rad) arrival_ = {true, plan.goal_id, end_of(plan)};
     wish.mode = ControlMode::kArrived;
   }
   return wish;

@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/perception/footprint_sweep.hpp"
@@ -22,6 +23,7 @@ using types::Vector2;
 struct Course {
   types::RobotLimits limits;
   std::vector<Vector2> path;
+  std::optional<double> turn_to_rad;
   std::vector<Vector2> obstacles;  ///< in odom
   Se2 pose;
   PathFollower follower;
@@ -35,6 +37,7 @@ struct Course {
     in.T_odom_base = pose;
     in.twist = out.twist;
     in.path_odom = path;
+    in.turn_to_rad = turn_to_rad;
     in.path_number = 1;
     in.ends_at_goal = true;
     in.obstacles_base = seen;
@@ -69,6 +72,17 @@ TEST(PathFollower, FollowsAStraightPathAtFullSpeedToItsEnd) {
   EXPECT_LT(course.run(), 15.0);
   EXPECT_LT((course.pose.translation() - course.path.back()).norm(), 0.12);
   EXPECT_LT(course.furthest_off_m, 0.08);
+}
+
+TEST(PathFollower, TurnsToAnyHeadingWithoutMovingOn) {
+  EXPECT_TRUE(rc::check([] {
+    Course course;
+    course.pose = {1.0, 2.0, *rc::gen::inRange(-314, 314) / 100.0};
+    course.turn_to_rad = *rc::gen::inRange(-314, 314) / 100.0;
+    RC_ASSERT(course.run() < 10.0);
+    RC_ASSERT(std::abs(types::wrap_angle(course.pose.theta_rad - *course.turn_to_rad)) < 0.25);
+    RC_ASSERT((course.pose.translation() - Vector2(1.0, 2.0)).norm() < 1e-9);
+  }));
 }
 
 TEST(PathFollower, TurnsOnTheSpotWhenTheWayIsBehind) {

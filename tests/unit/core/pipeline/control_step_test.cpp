@@ -163,6 +163,28 @@ TEST_F(ControlStepTest, FollowsAFreshPlanAndStandsWhenItGetsOld) {
   EXPECT_EQ(run(1).report.mode, ControlMode::kStanding);
 }
 
+TEST_F(ControlStepTest, TurnsAsPlannedAndReportsTheHeading) {
+  input.teleop = nullptr;
+  Plan plan;
+  plan.moving = plan.located = true;
+  plan.goal_id = 7;
+  plan.turn_to_rad = 3.0;
+  input.plan = &plan;
+  double theta_rad = 0.0;
+  ControlReport report;
+  for (int i = 0; i < 400 && report.mode != ControlMode::kArrived; ++i) {
+    plan.stamp = now;
+    state.odometry.T_odom_base = {0.0, 0.0, theta_rad};
+    const ControlOutput out = run(1);
+    report = out.report;
+    EXPECT_EQ(out.command.twist.v_mps, 0.0);
+    theta_rad += 0.05 * out.command.twist.omega_radps;
+  }
+  EXPECT_EQ(report.mode, ControlMode::kArrived);
+  EXPECT_EQ(report.goal_id, 7U);
+  EXPECT_NEAR(theta_rad, 3.0, 0.3);
+}
+
 TEST_F(ControlStepTest, ARestartNeverMovesByItself) {
   EXPECT_TRUE(rc::check("any old plan and any old wish", [this] {
     ControlState fresh(trusting());

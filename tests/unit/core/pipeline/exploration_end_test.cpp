@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "tests/unit/core/pipeline/toy_building.hpp"
 
@@ -89,6 +90,30 @@ TEST_F(Door, overlookedGapsAreInspectedBeforeGoingHome) {
   EXPECT_GT(known_in_the_end(building, 10.0), 0.9);
   ToyBuilding other{floor(), 4.0};
   EXPECT_LT(known_in_the_end(other, 1e6), 0.4);
+}
+
+/// The share of a corridor that is known in the end to a robot at its blind end, 0.6 m before the wall.
+double known_from_the_blind_end(Finish finish, exploration::Strategy strategy) {
+  std::vector<std::string> rows(7, std::string(60, '#'));
+  for (std::size_t y = 1; y < 6; ++y) rows[y].replace(1, 58, 58, ' ');
+  rows[3][56] = 'S';
+  ToyBuilding building(rows);
+  building.see_within(0.75 * std::numbers::pi);
+  PlannerParams params;
+  params.explore.finish = finish;
+  params.explore.strategy = strategy;
+  PlanningState state(params);
+  for (int i = 0; i < 1000; ++i)
+    if (building.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}).report->mission_ended) break;
+  return building.coverage();
+}
+
+TEST(BlindEnd, ARobotWithItsBackToAllThereIsTurnsBeforeItEnds) {
+  using exploration::Strategy;
+  for (const Finish finish : {Finish::kComplete, Finish::kEssential, Finish::kWorth})
+    EXPECT_GT(known_from_the_blind_end(finish, Strategy::kTopometric), 0.95);
+  for (const Strategy strategy : {Strategy::kNearestFrontier, Strategy::kGreedyFrontier, Strategy::kMinPos})
+    EXPECT_GT(known_from_the_blind_end(Finish::kComplete, strategy), 0.95);
 }
 
 TEST_F(Door, shutForGoodEndsTheExplorationAfterAWhileOfPatience) {

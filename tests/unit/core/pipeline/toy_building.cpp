@@ -62,6 +62,7 @@ void ToyBuilding::look_around() {
   const grid::OccupancyGrid before = snapshot_.grid;
   for (int i = 0; i < kRays; ++i) {
     const double angle_rad = 2.0 * std::numbers::pi * i / kRays;
+    if (std::abs(types::wrap_angle(angle_rad - heading_rad_)) > half_field_rad_) continue;
     const types::Vector2 direction(std::cos(angle_rad), std::sin(angle_rad));
     for (double r_m = 0.0; r_m < range_m_; r_m += 0.025) {
       const types::Vector2 p = robot_ + r_m * direction;
@@ -84,6 +85,11 @@ void ToyBuilding::follow(const Plan& plan, double step_m) {
   control_.mode = ControlMode::kStanding;
   control_.goal_id = plan.goal_id;
   if (!plan.moving) return;
+  if (plan.turn_to_rad) {
+    heading_rad_ = *plan.turn_to_rad;
+    control_.mode = ControlMode::kArrived;
+    return;
+  }
   control_.mode = ControlMode::kFollowing;
   double left_m = step_m;
   for (std::size_t i = 1; i < plan.points && left_m > 0.0; ++i) {

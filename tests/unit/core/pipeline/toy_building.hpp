@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,8 @@ class ToyBuilding {
   void show(const types::Scan* front) { front_ = front; }
   /// The area limits that are in force from now on; borrowed. Null: those of the parameters.
   void limit(const types::AreaLimits* area) { area_ = area; }
+  /// What it sees to either side of its heading, from now on.
+  void see_within(double half_rad) { half_field_rad_ = half_rad; }
   /// Places where the map is doubted from now on.
   void doubt(std::vector<types::Vector2> places) { doubted_ = std::move(places); }
   [[nodiscard]] types::Stamp now() const { return now_; }
@@ -52,7 +55,7 @@ class ToyBuilding {
   std::vector<std::string> rows_;  ///< from below
   double range_m_;
   types::Vector2 start_{0.0, 0.0}, robot_{0.0, 0.0};
-  double heading_rad_ = 0.0;
+  double heading_rad_ = 0.0, half_field_rad_ = std::numbers::pi;
   double path_m_ = 0.0;
   patricia::Arena<grid::TileRef> tile_arena_;
   patricia::Arena<walls::Slabs> column_arena_;
