@@ -30,9 +30,23 @@ Intent without_target(Intent intent) {
   return intent;
 }
 
+/// True when the robot is stuck, or has not got on for a while, with a route or without one.
+bool is_held(const Situation& situation, const Pursuit& pursuit, const PursuitParams& params) {
+  if (!pursuit.goal) return false;
+  if (situation.is_about(pursuit) && situation.feedback.stuck) return true;
+  const Pursuit now = with_progress(pursuit, situation.here(), situation.now, params);
+  return situation.now - now.last_progress > params.standstill;
+}
+
+/// Distances from a position at which the robot has arrived: when it drives on, and when it cannot.
+struct Reached {
+  double usual_m = 0.0;
+  double held_m = 0.0;
+};
+
 /// One decision on the route to a position.
-Headed head_for(const Vector2& p_map, double reached_m, const Situation& situation, travel::RouteMap& map,
-                const ExplorationParams& params, Intent intent) {
+Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& situation,
+                travel::RouteMap& map, const ExplorationParams& params, Intent intent) {
   if (!intent.pursuit.goal) {
     goals::Goal place;
     place.p_map = p_map;
@@ -40,6 +54,8 @@ Headed head_for(const Vector2& p_map, double reached_m, const Situation& situati
   }
   const bool about_this = situation.is_about(intent.pursuit);
   const double away_m = (p_map - situation.here()).norm();
+  const bool held = is_held(situation, intent.pursuit, params.pursuit);
+  const double reached_m = held ? std::max(reached.usual_m, reached.held_m) : reached.usual_m;
   const double ended_m = 2.0 * reached_m + params.homing.arrived_slack_m;
   if (away_m <= reached_m || (about_this && situation.feedback.arrived && away_m <= ended_m))
     return {without_target(std::move(intent)), Outcome::kArrived};
@@ -85,15 +101,21 @@ Destination destination(const Situation& situation, travel::RouteMap& map, const
   std::optional<team::Home> present = offer.home;
   if (present) map.settle(params.homing.home_reached_m);
   if (present && !cell_at(present->p_map)) present.reset();
+  const team::Roster& roster = situation.team.roster;
+  const std::vector<const team::StatusMessage*> mates = roster.heard(situation.now);
+  const double at_start_m = roster.params().at_start_m;
+  // Mates that are home may shut off the start that is farther in: then the one where the robot stands will
+  // do.
+  if (is_held(situation, pursuit, params.pursuit)) {
+    if (const auto here = team::start_beside(self, mates, at_start_m)) present = here;
+  }
   const team::StatusMessage* passing = nullptr;
   if (situation.now >= offer.ignore_passing_until) {
     const std::vector<Vector2> way =
         pursuit.has_target ? beginning_of(situation.route, params.team_view) : std::vector<Vector2>{};
     passing = who_has_to_pass(situation.team, situation.T_map_base, way, situation.now, params.team_view);
   }
-  const team::Roster& roster = situation.team.roster;
-  const auto home = team::choose_home(self, roster.heard(situation.now), present, passing, cost_m,
-                                      roster.params().at_start_m);
+  const auto home = team::choose_home(self, mates, present, passing, cost_m, at_start_m);
   return {home, present, home ? home->p_map : situation.start};
 }
 
@@ -139,13 +161,14 @@ Intent go_home(const Situation& situation, Searches searches, const ExplorationP
                Intent intent) {
   intent.reason = std::get<Returning>(intent.phase).why;
   const HomingParams& homing = params.homing;
-  const double usual_m =
-      comes_home_with_mates(situation) ? homing.team_home_reached_m : homing.home_reached_m;
-  const bool stuck = situation.is_about(intent.pursuit) && situation.feedback.stuck;
-  const double reached_m = stuck ? std::max(usual_m, homing.stuck_reached_m) : usual_m;
+  const bool in_team = comes_home_with_mates(situation);
+  // Among mates that are home, a robot that gets no nearer is there when it leaves no room for another.
+  const Reached reached = in_team
+                              ? Reached{homing.team_home_reached_m, situation.team.roster.params().at_start_m}
+                              : Reached{homing.home_reached_m, homing.stuck_reached_m};
   const Destination to = destination(situation, searches.map, params, intent.pursuit, intent.offer);
   intent = bound_for(to.home, to.before, std::move(intent));
-  Headed headed = head_for(to.p_map, reached_m, situation, searches.map, params, std::move(intent));
+  Headed headed = head_for(to.p_map, reached, situation, searches.map, params, std::move(intent));
   switch (headed.outcome) {
     case Outcome::kUnderWay:
       return std::move(headed.intent);
@@ -160,8 +183,8 @@ Intent go_home(const Situation& situation, Searches searches, const ExplorationP
 Intent go_to_target(const Situation& situation, Searches searches, const ExplorationParams& params,
                     Intent intent) {
   intent.reason = "on the operator's order";
-  Headed headed = head_for(situation.mission.target, params.homing.home_reached_m, situation, searches.map,
-                           params, std::move(intent));
+  Headed headed = head_for(situation.mission.target, {params.homing.home_reached_m, 0.0}, situation,
+                           searches.map, params, std::move(intent));
   if (headed.outcome == Outcome::kNoProgress) return fail(std::move(headed.intent));
   if (headed.outcome == Outcome::kArrived) {
     headed.intent.phase = next(std::move(headed.intent.phase), event::Arrived{});

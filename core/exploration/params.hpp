@@ -116,12 +116,12 @@ struct EndingParams {
 struct HomingParams {
   double home_reached_m = 0.15;
   double team_home_reached_m = 0.35;  ///< in a team: robots at this distance do not push each other about
-  double stuck_reached_m = 0.45;  ///< home has a radius of about half a metre: a robot stuck within it has
-                                  ///< arrived
-  double arrived_slack_m = 0.1;   ///< added to twice the distance above, where control reports the end of its
-                                  ///< path
-  int standstills_max = 4;        ///< multiple of PursuitParams::standstill without progress after which the
-                                  ///< mission fails
+  double stuck_reached_m = 0.45;      ///< home has a radius of about half a metre: a robot that is stuck, or
+                                  ///< stands still, within it has arrived; in a team RosterParams::at_start_m
+  double arrived_slack_m = 0.1;  ///< added to twice the distance above, where control reports the end of its
+                                 ///< path
+  int standstills_max = 4;       ///< multiple of PursuitParams::standstill without progress after which the
+                                 ///< mission fails
 };
 
 /// Standing aside for a team-mate (core/team/right_of_way.hpp).

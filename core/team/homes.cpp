@@ -39,6 +39,13 @@ bool is_at_home(const StatusMessage& self, const Home& home, double at_start_m) 
   return is_near(self.T_map_base.translation(), home.p_map, at_start_m);
 }
 
+std::optional<Home> start_beside(const StatusMessage& self, std::span<const StatusMessage* const> mates,
+                                 double at_start_m) {
+  for (const Home& start : starts_of(self, mates))
+    if (is_at_home(self, start, at_start_m)) return start;
+  return std::nullopt;
+}
+
 std::optional<Home> choose_home(const StatusMessage& self, std::span<const StatusMessage* const> mates,
                                 const std::optional<Home>& present, const StatusMessage* passing,
                                 const std::function<double(const Vector2&)>& cost_m, double at_start_m) {

@@ -37,6 +37,10 @@ std::optional<Home> choose_home(const StatusMessage& self, std::span<const Statu
                                 const std::function<double(const types::Vector2&)>& cost_m,
                                 double at_start_m);
 
+/// The start at which the robot stands, its own or a team-mate's; empty when there is none.
+std::optional<Home> start_beside(const StatusMessage& self, std::span<const StatusMessage* const> mates,
+                                 double at_start_m);
+
 /// True when the robot stands at its home.
 bool is_at_home(const StatusMessage& self, const Home& home, double at_start_m);
 

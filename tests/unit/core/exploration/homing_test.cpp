@@ -95,6 +95,24 @@ TEST_F(Homing, StuckHalfAMetreAwayIsThereAndElseAnObstacle) {
   }
 }
 
+TEST_F(Homing, StuckBesideItsStartInATeamItIsThereForTheOthersAndForItself) {
+  const double at_start_m = roster_.params().at_start_m;
+  team::StatusMessage mate = mate_at(7, {500.0, 0.0});
+  mate.duty = team::Duty::kOver;
+  hear(mate);
+  for (const double x_m : {at_start_m - 0.02, at_start_m + 0.02}) {
+    Situation now = away_from_home(x_m);
+    const Intent bound = home(now, returning());
+    now.feedback = {bound.pursuit.number, false, true};
+    EXPECT_EQ(std::holds_alternative<Done>(home(now, bound).phase), x_m < at_start_m) << x_m;
+    now.feedback.stuck = false;
+    EXPECT_TRUE(std::holds_alternative<Returning>(home(now, bound).phase));
+    now.now += params_.pursuit.standstill + seconds(1);
+    EXPECT_EQ(std::holds_alternative<Done>(home(now, bound).phase), x_m < at_start_m)
+        << "mates stand in its way: no route, and control has nothing to report";
+  }
+}
+
 TEST_F(Homing, FourStandstillsAreAFailure) {
   const Intent bound = home(away_from_home(3.0), returning());
   Situation now = away_from_home(3.0);
