@@ -48,8 +48,6 @@ Intent felt(Intent intent, const PlanningInput& in, const Whereabouts& place,
   const types::Se2 T_map_odom = place.T_map_odom.se2();
   const ControlReport& control = *in.control;
   intent.obstacles.expire(in.now);
-  // Robots that enter together detect each other before they hear of each other.
-  intent.obstacles.forget_echoes_at(going_at, mate_radius_m);
   for (std::size_t i = 0; i < std::min<std::size_t>(control.unseen, control.unseen_odom.size()); ++i) {
     const Vector2 p_map = T_map_odom * control.unseen_odom[i];
     if (!is_going_mate(going_at, p_map, mate_radius_m)) intent.obstacles.note_echo(p_map, in.now);

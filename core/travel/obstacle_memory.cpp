@@ -8,25 +8,16 @@ namespace topo::travel {
 
 using types::Vector2;
 
-void ObstacleMemory::note(const Vector2& p_map, Evidence evidence, types::Stamp now) {
+void ObstacleMemory::note(const Vector2& p_map, int times, types::Stamp now) {
   const auto same = std::find_if(echoes_.begin(), echoes_.end(), [&](const Entry& e) {
     return (e.p_map - p_map).squaredNorm() <= params_.same_echo_m * params_.same_echo_m;
   });
   if (same != echoes_.end()) {
-    same->times += evidence.times;
-    same->touched = same->touched || evidence.touched;
+    same->times += times;
     same->until = now + params_.echo_for;
   } else if (echoes_.size() < params_.echoes_max) {
-    echoes_.push_back({p_map, now + params_.echo_for, evidence.times, evidence.touched});
+    echoes_.push_back({p_map, now + params_.echo_for, times});
   }
-}
-
-void ObstacleMemory::forget_echoes_at(std::span<const Vector2> places, double radius_m) {
-  std::erase_if(echoes_, [&](const Entry& echo) {
-    return !echo.touched && std::any_of(places.begin(), places.end(), [&](const Vector2& p) {
-      return (p - echo.p_map).norm() <= radius_m;
-    });
-  });
 }
 
 void ObstacleMemory::block(const Vector2& p_map, types::Stamp now) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "core/travel/params.hpp"
@@ -19,14 +18,9 @@ class ObstacleMemory {
   explicit ObstacleMemory(const ObstacleMemoryParams& params = {}) : params_(params) {}
 
   /// A sonar echo where no laser detects anything.
-  void note_echo(const types::Vector2& p_map, types::Stamp now) { note(p_map, {.times = 1}, now); }
+  void note_echo(const types::Vector2& p_map, types::Stamp now) { note(p_map, 1, now); }
   /// A bumper contact or a stalled wheel. It cannot be a reflection, so it counts at once.
-  void note_touch(const types::Vector2& p_map, types::Stamp now) {
-    note(p_map, {.times = params_.echo_times, .touched = true}, now);
-  }
-  /// Drops the echoes at these places, where team-mates turned out to be: an echo is no more than a mate, and
-  /// another is noted where it was not. Touches are kept.
-  void forget_echoes_at(std::span<const types::Vector2> places, double radius_m);
+  void note_touch(const types::Vector2& p_map, types::Stamp now) { note(p_map, params_.echo_times, now); }
   /// The robot got stuck here.
   void block(const types::Vector2& p_map, types::Stamp now);
   /// A passage in which the robot gets stuck. It stays closed until open_passages().
@@ -49,13 +43,8 @@ class ObstacleMemory {
     types::Vector2 p_map{0.0, 0.0};
     types::Stamp until{};
     int times = 1;
-    bool touched = false;
   };
-  struct Evidence {
-    int times = 1;
-    bool touched = false;
-  };
-  void note(const types::Vector2& p_map, Evidence evidence, types::Stamp now);
+  void note(const types::Vector2& p_map, int times, types::Stamp now);
 
   ObstacleMemoryParams params_;
   std::vector<Entry> blocked_, echoes_;

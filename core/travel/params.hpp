@@ -19,6 +19,9 @@ struct TravelMapParams {
   /// Of the radius that a route keeps free: what the outline covers in every heading (a P3-DX: 0.2125 of
   /// 0.297 m).
   double inner_share = 0.7;
+  /// Beyond the radius that a route keeps free: error of hits on a robot's outline, twice the 30 mm of a
+  /// UTM-30LX's range.
+  double start_noise_m = 0.06;
 };
 
 /// From cells to points (path.hpp).

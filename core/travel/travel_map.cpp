@@ -195,6 +195,12 @@ void free_trail(DenseMap& map, const grid::OccupancyGrid& grid, const Vector2& c
   });
 }
 
+void free_start(DenseMap& map, const Vector2& centre, double radius_m) {
+  for_each_around(map, centre, radius_m, [&](std::size_t index, double) {
+    if (map.cells[index] == CellState::kOccupied) map.cells[index] = CellState::kFree;
+  });
+}
+
 void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid, const TravelMapParams& params) {
   constexpr int kSide = grid::Tile::kSide;
   grid.tiles().for_each([&](patricia::Key key, const grid::TileRef& tile) {
@@ -223,6 +229,8 @@ DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways, co
   occupy_faint(map, grid, params);
   close_gaps(map, reach);
   const auto free_way = [&](std::span<const types::KeyframePose> way) {
+    if (!way.empty() && !ways.mates.empty())
+      free_start(map, way.front().T_map_base.se2().translation(), route_radius_m + params.start_noise_m);
     for (const types::KeyframePose& keyframe : way) {
       const Vector2 centre = keyframe.T_map_base.se2().translation();
       free_disc(map, centre, route_radius_m);

@@ -41,18 +41,6 @@ TEST(ObstacleMemory, ATouchCountsAtOnce) {
   EXPECT_EQ(memory.echoed().size(), 1U);
 }
 
-TEST(ObstacleMemory, AnEchoWhereATeamMateIsIsForgottenAndATouchIsNot) {
-  ObstacleMemory memory;
-  const Vector2 far = kPlace + Vector2(2.0, 0.0), beside = kPlace + Vector2(0.3, 0.0);
-  for (int i = 0; i < 3; ++i) {
-    memory.note_echo(kPlace, kStart);
-    memory.note_echo(far, kStart);
-  }
-  memory.note_touch(beside, kStart);
-  memory.forget_echoes_at(std::array{kPlace}, 0.5);
-  EXPECT_EQ(memory.echoed(), (std::vector{far, beside}));
-}
-
 TEST(ObstacleMemory, EverythingExpiresInItsTime) {
   ObstacleMemory memory;
   memory.note_touch(kPlace, kStart);

@@ -125,6 +125,28 @@ TEST(PrepareMap, theDiscAtTheMapsEdgeIsFreeTheBorderIsNot) {
   EXPECT_EQ(map.state(map.cell_at({0.8, -0.9})), grid::CellState::kFree);
 }
 
+types::KeyframePose station(double x_m, double y_m) {
+  return {types::Stamp{}, types::Transform2<types::Map, types::Base>(x_m, y_m, 0.0)};
+}
+
+TEST(PrepareMap, WhoStoodWhereATeamMateBeganIsNoWall) {
+  CountedCells counted;
+  for (int x = 0; x < 60; ++x)
+    for (int y = 0; y < 20; ++y) counted.put({x, y}, 0, 20);
+  const auto see_wall = [&](int x, int y) { counted.put({x, y}, 20, 0); };
+  see_wall(36, 10);  // 0.325 m from the mate's start, as its outline with the range's noise
+  see_wall(38, 10);  // 0.425 m
+  const std::vector<types::KeyframePose> own{station(0.525, 0.525)};
+  const std::vector<std::vector<types::KeyframePose>> mates{{station(1.525, 0.525), station(1.925, 0.525)}};
+  const auto states = [&](const DrivenWays& ways) {
+    const grid::DenseMap map = prepare_map(counted.grid(), ways, {}, 0.297, {});
+    return std::pair(map.state({36, 10}), map.state({38, 10}));
+  };
+  using grid::CellState;
+  EXPECT_EQ(states({own, mates}), std::pair(CellState::kFree, CellState::kOccupied));
+  EXPECT_EQ(states({own, {}}), std::pair(CellState::kOccupied, CellState::kOccupied)) << "a robot alone";
+}
+
 TEST(FreeTrail, whereTheRobotStoodASuspicionIsNone) {
   grid::DenseMap map = drawn_map({"#####"});
   CountedCells counted;
@@ -133,10 +155,6 @@ TEST(FreeTrail, whereTheRobotStoodASuspicionIsNone) {
   counted.put({4, 0}, 2, 18);  // faint, and not where the robot stood
   free_trail(map, counted.grid(), map.centre_of({1, 0}), 0.06);
   EXPECT_THAT(text_of(map), ElementsAreArray(Rows{"..###"}));
-}
-
-types::KeyframePose station(double x_m, double y_m) {
-  return {types::Stamp{}, types::Transform2<types::Map, types::Base>(x_m, y_m, 0.0)};
 }
 
 TEST(KeepTrailOpen, whereTheRobotWentItCanGoBack) {
