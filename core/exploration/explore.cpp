@@ -154,11 +154,12 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
   } else if (cut_off && !intent.sweep.meanwhile && has_final_sweep(params)) {
     intent.sweep.meanwhile = true;
     intent.reason = "no way to the goals left: looks into corners meanwhile";
+  } else if (situation.analysis.revision != searches.map.revision()) {
+    intent.reason = "waits for the analysis of the newest map";
   } else if (intent.deferred.call_back(situation.now)) {
     intent.reason = "only goals given up before are left: they are tried again";
-  } else if (situation.team.has_mates() &&
-             (is_patient ||
-              (params.ending.stays_out && mates_have_goals(situation.team.roster, situation.now)))) {
+  } else if (situation.team.has_mates() && params.ending.stays_out &&
+             mates_have_goals(situation.team.roster, situation.now)) {
     return wait_for_goal(situation, "waits: no goal is in reach, but others have some", std::move(intent));
   } else {
     intent = note_what_remains(situation, searches.map, params, std::move(intent));

@@ -3,6 +3,7 @@
 #include "core/exploration/worth.hpp"
 
 #include <cassert>
+#include <cmath>
 
 namespace topo::exploration {
 namespace {
@@ -12,6 +13,12 @@ struct Stretch {
   std::size_t first = 0, last = 0;
   double gain_m2 = 0.0, time_s = 0.0;
   double loss_s = 0.0;  ///< time beyond what the gain is worth
+};
+
+/// A goal beside a tour, before the goal at `at`.
+struct Detour {
+  std::size_t at = 0;
+  double time_s = HUGE_VAL;
 };
 
 class Round {
@@ -24,6 +31,17 @@ class Round {
     if (at == 0) return to == tour_.size() ? home_m_ : goals_.from_start_m[tour_[to]];
     const std::size_t from = tour_[at - 1];
     return to == tour_.size() ? goals_.to_home_m[from] : goals_.between(from, tour_[to]);
+  }
+
+  [[nodiscard]] Detour cheapest(std::size_t goal, const WorthParams& params) const {
+    Detour cheapest;
+    for (std::size_t at = 0; at <= tour_.size(); ++at) {
+      const double to_m = at == 0 ? goals_.from_start_m[goal] : goals_.between(tour_[at - 1], goal);
+      const double on_m = at == tour_.size() ? goals_.to_home_m[goal] : goals_.between(goal, tour_[at]);
+      const double time_s = (to_m + on_m - way_m(at, at)) / params.speed_mps + params.stop_s;
+      if (time_s < cheapest.time_s) cheapest = {at, time_s};
+    }
+    return cheapest;
   }
 
   [[nodiscard]] Stretch worst(std::span<const double> gain_m2, const WorthParams& params) const {
@@ -49,6 +67,28 @@ class Round {
   double home_m_;
 };
 
+/// Takes those goals into the tour again that are worth the detour from what is left of it, the best first: a
+/// stretch is left out as a whole, with what is good in it.
+void take_again(const TourGoals& goals, std::span<const double> gain_m2, double home_m,
+                const WorthParams& params, Tour& tour, std::vector<LeftOut>& out) {
+  while (true) {
+    std::size_t best = out.size();
+    Detour way;
+    double best_s = 0.0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const Detour detour = Round(goals, tour, home_m).cheapest(out[i].goal, params);
+      const double saved_s = gain_m2[out[i].goal] / params.rate_m2ps - detour.time_s;
+      if (saved_s <= best_s) continue;
+      best = i;
+      way = detour;
+      best_s = saved_s;
+    }
+    if (best == out.size()) return;
+    tour.insert(tour.begin() + static_cast<std::ptrdiff_t>(way.at), out[best].goal);
+    out.erase(out.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+}
+
 }  // namespace
 
 std::vector<LeftOut> not_worth_it(const TourGoals& goals, std::span<const double> gain_m2, double home_m,
@@ -65,6 +105,7 @@ std::vector<LeftOut> not_worth_it(const TourGoals& goals, std::span<const double
     for (auto goal = first; goal != end; ++goal) out.push_back({*goal, worst.gain_m2, worst.time_s});
     tour.erase(first, end);
   }
+  take_again(goals, gain_m2, home_m, params, tour, out);
   return out;
 }
 

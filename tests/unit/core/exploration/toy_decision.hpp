@@ -38,7 +38,7 @@ class ToyDecision : public ::testing::Test {
     analysis_ = building_.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}, 0.0).report->analysis;
     const pipeline::MapSnapshot& snapshot = building_.snapshot();
     const travel::DrivenWays ways{snapshot.keyframes, snapshot.mates};
-    map_.take(snapshot.revision + 1, snapshot.grid, ways);
+    map_.take(snapshot.revision, snapshot.grid, ways);
     map_.begin(snapshot.keyframes.back(), ways, {});
     map_.settle(HUGE_VAL);
     paths_ = pipeline::driven_paths(snapshot);

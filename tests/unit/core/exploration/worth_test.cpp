@@ -64,6 +64,35 @@ TEST(Worth, AFarRoomDoesNotSpoilANearOne) {
   EXPECT_EQ(left_out({2.0, 40.0}, 0.0, {0.5, 90.0}), Goals{}) << "on the way to it";
 }
 
+TEST(Worth, AStretchThatIsLeftOutDoesNotTakeAGoodGoalWithIt) {
+  // 1 at 2 m is worth its detour; 0 and 2, before and behind it on the tour, are not.
+  TourGoals goals = on_a_line({-20.0, 2.0, 30.0}, 0.0);
+  std::set<std::size_t> out;
+  for (const LeftOut& left : not_worth_it(goals, std::vector{1.0, 6.0, 1.0}, 0.0, one_to_one()))
+    out.insert(left.goal);
+  EXPECT_EQ(out, (Goals{0, 2}));
+}
+
+TEST(Worth, NothingLeftOutIsWorthItsDetourByItself) {
+  EXPECT_TRUE(rc::check([] {
+    const auto numbers = *rc::gen::container<std::vector<int>>(rc::gen::inRange(-300, 300));
+    const std::size_t count = std::min<std::size_t>(numbers.size(), 12);
+    std::vector<double> at_m, gain_m2;
+    for (std::size_t i = 0; i < count; ++i) {
+      at_m.push_back(0.1 * numbers[i]);
+      gain_m2.push_back(*rc::gen::inRange(0, 60));
+    }
+    const Goals out = left_out(at_m, 0.0, gain_m2);
+    double low_m = 0.0, high_m = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (out.contains(i)) continue;
+      low_m = std::min(low_m, at_m[i]);
+      high_m = std::max(high_m, at_m[i]);
+    }
+    for (const std::size_t i : out) RC_ASSERT(at_m[i] < low_m || at_m[i] > high_m || gain_m2[i] == 0.0);
+  }));
+}
+
 TEST(Worth, WhyItIsLeftOutAreTheStretchsNumbers) {
   const TourGoals goals = on_a_line({10.0}, 0.0);
   WorthParams params = one_to_one();
