@@ -228,6 +228,17 @@ TEST_F(Deciding, WithoutAGoalOfItsOwnTheRobotHelps) {
   EXPECT_FALSE(team::is_same_goal(place_for_team(*then.pursuit.goal), mate.claim->p_map));
 }
 
+TEST_F(Deciding, NothingEndsOnAnAnalysisOfAnOlderMap) {
+  params_.finish = Finish::kWorth;
+  params_.worth.rate_m2ps = 1e6;
+  analysis::Analysis old = *analysis_;
+  --old.revision;
+  analysis_ = std::make_shared<const analysis::Analysis>(std::move(old));
+  const Intent intent = after(situation(), begun());
+  EXPECT_TRUE(std::holds_alternative<Exploring>(intent.phase));
+  EXPECT_EQ(intent.reason, "waits for the analysis of the newest map");
+}
+
 TEST_F(Deciding, WhatIsNotWorthItsTimeIsLeftOut) {
   params_.finish = Finish::kWorth;
   params_.worth.rate_m2ps = 1e6;
