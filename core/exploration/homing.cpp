@@ -56,7 +56,7 @@ Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& s
   const double away_m = (p_map - situation.here()).norm();
   const bool held = is_held(situation, intent.pursuit, params.pursuit);
   const double reached_m = held ? std::max(reached.usual_m, reached.held_m) : reached.usual_m;
-  const double ended_m = 2.0 * reached_m + params.homing.arrived_slack_m;
+  const double ended_m = 2.0 * reached.usual_m + params.homing.arrived_slack_m;
   if (away_m <= reached_m || (about_this && situation.feedback.arrived && away_m <= ended_m))
     return {without_target(std::move(intent)), Outcome::kArrived};
   if (about_this && situation.feedback.stuck) {
