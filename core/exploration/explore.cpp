@@ -76,6 +76,8 @@ Intent reach(const Situation& situation, const ExplorationParams& params, Intent
   return intent;
 }
 
+constexpr const char* kTurns = "turns on the spot: what lies behind is unknown";
+
 /// A goal counts as visited by nearness, and a robot that begins with its back to all there is has none:
 /// before it ends, it turns once to what is unknown behind it.
 std::optional<double> due_turn(const Situation& situation, const travel::RouteMap& map,
@@ -86,7 +88,7 @@ std::optional<double> due_turn(const Situation& situation, const travel::RouteMa
 }
 
 Intent turn_to(double heading_rad, const Situation& situation, Intent intent) {
-  intent.log.note(situation.now, situation.here(), "turns on the spot: what lies behind is unknown");
+  intent.log.note(situation.now, situation.here(), kTurns);
   intent.attempts.turned_at = situation.here();
   intent.pursuit = turning_to(heading_rad, std::move(intent.pursuit), situation.now);
   return intent;
@@ -134,7 +136,7 @@ Intent wait_for_goal(const Situation& situation, std::string why, Intent intent)
 /// The turn goes on; nothing else is decided meanwhile.
 Intent keep_turning(Intent intent) {
   intent.pursuit.has_target = false;
-  intent.reason = "turns on the spot: what lies behind is unknown";
+  intent.reason = kTurns;
   return intent;
 }
 

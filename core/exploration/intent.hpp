@@ -74,8 +74,7 @@ struct Offer {
                                         ///< route
 };
 
-/// A goal that is left out because it gives too little for its time (worth.hpp), with the stretch of the tour
-/// in which it lies.
+/// A goal that is left out because it gives too little for its time (worth.hpp).
 struct LeftOutGoal {
   types::Vector2 p_map{0.0, 0.0};
   double gain_m2 = 0.0;

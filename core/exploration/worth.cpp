@@ -11,7 +11,6 @@ namespace {
 /// Goals `first` to `last` of a tour.
 struct Stretch {
   std::size_t first = 0, last = 0;
-  double gain_m2 = 0.0, time_s = 0.0;
   double loss_s = 0.0;  ///< time beyond what the gain is worth
 };
 
@@ -33,6 +32,7 @@ class Round {
     return to == tour_.size() ? goals_.to_home_m[from] : goals_.between(from, tour_[to]);
   }
 
+  /// The cheapest place for a goal that is not in the tour.
   [[nodiscard]] Detour cheapest(std::size_t goal, const WorthParams& params) const {
     Detour cheapest;
     for (std::size_t at = 0; at <= tour_.size(); ++at) {
@@ -55,7 +55,7 @@ class Round {
         const double saved_m = driven_m + way_m(last + 1, last + 1) - way_m(first, last + 1);
         const double time_s = saved_m / params.speed_mps + stops_s;
         const double loss_s = time_s - gained_m2 / params.rate_m2ps;
-        if (loss_s > worst.loss_s) worst = {first, last, gained_m2, time_s, loss_s};
+        if (loss_s > worst.loss_s) worst = {first, last, loss_s};
       }
     }
     return worst;
@@ -70,22 +70,22 @@ class Round {
 /// Takes those goals into the tour again that are worth the detour from what is left of it, the best first: a
 /// stretch is left out as a whole, with what is good in it.
 void take_again(const TourGoals& goals, std::span<const double> gain_m2, double home_m,
-                const WorthParams& params, Tour& tour, std::vector<LeftOut>& out) {
+                const WorthParams& params, Tour& tour, std::vector<std::size_t>& out) {
   while (true) {
-    std::size_t best = out.size();
-    Detour way;
+    auto best = out.end();
+    std::size_t best_at = 0;
     double best_s = 0.0;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const Detour detour = Round(goals, tour, home_m).cheapest(out[i].goal, params);
-      const double saved_s = gain_m2[out[i].goal] / params.rate_m2ps - detour.time_s;
+    for (auto goal = out.begin(); goal != out.end(); ++goal) {
+      const Detour detour = Round(goals, tour, home_m).cheapest(*goal, params);
+      const double saved_s = gain_m2[*goal] / params.rate_m2ps - detour.time_s;
       if (saved_s <= best_s) continue;
-      best = i;
-      way = detour;
+      best = goal;
+      best_at = detour.at;
       best_s = saved_s;
     }
-    if (best == out.size()) return;
-    tour.insert(tour.begin() + static_cast<std::ptrdiff_t>(way.at), out[best].goal);
-    out.erase(out.begin() + static_cast<std::ptrdiff_t>(best));
+    if (best == out.end()) return;
+    tour.insert(tour.begin() + static_cast<std::ptrdiff_t>(best_at), *best);
+    out.erase(best);
   }
 }
 
@@ -94,7 +94,7 @@ void take_again(const TourGoals& goals, std::span<const double> gain_m2, double 
 std::vector<LeftOut> not_worth_it(const TourGoals& goals, std::span<const double> gain_m2, double home_m,
                                   const WorthParams& params) {
   assert(gain_m2.size() == goals.count);
-  std::vector<LeftOut> out;
+  std::vector<std::size_t> out;
   constexpr double kLengthAlone = 1.0;
   Tour tour = cheap_tour(goals, kLengthAlone);
   while (!tour.empty()) {
@@ -102,11 +102,14 @@ std::vector<LeftOut> not_worth_it(const TourGoals& goals, std::span<const double
     if (!(worst.loss_s > 0.0)) break;
     const auto first = tour.begin() + static_cast<std::ptrdiff_t>(worst.first);
     const auto end = tour.begin() + static_cast<std::ptrdiff_t>(worst.last + 1);
-    for (auto goal = first; goal != end; ++goal) out.push_back({*goal, worst.gain_m2, worst.time_s});
+    out.insert(out.end(), first, end);
     tour.erase(first, end);
   }
   take_again(goals, gain_m2, home_m, params, tour, out);
-  return out;
+  std::vector<LeftOut> left_out;
+  for (const std::size_t goal : out)
+    left_out.push_back({goal, gain_m2[goal], Round(goals, tour, home_m).cheapest(goal, params).time_s});
+  return left_out;
 }
 
 }  // namespace topo::exploration

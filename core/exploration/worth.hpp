@@ -18,17 +18,18 @@ struct WorthParams {
   double beyond_m2 = 40.0;  ///< mean area behind an opening that certainly leads on: a room and a corridor
 };
 
-/// A goal of a tour that is left out, with the stretch of the tour in which it lies.
+/// A goal that is left out of a tour.
 struct LeftOut {
   std::size_t goal = 0;
-  double gain_m2 = 0.0;  ///< of the stretch
-  double time_s = 0.0;   ///< that the tour is shorter without it
+  double gain_m2 = 0.0;
+  double time_s = 0.0;  ///< that the tour of the goals that are left would be longer with it
 };
 
 /// The goals that a robot does better without: of the cheapest tour of all goals that ends at home, the
 /// stretches that take more time than their area is worth, the worst first, until none is left. A stretch and
 /// not a single goal, because the way to a far room is worth it for all that is there, or for nothing; the
-/// whole tour is a stretch, too. `gain_m2`: of each goal; `home_m`: from the robot to its start.
+/// whole tour is a stretch, too. In the end the goals that are worth their own detour from what is left are
+/// taken back. `gain_m2`: of each goal; `home_m`: from the robot to its start.
 std::vector<LeftOut> not_worth_it(const TourGoals& goals, std::span<const double> gain_m2, double home_m,
                                   const WorthParams& params);
 

@@ -45,14 +45,13 @@ Plan make_plan(std::uint64_t sequence, const PlanningInput& in, const Intent& in
   const bool turns = !intent.pursuit.has_target && intent.pursuit.turn_to_rad;
   if (!turns && (!intent.pursuit.has_target || route.size() < 2)) return plan;
   plan.moving = true;
-  if (turns) {
-    plan.turn_to_rad = types::wrap_angle(*intent.pursuit.turn_to_rad - place.T_map_odom.se2().theta_rad);
-    return plan;
-  }
   if (slows_for_mate(team, place.pose(), in.now, params.explore.team_view))
     plan.v_max_mps = params.v_beside_mate_mps;
   plan.mate_behind = is_mate_behind(team, place.pose(), in.now, params.explore.team_view);
-  put_path(route, place.T_map_odom, plan);
+  if (turns)
+    plan.turn_to_rad = types::wrap_angle(*intent.pursuit.turn_to_rad - place.T_map_odom.se2().theta_rad);
+  else
+    put_path(route, place.T_map_odom, plan);
   return plan;
 }
 

@@ -41,9 +41,11 @@ bool is_at_home(const StatusMessage& self, const Home& home, double at_start_m) 
 
 std::optional<Home> start_beside(const StatusMessage& self, std::span<const StatusMessage* const> mates,
                                  double at_start_m) {
-  for (const Home& start : starts_of(self, mates))
-    if (is_at_home(self, start, at_start_m)) return start;
-  return std::nullopt;
+  const std::vector<Home> starts = starts_of(self, mates);
+  const auto away_m = [&](const Home& start) { return (self.T_map_base.translation() - start.p_map).norm(); };
+  const auto nearest = std::ranges::min_element(starts, {}, away_m);
+  if (!is_at_home(self, *nearest, at_start_m)) return std::nullopt;
+  return *nearest;
 }
 
 std::optional<Home> choose_home(const StatusMessage& self, std::span<const StatusMessage* const> mates,

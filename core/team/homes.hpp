@@ -37,7 +37,7 @@ std::optional<Home> choose_home(const StatusMessage& self, std::span<const Statu
                                 const std::function<double(const types::Vector2&)>& cost_m,
                                 double at_start_m);
 
-/// The start at which the robot stands, its own or a team-mate's; empty when there is none.
+/// The nearest start, the robot's own or a team-mate's, if the robot stands there.
 std::optional<Home> start_beside(const StatusMessage& self, std::span<const StatusMessage* const> mates,
                                  double at_start_m);
 

@@ -10,6 +10,7 @@
 #include "core/grid/cell_block.hpp"
 #include "core/grid/known_span.hpp"
 #include "core/grid/occupancy_grid.hpp"
+#include "core/grid/wavefront.hpp"
 #include "core/types/beam_directions.hpp"
 
 namespace topo::travel {
@@ -196,9 +197,28 @@ void free_trail(DenseMap& map, const grid::OccupancyGrid& grid, const Vector2& c
 }
 
 void free_start(DenseMap& map, const Vector2& centre, double radius_m) {
+  const auto is_within = [&](CellIndex cell) { return (map.centre_of(cell) - centre).norm() <= radius_m; };
+  std::vector<std::size_t> found;
   for_each_around(map, centre, radius_m, [&](std::size_t index, double) {
-    if (map.cells[index] == CellState::kOccupied) map.cells[index] = CellState::kFree;
+    if (map.cells[index] == CellState::kOccupied) found.push_back(index);
   });
+  for (const std::size_t seed : found) {
+    if (map.cells[seed] != CellState::kOccupied) continue;  // freed with another one
+    std::vector<std::size_t> piece{seed};
+    bool is_inside = true;
+    for (std::size_t next = 0; next < piece.size() && is_inside; ++next) {
+      const CellIndex at = map.cell(piece[next]);
+      for (const CellIndex& step : grid::kNeighbours) {
+        const CellIndex cell{at.x + step.x, at.y + step.y};
+        if (map.state(cell) != CellState::kOccupied) continue;
+        is_inside = is_inside && is_within(cell);
+        const std::size_t index = map.index(cell);
+        if (std::ranges::find(piece, index) == piece.end()) piece.push_back(index);
+      }
+    }
+    if (!is_inside) continue;
+    for (const std::size_t index : piece) map.cells[index] = CellState::kFree;
+  }
 }
 
 void occupy_faint(DenseMap& map, const grid::OccupancyGrid& grid, const TravelMapParams& params) {

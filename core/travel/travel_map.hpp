@@ -32,9 +32,9 @@ void occupy_faint(grid::DenseMap& map, const grid::OccupancyGrid& grid, const Tr
 void free_trail(grid::DenseMap& map, const grid::OccupancyGrid& grid, const types::Vector2& centre,
                 double radius_m);
 
-/// Sets the occupied cells around a robot's start to free. Robots that enter together scan each other before
-/// they hear of each other, and who stood there is no wall. A wall that a robot stands against gets a hole
-/// narrower than a robot.
+/// Sets occupied cells around a robot's start to free, where all cells that hang together with them (eight
+/// neighbours) lie within the radius. Robots that enter together scan each other before they hear of each
+/// other, and a robot that stood there is no obstacle. A wall beside which it stood goes on, and stays.
 void free_start(grid::DenseMap& map, const types::Vector2& centre, double radius_m);
 
 /// Sets cells outside the limits to occupied: no route leads there, and nothing behind them remains to be

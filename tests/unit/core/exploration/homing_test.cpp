@@ -95,7 +95,7 @@ TEST_F(Homing, StuckHalfAMetreAwayIsThereAndElseAnObstacle) {
   }
 }
 
-TEST_F(Homing, StuckBesideItsStartInATeamItIsThereForTheOthersAndForItself) {
+TEST_F(Homing, HeldBesideItsStartInATeamItIsThereForTheOthersAndForItself) {
   const double at_start_m = roster_.params().at_start_m;
   team::StatusMessage mate = mate_at(7, {500.0, 0.0});
   mate.duty = team::Duty::kOver;
@@ -109,7 +109,26 @@ TEST_F(Homing, StuckBesideItsStartInATeamItIsThereForTheOthersAndForItself) {
     EXPECT_TRUE(std::holds_alternative<Returning>(home(now, bound).phase));
     now.now += params_.pursuit.standstill + seconds(1);
     EXPECT_EQ(std::holds_alternative<Done>(home(now, bound).phase), x_m < at_start_m)
-        << "mates stand in its way: no route, and control has nothing to report";
+        << "without a route control has nothing to report";
+  }
+}
+
+TEST_F(Homing, HeldBeforeAStartFartherInItIsHomeAtTheOneWhereItStands) {
+  team::StatusMessage mate = mate_at(7, {500.0, 0.0});
+  mate.start = here() + Vector2(3.5, 0.0);
+  hear(mate);
+  for (const double x_m : {0.5, 2.0}) {
+    Situation now = away_from_home(x_m);
+    const Intent bound = home(now, returning());
+    ASSERT_TRUE(bound.offer.home);
+    ASSERT_EQ(bound.offer.home->robot, 7U);
+    now.now += params_.pursuit.standstill + seconds(1);
+    mate.sequence += 1;
+    roster_.take(mate, now.now);
+    const Intent after = home(now, bound);
+    ASSERT_TRUE(after.offer.home);
+    EXPECT_EQ(after.offer.home->robot, x_m < 1.0 ? 5U : 7U) << "its own start is beside it, or is not";
+    EXPECT_EQ(std::holds_alternative<WaitingAtHome>(after.phase), x_m < 1.0);
   }
 }
 

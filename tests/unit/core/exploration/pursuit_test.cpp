@@ -46,6 +46,22 @@ TEST(Pursuit, AReportOnAnotherNumberIsIgnored) {
   EXPECT_EQ(settled_at(pursuit, {pursuit.number + 1, true, true}, kHere, kStart), Settled::kUnderWay);
 }
 
+TEST(Pursuit, ATurnEndsWhenControlReportsItAndNotByNearness) {
+  const Pursuit before = underway();
+  const Pursuit turn = turning_to(1.5, before, kStart);
+  EXPECT_FALSE(turn.goal || turn.has_target);
+  EXPECT_EQ(settled_at(turn, {}, kFar, kStart), Settled::kUnderWay) << "where its last target was";
+  EXPECT_EQ(settled_at(turn, {before.number, true, false}, kFar, kStart), Settled::kUnderWay);
+  EXPECT_EQ(settled_at(turn, {turn.number, true, false}, kHere, kStart), Settled::kReached);
+  EXPECT_EQ(settled_at(turn, {turn.number, false, true}, kHere, kStart), Settled::kStuck);
+}
+
+TEST(Pursuit, AnotherGoalOrNoneEndsATurn) {
+  const Pursuit turn = turning_to(1.5, underway(), kStart);
+  EXPECT_FALSE(without_goal(turn).turn_to_rad);
+  EXPECT_FALSE(set_out(turn, {}, {Source::kGap, 2}, kStart, kHere).turn_to_rad);
+}
+
 TEST(Pursuit, StuckComesBeforeEverythingElse) {
   const Pursuit pursuit = underway();
   EXPECT_EQ(settled_at(pursuit, {pursuit.number, true, true}, kFar, kStart), Settled::kStuck);

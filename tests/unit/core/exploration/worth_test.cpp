@@ -66,11 +66,7 @@ TEST(Worth, AFarRoomDoesNotSpoilANearOne) {
 
 TEST(Worth, AStretchThatIsLeftOutDoesNotTakeAGoodGoalWithIt) {
   // 1 at 2 m is worth its detour; 0 and 2, before and behind it on the tour, are not.
-  TourGoals goals = on_a_line({-20.0, 2.0, 30.0}, 0.0);
-  std::set<std::size_t> out;
-  for (const LeftOut& left : not_worth_it(goals, std::vector{1.0, 6.0, 1.0}, 0.0, one_to_one()))
-    out.insert(left.goal);
-  EXPECT_EQ(out, (Goals{0, 2}));
+  EXPECT_EQ(left_out({-20.0, 2.0, 30.0}, 0.0, {1.0, 6.0, 1.0}), (Goals{0, 2}));
 }
 
 TEST(Worth, NothingLeftOutIsWorthItsDetourByItself) {
@@ -93,7 +89,7 @@ TEST(Worth, NothingLeftOutIsWorthItsDetourByItself) {
   }));
 }
 
-TEST(Worth, WhyItIsLeftOutAreTheStretchsNumbers) {
+TEST(Worth, WhyItIsLeftOutAreItsNumbers) {
   const TourGoals goals = on_a_line({10.0}, 0.0);
   WorthParams params = one_to_one();
   params.speed_mps = 0.5;

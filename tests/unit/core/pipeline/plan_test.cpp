@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
+
+#include "core/pipeline/planning_report.hpp"
 
 namespace topo::pipeline {
 namespace {
@@ -27,6 +30,30 @@ TEST(PutPath, isInOdomAndSaysWhetherItIsTheWholeWay) {
   EXPECT_FALSE(plan.path_ends_at_goal);
   put_path({}, T_map_odom, plan);
   EXPECT_EQ(plan.points, 0);
+}
+
+TEST(MakePlan, ATurnIsInOdomAndDoesNotBackOffIntoAMate) {
+  PlanningInput in;
+  in.now = types::stamp_from_seconds(100.0);
+  exploration::Intent intent;
+  intent.phase = exploration::Exploring{};
+  intent.pursuit = exploration::turning_to(3.0, {}, in.now);
+  Whereabouts place;
+  place.T_map_odom = types::Transform2<types::Map, types::Odom>(1.0, 2.0, -1.0);
+  team::Roster roster;
+  const auto plan = [&] { return make_plan(1, in, intent, place, {}, {5, roster, {}}, {}); };
+  EXPECT_TRUE(plan().moving);
+  ASSERT_TRUE(plan().turn_to_rad);
+  EXPECT_NEAR(*plan().turn_to_rad, 4.0 - 2.0 * std::numbers::pi, 1e-9);
+  EXPECT_FALSE(plan().mate_behind);
+  team::StatusMessage mate;
+  mate.robot = 2;
+  mate.sequence = 1;
+  mate.T_map_base = {-1.0, 0.0, 0.0};
+  ASSERT_TRUE(roster.take(mate, in.now));
+  EXPECT_TRUE(plan().mate_behind);
+  intent.phase = exploration::Paused{exploration::Exploring{}};
+  EXPECT_FALSE(plan().moving);
 }
 
 }  // namespace

@@ -95,6 +95,22 @@ TEST(ChooseHome, whereTheRobotItselfStandsIsNotTaken) {
   EXPECT_EQ(home(b, {a}, Home{1, {1.5, 0.0}}), Vector2(1.5, 0.0));
 }
 
+TEST(StartBeside, isTheNearestWithinReach) {
+  const StatusMessage mate = out(1, 1.5);
+  const std::vector<const StatusMessage*> mates{&mate};
+  StatusMessage self = out(2, 2.3);
+  const auto owner_at = [&](double x_m) -> std::optional<std::uint16_t> {
+    self.T_map_base = {x_m, 0.0, 0.0};
+    const auto start = start_beside(self, mates, 0.6);
+    return start ? std::optional(start->robot) : std::nullopt;
+  };
+  EXPECT_EQ(owner_at(1.8), 1);
+  EXPECT_EQ(owner_at(2.0), 2) << "within 0.6 m of both";
+  EXPECT_EQ(owner_at(2.8), 2);
+  EXPECT_EQ(owner_at(3.0), std::nullopt);
+  EXPECT_EQ(owner_at(0.8), std::nullopt);
+}
+
 TEST(ChooseHome, nobodyGoesWhereNoWayLeads) {
   const std::vector<const StatusMessage*> nobody;
   EXPECT_EQ(choose_home(

@@ -5,7 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/grid/distance.hpp"
 #include "core/grid/occupancy_grid.hpp"
+#include "core/grid/wavefront.hpp"
 #include "tests/unit/core/grid/maps.hpp"
 #include "tests/unit/core/motion/generators.hpp"
 #include "tests/unit/core/travel/counted_cells.hpp"
@@ -129,7 +133,7 @@ types::KeyframePose station(double x_m, double y_m) {
   return {types::Stamp{}, types::Transform2<types::Map, types::Base>(x_m, y_m, 0.0)};
 }
 
-TEST(PrepareMap, WhoStoodWhereATeamMateBeganIsNoWall) {
+TEST(PrepareMap, ARobotWhereATeamMateBeganIsNoWall) {
   CountedCells counted;
   for (int x = 0; x < 60; ++x)
     for (int y = 0; y < 20; ++y) counted.put({x, y}, 0, 20);
@@ -145,6 +149,26 @@ TEST(PrepareMap, WhoStoodWhereATeamMateBeganIsNoWall) {
   using grid::CellState;
   EXPECT_EQ(states({own, mates}), std::pair(CellState::kFree, CellState::kOccupied));
   EXPECT_EQ(states({own, {}}), std::pair(CellState::kOccupied, CellState::kOccupied)) << "a robot alone";
+}
+
+/// Floor on both sides of a wall one cell thick, that is so many cells beside the start of a robot with
+/// mates.
+TEST(PrepareMap, NoRouteLeadsThroughAWallBesideWhichARobotBegan) {
+  for (const int away : {4, 5, 6, 7, 8}) {  // from 0.2 m, half of a P3-DX's width
+    CountedCells counted;
+    for (int x = 0; x < 60; ++x)
+      for (int y = 0; y < 60; ++y) counted.put({x, y}, y == 30 ? 20 : 0, y == 30 ? 0 : 20);
+    const std::vector<types::KeyframePose> own{station(1.525, 1.525 - 0.05 * away)};
+    const std::vector<std::vector<types::KeyframePose>> mates(1);
+    const grid::DenseMap map = prepare_map(counted.grid(), {own, mates}, {}, 0.297, {});
+    const std::vector<float> clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
+    const auto reaches = [&](const types::Vector2& from) {
+      const grid::TravelField field = grid::travel_field(map, clearance_m, map.cell_at(from), {});
+      return std::isfinite(field.cost_m[map.index({30, 45})]);
+    };
+    EXPECT_FALSE(reaches({1.525, 0.5})) << away;
+    EXPECT_TRUE(reaches({0.5, 2.5}));
+  }
 }
 
 TEST(FreeTrail, whereTheRobotStoodASuspicionIsNone) {
