@@ -78,14 +78,10 @@ TEST(Worth, NothingLeftOutIsWorthItsDetourByItself) {
       at_m.push_back(0.1 * numbers[i]);
       gain_m2.push_back(*rc::gen::inRange(0, 60));
     }
-    const Goals out = left_out(at_m, 0.0, gain_m2);
-    double low_m = 0.0, high_m = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (out.contains(i)) continue;
-      low_m = std::min(low_m, at_m[i]);
-      high_m = std::max(high_m, at_m[i]);
+    for (const LeftOut& left : not_worth_it(on_a_line(at_m, 0.0), gain_m2, 0.0, one_to_one())) {
+      RC_ASSERT(left.gain_m2 == gain_m2[left.goal]);
+      RC_ASSERT(left.gain_m2 <= left.time_s + 1e-9);
     }
-    for (const std::size_t i : out) RC_ASSERT(at_m[i] < low_m || at_m[i] > high_m || gain_m2[i] == 0.0);
   }));
 }
 
