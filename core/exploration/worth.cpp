@@ -106,9 +106,11 @@ std::vector<LeftOut> not_worth_it(const TourGoals& goals, std::span<const double
     tour.erase(first, end);
   }
   take_again(goals, gain_m2, home_m, params, tour, out);
+  const Round kept(goals, tour, home_m);
   std::vector<LeftOut> left_out;
+  left_out.reserve(out.size());
   for (const std::size_t goal : out)
-    left_out.push_back({goal, gain_m2[goal], Round(goals, tour, home_m).cheapest(goal, params).time_s});
+    left_out.push_back({goal, gain_m2[goal], kept.cheapest(goal, params).time_s});
   return left_out;
 }
 
