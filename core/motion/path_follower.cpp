@@ -34,14 +34,23 @@ double way_m(double v0, double v1, double acceleration, double time_s) {
   return v0 * ramp_s + 0.5 * acceleration * ramp_s * ramp_s + v1 * (time_s - ramp_s);
 }
 
-double free_turn_rad(double sign, const FollowInput& in) {
+/// Angle by which the robot can turn on the spot where it will have come to a stop: it rolls on into a turn
+/// that begins at speed. A turn that begins keeps some more than the gate does, or the noise of a range lets
+/// it past a corner and not back.
+double free_turn_rad(double sign, const FollowInput& in, const FollowerTurnParams& params) {
   const types::RobotLimits& l = *in.limits;
+  const bool begins = std::abs(in.twist.omega_radps) < params.begun_radps;
+  const double margin_m = l.turn_margin_m + (begins ? params.extra_margin_m : 0.0);
+  const double v_mps = in.twist.v_mps;
+  const Vector2 roll{v_mps * std::abs(v_mps) / (2.0 * l.deceleration_mps2), 0.0};
   const Twist2 spin{0.0, sign};
-  perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, l.turn_margin_m)));
-  for (const Vector2& p : in.obstacles_base)
-    first.offer(p, [&] {
-      return perception::contact_time_with_margin_s(p, spin, l.footprint, l.turn_margin_m, in.contact);
+  perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, margin_m)));
+  for (const Vector2& p : in.obstacles_base) {
+    const Vector2 then = p - roll;
+    first.offer(then, [&] {
+      return perception::contact_time_with_margin_s(then, spin, l.footprint, margin_m, in.contact);
     });
+  }
   return first.seconds();
 }
 
@@ -172,7 +181,7 @@ double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_c
   std::size_t count = 0;
   for (const Vector2& p : in.obstacles_base)
     if (p.squaredNorm() < params.slow_end_m * params.slow_end_m && count < near.size()) near[count++] = p;
-  const double left_rad = free_turn_rad(1.0, in), right_rad = free_turn_rad(-1.0, in);
+  const double left_rad = free_turn_rad(1.0, in, params), right_rad = free_turn_rad(-1.0, in, params);
   double best_rad = 0.0, best_score = now.score;
   const auto offer = [&](double by_rad) {
     if (!(std::abs(by_rad) < (by_rad > 0.0 ? left_rad : right_rad))) return;
@@ -201,9 +210,9 @@ FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
   double way_rad = std::abs(turn_rad);
   FollowOutput out;
   out.turn_rad = turn_rad;
-  if (free_turn_rad(sign, in) < way_rad) {
+  if (free_turn_rad(sign, in, rules_.turn) < way_rad) {
     constexpr double kTurn = 6.283185307179586;
-    if (free_turn_rad(-sign, in) < kTurn - way_rad) {
+    if (free_turn_rad(-sign, in, rules_.turn) < kTurn - way_rad) {
       out.blocked = true;
       return out;
     }
