@@ -113,6 +113,7 @@ bool read_match_points(types::ByteReader& in, Keyframe& keyframe) {
   const auto kind = in.integer<std::uint8_t>();
   if (kind == 0) return count <= in.remaining() / 2 && read_positions(in, count, keyframe.match_points);
   if (kind != 1 || count > keyframe.hits.size()) return false;
+  keyframe.match_points.reserve(count);
   std::size_t next = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t gap = in.varint();

@@ -21,6 +21,9 @@ KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, std::span<const Poi
   keyframe->surfels = make_surfels(cloud, params);
   keyframe->match_points.assign(match_points.begin(), match_points.end());
   keyframe->columns = std::move(columns);
+  // A keyframe stays for the run and does not grow.
+  keyframe->surfels.shrink_to_fit();
+  keyframe->columns.shrink_to_fit();
   quantise(*keyframe);
   return keyframe;
 }

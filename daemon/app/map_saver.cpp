@@ -42,6 +42,14 @@ std::string trajectory_text(const pipeline::MapSnapshot& map) {
   return text;
 }
 
+/// Writes the walls as a cloud. Returns how many points.
+types::Result<std::size_t> save_walls(const std::string& folder, const walls::WallStore& walls) {
+  const auto cloud = cloud_of(walls);
+  if (const auto saved = save_cloud(folder + "/cloud.ply", cloud); !saved)
+    return tl::unexpected(saved.error());
+  return cloud.size();
+}
+
 }  // namespace
 
 types::Result<SavedMap> MapSaver::save(const std::string& folder, const FoundDoubt* doubt) {
@@ -51,14 +59,13 @@ types::Result<SavedMap> MapSaver::save(const std::string& folder, const FoundDou
   }
   const auto image = image_of(snapshot->grid);
   if (!image) return tl::unexpected(image.error());
-  const auto cloud = cloud_of(snapshot->walls);
   if (const auto made = make_folder(folder); !made) return tl::unexpected(made.error());
   if (const auto saved = save_map(folder, *image); !saved) return tl::unexpected(saved.error());
-  if (const auto saved = save_cloud(folder + "/cloud.ply", cloud); !saved)
-    return tl::unexpected(saved.error());
+  const auto points = save_walls(folder, snapshot->walls);
+  if (!points) return tl::unexpected(points.error());
   if (const auto saved = write_file(folder + "/trajectory.txt", trajectory_text(*snapshot)); !saved)
     return tl::unexpected(saved.error());
-  SavedMap saved{folder, snapshot->revision, image->width, image->height, cloud.size(), 0, 0, {}};
+  SavedMap saved{folder, snapshot->revision, image->width, image->height, *points, 0, 0, {}};
   if (doubt != nullptr) {
     saved.doubted = doubt_text(doubt->doubt);
     if (const auto written = write_file(folder + "/doubt.json", doubt_json(*doubt).dump(1) + "\n"); !written)

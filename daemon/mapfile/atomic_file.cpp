@@ -31,11 +31,12 @@ class Temporary {
     io::UniqueFd fd(::mkostemp(name.data(), O_CLOEXEC));
     if (!fd.valid()) return io::fail_errno(file.path, "cannot create a file beside it", errno);
     Temporary temporary(name, file.path);
-    for (std::size_t done = 0; done < file.bytes.size();) {
-      const auto n = io::retry_interrupted(
-          [&] { return ::write(fd.get(), file.bytes.data() + done, file.bytes.size() - done); });
-      if (n < 0) return io::fail_errno(file.path, "cannot write", errno);
-      done += static_cast<std::size_t>(n);
+    for (std::span<const std::byte> rest : {file.bytes, file.more}) {
+      while (!rest.empty()) {
+        const auto n = io::retry_interrupted([&] { return ::write(fd.get(), rest.data(), rest.size()); });
+        if (n < 0) return io::fail_errno(file.path, "cannot write", errno);
+        rest = rest.subspan(static_cast<std::size_t>(n));
+      }
     }
     if (::fchmod(fd.get(), 0644) != 0 || ::fsync(fd.get()) != 0)
       return io::fail_errno(file.path, "cannot bring it to the disk", errno);

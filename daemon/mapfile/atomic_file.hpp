@@ -14,6 +14,7 @@ namespace topo::daemon {
 struct FileContent {
   std::string path;
   std::span<const std::byte> bytes;
+  std::span<const std::byte> more{};  ///< after them
 };
 
 /// Writes files atomically: after a crash or power loss each is complete or absent. Every file is written to

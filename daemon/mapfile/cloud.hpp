@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,11 +21,8 @@ struct CloudPoint {
 /// One point, in map, for each height slab observed in a cell: the centre of cell and slab.
 [[nodiscard]] std::vector<CloudPoint> cloud_of(const walls::WallStore& walls);
 
-/// The bytes of a PLY file (binary, little-endian): x y z as float and, when given, one intensity per point.
-[[nodiscard]] std::vector<std::byte> encode_ply(
-    std::span<const CloudPoint> points, std::optional<std::span<const float>> intensity = std::nullopt);
-
-/// Writes the file atomically. Blocks on the disk. Errors name the file.
+/// Writes a PLY file (binary, little-endian: x y z as float), atomically. Blocks on the disk. Errors name the
+/// file.
 types::Status save_cloud(const std::string& path, std::span<const CloudPoint> points);
 
 }  // namespace topo::daemon

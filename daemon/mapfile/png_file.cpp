@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/input_file.hpp"
 #include "daemon/mapfile/picture.hpp"
+#include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
 
@@ -28,6 +32,31 @@ struct PngImage {
   ~PngImage() { png_image_free(&image); }
   PngImage(const PngImage&) = delete;
   PngImage& operator=(const PngImage&) = delete;
+};
+
+/// A stream into memory that grows with what is written: a packed picture takes a few per cent of the most
+/// that it may take.
+class MemoryFile {
+ public:
+  MemoryFile() : stream_(::open_memstream(&text_, &size_)) {}
+  ~MemoryFile() {
+    if (stream_ != nullptr) std::fclose(stream_);
+    std::free(text_);
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  [[nodiscard]] bool is_open() const { return stream_ != nullptr; }
+  [[nodiscard]] std::FILE* stream() const { return stream_; }
+  /// Valid until the next write.
+  [[nodiscard]] std::string_view content() {
+    std::fflush(stream_);
+    return {text_, size_};
+  }
+
+ private:
+  char* text_ = nullptr;
+  std::size_t size_ = 0;
+  std::FILE* stream_;
 };
 
 /// The file without what is said of colours (gamma, colour space, profile) and without comments: of its
@@ -130,13 +159,11 @@ Status save_png(const std::string& path, const Picture& picture) {
   png.image.width = static_cast<png_uint_32>(picture.width());
   png.image.height = static_cast<png_uint_32>(picture.height());
   png.image.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png.image);
-  std::vector<std::byte> bytes(size);
-  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, picture.pixels().data(), 0, nullptr) ==
-      0) {
+  MemoryFile file;
+  if (!file.is_open()) return io::fail_errno(path, "no memory to pack the picture", errno);
+  if (png_image_write_to_stdio(&png.image, file.stream(), 0, picture.pixels().data(), 0, nullptr) == 0)
     return types::fail(Errc::kIo, fmt::format("{}: cannot pack the picture: {}", path, png.image.message));
-  }
-  return write_file(path, std::span<const std::byte>(bytes).first(size));
+  return write_file(path, file.content());
 }
 
 }  // namespace topo::daemon

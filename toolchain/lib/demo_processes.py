@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Programs that the demonstration starts: none outlives it, and what a daemon costs is read from /proc."""
 
+import collections
 import ctypes
 import os
 import pathlib
@@ -12,6 +13,7 @@ import subprocess
 
 START_LIMIT_S = 30
 STOP_LIMIT_S = 12
+LAST_S = 60.0
 PR_SET_PDEATHSIG = 1
 
 
@@ -87,42 +89,55 @@ class Processes:
 
 
 class ThreadTimes:
-    """Processor time of every thread of a process, by its name."""
+    """Processor time and page faults of every thread of a process, by its name, and the process's memory."""
 
     def __init__(self, pid):
         self.folder = pathlib.Path("/proc/%d" % pid)
         self.peak_kb = 0
         self.first = self.last = {}
         self.first_s = self.last_s = 0.0
+        self.faults = collections.deque()  # (time, faults by thread) of the last minute
 
     def read(self):
-        """Seconds by thread. schedstat counts nanoseconds; the ticks of stat miss what wakes and sleeps within one."""
-        seconds = {}
+        """Seconds and page faults by thread. schedstat counts nanoseconds; the ticks of stat miss what wakes and sleeps
+        within one."""
+        seconds, faults = {}, {}
         for task in self.folder.glob("task/*"):
             try:
                 name = (task / "comm").read_text().strip()
-                used_s = self.thread_seconds(task)
+                fields = (task / "stat").read_text().rpartition(")")[2].split()
+                used_s = self.thread_seconds(task, fields)
             except OSError:
                 continue  # it has just ended
             seconds[name] = seconds.get(name, 0.0) + used_s
-        return seconds
+            faults[name] = faults.get(name, 0) + int(fields[7]) + int(fields[9])
+        return seconds, faults
 
     @staticmethod
-    def thread_seconds(task):
+    def thread_seconds(task, fields):
         if (task / "schedstat").exists():
             return int((task / "schedstat").read_text().split()[0]) * 1e-9
-        fields = (task / "stat").read_text().rpartition(")")[2].split()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def begin(self):
-        self.first, self.first_s = self.read(), os.times().elapsed
+        (self.first, faults), self.first_s = self.read(), os.times().elapsed
         self.last, self.last_s = self.first, self.first_s
+        self.faults.append((self.first_s, faults))
 
     def update(self):
-        seconds = self.read()
+        seconds, faults = self.read()
         if seconds:
             self.last, self.last_s = seconds, os.times().elapsed
+            self.faults.append((self.last_s, faults))
+            while self.faults[0][0] < self.last_s - LAST_S:
+                self.faults.popleft()
         self.peak_rss_mb()
+
+    def faults_per_s(self):
+        """Of the last minute before the last update."""
+        (begin_s, before), (end_s, after) = self.faults[0], self.faults[-1]
+        seconds = max(end_s - begin_s, 1e-3)
+        return {name: round((count - before.get(name, 0)) / seconds, 1) for name, count in after.items()}
 
     def percent(self):
         """Of one core, from begin() to the last update."""

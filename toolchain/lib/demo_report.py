@@ -83,6 +83,7 @@ def make(demo, judged):
         "decision_ms": {name: run["%s_ms" % name] for name in ("mean", "p99", "max") if "%s_ms" % name in run},
         "speedup_over_real_time": 1.0, "robot_time_lost_s": demo.lost_s,
         "cpu_percent": {**cpu, "all": round(sum(cpu.values()), 2)}, "peak_rss_mb": first.peak_rss_mb,
+        "page_faults_per_s": first.threads.faults_per_s(),
     }
     report.update({key: value for key, value in verdict.items() if key not in report})
     if options.robots > 1:

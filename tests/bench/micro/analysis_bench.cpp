@@ -5,7 +5,6 @@
 // have read the map's cells; `peak_B` the memory that a stage asks for at most, and `kept_B` its result, in
 // bytes per known cell.
 #include <benchmark/benchmark.h>
-#include <malloc.h>
 #include <time.h>
 
 #include <algorithm>
@@ -192,9 +191,6 @@ static_assert(kStages.size() == kNames.size());
 
 /// Size by size, so that each building is drawn once.
 int main(int argc, char** argv) {
-  // As in a process that analyses again and again, memory that was freed is used again, however much.
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
   for (const int scale : {1, 2, 4, 7}) {
     for (std::size_t i = 0; i < topo::bench::kStages.size(); ++i) {
       benchmark::RegisterBenchmark(topo::bench::kNames[i], topo::bench::kStages[i])

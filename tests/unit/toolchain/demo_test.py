@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The parts of toolchain/demo that need no robot; demo_run_test of tests/integration has the rest."""
 
+import mmap
 import os
 import pathlib
 import subprocess
@@ -111,6 +112,22 @@ class Processes(unittest.TestCase):
         self.assertGreater(sum(used.values()), 5.0, used)
         self.assertLess(sum(used.values()), 150.0, used)
         self.assertGreater(times.peak_rss_mb(), 1.0)
+
+    def test_page_faults_of_threads(self):
+        times = demo_processes.ThreadTimes(os.getpid())
+        times.begin()
+        pages = 2000
+        with mmap.mmap(-1, pages * mmap.PAGESIZE) as memory:
+            for page in range(pages):
+                memory[page * mmap.PAGESIZE] = 1
+        time.sleep(0.05)
+        times.update()
+        counted = sum(times.faults_per_s().values()) * (times.last_s - times.first_s)
+        self.assertGreater(counted, 0.9 * pages)
+        self.assertLess(counted, 3 * pages)
+        times.faults.appendleft((times.last_s - 2 * demo_processes.LAST_S, {}))
+        times.update()
+        self.assertGreaterEqual(times.faults[0][0], times.last_s - demo_processes.LAST_S, "only the last minute counts")
 
 
 class Folder(unittest.TestCase):
