@@ -118,6 +118,7 @@ struct HomingParams {
   double team_home_reached_m = 0.35;  ///< in a team: robots at this distance do not push each other about
   double stuck_reached_m = 0.45;      ///< home has a radius of about half a metre: a robot that is stuck, or
                                   ///< stands still, within it has arrived; in a team RosterParams::at_start_m
+  double passes_mps = 0.5;       ///< faster, it passes the place: it would roll 0.25 m on from there
   double arrived_slack_m = 0.1;  ///< added to twice the distance above, where control reports the end of its
                                  ///< path
   int standstills_max = 4;       ///< multiple of PursuitParams::standstill without progress after which the

@@ -33,6 +33,7 @@ struct Feedback {
   std::uint64_t number = 0;  ///< of the pursuit to which it refers
   bool arrived = false;      ///< at the end of a path that ends at the goal
   bool stuck = false;        ///< recovery did not help
+  double v_mps = 0.0;        ///< measured
 };
 
 /// Begins the pursuit of another goal.

@@ -79,7 +79,8 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
   done(PlanningStage::kTravel);
   const std::vector<std::vector<Vector2>> paths = driven_paths(*in.map);
   const exploration::Feedback feedback{in.control->goal_id, in.control->mode == ControlMode::kArrived,
-                                       in.control->mode == ControlMode::kStuck};
+                                       in.control->mode == ControlMode::kStuck,
+                                       in.control->odometry.twist.v_mps};
   const exploration::Situation situation{in.now,
                                          place.pose(),
                                          place.T_map_start.se2().translation(),

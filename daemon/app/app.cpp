@@ -206,6 +206,7 @@ Status App::enter_real_time() {
 }
 
 Status App::run() {
+  keep_freed_memory();
   if (auto s = enter_real_time(); !s) return s;
   if (auto s = operator_->start(); !s) return s;
   if (auto s = workers_->start(); !s) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <limits.h>
+#include <malloc.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -90,6 +91,12 @@ std::vector<std::string> apply_settings(const ThreadSettings& settings) {
 types::Status lock_memory() {
   if (::mlockall(kLockFlags) == 0) return {};
   return refused("memory cannot be locked (LimitMEMLOCK)", errno);
+}
+
+void keep_freed_memory() {
+  constexpr int kBlock_bytes = 32 << 20;  // the most that glibc takes; larger ones are mapped one by one
+  ::mallopt(M_MMAP_THRESHOLD, kBlock_bytes);
+  ::mallopt(M_TRIM_THRESHOLD, 2 * kBlock_bytes);
 }
 
 types::Status try_fifo(int priority) {

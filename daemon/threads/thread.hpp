@@ -48,6 +48,11 @@ std::vector<std::string> apply_settings(const ThreadSettings& settings);
 /// the limit.
 types::Status lock_memory();
 
+/// Keeps freed memory for the thread that freed it. By default glibc returns it to the system after every
+/// analysis, and the next one takes it back page by page: 360 page faults a second of the planning thread
+/// (toolchain/demo, page_faults_per_s). Where memory is locked it is kept in any case.
+void keep_freed_memory();
+
 /// Tests whether this process may use `priority` under SCHED_FIFO: sets it for the calling thread and
 /// restores it.
 types::Status try_fifo(int priority);

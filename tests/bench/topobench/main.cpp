@@ -154,6 +154,9 @@ void add_options(CLI::App& app, topo::bench::ExploreCommand& explore) {
          "did, then on; 0: never")
       ->check(number_from(0.0, 1e6))
       ->capture_default_str();
+  app.add_option("--speed", explore.v_max_mps,
+                 "Most metres a second of a robot (base.v_max_mps), up to the 1.2 of a P3-DX")
+      ->capture_default_str();
   app.add_option("--entry-delay", explore.entry_delay_s,
                  "Of several robots: seconds from one's beginning to the next one's")
       ->capture_default_str();

@@ -20,7 +20,8 @@ namespace topo::bench {
 
 namespace {
 
-constexpr double kLimitMax_s = 1e6;  // eleven days
+constexpr double kLimitMax_s = 1e6;     // eleven days
+constexpr double kSpeedMin_mps = 0.05;  // as base.v_max_mps
 
 using types::Errc;
 
@@ -57,6 +58,12 @@ types::Status check(const ExploreCommand& command) {
         Errc::kInvalidInput,
         fmt::format("--calibration: found {} robots in fidelity {}, expected one in fidelity full",
                     command.robots, command.fidelity));
+  if (!(command.v_max_mps >= kSpeedMin_mps && command.v_max_mps <= types::kP3dx.v_max_mps))
+    return types::fail(Errc::kInvalidInput,
+                       fmt::format("--speed: found {}, expected {} to {} m/s, the most of a P3-DX",
+                                   command.v_max_mps, kSpeedMin_mps, types::kP3dx.v_max_mps));
+  if (!command.calibration.empty() && command.v_max_mps != types::DriveLimits{}.v_max_mps)
+    return types::fail(Errc::kInvalidInput, "--speed: found with --calibration, which has its own");
   if (const auto radio = parse_radio(command.radio); !radio) return tl::unexpected(radio.error());
   if (!(command.entry_delay_s >= 0.0 && command.entry_delay_s <= kLimitMax_s))
     return types::fail(Errc::kInvalidInput,
@@ -72,7 +79,7 @@ types::Result<RunSetup> setup_of(const ExploreCommand& command, const sim::World
   const sim::Se2 start = s.empty() ? world.start_poses().front() : sim::Se2{s[0], s[1], s[2]};
   const Fidelity fidelity = command.fidelity == "full" ? Fidelity::kFull : Fidelity::kPlan;
   auto made = command.calibration.empty()
-                  ? types::Result<RunSetup>(default_setup(start, command.seed, fidelity))
+                  ? types::Result<RunSetup>(default_setup(start, command.seed, fidelity, command.v_max_mps))
                   : calibrated_setup(command.calibration, start, command.seed);
   if (!made) return made;
   RunSetup setup = std::move(*made);

@@ -27,9 +27,10 @@ struct ExploreCommand {
   double entry_delay_s = 0.0;  ///< of several robots: from one's beginning to the next one's
   bool starts_known = true;    ///< of several robots: to them
   std::vector<double> start;   ///< x, y, theta; empty: the world's
-  std::string calibration;     ///< calibration_names(); empty: the usual robot
-  bool bound = false;          ///< the way against that of robots that know the building (bound_command.hpp)
-  std::filesystem::path out;   ///< empty: no files
+  double v_max_mps = types::DriveLimits{}.v_max_mps;
+  std::string calibration;    ///< calibration_names(); empty: the usual robot
+  bool bound = false;         ///< the way against that of robots that know the building (bound_command.hpp)
+  std::filesystem::path out;  ///< empty: no files
   bool json = false;
 };
 

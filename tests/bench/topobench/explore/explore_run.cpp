@@ -81,11 +81,12 @@ std::unique_ptr<RobotMind> make_mind(const RunSetup& setup) {
                                          : make_posed_source(setup.mind.mapping));
 }
 
-RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity) {
+RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity, double v_max_mps) {
   daemon::Configuration configuration;  // the simulated robot's scanners are where its usual file has them
   configuration.front.x_m = 0.021;
   configuration.coronal.x_m = 0.10;
   configuration.coronal.z_m = 0.40;
+  configuration.base.v_max_mps = v_max_mps;
   return configured_setup(configuration, start, seed, fidelity);
 }
 

@@ -95,8 +95,9 @@ RunResult run_exploration(Plant& plant, RobotMind& mind, const RunSetup& setup, 
 types::Result<std::unique_ptr<Plant>> make_plant(sim::World world, const RunSetup& setup);
 std::unique_ptr<RobotMind> make_mind(const RunSetup& setup);
 
-/// Everything as config/simulation.toml has it.
-RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity);
+/// Everything as config/simulation.toml has it, but for base.v_max_mps.
+RunSetup default_setup(const sim::Se2& start, std::uint64_t seed, Fidelity fidelity,
+                       double v_max_mps = types::DriveLimits{}.v_max_mps);
 
 /// The same with another configuration, of a robot that is as it says: but for its wheels, which are always a
 /// little wrong.

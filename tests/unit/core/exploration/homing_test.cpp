@@ -82,6 +82,19 @@ TEST_F(Homing, TheEndOfControlsPathCountsWithinTwiceTheReach) {
   }
 }
 
+/// At 1 m/s an exploration ended while its robot passed the start: it was done at once, and stood 0.9 m on.
+TEST_F(Homing, WhoPassesItsStartAtSpeedIsNotThere) {
+  Situation now = away_from_home(0.1);
+  now.feedback.v_mps = 0.8;
+  const Intent passing = home(now, returning());
+  EXPECT_TRUE(std::holds_alternative<Returning>(passing.phase));
+  EXPECT_TRUE(passing.pursuit.has_target) << "it comes back";
+  now.feedback.v_mps = 0.3;
+  EXPECT_TRUE(std::holds_alternative<Done>(home(now, passing).phase));
+  now.feedback = {passing.pursuit.number, false, true, 0.8};
+  EXPECT_TRUE(std::holds_alternative<Done>(home(now, passing).phase)) << "stuck, whatever its wheels say";
+}
+
 TEST_F(Homing, StuckHalfAMetreAwayIsThereAndElseAnObstacle) {
   for (const double x_m : {0.44, 0.6}) {
     Situation now = away_from_home(x_m);
