@@ -45,7 +45,14 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
   const double compass_rad = a.compass.angle_rad.value_or(0.0);
   finished(Stage::kCompass);
 
-  a.walls = walls::extract_walls(points_of_walls(input, params, occupied), compass_rad, params.walls);
+  const std::span<const types::Vector2> wall_points = points_of_walls(input, params, occupied);
+  a.walls = walls::extract_walls(wall_points, compass_rad, params.walls);
+  if (a.compass.angle_rad) {
+    Wings wings =
+        skew_wings(occupied, wall_points, compass_rad, a.walls, compass, params.walls, params.wings);
+    a.wings_rad = std::move(wings.directions_rad);
+    a.walls.insert(a.walls.end(), wings.walls.begin(), wings.walls.end());
+  }
   finished(Stage::kWalls);
 
   const grid::DenseMap open = places::without_furniture(a.map, a.walls, params.places.furniture_m);

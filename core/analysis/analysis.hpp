@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/wings.hpp"
 #include "core/compass/compass.hpp"
 #include "core/goals/essential_goals.hpp"
 #include "core/goals/goal.hpp"
@@ -20,6 +21,7 @@ struct AnalysisParams {
   bool wall_store = true;  ///< false, an ablation: walls from occupied cells, as without a coronal scanner
   compass::CompassParams compass;
   walls::WallParams walls;
+  WingParams wings;
   places::SkeletonParams skeleton;
   places::PlaceParams places;
   goals::GoalParams goals;
@@ -32,7 +34,8 @@ struct Analysis {
   /// Distances of a coarse map, which are not those between its own cells (coarse_map.hpp); else empty.
   std::vector<float> coarse_m;
   compass::Compass compass;
-  std::vector<types::Segment> walls;
+  std::vector<double> wings_rad;      ///< directions of wings that are skew to the compass
+  std::vector<types::Segment> walls;  ///< along and across the compass, then those of the wings
   places::Skeleton skeleton;  ///< of the map without furniture (core/places/segmentation/furniture.hpp)
   places::PlaceMap places;
   goals::GoalSet goals;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct DriveSetup {
   sim::Difficulty difficulty;
   std::uint64_t seed = 1;
   types::Duration watchdog = std::chrono::milliseconds(2000);
+  std::optional<double> v_max_mps{};  ///< nullopt: the usual one of the model
 };
 
 /// Limits and places of the sensors as the daemon has them for a model.

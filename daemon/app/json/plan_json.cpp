@@ -71,6 +71,7 @@ Json places_json(const pipeline::PlanningReport& report) {
     borders.push_back({{"a", border.a + 1}, {"b", border.b + 1}, {"length_m", border.length_m}});
   Json json{{"places", std::move(places)}, {"borders", std::move(borders)}};
   json["walls"] = analysis.walls.size();
+  json["wings_rad"] = analysis.wings_rad;
   json["compass_rad"] = analysis.compass.angle_rad ? Json(*analysis.compass.angle_rad) : Json();
   return json;
 }

@@ -209,6 +209,8 @@ void add_options(CLI::App& app, topo::bench::CompassCommand& compass) {
       ->delimiter(',')
       ->capture_default_str()
       ->check(number_from(-360.0, 360.0));
+  app.add_flag("--beside", compass.beside,
+               "Each map beside itself turned, in one map: the directions of two wings");
   app.add_flag("--json", compass.json, "One JSON object on one line");
 }
 

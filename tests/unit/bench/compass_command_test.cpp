@@ -26,6 +26,12 @@ TEST(TurnError, OfNoDirectionIsTheWorst) {
   EXPECT_EQ(turn_error_deg(0.1, std::nullopt, 7.0), 45.0);
 }
 
+TEST(NearestError, IsOfTheNearestAndTheWorstWithoutAny) {
+  EXPECT_NEAR(nearest_error_deg({0.0, 30.2 * types::kDegree_rad}, 30.0 * types::kDegree_rad), 0.2, 1e-9);
+  EXPECT_NEAR(nearest_error_deg({89.9 * types::kDegree_rad}, 0.0), 0.1, 1e-9);
+  EXPECT_EQ(nearest_error_deg({}, 0.0), 45.0);
+}
+
 TEST(CompassCommand, NamesAMapThatIsNotThere) {
   CompassCommand command;
   command.maps = {"nowhere.yaml"};

@@ -61,5 +61,17 @@ TEST(TurnedMap, KeepsTheAreaAndAnUnknownBorder) {
 
 TEST(TurnedMap, NothingStaysNothing) { EXPECT_TRUE(turned_map({}, 1.0).cells.empty()); }
 
+TEST(SideBySide, HasTheCellsOfBothAndNothingElse) {
+  const grid::DenseMap left = room(), right = turned_map(left, 0.5);
+  const grid::DenseMap both = side_by_side(left, right);
+  for (const CellState state : {CellState::kFree, CellState::kOccupied}) {
+    EXPECT_EQ(std::count(both.cells.begin(), both.cells.end(), state),
+              std::count(left.cells.begin(), left.cells.end(), state) +
+                  std::count(right.cells.begin(), right.cells.end(), state));
+  }
+  EXPECT_EQ(both.state({28 + 7, 5 - 3}), CellState::kOccupied) << "the left one's bar";
+  EXPECT_EQ(both.height(), std::max(left.height(), right.height()));
+}
+
 }  // namespace
 }  // namespace topo::bench

@@ -55,6 +55,12 @@ json rejected_by_reason(const analysis::Analysis& analysis) {
   return reasons;
 }
 
+json wings_deg(const analysis::Analysis& analysis) {
+  json wings = json::array();
+  for (const double wing_rad : analysis.wings_rad) wings.push_back(wing_rad / types::kDegree_rad);
+  return wings;
+}
+
 json report(const AnalyseCommand& command, const MapInput& input, const TimedAnalysis& timed) {
   const analysis::Analysis& a = timed.analysis;
   const auto unknown = std::count(a.map.cells.begin(), a.map.cells.end(), grid::CellState::kUnknown);
@@ -68,6 +74,7 @@ json report(const AnalyseCommand& command, const MapInput& input, const TimedAna
           {"one_pass_ms", one_pass_ms(a.map)},
           {"compass_deg", std::move(compass)},
           {"compass_confidence", a.compass.confidence},
+          {"wings_deg", wings_deg(a)},
           {"walls", a.walls.size()},
           {"skeleton_nodes", a.skeleton.nodes.size()},
           {"places", a.places.places.size()},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/bench/topobench/compass/turned_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/types/se2.hpp"
@@ -27,6 +28,25 @@ grid::DenseMap turned_map(const grid::DenseMap& map, double turn_rad) {
       out.cells.push_back(map.state(map.cell_at(middle + back * (out.centre_of({x, y}) - middle))));
   }
   return out;
+}
+
+grid::DenseMap side_by_side(const grid::DenseMap& left, const grid::DenseMap& right) {
+  constexpr std::int32_t kBetween = 20;
+  grid::DenseMap both;
+  both.resolution_m = left.resolution_m;
+  both.box = {{0, 0},
+              {left.width() + kBetween + right.width() - 1, std::max(left.height(), right.height()) - 1}};
+  both.cells.assign(static_cast<std::size_t>(both.width()) * static_cast<std::size_t>(both.height()),
+                    grid::CellState::kUnknown);
+  const auto put = [&both](const grid::DenseMap& map, std::int32_t from_x) {
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const grid::CellIndex cell = map.cell(i);
+      both.cells[both.index({from_x + cell.x - map.box.min.x, cell.y - map.box.min.y})] = map.cells[i];
+    }
+  };
+  put(left, 0);
+  put(right, left.width() + kBetween);
+  return both;
 }
 
 }  // namespace topo::bench

@@ -11,4 +11,8 @@ namespace topo::bench {
 /// unknown. An empty map stays empty.
 grid::DenseMap turned_map(const grid::DenseMap& map, double turn_rad);
 
+/// Both maps in one, the second to the right of the first, with unknown cells between them. Of one
+/// resolution.
+grid::DenseMap side_by_side(const grid::DenseMap& left, const grid::DenseMap& right);
+
 }  // namespace topo::bench
