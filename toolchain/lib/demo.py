@@ -282,6 +282,7 @@ def main():
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--robots", type=int, default=1)
     parser.add_argument("--entry-delay", type=float, default=0.0)
+    parser.add_argument("--speed", type=float, default=0.7)
     parser.add_argument("--time-limit", type=int, required=True)
     parser.add_argument("--radio", dest="radio_text", default="perfect")
     parser.add_argument("--view", action="store_true")

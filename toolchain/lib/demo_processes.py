@@ -155,7 +155,7 @@ class ThreadTimes:
 
 
 def configure(text, values):
-    """The configuration with other values: {(section, key): text or whole number}. A key stands in its section, or there behind a #."""
+    """The configuration with other values: {(section, key): text or number}. A key stands in its section, or there behind a #."""
     for (section, key), value in values.items():
         header = re.search(r"(?m)^\[%s\].*$" % re.escape(section), text)
         if header is None:
@@ -163,7 +163,7 @@ def configure(text, values):
             header = re.search(r"(?m)^\[%s\].*$" % re.escape(section), text)
         after = re.search(r"(?m)^\[", text[header.end():])
         end = header.end() + after.start() if after else len(text)
-        body, line = text[header.end():end], '%s = %s' % (key, value if isinstance(value, int) else '"%s"' % value)
-        body, found = re.subn(r'(?m)^(?:# *)?%s = (?:"[^"]*"|\d+)' % re.escape(key), lambda _: line, body, count=1)
+        body, line = text[header.end():end], '%s = %s' % (key, value if isinstance(value, (int, float)) else '"%s"' % value)
+        body, found = re.subn(r'(?m)^(?:# *)?%s = (?:"[^"]*"|[\d.]+)' % re.escape(key), lambda _: line, body, count=1)
         text = text[:header.end()] + ("" if found else "\n" + line) + body + text[end:]
     return text

@@ -74,7 +74,7 @@ def make(demo, judged):
     all_home = all(robot.status.get("mission", {}).get("state") == "done" for robot in demo.robots)
     report = {
         "strategy": options.strategy, "robots": options.robots, "seed": options.seed, "fidelity": "real processes",
-        "finish": options.finish,
+        "finish": options.finish, "v_max_mps": options.speed,
         **{"t%d_s" % percent: time_to(curve, percent / 100.0) for percent in (50, 90, 95, 99)},
         "t_home_s": round(demo.ended_s, 1) if all_home else None,
         "limit_s": options.time_limit, "distance_m": [round(truth["path_m"], 2) for truth in truths],

@@ -71,7 +71,7 @@ class Robot:
     def configuration(self):
         values = {("control", "socket"): str(self.socket), ("view", "state_folder"): str(self.view_folder),
                   ("view", "port"): self.view_port, ("exploration", "strategy"): self.options.strategy,
-                  ("exploration", "finish"): self.options.finish}
+                  ("exploration", "finish"): self.options.finish, ("base", "v_max_mps"): self.options.speed}
         for section, device in (("base", "base"), ("scanner.front", "front"), ("scanner.coronal", "coronal")):
             values[section, "address"] = self.devices[device]["address"]
         text = demo_processes.configure((SOURCE / "config/simulation.toml").read_text(), values)
