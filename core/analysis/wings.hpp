@@ -18,7 +18,7 @@ struct WingParams {
   std::size_t wings_max = 3;
   double near_m = 0.15;    ///< points nearer to a wall belong to it: a partition is seen from both sides
   double share_min = 0.1;  ///< least share of a wing's points, of all
-  double confidence_min = 0.05;  ///< least Compass::confidence: clutter has a direction by chance
+  double confidence_min = 0.03;  ///< least Compass::confidence: clutter has a direction by chance
   double apart_rad = 0.0873;     ///< 5 degrees: nearer directions are the same, of walls that were not found
   double walls_min_m = 15.0;     ///< least length of a wing's walls, all together
 };

@@ -64,15 +64,26 @@ double dip_middle(const std::vector<double>& values, double lowest, double reach
   return middle;
 }
 
-/// Indices of the curve's local minima, lowest first, at most `count`.
-std::vector<std::size_t> lowest_dips(const std::vector<double>& curve, std::size_t count) {
+/// Depth of a place of the curve below the places `aside` steps to both sides. The shape of a building as a
+/// whole bends the curve widely, walls in one direction narrowly: of two wings that are skew to each other
+/// the lowest value may lie between their dips.
+double sharpness(const std::vector<double>& curve, std::size_t at, std::size_t aside) {
+  const std::size_t size = curve.size();
+  return 0.5 * (curve[(at + size - aside) % size] + curve[(at + aside) % size]) - curve[at];
+}
+
+/// Indices of the curve's local minima, the sharpest first, at most `count`.
+std::vector<std::size_t> sharpest_dips(const std::vector<double>& curve, std::size_t aside,
+                                       std::size_t count) {
   std::vector<std::size_t> dips;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const double before = curve[(i + curve.size() - 1) % curve.size()], after = curve[(i + 1) % curve.size()];
     if (curve[i] < before && curve[i] <= after) dips.push_back(i);
   }
-  const auto lower = [&](std::size_t a, std::size_t b) { return curve[a] < curve[b]; };
-  std::stable_sort(dips.begin(), dips.end(), lower);
+  const auto sharper = [&](std::size_t a, std::size_t b) {
+    return sharpness(curve, a, aside) > sharpness(curve, b, aside);
+  };
+  std::stable_sort(dips.begin(), dips.end(), sharper);
   dips.resize(std::min(dips.size(), count));
   return dips;
 }
@@ -83,18 +94,20 @@ class Refinement {
   Refinement(const Curve& entropy, const CompassParams& params)
       : entropy_(entropy),
         step_(2.0 * params.fine_step_rad),
-        reach_(static_cast<int>(std::ceil(params.coarse_step_rad / step_))) {}
+        reach_(static_cast<int>(std::ceil(params.coarse_step_rad / step_))),
+        aside_rad_(params.aside_rad) {}
 
-  /// Angle of the lowest entropy of all points, at the minima and half a coarse step beside them: the ranking
-  /// by few points may be wrong.
-  [[nodiscard]] double lowest_of(const std::vector<double>& dips_rad) {
+  /// Angle of the sharpest minimum of all points, at the minima and half a coarse step beside them: the
+  /// ranking by few points may be wrong.
+  [[nodiscard]] double sharpest_of(const std::vector<double>& dips_rad) {
     double best = HUGE_VAL, best_rad = 0.0;
     for (const double dip_rad : dips_rad) {
+      const double beside = 0.5 * (entropy_(dip_rad - aside_rad_) + entropy_(dip_rad + aside_rad_));
       for (int i = -1; i <= 1; ++i) {
         const double angle_rad = dip_rad + i * step_ * reach_ / 2.0;
-        const double entropy = entropy_(angle_rad);
-        if (entropy < best) best_rad = angle_rad;
-        best = std::min(best, entropy);
+        const double depth = entropy_(angle_rad) - beside;
+        if (depth < best) best_rad = angle_rad;
+        best = std::min(best, depth);
       }
     }
     return best_rad;
@@ -116,6 +129,7 @@ class Refinement {
   const Curve& entropy_;
   double step_;  ///< the centre of a minimum is found to less than half of this
   int reach_;    ///< a coarse step in units of step_
+  double aside_rad_;
 };
 
 /// The nearest result angle, in [0, pi/2).
@@ -137,11 +151,13 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
     return compass;
 
   std::vector<double> dips_rad;
-  for (const std::size_t dip : lowest_dips(compass.entropy, params.dips)) {
+  const auto aside =
+      static_cast<std::size_t>(std::max(1L, std::lround(params.aside_rad / kQuarterTurn * steps)));
+  for (const std::size_t dip : sharpest_dips(compass.entropy, aside, params.dips)) {
     dips_rad.push_back(static_cast<double>(dip) * kQuarterTurn / steps);
   }
   Refinement refinement(all, params);
-  compass.angle_rad = answer_near(refinement.refined(refinement.lowest_of(dips_rad)), params.answers);
+  compass.angle_rad = answer_near(refinement.refined(refinement.sharpest_of(dips_rad)), params.answers);
   return compass;
 }
 

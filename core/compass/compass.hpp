@@ -21,6 +21,7 @@ struct CompassParams {
   std::size_t points_min = 30;       ///< those of 1.5 m of wall: fewer carry no information about a building
   std::size_t coarse_points = 6000;  ///< of the coarse curve: its minimum is a degree wide and needs no more
   std::size_t dips = 3;              ///< minima of the coarse curve that are evaluated with all points
+  double aside_rad = 0.0873;  ///< 5 degrees: a minimum's depth is measured below the curve this far beside it
   /// Least depth of a minimum, in multiples of the curve's jitter. The lowest of 90 values of noise is 2.5
   /// sigma below their median.
   double jitters_min = 6.0;

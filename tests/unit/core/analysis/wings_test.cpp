@@ -107,6 +107,24 @@ TEST(Wings, TwoThatAreSkewHaveADirectionEach) {
   }));
 }
 
+/// Neither of them is the stronger, and the lowest entropy of both together may lie between their directions.
+TEST(Wings, TwoAlikeBesideEachOtherHaveADirectionEach) {
+  EXPECT_TRUE(rc::check([] {
+    const double first_rad = *rc::gen::inRange(0, 900) * 0.1 * kDegree_rad;
+    const double second_rad = first_rad + *rc::gen::inRange(120, 780) * 0.1 * kDegree_rad;
+    std::vector<Vector2> points;
+    draw_wing({0.0, 0.0}, first_rad, 5, points);
+    draw_wing({60.0, 0.0}, second_rad, 5, points);
+    only_once(points);
+    const Found found = found_in(points);
+    RC_ASSERT(found.wings.directions_rad.size() == 1U);
+    const double other_rad = found.wings.directions_rad.front();
+    const bool first_is_main = off_deg(found.direction_rad, first_rad) < 0.3;
+    RC_ASSERT(first_is_main || off_deg(found.direction_rad, second_rad) < 0.3);
+    RC_ASSERT(off_deg(other_rad, first_is_main ? second_rad : first_rad) < 0.3);
+  }));
+}
+
 TEST(Wings, ThreeThatAreSkewHaveADirectionEach) {
   std::vector<Vector2> points;
   draw_wing({0.0, 0.0}, 0.0, 6, points);

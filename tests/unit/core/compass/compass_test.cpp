@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include "tests/unit/core/walls/points.hpp"
@@ -68,6 +69,23 @@ TEST(Compass, IsNotTurnedByFurniture) {
     const Compass compass = entropy_compass(cell_centres(turned(plan, a * types::kDegree_rad)));
     ASSERT_TRUE(compass.angle_rad) << a;
     EXPECT_LT(apart_deg(*compass.angle_rad, a * types::kDegree_rad), 0.3) << a;
+  }
+}
+
+/// A yard full of things, long in another direction than the building in it: as a whole it has the lowest
+/// entropy along itself, and no wall lies there.
+TEST(Compass, IsOfTheWallsAndNotOfTheShapeOfTheWhole) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> along_m(-60.0, 60.0), across_m(-4.0, 4.0);
+  Points yard;
+  for (int i = 0; i < 9000; ++i) yard.emplace_back(along_m(random), across_m(random));
+  for (const int a : {12, 20, 35, 70}) {
+    Points plan = turned(yard, a * types::kDegree_rad);
+    const Points walls = building();
+    plan.insert(plan.end(), walls.begin(), walls.end());
+    const Compass compass = entropy_compass(cell_centres(plan));
+    ASSERT_TRUE(compass.angle_rad) << a;
+    EXPECT_LT(apart_deg(*compass.angle_rad, 0.0), 0.1) << a;
   }
 }
 
