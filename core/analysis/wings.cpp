@@ -41,16 +41,17 @@ class Squares {
 
 /// The squares within about `near_m` of a wall.
 Squares squares_along(std::span<const Segment> walls, double near_m) {
-  const double step_m = near_m;
-  Squares squares(step_m);
+  // Half a square: a lattice askew to the squares leaves none out.
+  const double step_m = 0.5 * near_m;
+  Squares squares(near_m);
   for (const Segment& wall : walls) {
     const Vector2 way = wall.b - wall.a;
     const double length_m = way.norm();
     if (length_m == 0.0) continue;
     const Vector2 along = way / length_m, across{-along.y(), along.x()};
     const int steps = static_cast<int>(std::ceil(length_m / step_m));
-    for (int i = -1; i <= steps + 1; ++i)
-      for (int side = -1; side <= 1; ++side) squares.add(wall.a + step_m * (i * along + side * across));
+    for (int i = -2; i <= steps + 2; ++i)
+      for (int side = -2; side <= 2; ++side) squares.add(wall.a + step_m * (i * along + side * across));
   }
   squares.sort();
   return squares;

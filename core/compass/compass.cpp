@@ -72,8 +72,9 @@ double sharpness(const std::vector<double>& curve, std::size_t at, std::size_t a
   return 0.5 * (curve[(at + size - aside) % size] + curve[(at + aside) % size]) - curve[at];
 }
 
-/// Indices of the curve's local minima, the sharpest first, at most `count`.
-std::vector<std::size_t> sharpest_dips(const std::vector<double>& curve, std::size_t aside,
+/// Indices of the curve's local minima that are sharper than `least`, the sharpest first, at most `count`;
+/// else of its lowest value.
+std::vector<std::size_t> sharpest_dips(const std::vector<double>& curve, std::size_t aside, double least,
                                        std::size_t count) {
   std::vector<std::size_t> dips;
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -84,7 +85,9 @@ std::vector<std::size_t> sharpest_dips(const std::vector<double>& curve, std::si
     return sharpness(curve, a, aside) > sharpness(curve, b, aside);
   };
   std::stable_sort(dips.begin(), dips.end(), sharper);
+  std::erase_if(dips, [&](std::size_t dip) { return !(sharpness(curve, dip, aside) > least); });
   dips.resize(std::min(dips.size(), count));
+  if (dips.empty()) dips.push_back(static_cast<std::size_t>(std::ranges::min_element(curve) - curve.begin()));
   return dips;
 }
 
@@ -147,13 +150,14 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
   const auto lowest = std::min_element(compass.entropy.begin(), compass.entropy.end());
   const double median = median_of(compass.entropy), depth = median - *lowest;
   compass.confidence = median > 0.0 ? depth / median : 0.0;
-  if (compass.confidence < params.confidence_min || depth < params.jitters_min * jitter_of(compass.entropy))
-    return compass;
+  const double jitter = jitter_of(compass.entropy);
+  if (compass.confidence < params.confidence_min || depth < params.jitters_min * jitter) return compass;
 
   std::vector<double> dips_rad;
   const auto aside =
       static_cast<std::size_t>(std::max(1L, std::lround(params.aside_rad / kQuarterTurn * steps)));
-  for (const std::size_t dip : sharpest_dips(compass.entropy, aside, params.dips)) {
+  for (const std::size_t dip :
+       sharpest_dips(compass.entropy, aside, params.jitters_min * jitter, params.dips)) {
     dips_rad.push_back(static_cast<double>(dip) * kQuarterTurn / steps);
   }
   Refinement refinement(all, params);

@@ -38,10 +38,10 @@ struct Compass {
   std::vector<double> entropy;      ///< of both projections, summed, per coarse step from 0 to pi/2
 };
 
-/// Minimises the entropy of the histogram of the points' projections, summed over two orthogonal projections,
-/// over orientation; refined below fine_step_rad. The order of the points does not matter. No direction for
-/// fewer than points_min points, or for a curve whose minimum is no deeper than its jitter explains.
-/// Coordinates must be finite.
+/// Finds the sharpest minimum over orientation of the entropy of the histogram of the points' projections,
+/// summed over two orthogonal projections; refined below fine_step_rad. The lowest value where none is sharp.
+/// The order of the points does not matter. No direction for fewer than points_min points, or for a curve
+/// whose minimum is no deeper than its jitter explains. Coordinates must be finite.
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params = {});
 
 }  // namespace topo::compass

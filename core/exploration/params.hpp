@@ -11,6 +11,7 @@
 #include "core/exploration/sweep_params.hpp"
 #include "core/exploration/worth.hpp"
 #include "core/team/right_of_way_params.hpp"
+#include "core/types/robot_limits.hpp"
 #include "core/types/stamp.hpp"
 
 // Parameters of exploration, which was developed on the sixteen public floor plans of doc/results.md: a value
@@ -118,7 +119,7 @@ struct HomingParams {
   double team_home_reached_m = 0.35;  ///< in a team: robots at this distance do not push each other about
   double stuck_reached_m = 0.45;      ///< home has a radius of about half a metre: a robot that is stuck, or
                                   ///< stands still, within it has arrived; in a team RosterParams::at_start_m
-  double passes_mps = 0.5;       ///< faster, it passes the place: it would roll 0.25 m on from there
+  double brakes_mps2 = types::DriveLimits{}.deceleration_mps2;  ///< from which follows how far it rolls on
   double arrived_slack_m = 0.1;  ///< added to twice the distance above, where control reports the end of its
                                  ///< path
   int standstills_max = 4;       ///< multiple of PursuitParams::standstill without progress after which the

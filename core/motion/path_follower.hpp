@@ -62,6 +62,7 @@ class PathFollower {
     double score = -1e9;
   };
   void take_path(const FollowInput& in);
+  void drop_path();
   [[nodiscard]] Station station(const types::Vector2& p, double from_m, double to_m) const;
   [[nodiscard]] types::Vector2 point_at(double s_m) const;
   [[nodiscard]] double speed_on(double curvature, double margin_m, const FollowInput& in) const;
@@ -72,7 +73,8 @@ class PathFollower {
   [[nodiscard]] double better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
                                        const FollowInput& in) const;
   [[nodiscard]] FollowOutput drive(double turn_rad, double rest_m, const FollowInput& in);
-  [[nodiscard]] FollowOutput turn(double turn_rad, const FollowInput& in) const;
+  [[nodiscard]] FollowOutput turn(double turn_rad, const FollowInput& in);
+  [[nodiscard]] double extra_turn_m() const;
   [[nodiscard]] FollowOutput turn_to(double heading_rad, const FollowInput& in);
 
   FollowerRules rules_;
@@ -83,6 +85,7 @@ class PathFollower {
   bool has_path_ = false;
   Station here_;
   bool turning_ = false;
+  bool spins_ = false;  ///< in a turn on the spot that has begun
   double last_curvature_ = 0.0;
 };
 

@@ -14,7 +14,7 @@ namespace topo::pipeline {
 /// Between a plan and the motion along it (plan_following.hpp). Chosen on simulated explorations
 /// (doc/results.md).
 struct PlanFollowingParams {
-  double obstacle_reach_m = 2.8;     ///< more than the free path needed at 0.7 m/s
+  double obstacle_reach_m = 2.8;     ///< at least; farther where the free path needed is longer
   double obstacle_spacing_m = 0.03;  ///< of the points that arcs are compared by: the noise of a range
   double same_end_m = 0.2;           ///< between the ends of two paths to the same goal
   double beside_m = 1.5;  ///< a moving obstacle within this distance holds up a robot without a free path

@@ -104,12 +104,21 @@ void PlanFollowing::rest(types::Stamp now) {
   recovering_ = false;
 }
 
+/// What is farther away cannot slow the robot: it stops before it from its greatest speed.
+double obstacle_reach_m(const types::RobotLimits& limits, double blind_s, const PlanFollowingParams& params) {
+  const double stop_m =
+      limits.v_max_mps * blind_s + limits.v_max_mps * limits.v_max_mps / (2.0 * limits.deceleration_mps2);
+  return std::max(params.obstacle_reach_m, stop_m + types::reach_m(limits.footprint));
+}
+
 motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base,
                                         const motion::GateInput& gate_in, const Twist2& given) {
-  const std::size_t count =
-      perception::collect_obstacles(gate_in.limits, motion::surroundings(gate_in), params_.obstacle_reach_m,
-                                    params_.obstacle_spacing_m, obstacles_);
   motion::FollowInput f;
+  f.blind_s = motion::blind_time_s(gate_in);
+  f.alive_s = motion::alive_time_s(gate_in);
+  const std::size_t count = perception::collect_obstacles(
+      gate_in.limits, motion::surroundings(gate_in), obstacle_reach_m(gate_in.limits, f.blind_s, params_),
+      params_.obstacle_spacing_m, obstacles_);
   f.T_odom_base = T_odom_base;
   f.twist = given;
   f.path_odom = {plan.path_odom.data(), points_of(plan)};
@@ -117,8 +126,6 @@ motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base
   f.ends_at_goal = plan.path_ends_at_goal;
   f.turn_to_rad = plan.turn_to_rad;
   f.obstacles_base = {obstacles_.data(), count};
-  f.blind_s = motion::blind_time_s(gate_in);
-  f.alive_s = motion::alive_time_s(gate_in);
   types::RobotLimits limits = gate_in.limits;
   limits.v_max_mps = std::min(limits.v_max_mps, plan.v_max_mps);
   f.limits = &limits;

@@ -217,7 +217,9 @@ std::vector<std::byte> encode_keyframe(const Keyframe& given) {
   out.varint(keyframe.columns.size());
   write_positions(out, keyframe.columns);
   for (const walls::ColumnPoint& column : keyframe.columns) out.varint(column.slabs);
-  return out.take();
+  std::vector<std::byte> bytes = out.take();
+  bytes.shrink_to_fit();  // robots keep all of them for others that lack them
+  return bytes;
 }
 
 Result<Keyframe> decode_keyframe(std::span<const std::byte> bytes) {

@@ -56,11 +56,7 @@ class ByteWriter {
   void append(std::span<const std::byte> more) { bytes_.insert(bytes_.end(), more.begin(), more.end()); }
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
-  /// Without spare capacity: what is taken is kept.
-  [[nodiscard]] std::vector<std::byte> take() {
-    bytes_.shrink_to_fit();
-    return std::move(bytes_);
-  }
+  [[nodiscard]] std::vector<std::byte> take() { return std::move(bytes_); }
 
  private:
   void byte(std::uint64_t bits) { bytes_.push_back(static_cast<std::byte>(bits & 0xFFU)); }

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "daemon/mapfile/atomic_file.hpp"
@@ -47,10 +48,10 @@ class MemoryFile {
   MemoryFile& operator=(const MemoryFile&) = delete;
   [[nodiscard]] bool is_open() const { return stream_ != nullptr; }
   [[nodiscard]] std::FILE* stream() const { return stream_; }
-  /// Valid until the next write.
-  [[nodiscard]] std::string_view content() {
-    std::fflush(stream_);
-    return {text_, size_};
+  /// Valid until the next write; nullopt when there was not enough memory.
+  [[nodiscard]] std::optional<std::string_view> content() {
+    if (std::fflush(stream_) != 0 || std::ferror(stream_) != 0) return std::nullopt;
+    return std::string_view(text_, size_);
   }
 
  private:
@@ -163,7 +164,9 @@ Status save_png(const std::string& path, const Picture& picture) {
   if (!file.is_open()) return io::fail_errno(path, "no memory to pack the picture", errno);
   if (png_image_write_to_stdio(&png.image, file.stream(), 0, picture.pixels().data(), 0, nullptr) == 0)
     return types::fail(Errc::kIo, fmt::format("{}: cannot pack the picture: {}", path, png.image.message));
-  return write_file(path, file.content());
+  const auto content = file.content();
+  if (!content) return io::fail_errno(path, "no memory to pack the picture", errno);
+  return write_file(path, *content);
 }
 
 }  // namespace topo::daemon

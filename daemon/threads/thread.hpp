@@ -48,9 +48,9 @@ std::vector<std::string> apply_settings(const ThreadSettings& settings);
 /// the limit.
 types::Status lock_memory();
 
-/// Keeps freed memory for the thread that freed it. By default glibc returns it to the system after every
-/// analysis, and the next one takes it back page by page: 360 page faults a second of the planning thread
-/// (toolchain/demo, page_faults_per_s). Where memory is locked it is kept in any case.
+/// Keeps freed memory for the next period, up to 64 MB in each thread's arena. By default glibc returns most
+/// of it to the system after every analysis, and the next one takes it back page by page: 360 page faults a
+/// second of the planning thread (toolchain/demo, page_faults_per_s), locked or not.
 void keep_freed_memory();
 
 /// Tests whether this process may use `priority` under SCHED_FIFO: sets it for the calling thread and

@@ -78,7 +78,7 @@ void DriveRig::Sink::on_sweep(std::size_t laser, const sim::Sweep& sweep) {
 void DriveRig::Sink::on_sonar(const sim::SonarEcho& echo) { rig_.base_.on_sonar(echo); }
 
 namespace {
-pipeline::ControlSetup control_setup(const DriveSetup& drive) {
+pipeline::ControlSetup setup_of(const DriveSetup& drive) {
   pipeline::ControlSetup setup = control_setup(drive.model);
   if (drive.v_max_mps) setup.limits.v_max_mps = *drive.v_max_mps;
   return setup;
@@ -86,7 +86,7 @@ pipeline::ControlSetup control_setup(const DriveSetup& drive) {
 }  // namespace
 
 DriveRig::DriveRig(sim::World world, const DriveSetup& drive)
-    : setup(control_setup(drive)),
+    : setup(setup_of(drive)),
       told_watchdog(drive.watchdog),
       base_(setup.limits, drive.watchdog,
             is_at(drive.model) ? sim::arcos::p3at_parameters() : sim::arcos::p3dx_parameters()),

@@ -129,7 +129,7 @@ class ThreadTimes:
         if seconds:
             self.last, self.last_s = seconds, os.times().elapsed
             self.faults.append((self.last_s, faults))
-            while self.faults[0][0] < self.last_s - LAST_S:
+            while len(self.faults) > 2 and self.faults[1][0] < self.last_s - LAST_S:
                 self.faults.popleft()
         self.peak_rss_mb()
 
@@ -137,7 +137,7 @@ class ThreadTimes:
         """Of the last minute before the last update."""
         (begin_s, before), (end_s, after) = self.faults[0], self.faults[-1]
         seconds = max(end_s - begin_s, 1e-3)
-        return {name: round((count - before.get(name, 0)) / seconds, 1) for name, count in after.items()}
+        return {name: round(max(0, count - before.get(name, 0)) / seconds, 1) for name, count in after.items()}
 
     def percent(self):
         """Of one core, from begin() to the last update."""

@@ -210,7 +210,8 @@ void add_options(CLI::App& app, topo::bench::CompassCommand& compass) {
       ->capture_default_str()
       ->check(number_from(-360.0, 360.0));
   app.add_flag("--beside", compass.beside,
-               "Each map beside itself turned, in one map: the directions of two wings");
+               "Each map beside itself turned, in one map: the directions of two wings\n"
+               "(turns within 5 degrees of a quarter turn are of one direction)");
   app.add_flag("--json", compass.json, "One JSON object on one line");
 }
 

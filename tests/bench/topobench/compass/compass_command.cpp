@@ -56,9 +56,9 @@ Turned alone(const grid::DenseMap& map, std::optional<double> angle_rad, double 
 Turned beside(const grid::DenseMap& map, std::optional<double> angle_rad, double turn_deg) {
   const double turn_rad = turn_deg * types::kDegree_rad;
   const std::vector<double> found_rad = directions_of(side_by_side(map, turned_map(map, turn_rad)));
-  const double right_rad = angle_rad.value_or(0.0);
-  const double error_deg =
-      std::max(nearest_error_deg(found_rad, right_rad), nearest_error_deg(found_rad, right_rad + turn_rad));
+  const double error_deg = angle_rad ? std::max(nearest_error_deg(found_rad, *angle_rad),
+                                                nearest_error_deg(found_rad, *angle_rad + turn_rad))
+                                     : nearest_error_deg({}, 0.0);
   return {{{"turn_deg", turn_deg}, {"directions_deg", in_degrees(found_rad)}, {"error_deg", error_deg}},
           error_deg};
 }

@@ -107,6 +107,21 @@ TEST(Wings, TwoThatAreSkewHaveADirectionEach) {
   }));
 }
 
+/// Whatever the building's direction on the map's axes: its walls explain their own points.
+TEST(Wings, ASmallOneIsFoundBesideABuildingOfAnyDirection) {
+  for (double first_deg = 0.0; first_deg < 90.0; first_deg += 7.5) {
+    const double second_rad = (first_deg + 25.0) * kDegree_rad;
+    std::vector<Vector2> points;
+    draw_wing({0.0, 0.0}, first_deg * kDegree_rad, 8, points);
+    draw_wing({-40.0, -40.0}, second_rad, 2, points);
+    only_once(points);
+    const Found found = found_in(points);
+    EXPECT_LT(off_deg(found.direction_rad, first_deg * kDegree_rad), 0.3);
+    ASSERT_EQ(found.wings.directions_rad.size(), 1U) << first_deg;
+    EXPECT_LT(off_deg(found.wings.directions_rad.front(), second_rad), 0.3) << first_deg;
+  }
+}
+
 /// Neither of them is the stronger, and the lowest entropy of both together may lie between their directions.
 TEST(Wings, TwoAlikeBesideEachOtherHaveADirectionEach) {
   EXPECT_TRUE(rc::check([] {

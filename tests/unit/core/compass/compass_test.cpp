@@ -89,6 +89,20 @@ TEST(Compass, IsOfTheWallsAndNotOfTheShapeOfTheWhole) {
   }
 }
 
+/// Without walls a minimum that is no sharper than the noise of the curve is not preferred to the lowest
+/// value.
+TEST(Compass, OfThingsWithoutWallsIsTheShapeOfTheWhole) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> along_m(0.0, 8.0), across_m(0.0, 4.0);
+    Points yard;
+    for (int i = 0; i < 1200; ++i) yard.emplace_back(along_m(random), across_m(random));
+    const Compass compass = entropy_compass(cell_centres(turned(yard, 20.0 * types::kDegree_rad)));
+    const double angle_rad = compass.angle_rad.value_or(20.0 * types::kDegree_rad);
+    EXPECT_LT(apart_deg(angle_rad, 20.0 * types::kDegree_rad), 10.0) << seed;
+  }
+}
+
 TEST(Compass, IsTheSameInAnyOrderOfThePoints) {
   EXPECT_TRUE(rc::check("order", [] {
     Points plan = cell_centres(turned(building(), *rc::gen::inRange(0, 90) * types::kDegree_rad));

@@ -89,7 +89,7 @@ TEST_F(Homing, WhoPassesItsStartAtSpeedIsNotThere) {
   const Intent passing = home(now, returning());
   EXPECT_TRUE(std::holds_alternative<Returning>(passing.phase));
   EXPECT_TRUE(passing.pursuit.has_target) << "it comes back";
-  now.feedback.v_mps = 0.3;
+  now.feedback.v_mps = 0.5;
   EXPECT_TRUE(std::holds_alternative<Done>(home(now, passing).phase));
   now.feedback = {passing.pursuit.number, false, true, 0.8};
   EXPECT_TRUE(std::holds_alternative<Done>(home(now, passing).phase)) << "stuck, whatever its wheels say";
