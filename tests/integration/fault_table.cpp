@@ -33,7 +33,7 @@ TOPOMETRIC_FAULT_TABLE=$PWD/doc/faults.md ctest --test-dir build/release -R wire
 TOPOMETRIC_FAULT_TABLE=$PWD/doc/faults.md python3 -B tests/vm/machine_faults_test.py build/release
 ```
 
-*Values*: a P3-DX in lock-step with the simulator, the fault from the start or at 0.7 m/s, three seeds each, the worst of
+*Values*: a P3-DX in lock-step with the simulator, the fault from the start, at 0.7 or at 1.2 m/s, three seeds each, the worst of
 them shown. A box appears 1 m ahead 1.5 s after the fault (late commands: 3.5 and 4.5 s; scanner of another robot,
 encoder: 2.5 s). *Wires*: the whole daemon at 0.7 m/s on a mission against `toposim`'s devices, in real time, on the
 transport that the row names, with the sonar on or off. Where the fault leaves the robot driving a box appears 1 m ahead

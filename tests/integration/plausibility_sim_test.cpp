@@ -117,7 +117,8 @@ void suffer(const ValueFault& fault, const Blow& blow, std::uint64_t seed, Seen&
   std::optional<sim::MovableId> box;
   Standstill standstill;
   plausibility::DoubtSet all;
-  rig.run(fault.box_after_s + 8.0, [&] {
+  const double watched_s = 8.0 * blow.v_max_mps / 0.7;  // as the time to brake
+  rig.run(fault.box_after_s + watched_s, [&] {
     const double since_s = rig.now_s() - drive.from_s;
     all |= rig.report().plausibility.doubts;
     standstill.look(rig.v_mps(), rig.body().path_m() - drive.from_m, since_s);
