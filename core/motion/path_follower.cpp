@@ -39,7 +39,7 @@ double way_m(double v0, double v1, double acceleration, double time_s) {
 /// between the two margins may be free of the wider one alone, beside which the turn leads along it.
 double free_turn_rad(double sign, const FollowInput& in, double extra_m) {
   const types::RobotLimits& l = *in.limits;
-  const Vector2 roll{in.twist.v_mps * std::abs(in.twist.v_mps) / (2.0 * l.deceleration_mps2), 0.0};
+  const Vector2 roll{in.v_mps * std::abs(in.v_mps) / (2.0 * l.deceleration_mps2), 0.0};
   const Twist2 spin{0.0, sign};
   const auto contact = [&](const Vector2& p, double margin_m) {
     return perception::contact_time_with_margin_s(p, spin, l.footprint, margin_m, in.contact);
@@ -231,7 +231,7 @@ FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) {
     sign = -sign;
     way_rad = kTurn - way_rad;
   }
-  if (std::abs(in.twist.v_mps) <= rules_.turn.standing_mps) spins_ = true;
+  if (std::abs(in.v_mps) <= rules_.turn.standing_mps) spins_ = true;
   const double rate = std::sqrt(rules_.turn.braking * l.angular_acceleration_radps2 * way_rad);
   out.twist.omega_radps = sign * std::min(rate, l.omega_max_radps);
   return out;

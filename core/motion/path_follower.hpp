@@ -17,6 +17,7 @@ namespace topo::motion {
 struct FollowInput {
   types::Se2 T_odom_base;  ///< now
   types::Twist2 twist;     ///< last output
+  double v_mps = 0.0;      ///< measured: wheels follow what is granted by the lag
   std::span<const types::Vector2> path_odom;
   std::uint64_t path_number = 0;  ///< changes with the path
   bool ends_at_goal = false;

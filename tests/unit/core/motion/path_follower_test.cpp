@@ -112,6 +112,7 @@ struct TurnAmongPosts {
     in.path_number = 1;
     in.obstacles_base = posts;
     in.twist = twist;
+    in.v_mps = twist.v_mps;
     in.blind_s = 2.15;
     in.alive_s = 0.2;
     in.limits = &limits;
