@@ -6,17 +6,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstdlib>
-#include <optional>
 #include <vector>
 
 #include "daemon/mapfile/atomic_file.hpp"
 #include "daemon/mapfile/grey_image.hpp"
 #include "daemon/mapfile/input_file.hpp"
 #include "daemon/mapfile/picture.hpp"
-#include "drivers/io/posix.hpp"
 
 namespace topo::daemon {
 
@@ -33,31 +28,6 @@ struct PngImage {
   ~PngImage() { png_image_free(&image); }
   PngImage(const PngImage&) = delete;
   PngImage& operator=(const PngImage&) = delete;
-};
-
-/// A stream into memory that grows with what is written: a packed picture takes a few per cent of the most
-/// that it may take.
-class MemoryFile {
- public:
-  MemoryFile() : stream_(::open_memstream(&text_, &size_)) {}
-  ~MemoryFile() {
-    if (stream_ != nullptr) std::fclose(stream_);
-    std::free(text_);
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  [[nodiscard]] bool is_open() const { return stream_ != nullptr; }
-  [[nodiscard]] std::FILE* stream() const { return stream_; }
-  /// Valid until the next write; nullopt when there was not enough memory.
-  [[nodiscard]] std::optional<std::string_view> content() {
-    if (std::fflush(stream_) != 0 || std::ferror(stream_) != 0) return std::nullopt;
-    return std::string_view(text_, size_);
-  }
-
- private:
-  char* text_ = nullptr;
-  std::size_t size_ = 0;
-  std::FILE* stream_;
 };
 
 /// The file without what is said of colours (gamma, colour space, profile) and without comments: of its
@@ -160,13 +130,16 @@ Status save_png(const std::string& path, const Picture& picture) {
   png.image.width = static_cast<png_uint_32>(picture.width());
   png.image.height = static_cast<png_uint_32>(picture.height());
   png.image.format = PNG_FORMAT_RGB;
-  MemoryFile file;
-  if (!file.is_open()) return io::fail_errno(path, "no memory to pack the picture", errno);
-  if (png_image_write_to_stdio(&png.image, file.stream(), 0, picture.pixels().data(), 0, nullptr) == 0)
-    return types::fail(Errc::kIo, fmt::format("{}: cannot pack the picture: {}", path, png.image.message));
-  const auto content = file.content();
-  if (!content) return io::fail_errno(path, "no memory to pack the picture", errno);
-  return write_file(path, *content);
+  // Packed twice, first for the size alone: a picture takes a few per cent of the most that it may take.
+  std::vector<std::byte> bytes;
+  for (const bool for_size : {true, false}) {
+    png_alloc_size_t size = bytes.size();
+    void* memory = for_size ? nullptr : bytes.data();
+    if (png_image_write_to_memory(&png.image, memory, &size, 0, picture.pixels().data(), 0, nullptr) == 0)
+      return types::fail(Errc::kIo, fmt::format("{}: cannot pack the picture: {}", path, png.image.message));
+    bytes.resize(size);
+  }
+  return write_file(path, bytes);
 }
 
 }  // namespace topo::daemon
