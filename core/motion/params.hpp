@@ -76,7 +76,7 @@ struct FollowerTurnParams {
   double begin_rad = 0.9;        ///< greater heading error: turn on the spot
   double end_rad = 0.2;          ///< heading error that ends the turn
   double extra_margin_m = 0.01;  ///< more than the gate keeps, for a turn that begins: noise of near ranges
-  double standing_mps = 0.03;    ///< slower, a turn on the spot has begun
+  double begun_radps = 0.1;      ///< turning faster, it has begun
   double braking = 1.2;  ///< times the angular acceleration: it slows to the turn's end with 60 % of it
   /// Headings tried when the arcs of the present one are slow, and what a turn costs in the arcs' score.
   std::array<double, 6> tried_rad{0.25, -0.25, 0.5, -0.5, 0.75, -0.75};

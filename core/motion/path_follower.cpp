@@ -34,38 +34,33 @@ double way_m(double v0, double v1, double acceleration, double time_s) {
   return v0 * ramp_s + 0.5 * acceleration * ramp_s * ramp_s + v1 * (time_s - ramp_s);
 }
 
-/// Angle by which the robot can turn on the spot, where it is and about where it will have come to a stop: it
-/// rolls on into a turn that begins at speed. `extra_m`: more than the margin that the gate keeps; a point
-/// between the two margins may be free of the wider one alone, beside which the turn leads along it.
-double free_turn_rad(double sign, const FollowInput& in, double extra_m) {
+/// Angle by which the robot can turn on the spot where it will have come to a stop: it rolls on into a turn
+/// that begins at speed. A turn that begins keeps some more than the gate does, or the noise of a range lets
+/// it past a corner and not back.
+double free_turn_rad(double sign, const FollowInput& in, const FollowerTurnParams& params) {
   const types::RobotLimits& l = *in.limits;
-  const Vector2 roll{in.v_mps * std::abs(in.v_mps) / (2.0 * l.deceleration_mps2), 0.0};
+  const bool begins = std::abs(in.twist.omega_radps) < params.begun_radps;
+  const double margin_m = l.turn_margin_m + (begins ? params.extra_margin_m : 0.0);
+  const double v_mps = in.twist.v_mps;
+  const Vector2 roll{v_mps * std::abs(v_mps) / (2.0 * l.deceleration_mps2), 0.0};
   const Twist2 spin{0.0, sign};
-  const auto contact = [&](const Vector2& p, double margin_m) {
-    return perception::contact_time_with_margin_s(p, spin, l.footprint, margin_m, in.contact);
-  };
-  perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, l.turn_margin_m + extra_m)));
-  const auto shorten = [&](const Vector2& p) {
-    first.offer(p,
-                [&] { return std::min(contact(p, l.turn_margin_m), contact(p, l.turn_margin_m + extra_m)); });
-  };
+  perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, margin_m)));
   for (const Vector2& p : in.obstacles_base) {
-    shorten(p);
-    shorten(p - roll);
+    const Vector2 then = p - roll;
+    // A point between the two margins may be free of the wider one alone, where the turn leads along it.
+    const auto contact_s = [&](double kept_m) {
+      return perception::contact_time_with_margin_s(then, spin, l.footprint, kept_m, in.contact);
+    };
+    first.offer(then, [&] { return std::min(contact_s(l.turn_margin_m), contact_s(margin_m)); });
   }
   return first.seconds();
 }
 
 }  // namespace
 
-void PathFollower::drop_path() {
+void PathFollower::reset() {
   has_path_ = turning_ = false;
   last_curvature_ = 0.0;
-}
-
-void PathFollower::reset() {
-  drop_path();
-  spins_ = false;
 }
 
 void PathFollower::take_path(const FollowInput& in) {
@@ -188,8 +183,7 @@ double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_c
   std::size_t count = 0;
   for (const Vector2& p : in.obstacles_base)
     if (p.squaredNorm() < params.slow_end_m * params.slow_end_m && count < near.size()) near[count++] = p;
-  const double left_rad = free_turn_rad(1.0, in, extra_turn_m()),
-               right_rad = free_turn_rad(-1.0, in, extra_turn_m());
+  const double left_rad = free_turn_rad(1.0, in, params), right_rad = free_turn_rad(-1.0, in, params);
   double best_rad = 0.0, best_score = now.score;
   const auto offer = [&](double by_rad) {
     if (!(std::abs(by_rad) < (by_rad > 0.0 ? left_rad : right_rad))) return;
@@ -212,26 +206,21 @@ double PathFollower::better_turn_rad(const Arc& now, double turn_rad, double v_c
   return best_rad;
 }
 
-/// A turn that begins keeps some more than the gate does, or the noise of a range lets it past a corner and
-/// not back.
-double PathFollower::extra_turn_m() const { return spins_ ? 0.0 : rules_.turn.extra_margin_m; }
-
-FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) {
+FollowOutput PathFollower::turn(double turn_rad, const FollowInput& in) const {
   const types::RobotLimits& l = *in.limits;
   double sign = turn_rad < 0.0 ? -1.0 : 1.0;
   double way_rad = std::abs(turn_rad);
   FollowOutput out;
   out.turn_rad = turn_rad;
-  if (free_turn_rad(sign, in, extra_turn_m()) < way_rad) {
+  if (free_turn_rad(sign, in, rules_.turn) < way_rad) {
     constexpr double kTurn = 6.283185307179586;
-    if (free_turn_rad(-sign, in, extra_turn_m()) < kTurn - way_rad) {
+    if (free_turn_rad(-sign, in, rules_.turn) < kTurn - way_rad) {
       out.blocked = true;
       return out;
     }
     sign = -sign;
     way_rad = kTurn - way_rad;
   }
-  if (std::abs(in.v_mps) <= rules_.turn.standing_mps) spins_ = true;
   const double rate = std::sqrt(rules_.turn.braking * l.angular_acceleration_radps2 * way_rad);
   out.twist.omega_radps = sign * std::min(rate, l.omega_max_radps);
   return out;
@@ -258,14 +247,13 @@ FollowOutput PathFollower::drive(double turn_rad, double rest_m, const FollowInp
   }
   out.blocked = best.v_mps < rules_.crawl_mps;
   if (out.blocked) return out;
-  spins_ = false;
   last_curvature_ = best.curvature;
   out.twist = {best.v_mps, best.v_mps * best.curvature};
   return out;
 }
 
 FollowOutput PathFollower::turn_to(double heading_rad, const FollowInput& in) {
-  drop_path();
+  reset();
   const double turn_rad = types::wrap_angle(heading_rad - in.T_odom_base.theta_rad);
   if (std::abs(turn_rad) > rules_.turn.end_rad) return turn(turn_rad, in);
   FollowOutput out;
@@ -286,7 +274,7 @@ FollowOutput PathFollower::step(const FollowInput& in) {
   const bool passed_end = rest_m < p.along_m && end_base.norm() < p.passed_m && end_base.x() < 0.0;
   if (at_end || passed_end || end_base.norm() < p.along_m) {
     out.arrived = in.ends_at_goal;
-    turning_ = spins_ = false;
+    turning_ = false;
     return out;
   }
   const Vector2 ahead =

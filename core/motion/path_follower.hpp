@@ -17,7 +17,6 @@ namespace topo::motion {
 struct FollowInput {
   types::Se2 T_odom_base;  ///< now
   types::Twist2 twist;     ///< last output
-  double v_mps = 0.0;      ///< measured: wheels follow what is granted by the lag
   std::span<const types::Vector2> path_odom;
   std::uint64_t path_number = 0;  ///< changes with the path
   bool ends_at_goal = false;
@@ -63,7 +62,6 @@ class PathFollower {
     double score = -1e9;
   };
   void take_path(const FollowInput& in);
-  void drop_path();
   [[nodiscard]] Station station(const types::Vector2& p, double from_m, double to_m) const;
   [[nodiscard]] types::Vector2 point_at(double s_m) const;
   [[nodiscard]] double speed_on(double curvature, double margin_m, const FollowInput& in) const;
@@ -74,8 +72,7 @@ class PathFollower {
   [[nodiscard]] double better_turn_rad(const Arc& now, double turn_rad, double v_cap_mps,
                                        const FollowInput& in) const;
   [[nodiscard]] FollowOutput drive(double turn_rad, double rest_m, const FollowInput& in);
-  [[nodiscard]] FollowOutput turn(double turn_rad, const FollowInput& in);
-  [[nodiscard]] double extra_turn_m() const;
+  [[nodiscard]] FollowOutput turn(double turn_rad, const FollowInput& in) const;
   [[nodiscard]] FollowOutput turn_to(double heading_rad, const FollowInput& in);
 
   FollowerRules rules_;
@@ -86,7 +83,6 @@ class PathFollower {
   bool has_path_ = false;
   Station here_;
   bool turning_ = false;
-  bool spins_ = false;  ///< in a turn on the spot that has begun
   double last_curvature_ = 0.0;
 };
 

@@ -121,7 +121,6 @@ motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base
       params_.obstacle_spacing_m, obstacles_);
   f.T_odom_base = T_odom_base;
   f.twist = given;
-  f.v_mps = gate_in.base != nullptr ? gate_in.base->odometry.twist.v_mps : given.v_mps;
   f.path_odom = {plan.path_odom.data(), points_of(plan)};
   f.path_number = plan.sequence;
   f.ends_at_goal = plan.path_ends_at_goal;

@@ -95,68 +95,42 @@ TEST(PathFollower, TurnsOnTheSpotWhenTheWayIsBehind) {
   EXPECT_LT(course.furthest_off_m, 0.25);
 }
 
-/// A path that leads back, and posts beside a robot that has a circle's room to turn in but for `spare_m`.
-struct TurnAmongPosts {
+/// A path that leads back, and posts round about a robot whose front corners are `spare_m` from them in a
+/// turn.
+FollowOutput turn_among_posts(double spare_m, const Twist2& twist, double from_x_m = 0.0) {
   types::RobotLimits limits;
+  limits.footprint.swing_radius_m = types::kP3dx.swing_radius_m;
+  const double away_m = limits.footprint.swing_radius_m + spare_m;
   std::vector<Vector2> path = line({0.0, 0.0}, {-3.0, 0.0});
-  PathFollower follower;
-
-  TurnAmongPosts() { limits.footprint.swing_radius_m = types::kP3dx.swing_radius_m; }
-  FollowOutput step(double spare_m, const Twist2& twist = {}, double from_x_m = 0.0) {
-    const double away_m = limits.footprint.swing_radius_m + spare_m;
-    return step(std::vector<Vector2>{{from_x_m, away_m}, {from_x_m, -away_m}}, twist);
-  }
-  FollowOutput step(const std::vector<Vector2>& posts, const Twist2& twist) {
-    FollowInput in;
-    in.path_odom = path;
-    in.path_number = 1;
-    in.obstacles_base = posts;
-    in.twist = twist;
-    in.v_mps = twist.v_mps;
-    in.blind_s = 2.15;
-    in.alive_s = 0.2;
-    in.limits = &limits;
-    return follower.step(in);
-  }
-};
+  const std::vector<Vector2> posts = {{from_x_m, away_m}, {from_x_m, -away_m}};
+  FollowInput in;
+  in.path_odom = path;
+  in.obstacles_base = posts;
+  in.twist = twist;
+  in.blind_s = 2.15;
+  in.alive_s = 0.2;
+  in.limits = &limits;
+  return PathFollower().step(in);
+}
 
 /// A robot turned past a speck with the margin that the gate keeps, less the noise of a range, and stood for
 /// twelve minutes between speck and wall: the gate did not let it back.
 TEST(PathFollower, BeginsATurnWithMoreMarginThanItIsEndedWith) {
   const double kept_m = types::RobotLimits{}.turn_margin_m, extra_m = FollowerTurnParams{}.extra_margin_m;
-  TurnAmongPosts turn;
-  EXPECT_TRUE(turn.step(kept_m + 0.5 * extra_m).blocked);
-  EXPECT_TRUE(turn.step(kept_m + 0.5 * extra_m, {0.3, 0.6}).blocked) << "an arc is no turn that has begun";
-  EXPECT_FALSE(turn.step(kept_m + 1.1 * extra_m).blocked);
-  EXPECT_FALSE(turn.step(kept_m + 0.5 * extra_m, {0.0, 0.8}).blocked);
-  EXPECT_FALSE(turn.step(kept_m + 0.5 * extra_m).blocked) << "stopped by the gate, it goes on";
-  EXPECT_TRUE(turn.step(0.5 * kept_m).blocked);
-  turn.follower.reset();
-  EXPECT_TRUE(turn.step(kept_m + 0.5 * extra_m).blocked) << "anew";
+  EXPECT_TRUE(turn_among_posts(kept_m + 0.5 * extra_m, {}).blocked);
+  EXPECT_FALSE(turn_among_posts(kept_m + 1.1 * extra_m, {}).blocked);
+  for (const double omega_radps : {-0.8, 0.8})
+    EXPECT_FALSE(turn_among_posts(kept_m + 0.5 * extra_m, {0.0, omega_radps}).blocked);
+  EXPECT_TRUE(turn_among_posts(0.5 * kept_m, {0.0, 0.8}).blocked);
 }
 
 TEST(PathFollower, BeginsATurnOnlyWhereItCanMakeItAfterRollingToAStop) {
-  EXPECT_FALSE(TurnAmongPosts().step(0.03, {}, 0.15).blocked) << "it stands short of the posts";
-  EXPECT_TRUE(TurnAmongPosts().step(0.03, {0.3, 0.0}, 0.15).blocked) << "it rolls on to them";
-}
-
-/// Within the wider margin alone a turn along a post would not count as a turn towards it.
-TEST(PathFollower, AWiderMarginFreesNoTurn) {
-  EXPECT_TRUE(rc::check([] {
-    TurnAmongPosts wide, narrow;
-    const double heading_rad = uniform(-3.0, 3.0);
-    wide.path = narrow.path = line({0.0, 0.0}, 3.0 * Vector2(std::cos(heading_rad), std::sin(heading_rad)));
-    const std::vector<Vector2> posts = {{uniform(-0.4, 0.4), uniform(-0.4, 0.4)}};
-    FollowerRules rules;
-    rules.turn.extra_margin_m = 0.0;
-    narrow.follower = PathFollower(rules);
-    const FollowOutput kept = narrow.step(posts, {}), more = wide.step(posts, {});
-    if (std::abs(heading_rad) <= FollowerTurnParams{}.begin_rad) return;
-    if (kept.blocked) RC_ASSERT(more.blocked);
-    // The longer way round is left when the shorter one is not free.
-    if (kept.twist.omega_radps * heading_rad < 0.0)
-      RC_ASSERT(more.blocked || more.twist.omega_radps * heading_rad < 0.0);
-  }));
+  constexpr double kSpare_m = 0.045, kSpeed_mps = 0.3;
+  const double rolls_m = kSpeed_mps * kSpeed_mps / (2.0 * types::RobotLimits{}.deceleration_mps2);
+  EXPECT_FALSE(turn_among_posts(kSpare_m, {}).blocked);
+  EXPECT_FALSE(turn_among_posts(kSpare_m, {kSpeed_mps, 0.0}, rolls_m).blocked);
+  EXPECT_FALSE(turn_among_posts(0.03, {}, 0.15).blocked) << "it stands short of the posts";
+  EXPECT_TRUE(turn_among_posts(0.03, {kSpeed_mps, 0.0}, 0.15).blocked) << "it rolls on to them";
 }
 
 TEST(PathFollower, TakesACornerOfARightAngle) {
