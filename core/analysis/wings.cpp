@@ -83,23 +83,24 @@ Wings skew_wings(std::span<const Vector2> occupied, std::span<const Vector2> wal
                  double direction_rad, std::span<const Segment> walls, const compass::CompassParams& compass,
                  const walls::WallParams& wall_params, const WingParams& params) {
   Wings wings;
-  const double points_min = params.share_min * static_cast<double>(occupied.size());
-  std::vector<Vector2> rest = away_from(walls, occupied, params.near_m);
-  std::vector<Vector2> wall_rest;
-  while (wings.directions_rad.size() < params.wings_max && static_cast<double>(rest.size()) >= points_min) {
+  std::vector<double> known_rad{direction_rad};
+  std::vector<Segment> known(walls.begin(), walls.end());
+  while (wings.directions_rad.size() < params.wings_max) {
+    const std::vector<Vector2> rest = away_from(known, occupied, params.near_m);
+    if (static_cast<double>(rest.size()) < params.share_min * static_cast<double>(occupied.size())) break;
     const compass::Compass found = compass::entropy_compass(rest, compass);
     if (!found.angle_rad || found.confidence < params.confidence_min) break;
-    const auto is_near = [&](double known_rad) {
-      return apart_rad(known_rad, *found.angle_rad) < params.apart_rad;
+    const auto is_known = [&](double one_rad) {
+      return apart_rad(one_rad, *found.angle_rad) < params.apart_rad;
     };
-    if (is_near(direction_rad) || std::ranges::any_of(wings.directions_rad, is_near)) break;
-    wall_rest = wings.walls.empty() ? away_from(walls, wall_points, params.near_m)
-                                    : away_from(wings.walls, wall_rest, params.near_m);
-    const std::vector<Segment> own = walls::extract_walls(wall_rest, *found.angle_rad, wall_params);
+    if (std::ranges::any_of(known_rad, is_known)) break;
+    const std::vector<Segment> own =
+        walls::extract_walls(away_from(known, wall_points, params.near_m), *found.angle_rad, wall_params);
     if (length_m(own) < params.walls_min_m) break;
     wings.directions_rad.push_back(*found.angle_rad);
     wings.walls.insert(wings.walls.end(), own.begin(), own.end());
-    rest = away_from(own, rest, params.near_m);
+    known_rad.push_back(*found.angle_rad);
+    known.insert(known.end(), own.begin(), own.end());
   }
   return wings;
 }

@@ -15,7 +15,8 @@ namespace topo::pipeline {
 /// (doc/results.md).
 struct PlanFollowingParams {
   double obstacle_reach_m = 2.8;     ///< at least; farther where the free path needed is longer
-  double obstacle_spacing_m = 0.03;  ///< of the points that arcs are compared by: the noise of a range
+  double obstacle_spacing_m = 0.03;  ///< of the points that arcs are compared by: the noise of a range; in
+                                     ///< proportion where they reach farther
   double same_end_m = 0.2;           ///< between the ends of two paths to the same goal
   double beside_m = 1.5;  ///< a moving obstacle within this distance holds up a robot without a free path
   /// A wanted turn on the spot of which the gate leaves less than this takes time and leads nowhere.

@@ -104,11 +104,12 @@ void PlanFollowing::rest(types::Stamp now) {
   recovering_ = false;
 }
 
-/// What is farther away cannot slow the robot: it stops before it from its greatest speed.
-double obstacle_reach_m(const types::RobotLimits& limits, double blind_s, const PlanFollowingParams& params) {
+ObstacleReach obstacle_reach(const types::RobotLimits& limits, double blind_s,
+                             const PlanFollowingParams& params) {
   const double stop_m =
       limits.v_max_mps * blind_s + limits.v_max_mps * limits.v_max_mps / (2.0 * limits.deceleration_mps2);
-  return std::max(params.obstacle_reach_m, stop_m + types::reach_m(limits.footprint));
+  const double reach_m = std::max(params.obstacle_reach_m, stop_m + types::reach_m(limits.footprint));
+  return {reach_m, params.obstacle_spacing_m * reach_m / params.obstacle_reach_m};
 }
 
 motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base,
@@ -116,9 +117,9 @@ motion::FollowOutput PlanFollowing::way(const Plan& plan, const Se2& T_odom_base
   motion::FollowInput f;
   f.blind_s = motion::blind_time_s(gate_in);
   f.alive_s = motion::alive_time_s(gate_in);
-  const std::size_t count = perception::collect_obstacles(
-      gate_in.limits, motion::surroundings(gate_in), obstacle_reach_m(gate_in.limits, f.blind_s, params_),
-      params_.obstacle_spacing_m, obstacles_);
+  const ObstacleReach reach = obstacle_reach(gate_in.limits, f.blind_s, params_);
+  const std::size_t count = perception::collect_obstacles(gate_in.limits, motion::surroundings(gate_in),
+                                                          reach.reach_m, reach.spacing_m, obstacles_);
   f.T_odom_base = T_odom_base;
   f.twist = given;
   f.path_odom = {plan.path_odom.data(), points_of(plan)};

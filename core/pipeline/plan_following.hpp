@@ -55,4 +55,14 @@ class PlanFollowing {
 /// True when a bumper is pressed or a wheel stalls.
 bool is_touching(const types::BaseState& base);
 
+/// How far away the obstacles are that path following compares arcs by, and how far apart.
+struct ObstacleReach {
+  double reach_m = 0.0;
+  double spacing_m = 0.0;
+};
+/// What is farther away cannot slow the robot: it stops before it from its greatest speed. The points are
+/// farther apart as they reach farther: else those on the left, which come last, would not find room.
+ObstacleReach obstacle_reach(const types::RobotLimits& limits, double blind_s,
+                             const PlanFollowingParams& params);
+
 }  // namespace topo::pipeline

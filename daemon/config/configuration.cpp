@@ -48,6 +48,7 @@ pipeline::PlannerParams planner_params(const Configuration& configuration) {
   params.explore.frontier_min_m = e.frontier_min_m;
   params.explore.pursuit.goal_reached_m = e.goal_reached_m;
   params.explore.homing.home_reached_m = e.home_reached_m;
+  params.explore.homing.brakes_mps2 = configuration.base.deceleration_mps2;
   params.explore.pursuit.give_up_s = e.goal_give_up_s;
   params.battery.home_v = e.battery_home_v;
   params.battery.charge_home = e.charge_home;

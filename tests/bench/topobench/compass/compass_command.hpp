@@ -25,9 +25,8 @@ double turn_error_deg(std::optional<double> angle_rad, std::optional<double> tur
 double nearest_error_deg(const std::vector<double>& found_rad, double right_rad);
 
 /// `topobench compass`: finds the direction of every map, turns the map, and finds it again (the whole
-/// analysis each time, as `topobench analyse` does it). With
-/// `beside` it finds the directions of both in one map. Prints the errors: each, the worst and the mean. All
-/// maps are named before the first is analysed.
+/// analysis each time, as `topobench analyse` does it); with `beside`, the directions of both in one map.
+/// Prints the errors: each, the worst and the mean. All maps are named before the first is analysed.
 types::Status run_compass(const CompassCommand& command);
 
 }  // namespace topo::bench

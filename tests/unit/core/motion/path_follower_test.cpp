@@ -133,6 +133,21 @@ TEST(PathFollower, BeginsATurnOnlyWhereItCanMakeItAfterRollingToAStop) {
   EXPECT_TRUE(turn_among_posts(0.03, {kSpeed_mps, 0.0}, 0.15).blocked) << "it rolls on to them";
 }
 
+/// A post beside the flank, between the two margins: the turn leads along it at first, and then the tail
+/// meets it.
+TEST(PathFollower, AWiderMarginFreesNoTurn) {
+  types::RobotLimits limits;
+  limits.footprint.swing_radius_m = types::kP3dx.swing_radius_m;
+  for (const double side : {-1.0, 1.0}) {
+    const std::vector<Vector2> posts = {{0.13, side * 0.245}};
+    FollowInput in;
+    in.turn_to_rad = -side * 1.5;
+    in.obstacles_base = posts;
+    in.limits = &limits;
+    EXPECT_LE(PathFollower().step(in).twist.omega_radps * -side, 0.0) << "not past the post";
+  }
+}
+
 TEST(PathFollower, TakesACornerOfARightAngle) {
   Course course;
   course.path = line({0.0, 0.0}, {3.0, 0.0});

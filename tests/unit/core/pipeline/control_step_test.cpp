@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/pipeline/control_evidence.hpp"
+#include "core/pipeline/plan_following.hpp"
 #include "tests/unit/core/pipeline/control_scene.hpp"
 #include "tests/unit/support/allocation_counter.hpp"
 
@@ -34,6 +35,20 @@ TEST_F(ControlStepTest, AWatchdogOnTrialPermitsASlowTurnByHandAlone) {
   plan.points = 1;
   input.plan = &plan;
   EXPECT_EQ(run(1).report.mode, ControlMode::kStanding);
+}
+
+TEST(PlanFollowing, LooksAsFarAsItsSpeedNeedsWithRoomForAllOfAScan) {
+  constexpr double kBlind_s = 2.26, kScan_rad = 1.5 * M_PI;
+  types::RobotLimits limits;
+  EXPECT_EQ(obstacle_reach(limits, kBlind_s, {}).reach_m, PlanFollowingParams{}.obstacle_reach_m);
+  EXPECT_EQ(obstacle_reach(limits, kBlind_s, {}).spacing_m, PlanFollowingParams{}.obstacle_spacing_m);
+  for (const double v_mps : {0.3, 0.7, 0.9, 1.2, 2.0}) {
+    limits.v_max_mps = v_mps;
+    const ObstacleReach reach = obstacle_reach(limits, kBlind_s, {});
+    const double stops_m = v_mps * kBlind_s + v_mps * v_mps / (2.0 * limits.deceleration_mps2);
+    EXPECT_GT(reach.reach_m, stops_m + limits.footprint.front_m) << v_mps;
+    EXPECT_LT(kScan_rad * reach.reach_m / reach.spacing_m, motion::PathFollower::kMaxObstacles) << v_mps;
+  }
 }
 
 TEST_F(ControlStepTest, StandsWithMotorsOffBeforeAnybodyAsks) {

@@ -43,6 +43,12 @@ TEST(Configuration, StraightThroughADoorLessClearanceIsEnough) {
   EXPECT_EQ(travel().radius_m, 0.4);
 }
 
+TEST(Configuration, ARobotOnItsWayHomeRollsOnAsItsBrakesSay) {
+  Configuration configuration;
+  configuration.base.deceleration_mps2 = 0.3;
+  EXPECT_EQ(planner_params(configuration).explore.homing.brakes_mps2, 0.3);
+}
+
 // Else the planner sends the robot where the gate holds it back.
 TEST(Configuration, RoutesHaveRoomForTheMarginThatIsKept) {
   for (const RobotModel model : {RobotModel::kP3dx, RobotModel::kP3at}) {
