@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace topo::team {
 namespace {
 
 using types::Vector2;
 
+constexpr double kTurn_rad = 2.0 * std::numbers::pi;
 constexpr double kMast_m = 0.5;  // no part of a team-mate is that far above another robot's mast scanner
 
 /// Masks the beam when it ends at a mate; `end`: in the scanner's frame, projected onto the floor.
@@ -37,15 +39,24 @@ BeamRange beams_between(const types::Scan& scan, double low_rad, double high_rad
           static_cast<std::size_t>(std::clamp(std::ceil(high) + 2.0, 0.0, beams))};
 }
 
+/// The bearings that `scan` looks at, lowest and highest. Where a sector begins is the scanner's affair, and
+/// a mirrored one counts down from there: the sector may be turns away from (-pi, pi].
+std::pair<double, double> sector_of(const types::Scan& scan) {
+  return std::minmax<double>({scan.angle_rad(0), scan.angle_rad(scan.checked_beams() - 1)});
+}
+
 /// Only the beams that pass the mate are looked at: the scan of a level scanner has a thousand, forty times
 /// a second.
 std::size_t mask_one(types::Scan& scan, const Vector2& mate, double radius_m) {
   const double distance_m = mate.norm();
   const double half_rad = distance_m > radius_m ? std::asin(radius_m / distance_m) : std::numbers::pi;
   const double bearing_rad = std::atan2(mate.y(), mate.x());
+  if (scan.checked_beams() == 0) return 0;
+  const auto [lowest_rad, highest_rad] = sector_of(scan);
+  const double turns = std::floor((lowest_rad - half_rad - bearing_rad) / kTurn_rad);
   std::size_t masked = 0;
-  for (const double round_rad : {-2.0 * std::numbers::pi, 0.0, 2.0 * std::numbers::pi}) {
-    const double middle_rad = bearing_rad + round_rad;
+  for (double middle_rad = bearing_rad + turns * kTurn_rad; middle_rad - half_rad <= highest_rad;
+       middle_rad += kTurn_rad) {
     const BeamRange beams = beams_between(scan, middle_rad - half_rad, middle_rad + half_rad);
     for (std::size_t i = beams.first; i < beams.last; ++i) {
       if (!types::is_hit(scan.range_m[i])) continue;

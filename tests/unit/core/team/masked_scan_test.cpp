@@ -60,6 +60,19 @@ TEST(MaskMates, theCoronalScannerSeesMateAndCeiling) {
   EXPECT_EQ(scan->range_m[135 - 90], 1.0F);
 }
 
+// A mirrored scanner that begins behind counts down to more than a turn and a quarter from (-pi, pi].
+TEST(MaskMates, findsAMateWhereverTheSectorBegins) {
+  for (const float first_rad : {-14.0F, -4.0F, 0.0F, 4.0F, 14.0F}) {
+    for (const float sense : {-1.0F, 1.0F}) {
+      const auto scan = round_room();
+      scan->geometry.angle_min_rad = first_rad;
+      scan->geometry.angle_increment_rad *= sense;
+      EXPECT_EQ(mask_mates(*scan, {}, std::vector{Vector2(0.5, 0.0)}, 4.6), 271U)
+          << first_rad << ' ' << sense;
+    }
+  }
+}
+
 // Each beam by itself, whatever the scanner's first bearing and sense.
 TEST(MaskMates, leavesExactlyTheBeamsThatEndElsewhere) {
   EXPECT_TRUE(rc::check("against each beam by itself", [] {
