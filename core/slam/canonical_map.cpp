@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/slam/graph_solution.hpp"
 #include "core/slam/odometry_evidence.hpp"
 #include "core/slam/spanning_start.hpp"
 
@@ -80,9 +81,11 @@ Session canonical_session(const KeyframeSet& keyframes, const RelationSet& relat
   const types::Se2 T_origin_first = out.poses[fixed].inverse();
   for (types::Se2& pose : out.poses) pose = T_origin_first * pose;
   out.poses[fixed] = {};
-  // When it cannot be solved, the poses of the tree are kept.
+  // Walls are read at the poses of the first solution: along the tree, headings drift. What cannot be solved
+  // keeps its poses.
   (void)solve_consistently(out.poses, with_odometry(out.keyframes, out.edges, params.odometry), params,
                            fixed);
+  out.poses = solve_settled(out.keyframes, out.poses, out.edges, fixed, params).poses;
   return out;
 }
 

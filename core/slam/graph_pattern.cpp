@@ -7,6 +7,13 @@
 
 namespace topo::slam {
 
+namespace {
+
+/// False of a heading alone.
+bool says_where(const Edge& edge) { return edge.information.topLeftCorner<2, 2>().trace() > 0.0; }
+
+}  // namespace
+
 bool is_connected(std::size_t nodes, std::span<const Edge> edges, std::span<const std::size_t> fixed) {
   std::vector<std::size_t> parent(nodes);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -21,7 +28,9 @@ bool is_connected(std::size_t nodes, std::span<const Edge> edges, std::span<cons
     parent[a] = b;
     --parts;
   };
-  for (const Edge& edge : edges) join(edge.from, edge.to);
+  for (const Edge& edge : edges) {
+    if (says_where(edge)) join(edge.from, edge.to);
+  }
   for (const std::size_t node : fixed) join(fixed.front(), node);
   return parts <= 1;
 }

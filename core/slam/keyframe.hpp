@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/slam/cloud.hpp"
@@ -22,6 +23,7 @@ struct Keyframe {
   std::vector<Surfel> surfels;              ///< for matching other scans against this keyframe
   std::vector<Point> match_points;          ///< for matching this keyframe against others
   std::vector<walls::ColumnPoint> columns;  ///< seen by the coronal laser since the keyframe before
+  std::optional<double> walls_rad;          ///< wall_direction of the surfels: neither sent nor stored
 };
 
 using KeyframePtr = std::shared_ptr<const Keyframe>;

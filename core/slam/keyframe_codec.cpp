@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/slam/wall_direction.hpp"
 #include "core/types/bytes.hpp"
 
 namespace topo::slam {
@@ -237,6 +238,7 @@ Result<Keyframe> decode_keyframe(std::span<const std::byte> bytes) {
   // Rejects longer encodings of the same numbers and the like: two files of one map would differ.
   if (!std::ranges::equal(encode_keyframe(keyframe), bytes))
     return types::fail(Errc::kProtocol, "keyframe: not in its one form");
+  keyframe.walls_rad = wall_direction(keyframe.surfels);
   return keyframe;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/slam/keyframe_codec.hpp"
+#include "core/slam/wall_direction.hpp"
 
 namespace topo::slam {
 
@@ -25,6 +26,7 @@ KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, std::span<const Poi
   keyframe->surfels.shrink_to_fit();
   keyframe->columns.shrink_to_fit();
   quantise(*keyframe);
+  keyframe->walls_rad = wall_direction(keyframe->surfels);
   return keyframe;
 }
 

@@ -8,7 +8,6 @@
 
 #include "core/slam/information.hpp"
 #include "core/slam/make_keyframe.hpp"
-#include "core/slam/odometry_evidence.hpp"
 
 namespace topo::slam {
 
@@ -42,6 +41,7 @@ void Mapper::resume(const Session& session, const Arrival& arrival) {
       add_found_edge(edge);
   }
   solving_.asked = solving_.solved = graph_.edges().size();
+  solving_.nodes = graph_.poses().size();
   const types::Se2& here = arrival.T_map_base;
   motion_.T_map_base = here;
   motion_.T_odom_base = arrival.T_odom_base;
@@ -236,6 +236,7 @@ std::span<const FoundRelation> Mapper::found_since(std::uint32_t number) const {
 }
 
 bool Mapper::has_something_new() const {
+  if (graph_.poses().size() >= solving_.nodes + params_.graph.keyframes_before_solve) return true;
   int closures = 0;
   for (const Edge& edge : graph_.edges().subspan(solving_.asked)) {
     closures += edge.robust ? 1 : 0;
@@ -245,16 +246,14 @@ bool Mapper::has_something_new() const {
 }
 
 GraphQuery Mapper::graph_query() const {
-  const auto poses = graph_.poses();
-  return {{poses.begin(), poses.end()},
-          with_odometry(graph_.keyframes(), graph_.edges(), params_.graph.odometry),
-          params_.graph};
+  return query_of(graph_.keyframes(), graph_.poses(), graph_.edges(), 0, params_.graph);
 }
 
 std::optional<GraphQuery> Mapper::take_graph_query() {
   if (solving_.out || !has_something_new()) return std::nullopt;
   solving_.out = true;
   solving_.asked = graph_.edges().size();
+  solving_.nodes = graph_.poses().size();
   return graph_query();
 }
 
@@ -281,7 +280,8 @@ void Mapper::give_up_solving() {
 SolveReport Mapper::optimise() {
   if (graph_.own().empty()) return {};
   solving_.asked = graph_.edges().size();
-  const GraphSolution solution = solve_graph(graph_query());
+  const GraphSolution solution =
+      solve_settled(graph_.keyframes(), graph_.poses(), graph_.edges(), 0, params_.graph);
   adopt(solution.poses);
   return solution.report;
 }

@@ -119,9 +119,10 @@ class Mapper {
   [[nodiscard]] const MapperParams& params() const { return params_; }
 
  private:
-  /// The graph's solution beside tracking: numbers of edges.
+  /// The graph's solution beside tracking: numbers of edges and nodes.
   struct Solving {
     std::size_t asked = 0;   ///< that the newest query has
+    std::size_t nodes = 0;   ///< that it has
     std::size_t solved = 0;  ///< that the poses obey
     bool out = false;        ///< the query waits for its answer
   };

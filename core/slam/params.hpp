@@ -173,6 +173,19 @@ struct OdometryEvidenceParams {
   double doubted_chi2 = 16.0;
 };
 
+/// What the walls of a keyframe say of its heading (heading_evidence.hpp).
+struct HeadingEvidenceParams {
+  double near_rad = 0.0524;  ///< 3 degrees: walls that differ less have one direction
+  double share_min = 0.6;    ///< of the keyframes with walls, that have the building's direction or a wing's
+  double wing_rad =
+      0.0873;  ///< 5 degrees: walls further off say nothing, they may belong to a skew wing; wings
+               ///< are twice as far apart (core/analysis/wings.hpp finds them from 10 degrees on)
+  double wing_share_min = 0.1;  ///< of the keyframes with walls, that have a wing's direction
+  double sigma_rad =
+      0.0175;  ///< of a keyframe's heading by its walls; they are more exact, but all of a building
+               ///< may be askew alike, and a wall counts in each keyframe that sees it
+};
+
 struct GraphParams {
   int iterations_max = 12;
   double converged = 1e-5;  ///< the iteration ends at a smaller step, in metres and radians
@@ -182,17 +195,20 @@ struct GraphParams {
   double loop_kernel = 3.0;
   double contradicted_chi2 = 30.0;  ///< squared error beyond which a closure is considered false
   OdometryEvidenceParams odometry{};
+  HeadingEvidenceParams heading{};
   double odometry_trans_floor_m = 0.03;
   double odometry_rot_floor_rad = 0.003;
   double loop_trans_floor_m = 0.03;
   double loop_rot_floor_rad = 0.008;
   double match_sigma_floors = 2.0;  ///< an edge as certain as this multiple of loop_trans_floor_m is a match
   int closures_before_solve = 10;   ///< closures that agree with the graph wait for so many,
-  double tension_chi2 = 1.0;        ///< while one with a greater squared error is solved for at once
+  std::size_t keyframes_before_solve = 25;  ///< whose walls wait (heading_evidence.hpp): some 10 m,
+  double tension_chi2 = 1.0;                ///< while one with a greater squared error is solved for at once
   /// An edge with a greater standard deviation of its rotation is loose: what lies before it is searched for
   /// closures as another visit is. MotionNoise gives it to a robot that stands; matches are several times as
   /// certain.
   double loose_rad = 0.02;
+  double loose_m = 0.15;         ///< the same of its position; matches are certain to 0.03 m
   double turn_on_spot_m = 0.05;  ///< added to the length of an edge: drift grows in turns on the spot, too
 };
 

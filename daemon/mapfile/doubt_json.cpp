@@ -30,6 +30,12 @@ std::string doubt_text(const slam::MapDoubt& doubt) {
           "the map is doubted: on a part of the way odometry alone says how the robot turned, to some {:.0f} "
           "degrees, and no place was found again across it",
           doubt.loose_rad / types::kDegree_rad);
+    case slam::DoubtReason::kShifted:
+      return fmt::format(
+          "the map is doubted: on a part of the way odometry alone says how far the robot went, to some "
+          "{:.1f} "
+          "m, and no place was found again across it",
+          doubt.loose_m);
     case slam::DoubtReason::kDegenerate:
       break;
   }
@@ -45,6 +51,7 @@ nlohmann::json doubt_json(const slam::MapDoubt& doubt) {
                       {"tension", doubt.tension},
                       {"degenerate", doubt.degenerate},
                       {"loose_rad", doubt.loose_rad},
+                      {"loose_m", doubt.loose_m},
                       {"side_m", slam::RevisitRegion::kSide_m},
                       {"regions", nlohmann::json::array()},
                       {"loose", nlohmann::json::array()}};
@@ -55,8 +62,10 @@ nlohmann::json doubt_json(const slam::MapDoubt& doubt) {
                                {"contradicted", slam::contradicted_share(region)}});
   }
   for (const slam::LooseStep& step : doubt.loose) {
-    json["loose"].push_back(
-        {{"x_m", step.before.x()}, {"y_m", step.before.y()}, {"sigma_rad", step.sigma_rad}});
+    json["loose"].push_back({{"x_m", step.before.x()},
+                             {"y_m", step.before.y()},
+                             {"sigma_rad", step.sigma_rad},
+                             {"sigma_m", step.sigma_m}});
   }
   return json;
 }

@@ -13,9 +13,9 @@ namespace topo::daemon {
 [[nodiscard]] std::string doubt_text(const slam::MapDoubt& doubt);
 
 /// The same, for doubt.json, status and `topobench slam`: figure (above 1 the map is
-/// doubted), why, the shares, loose_rad; `regions`: doubted squares of side_m (centre x_m, y_m, points,
-/// contradicted); `loose`: steps of the way that odometry alone carries (x_m, y_m where it begins,
-/// sigma_rad). Metres in map.
+/// doubted), why, the shares, loose_rad, loose_m; `regions`: doubted squares of side_m (centre x_m, y_m,
+/// points, contradicted); `loose`: steps of the way that odometry alone carries (x_m, y_m where it begins,
+/// sigma_rad, sigma_m). Metres in map.
 [[nodiscard]] nlohmann::json doubt_json(const slam::MapDoubt& doubt);
 
 }  // namespace topo::daemon

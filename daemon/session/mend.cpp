@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/slam/odometry_evidence.hpp"
+#include "core/slam/graph_solution.hpp"
 
 namespace topo::daemon {
 namespace {
@@ -138,9 +138,9 @@ std::size_t bridge_gaps(Draft& draft) {
 void solve_anew(slam::Session& session, std::size_t held) {
   if (!slam::check_session(session)) return;
   slam::Session solved = session;
-  const slam::GraphParams params;
-  const auto edges = slam::with_odometry(solved.keyframes, solved.edges, params.odometry);
-  if (!slam::solve_consistently(solved.poses, edges, params, held).solved) return;
+  slam::GraphSolution solution = slam::solve_settled(solved.keyframes, solved.poses, solved.edges, held, {});
+  if (!solution.report.solved) return;
+  solved.poses = std::move(solution.poses);
   if (slam::check_session(solved)) session = std::move(solved);
 }
 

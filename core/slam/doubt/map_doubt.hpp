@@ -23,6 +23,7 @@ struct DoubtLimits {
   double degenerate = 0.5;            ///< share of the scans that leave one direction to odometry
   double loose_rad = 0.035;  ///< standard deviation of the heading at the end of the way by its loose
                              ///< steps (LooseStep)
+  double loose_m = 0.25;     ///< the same of the position, not counting what heading does to it
   double odometry_at_fault =
       0.1;  ///< share of the matches that odometry contradicts, above which it is false
 };
@@ -34,12 +35,14 @@ struct ScanCount {
   std::uint64_t degenerate = 0;  ///< that left one direction to odometry
 };
 
-/// A step of the own way that turns by what odometry alone says, or against odometry, beyond
-/// GraphParams::loose_rad, and that no closure spans: what was mapped before and after it may be turned
-/// against each other.
+/// A step of the own way that goes by what odometry alone says, or against odometry, beyond
+/// GraphParams::loose_rad or loose_m, and that no closure spans: what was mapped before and after it may be
+/// turned or shifted against each other. How it turns is certain where the keyframes before and after it see
+/// walls of one direction (heading_evidence.hpp): a match is not a whole quarter turn off.
 struct LooseStep {
   types::Vector2 before{0.0, 0.0};  ///< where it begins, in map
-  double sigma_rad = 0.0;
+  double sigma_rad = 0.0;           ///< 0: the walls say how it turns
+  double sigma_m = 0.0;             ///< along the less certain direction
 };
 
 /// What is counted against a map.
@@ -47,14 +50,15 @@ enum class DoubtReason : std::uint8_t {
   kLost,          ///< scans that fit nowhere
   kContradicted,  ///< what was seen twice was elsewhere the other time
   kTension,       ///< closures contradict each other
-  kLoose,         ///< odometry alone says how the robot turned
+  kLoose,         ///< odometry alone says how the robot turned,
+  kShifted,       ///< or how far it went
   kDegenerate,    ///< scans leave one direction to odometry
 };
 
 /// What speaks against a map; needs no truth. Shares from 0 to 1.
 struct MapDoubt {
   double contradicted = 0.0, lost = 0.0, tension = 0.0, degenerate = 0.0;
-  double loose_rad = 0.0;
+  double loose_rad = 0.0, loose_m = 0.0;
   double figure = 0.0;                      ///< the greatest of them over its limit
   DoubtReason reason = DoubtReason::kLost;  ///< which one that is
   ScanCount scans;

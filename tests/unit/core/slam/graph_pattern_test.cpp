@@ -53,6 +53,13 @@ TEST(IsConnected, NothingAndOneNodeAre) {
   EXPECT_FALSE(is_connected(2, {}));
 }
 
+TEST(IsConnected, EdgesThatSayNothingOfThePositionTieNothing) {
+  std::vector<Edge> edges = plain_edges({{0, 1}});
+  EXPECT_TRUE(is_connected(2, edges));
+  edges[0].information = Eigen::Vector3d(0.0, 0.0, 1.0).asDiagonal();
+  EXPECT_FALSE(is_connected(2, edges));
+}
+
 TEST(GraphPattern, VariablesAreTheNodesButTheFixedOne) {
   std::mt19937 random(3);
   const std::vector<Edge> edges = plain_edges(testing::random_ties(7, 4, random));

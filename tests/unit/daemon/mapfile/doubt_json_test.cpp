@@ -21,6 +21,7 @@ slam::MapDoubt doubted_for(DoubtReason reason) {
   doubt.contradicted = 0.2;
   doubt.tension = 0.27;
   doubt.loose_rad = 0.1;
+  doubt.loose_m = 1.26;
   return doubt;
 }
 
@@ -29,6 +30,8 @@ TEST(DoubtText, SaysWhatSpeaksMostAgainstTheMap) {
   EXPECT_THAT(doubt_text(doubted_for(DoubtReason::kContradicted)), HasSubstr("20 % of what was seen twice"));
   EXPECT_THAT(doubt_text(doubted_for(DoubtReason::kTension)), HasSubstr("27 % of the places"));
   EXPECT_THAT(doubt_text(doubted_for(DoubtReason::kLoose)), HasSubstr("to some 6 degrees"));
+  EXPECT_THAT(doubt_text(doubted_for(DoubtReason::kShifted)),
+              HasSubstr("how far the robot went, to some 1.3 m"));
   EXPECT_THAT(doubt_text(doubted_for(DoubtReason::kDegenerate)), HasSubstr("604 of 1006 scans leave"));
 }
 
@@ -41,7 +44,7 @@ TEST(DoubtText, IsEmptyForAMapThatIsNotDoubted) {
 TEST(DoubtJson, HasThePlaces) {
   slam::MapDoubt doubt = doubted_for(DoubtReason::kLoose);
   doubt.regions = {{{7.5, 2.5}, 2000, 600}};
-  doubt.loose = {{{3.0, 4.0}, 0.1}};
+  doubt.loose = {{{3.0, 4.0}, 0.1, 0.7}};
   const nlohmann::json json = doubt_json(doubt);
   EXPECT_DOUBLE_EQ(json["figure"], 1.5);
   EXPECT_EQ(json["why"], doubt_text(doubt));
@@ -51,6 +54,7 @@ TEST(DoubtJson, HasThePlaces) {
   ASSERT_EQ(json["loose"].size(), 1U);
   EXPECT_DOUBLE_EQ(json["loose"][0]["x_m"], 3.0);
   EXPECT_DOUBLE_EQ(json["loose"][0]["y_m"], 4.0);
+  EXPECT_DOUBLE_EQ(json["loose"][0]["sigma_m"], 0.7);
 }
 
 }  // namespace

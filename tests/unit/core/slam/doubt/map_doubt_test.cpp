@@ -82,6 +82,14 @@ struct Path {
       map.keyframes[i] = std::move(turned);
     }
   }
+  /// The keyframes see walls of this direction in map, from one on.
+  void see_walls(std::size_t from, double direction_rad) {
+    for (std::size_t i = from; i < map.keyframes.size(); ++i) {
+      auto seeing = std::make_shared<Keyframe>(*map.keyframes[i]);
+      seeing->walls_rad = direction_rad - map.poses[i].theta_rad;
+      map.keyframes[i] = std::move(seeing);
+    }
+  }
   [[nodiscard]] MapDoubt doubt() const { return slam::doubt_of(map, way, {}, {100, 0}, {}); }
 
   Session map;
@@ -101,6 +109,33 @@ TEST(MapDoubt, DoubtsATurnThatOdometryAloneCarries) {
   EXPECT_EQ(doubt.loose[0].before, types::Vector2(49.0, 0.0));
   path.close(10, 90);
   EXPECT_FALSE(path.doubt().is_doubted()) << "a place was found again across it";
+}
+
+TEST(MapDoubt, WallsOfOneDirectionSayHowTheRobotTurned) {
+  Path path(100);
+  path.map.edges[49].information(2, 2) = 1.0 / (0.1 * 0.1);
+  path.see_walls(0, 0.2);
+  EXPECT_FALSE(path.doubt().is_doubted());
+  EXPECT_TRUE(path.doubt().loose.empty());
+  path.see_walls(50, 0.3);
+  EXPECT_TRUE(path.doubt().is_doubted()) << "they have another direction after the step";
+  path.see_walls(50, 0.2);
+  path.map.edges[49].information(2, 2) = 1.0;
+  EXPECT_TRUE(path.doubt().is_doubted()) << "it may have turned by a quarter";
+}
+
+TEST(MapDoubt, DoubtsAWayThatOdometryAloneMeasures) {
+  Path path(100);
+  path.see_walls(0, 0.2);
+  path.map.edges[49].information(0, 0) = 1.0 / (0.3 * 0.3);
+  const MapDoubt doubt = path.doubt();
+  EXPECT_NEAR(doubt.loose_m, 0.3, 1e-9);
+  EXPECT_TRUE(doubt.is_doubted());
+  EXPECT_EQ(doubt.reason, DoubtReason::kShifted);
+  ASSERT_EQ(doubt.loose.size(), 1U);
+  EXPECT_NEAR(doubt.loose[0].sigma_m, 0.3, 1e-9);
+  path.close(10, 90);
+  EXPECT_FALSE(path.doubt().is_doubted());
 }
 
 TEST(MapDoubt, DoubtsAMatchThatOdometryContradicts) {
