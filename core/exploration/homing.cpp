@@ -7,6 +7,7 @@
 #include "core/exploration/intent.hpp"
 #include "core/exploration/stuck.hpp"
 #include "core/grid/nearest_reachable.hpp"
+#include "core/types/braking.hpp"
 
 namespace topo::exploration {
 namespace {
@@ -57,8 +58,7 @@ Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& s
   const bool held = is_held(situation, intent.pursuit, params.pursuit);
   const double reached_m = held ? std::max(reached.usual_m, reached.held_m) : reached.usual_m;
   const double ended_m = 2.0 * reached.usual_m + params.homing.arrived_slack_m;
-  const double v_mps = situation.feedback.v_mps;
-  const double rolls_m = v_mps * v_mps / (2.0 * params.homing.brakes_mps2);
+  const double rolls_m = std::abs(types::braking_m(situation.feedback.v_mps, params.homing.brakes_mps2));
   const bool passes = !held && away_m + rolls_m > params.homing.stuck_reached_m;
   if ((away_m <= reached_m && !passes) || (about_this && situation.feedback.arrived && away_m <= ended_m))
     return {without_target(std::move(intent)), Outcome::kArrived};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/perception/footprint_sweep.hpp"
+#include "core/types/braking.hpp"
 
 namespace topo::motion {
 namespace {
@@ -41,8 +42,7 @@ double free_turn_rad(double sign, const FollowInput& in, const FollowerTurnParam
   const types::RobotLimits& l = *in.limits;
   const bool begins = std::abs(in.twist.omega_radps) < params.begun_radps;
   const double margin_m = l.turn_margin_m + (begins ? params.extra_margin_m : 0.0);
-  const double v_mps = in.twist.v_mps;
-  const Vector2 roll{v_mps * std::abs(v_mps) / (2.0 * l.deceleration_mps2), 0.0};
+  const Vector2 roll{types::braking_m(in.twist.v_mps, l.deceleration_mps2), 0.0};
   const Twist2 spin{0.0, sign};
   perception::FirstContact first(spin, types::reach_m(types::grown(l.footprint, margin_m)));
   for (const Vector2& p : in.obstacles_base) {
@@ -108,7 +108,7 @@ double PathFollower::speed_on(double curvature, double margin_m, const FollowInp
   if (curvature != 0.0)
     v_mps = std::min(v_mps, std::min(rules_.omega_max_radps, l.omega_max_radps) / std::abs(curvature));
   const double blind_s = rules_.blind_slack * in.blind_s;
-  const double enough_m = v_mps * blind_s + v_mps * v_mps / (2.0 * l.deceleration_mps2);
+  const double enough_m = v_mps * blind_s + types::braking_m(v_mps, l.deceleration_mps2);
   const Twist2 arc{1.0, curvature};  // at 1 m/s, seconds are metres
   perception::FirstContact first(arc, types::reach_m(types::grown(l.footprint, margin_m)), enough_m);
   for (const Vector2& p : in.obstacles_base)

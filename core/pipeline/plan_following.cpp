@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/perception/stop_zone.hpp"
+#include "core/types/braking.hpp"
 #include "core/types/invariant.hpp"
 
 namespace topo::pipeline {
@@ -107,7 +108,7 @@ void PlanFollowing::rest(types::Stamp now) {
 ObstacleReach obstacle_reach(const types::RobotLimits& limits, double blind_s,
                              const PlanFollowingParams& params) {
   const double stop_m =
-      limits.v_max_mps * blind_s + limits.v_max_mps * limits.v_max_mps / (2.0 * limits.deceleration_mps2);
+      limits.v_max_mps * blind_s + types::braking_m(limits.v_max_mps, limits.deceleration_mps2);
   const double reach_m = std::max(params.obstacle_reach_m, stop_m + types::reach_m(limits.footprint));
   return {reach_m, params.obstacle_spacing_m * reach_m / params.obstacle_reach_m};
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/types/braking.hpp"
 #include "core/types/robot_limits.hpp"
 #include "daemon/app/doctor.hpp"
 #include "daemon/config/masks.hpp"
@@ -84,7 +85,7 @@ Check check_speed(const Configuration& c) {
   const types::DriveLimits& base = c.base;
   Check check{"speed", true, fmt::format("at most {} m/s", base.v_max_mps), {}, {}};
   if (base.v_max_mps > kSpeed_mps) {
-    const auto braking_m = [&](double v_mps) { return v_mps * v_mps / (2.0 * base.deceleration_mps2); };
+    const auto braking_m = [&](double v_mps) { return types::braking_m(v_mps, base.deceleration_mps2); };
     check.safer = fmt::format(
         "braking alone takes {:.2f} m ({:.2f} m at {} m/s), without what comes late; base.v_max_mps = {} or "
         "less",
