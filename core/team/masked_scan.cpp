@@ -42,7 +42,8 @@ BeamRange beams_between(const types::Scan& scan, double low_rad, double high_rad
 /// The bearings that `scan` looks at, lowest and highest. Where a sector begins is the scanner's affair, and
 /// a mirrored one counts down from there: the sector may be turns away from (-pi, pi].
 std::pair<double, double> sector_of(const types::Scan& scan) {
-  return std::minmax<double>({scan.angle_rad(0), scan.angle_rad(scan.checked_beams() - 1)});
+  return std::minmax({static_cast<double>(scan.angle_rad(0)),
+                      static_cast<double>(scan.angle_rad(scan.checked_beams() - 1))});
 }
 
 /// Only the beams that pass the mate are looked at: the scan of a level scanner has a thousand, forty times
