@@ -23,7 +23,7 @@ struct DoubtLimits {
   double degenerate = 0.5;            ///< share of the scans that leave one direction to odometry
   double loose_rad = 0.035;  ///< standard deviation of the heading at the end of the way by its loose
                              ///< steps (LooseStep)
-  double loose_m = 0.25;     ///< the same of the position, not counting what heading does to it
+  double loose_m = 0.4;      ///< the same of the position, not counting what heading does to it
   double odometry_at_fault =
       0.1;  ///< share of the matches that odometry contradicts, above which it is false
 };

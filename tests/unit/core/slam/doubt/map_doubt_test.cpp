@@ -127,13 +127,13 @@ TEST(MapDoubt, WallsOfOneDirectionSayHowTheRobotTurned) {
 TEST(MapDoubt, DoubtsAWayThatOdometryAloneMeasures) {
   Path path(100);
   path.see_walls(0, 0.2);
-  path.map.edges[49].information(0, 0) = 1.0 / (0.3 * 0.3);
+  path.map.edges[49].information(0, 0) = 1.0 / (0.5 * 0.5);
   const MapDoubt doubt = path.doubt();
-  EXPECT_NEAR(doubt.loose_m, 0.3, 1e-9);
+  EXPECT_NEAR(doubt.loose_m, 0.5, 1e-9);
   EXPECT_TRUE(doubt.is_doubted());
   EXPECT_EQ(doubt.reason, DoubtReason::kShifted);
   ASSERT_EQ(doubt.loose.size(), 1U);
-  EXPECT_NEAR(doubt.loose[0].sigma_m, 0.3, 1e-9);
+  EXPECT_NEAR(doubt.loose[0].sigma_m, 0.5, 1e-9);
   path.close(10, 90);
   EXPECT_FALSE(path.doubt().is_doubted());
 }
