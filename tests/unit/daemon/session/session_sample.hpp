@@ -48,12 +48,13 @@ inline types::Se2 on_circle(std::size_t i) {
   return {3.0 * std::cos(angle), 3.0 * std::sin(angle), types::wrap_angle(angle)};
 }
 
-/// Adds keyframes whose poses and edges agree with each other: an edge to the one before, and a closure to
-/// the round before.
+/// Adds keyframes whose poses, edges and odometry agree with each other: an edge to the one before, and a
+/// closure to the round before.
 inline void drive_on(slam::Session& session, std::size_t keyframes, std::mt19937& random) {
   for (std::size_t i = 0; i < keyframes; ++i) {
     const std::size_t node = session.keyframes.size();
     slam::Keyframe k = slam::testing::random_keyframe(static_cast<std::uint32_t>(node), 30, random);
+    k.T_odom_base = on_circle(node);  // odometry that contradicts a weak edge is believed
     slam::quantise(k);
     session.keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(k)));
     session.poses.push_back(on_circle(node));
