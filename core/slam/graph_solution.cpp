@@ -46,8 +46,10 @@ GraphSolution solve_settled(std::span<const KeyframePtr> keyframes, std::span<co
   for (int solutions = 1; solutions < kSolutionsMax; ++solutions) {
     GraphQuery again = query_of(keyframes, solution.poses, edges, fixed, params);
     if (std::ranges::equal(again.headings, query.headings, {}, &Heading::node, &Heading::node)) break;
+    GraphSolution next = solve_graph(again);
+    if (!next.report.solved) break;
     query = std::move(again);
-    solution = solve_graph(query);
+    solution = std::move(next);
   }
   solution.report.chi2_start = chi2_start;
   return solution;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/slam/heading_evidence.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/slam/wall_direction.hpp"
 
@@ -17,12 +19,12 @@ std::vector<double> building_directions(std::span<const KeyframePtr> keyframes,
     if (keyframes[node]->walls_rad) walls_rad.push_back(poses[node].theta_rad + *keyframes[node]->walls_rad);
   }
   const auto all = static_cast<double>(walls_rad.size());
-  std::vector<double> wings_rad;
+  std::vector<CommonDirection> wings;
   double of_a_wing = 0.0;
   while (!walls_rad.empty()) {
     const CommonDirection wing = common_direction(walls_rad, params.near_rad);
     if (static_cast<double>(wing.near) < params.wing_share_min * all) break;
-    wings_rad.push_back(wing.angle_rad);
+    wings.push_back(wing);
     of_a_wing += static_cast<double>(wing.near);
     // A wing less than two gates away is the same one, turned by what drift there is.
     std::erase_if(walls_rad, [&](double walls) {
@@ -30,6 +32,9 @@ std::vector<double> building_directions(std::span<const KeyframePtr> keyframes,
     });
   }
   if (of_a_wing < params.share_min * all) return {};
+  std::ranges::stable_sort(wings, std::greater<>{}, &CommonDirection::near);
+  std::vector<double> wings_rad;
+  for (const CommonDirection& wing : wings) wings_rad.push_back(wing.angle_rad);
   return wings_rad;
 }
 

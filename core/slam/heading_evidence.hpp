@@ -20,7 +20,7 @@ namespace topo::slam {
 /// A keyframe's walls against those of the building.
 struct WallsAgainst {
   std::size_t wing = 0;  ///< whose direction is the nearest
-  double off_rad = 0.0;  ///< how far the keyframe's are turned against it, in (-pi/4, pi/4]
+  double off_rad = 0.0;  ///< how far the keyframe's are turned against it, in [-pi/4, pi/4]
 };
 
 /// Empty where either has none.
@@ -33,7 +33,8 @@ struct Heading {
   double theta_rad = 0.0;  ///< the one of four that is nearest to the pose's
 };
 
-/// Headings of the keyframes whose walls have the direction that most have. Walls that are further off than
+/// Headings of the keyframes whose walls have the direction that most have. A part of a building that is
+/// askew by less than HeadingEvidenceParams::wing_rad counts as drift. Walls that are further off than
 /// HeadingEvidenceParams::wing_rad say nothing: they may belong to a skew wing.
 [[nodiscard]] std::vector<Heading> heading_evidence(std::span<const KeyframePtr> keyframes,
                                                     std::span<const types::Se2> poses,

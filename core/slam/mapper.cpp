@@ -235,8 +235,7 @@ std::span<const FoundRelation> Mapper::found_since(std::uint32_t number) const {
   return std::span(found_).subspan(std::min(before, found_.size()));
 }
 
-bool Mapper::has_something_new() const {
-  if (graph_.poses().size() >= solving_.nodes + params_.graph.keyframes_before_solve) return true;
+bool Mapper::has_new_closures() const {
   int closures = 0;
   for (const Edge& edge : graph_.edges().subspan(solving_.asked)) {
     closures += edge.robust ? 1 : 0;
@@ -250,11 +249,16 @@ GraphQuery Mapper::graph_query() const {
 }
 
 std::optional<GraphQuery> Mapper::take_graph_query() {
-  if (solving_.out || !has_something_new()) return std::nullopt;
+  if (solving_.out) return std::nullopt;
+  const bool closures = has_new_closures();
+  const bool keyframes = graph_.poses().size() >= solving_.nodes + params_.graph.keyframes_before_solve;
+  if (!closures && !keyframes) return std::nullopt;
+  solving_.nodes = graph_.poses().size();
+  GraphQuery query = graph_query();
+  if (!closures && query.headings.empty()) return std::nullopt;  // keyframes without walls change nothing
   solving_.out = true;
   solving_.asked = graph_.edges().size();
-  solving_.nodes = graph_.poses().size();
-  return graph_query();
+  return query;
 }
 
 std::vector<types::Se2> Mapper::corrected(const GraphSolution& solution) const {
@@ -280,6 +284,7 @@ void Mapper::give_up_solving() {
 SolveReport Mapper::optimise() {
   if (graph_.own().empty()) return {};
   solving_.asked = graph_.edges().size();
+  solving_.nodes = graph_.poses().size();
   const GraphSolution solution =
       solve_settled(graph_.keyframes(), graph_.poses(), graph_.edges(), 0, params_.graph);
   adopt(solution.poses);

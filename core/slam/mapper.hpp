@@ -122,7 +122,7 @@ class Mapper {
   /// The graph's solution beside tracking: numbers of edges and nodes.
   struct Solving {
     std::size_t asked = 0;   ///< that the newest query has
-    std::size_t nodes = 0;   ///< that it has
+    std::size_t nodes = 0;   ///< that the newest one looked at
     std::size_t solved = 0;  ///< that the poses obey
     bool out = false;        ///< the query waits for its answer
   };
@@ -135,7 +135,7 @@ class Mapper {
   [[nodiscard]] bool is_known(const RelationKey& key) const;
   void add_found_edge(Edge edge);
   KeyframeId note_found(const RelationKey& key, const Relation& relation);
-  [[nodiscard]] bool has_something_new() const;
+  [[nodiscard]] bool has_new_closures() const;
   [[nodiscard]] GraphQuery graph_query() const;
 
   MapperParams params_;

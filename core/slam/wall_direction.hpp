@@ -22,7 +22,8 @@ struct CommonDirection {
   std::size_t near = 0;    ///< how many these are
 };
 
-/// The direction that most of the angles share within `near_rad`; ties go to the least. O(angles).
+/// The direction around the three degrees that hold most of the angles, as the mean of what is within
+/// `near_rad` of it; ties go to the least. O(angles).
 [[nodiscard]] CommonDirection common_direction(std::span<const double> angles_rad, double near_rad);
 
 /// An angle less the nearest whole number of quarter turns: in [-pi/4, pi/4].

@@ -13,6 +13,7 @@ namespace {
 using types::Vector2;
 
 constexpr double kTurn_rad = 2.0 * std::numbers::pi;
+constexpr double kSectorMax_rad = 100.0 * kTurn_rad;
 constexpr double kMast_m = 0.5;  // no part of a team-mate is that far above another robot's mast scanner
 
 /// Masks the beam when it ends at a mate; `end`: in the scanner's frame, projected onto the floor.
@@ -54,6 +55,8 @@ std::size_t mask_one(types::Scan& scan, const Vector2& mate, double radius_m) {
   const double bearing_rad = std::atan2(mate.y(), mate.x());
   if (scan.checked_beams() == 0) return 0;
   const auto [lowest_rad, highest_rad] = sector_of(scan);
+  // No scanner's sector; its rounds would not end.
+  if (!(std::max(-lowest_rad, highest_rad) < kSectorMax_rad)) return 0;
   const double turns = std::floor((lowest_rad - half_rad - bearing_rad) / kTurn_rad);
   std::size_t masked = 0;
   for (double middle_rad = bearing_rad + turns * kTurn_rad; middle_rad - half_rad <= highest_rad;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -13,12 +14,10 @@
 #include "core/slam/closure_span.hpp"
 #include "core/slam/heading_evidence.hpp"
 #include "core/slam/odometry_evidence.hpp"
+#include "core/slam/wall_direction.hpp"
 
 namespace topo::slam {
 namespace {
-
-/// Half a quarter turn: walls tell what is nearer to none of it than to a whole one.
-constexpr double kQuarterIsClear_rad = 0.785;
 
 double share_of(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
@@ -44,27 +43,38 @@ bool is_odometry_sound(const Session& map, std::span<const WayStep> steps, const
   return static_cast<double>(contradicted) <= limits.odometry_at_fault * static_cast<double>(steps.size());
 }
 
-/// Of each keyframe: the wing whose direction its walls have, where it is sure that they have one.
-using Wings = std::vector<std::optional<std::size_t>>;
+/// What a map's walls say of headings.
+struct Walls {
+  std::vector<std::optional<std::size_t>> wings;  ///< of each keyframe: whose direction its walls surely have
+  /// A turn that is off by less cannot have put the walls of one wing, or of one quarter, in the direction of
+  /// another.
+  double clear_rad = std::numbers::pi / 4.0;
+};
 
-Wings wings_of(const Session& map, const HeadingEvidenceParams& params) {
-  Wings wings(map.keyframes.size());
+Walls walls_of(const Session& map, const HeadingEvidenceParams& params) {
+  Walls walls;
+  walls.wings.resize(map.keyframes.size());
   const auto building_rad = building_directions(map.keyframes, map.poses, params);
-  for (std::size_t node = 0; node < wings.size(); ++node) {
-    const auto walls = walls_against(*map.keyframes[node], map.poses[node], building_rad);
-    if (walls && std::abs(walls->off_rad) <= params.near_rad) wings[node] = walls->wing;
+  for (std::size_t i = 0; i < building_rad.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      walls.clear_rad =
+          std::min(walls.clear_rad, 0.5 * std::abs(within_quarter(building_rad[i] - building_rad[k])));
   }
-  return wings;
+  for (std::size_t node = 0; node < walls.wings.size(); ++node) {
+    const auto against = walls_against(*map.keyframes[node], map.poses[node], building_rad);
+    if (against && std::abs(against->off_rad) <= params.near_rad) walls.wings[node] = against->wing;
+  }
+  return walls;
 }
 
-/// Whether one of two keyframes before the step sees walls of the direction that one of two after it sees.
-bool do_walls_span(const Wings& wings, Way own_way, std::size_t place) {
-  for (std::size_t before = place - std::min<std::size_t>(place, 2); before < place; ++before) {
-    const auto& wing = wings[own_way[before]];
-    for (std::size_t after = place; wing && after < std::min(place + 2, own_way.size()); ++after)
-      if (wings[own_way[after]] == wing) return true;
-  }
-  return false;
+/// Whether the keyframes before and after a step see walls of one direction, and the turn is not so uncertain
+/// that these may be others. `match_rad`: the standard deviation of the match; `sigma_rad`: with what
+/// odometry says against it, which was observed.
+bool do_walls_span(const Walls& walls, std::size_t before, std::size_t after, double match_rad,
+                   double sigma_rad) {
+  const auto& wing = walls.wings[before];
+  return wing && walls.wings[after] == wing && 2.0 * match_rad < walls.clear_rad &&
+         sigma_rad < walls.clear_rad;
 }
 
 /// Standard deviation along the less certain direction.
@@ -78,18 +88,17 @@ std::vector<LooseStep> loose_steps(const Session& map, Way own_way, const GraphP
                                    const DoubtLimits& limits) {
   const auto steps = way_steps(map.edges, map.poses, own_way, params.contradicted_chi2);
   const bool believes_odometry = is_odometry_sound(map, steps, params, limits);
-  const Wings wings = wings_of(map, params.heading);
+  const Walls walls = walls_of(map, params.heading);
   std::vector<LooseStep> loose;
   for (const WayStep& step : steps) {
     if (step.spanned) continue;
     const Edge& edge = *step.edge;
-    const Eigen::Matrix3d covariance = believes_odometry
-                                           ? believed_covariance(edge, map.keyframes, params.odometry)
-                                           : Eigen::Matrix3d(edge.information.inverse());
-    LooseStep found{map.poses[own_way[step.place - 1]].translation(), std::sqrt(covariance(2, 2)),
-                    sigma_m(covariance)};
-    if (found.sigma_rad < kQuarterIsClear_rad && do_walls_span(wings, own_way, step.place))
-      found.sigma_rad = 0.0;
+    const Eigen::Matrix3d matched = edge.information.inverse();
+    const Eigen::Matrix3d covariance =
+        believes_odometry ? believed_covariance(edge, map.keyframes, params.odometry) : matched;
+    const std::size_t before = own_way[step.place - 1], after = own_way[step.place];
+    LooseStep found{map.poses[before].translation(), std::sqrt(covariance(2, 2)), sigma_m(covariance)};
+    if (do_walls_span(walls, before, after, std::sqrt(matched(2, 2)), found.sigma_rad)) found.sigma_rad = 0.0;
     if (found.sigma_rad > params.loose_rad || found.sigma_m > params.loose_m) loose.push_back(found);
   }
   return loose;

@@ -37,8 +37,9 @@ struct ScanCount {
 
 /// A step of the own way that goes by what odometry alone says, or against odometry, beyond
 /// GraphParams::loose_rad or loose_m, and that no closure spans: what was mapped before and after it may be
-/// turned or shifted against each other. How it turns is certain where the keyframes before and after it see
-/// walls of one direction (heading_evidence.hpp): a match is not a whole quarter turn off.
+/// turned or shifted against each other. How it turns is known where the keyframes before and after it see
+/// walls of one direction (heading_evidence.hpp), and it is too certain for these to be of another wing or
+/// quarter.
 struct LooseStep {
   types::Vector2 before{0.0, 0.0};  ///< where it begins, in map
   double sigma_rad = 0.0;           ///< 0: the walls say how it turns

@@ -105,6 +105,31 @@ TEST(HeadingEvidence, HowTheBuildingLiesInTheMapDoesNotMatter) {
   }
 }
 
+TEST(HeadingEvidence, TheFixedKeyframeStaysWhereverItIs) {
+  const Way way(0.4, 3.0 * kDegree_rad);
+  const std::size_t fixed = 40;
+  const GraphSolution first = solve_settled(way.keyframes, way.poses, way.edges, fixed, {});
+  const Se2 moved{7.0, -3.0, 2.5};
+  std::vector<Se2> poses;
+  for (const Se2& pose : way.poses) poses.push_back(moved * pose);
+  const GraphSolution second = solve_settled(way.keyframes, poses, way.edges, fixed, {});
+  ASSERT_TRUE(first.report.solved && second.report.solved);
+  EXPECT_EQ(first.poses[fixed], way.poses[fixed]);
+  EXPECT_EQ(second.poses[fixed], poses[fixed]);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Se2 off = (moved * first.poses[i]).inverse() * second.poses[i];
+    EXPECT_LT(std::hypot(off.x_m, off.y_m), 1e-3);
+    EXPECT_LT(std::abs(off.theta_rad), 1e-4);
+  }
+}
+
+// A limit, not a wish: a part less than the gate askew is drawn straight where no closure says otherwise.
+TEST(HeadingEvidence, APartAskewByLessThanTheGateIsDrawnStraight) {
+  Way way(0.4);
+  way.see_walls(50, 80, 4.0 * kDegree_rad);
+  EXPECT_NEAR(way.off_deg(), 4.0, 0.3);
+}
+
 TEST(HeadingEvidence, ASkewWingKeepsItsDirection) {
   Way way(0.4);
   way.see_walls(50, 80, 12.0 * kDegree_rad);

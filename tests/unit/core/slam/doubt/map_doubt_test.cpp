@@ -117,11 +117,15 @@ TEST(MapDoubt, WallsOfOneDirectionSayHowTheRobotTurned) {
   path.see_walls(0, 0.2);
   EXPECT_FALSE(path.doubt().is_doubted());
   EXPECT_TRUE(path.doubt().loose.empty());
-  path.see_walls(50, 0.3);
-  EXPECT_TRUE(path.doubt().is_doubted()) << "they have another direction after the step";
+  path.see_walls(50, 0.7);
+  EXPECT_TRUE(path.doubt().is_doubted()) << "they are of another wing after the step";
   path.see_walls(50, 0.2);
-  path.map.edges[49].information(2, 2) = 1.0;
+  path.map.edges[49].information(2, 2) = 1.0 / (0.45 * 0.45);
   EXPECT_TRUE(path.doubt().is_doubted()) << "it may have turned by a quarter";
+  path.map.edges[49].information(2, 2) = 1.0 / (0.35 * 0.35);
+  EXPECT_FALSE(path.doubt().is_doubted());
+  path.see_walls(80, 0.7);
+  EXPECT_TRUE(path.doubt().is_doubted()) << "or from a wing half a radian askew into the other";
 }
 
 TEST(MapDoubt, DoubtsAWayThatOdometryAloneMeasures) {
