@@ -34,6 +34,7 @@ std::vector<double> building_directions(std::span<const KeyframePtr> keyframes,
   if (of_a_wing < params.share_min * all) return {};
   std::ranges::stable_sort(wings, std::greater<>{}, &CommonDirection::near);
   std::vector<double> wings_rad;
+  wings_rad.reserve(wings.size());
   for (const CommonDirection& wing : wings) wings_rad.push_back(wing.angle_rad);
   return wings_rad;
 }
