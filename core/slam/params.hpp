@@ -175,15 +175,15 @@ struct OdometryEvidenceParams {
 
 /// What the walls of a keyframe say of its heading (heading_evidence.hpp).
 struct HeadingEvidenceParams {
-  double near_rad = 0.0524;  ///< 3 degrees: walls that differ less have one direction
-  double share_min = 0.6;    ///< of the keyframes with walls, that have the building's direction or a wing's
-  double wing_rad =
-      0.0873;  ///< 5 degrees: walls further off say nothing, they may belong to a skew wing; wings
-               ///< are twice as far apart (core/analysis/wings.hpp finds them from 10 degrees on)
-  double wing_share_min = 0.1;  ///< of the keyframes with walls, that have a wing's direction
-  double sigma_rad =
-      0.0175;  ///< of a keyframe's heading by its walls; they are more exact, but all of a building
-               ///< may be askew alike, and a wall counts in each keyframe that sees it
+  double near_rad = 0.0524;     ///< 3 degrees: walls that differ less have one direction
+  double share_min = 0.6;       ///< of the keyframes with walls, that have the direction of a wing
+  double wing_share_min = 0.1;  ///< the same, of one wing
+  /// 5 degrees: walls further off say nothing, they may belong to a skew wing. Wings are twice as far apart:
+  /// core/analysis/wings.hpp finds them from 10 degrees on.
+  double wing_rad = 0.0873;
+  /// Of a keyframe's heading by its walls. They are more exact, but all of a building may be askew alike, and
+  /// a wall counts in each keyframe that sees it. 2 degrees were tried, too (doc/results.md).
+  double sigma_rad = 0.0175;
 };
 
 struct GraphParams {

@@ -33,8 +33,7 @@ std::string doubt_text(const slam::MapDoubt& doubt) {
     case slam::DoubtReason::kShifted:
       return fmt::format(
           "the map is doubted: on a part of the way odometry alone says how far the robot went, to some "
-          "{:.1f} "
-          "m, and no place was found again across it",
+          "{:.1f} m, and no place was found again across it",
           doubt.loose_m);
     case slam::DoubtReason::kDegenerate:
       break;

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "core/slam/keyframe_codec.hpp"
+#include "core/slam/wall_direction.hpp"
 #include "tests/unit/core/slam/keyframe_sample.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
@@ -36,6 +37,16 @@ void expect_near(std::span<const Point> rounded, std::span<const Point> exact) {
   ASSERT_EQ(rounded.size(), exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i)
     EXPECT_LE((rounded[i] - exact[i]).lpNorm<Eigen::Infinity>(), 0.501F * kPositionQuantum_m) << i;
+}
+
+TEST(MakeKeyframe, KnowsItsWallsAsWhoeverReceivesItDoes) {
+  const KeyframePtr keyframe = frozen(frozen_view(1));
+  ASSERT_TRUE(keyframe->walls_rad);
+  // The rooms' walls lie along map's axes, and the robot is turned by 0.3 rad against them.
+  EXPECT_NEAR(within_quarter(*keyframe->walls_rad + 0.3), 0.0, 0.01);
+  const auto received = decode_keyframe(encode_keyframe(*keyframe));
+  ASSERT_TRUE(received);
+  EXPECT_EQ(received->walls_rad, keyframe->walls_rad);
 }
 
 TEST(MakeKeyframe, HoldsTheScanInItsOrder) {
