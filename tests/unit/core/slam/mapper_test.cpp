@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <random>
+
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
 namespace topo::slam {
@@ -68,6 +71,26 @@ Trial run(const mocks::FlatWorld& world, const std::vector<Se2>& truth, const Ma
 
 double end_error(const std::vector<Se2>& estimate, const std::vector<Se2>& truth) {
   return (estimate.back().translation() - truth.back().translation()).norm();
+}
+
+// A way without closures is solved now and then, for its walls.
+TEST(Mapper, AsksForASolutionWhenTheWallsOfManyKeyframesWait) {
+  const auto truth =
+      drive({{2.0, 2.0}, {4.0, 2.0}, {4.0, 4.0}, {2.0, 4.0}, {2.0, 2.0}, {4.0, 2.0}, {4.0, 4.0}});
+  const MapperParams params;
+  std::mt19937 random(5);
+  Mapper mapper(params);
+  walls::ColumnCollector columns(params.coronal);
+  std::optional<GraphQuery> asked;
+  for (std::size_t i = 0; i < truth.size() && !asked; ++i) {
+    const testing::View view = testing::view_of(mocks::two_rooms(), truth[i], 0.02, random);
+    (void)mapper.add(view.cloud, truth[0].inverse() * truth[i], columns);
+    asked = mapper.take_graph_query();
+  }
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->poses.size(), params.graph.keyframes_before_solve);
+  EXPECT_EQ(asked->headings.size(), asked->poses.size());
+  EXPECT_FALSE(mapper.take_graph_query()) << "one at a time";
 }
 
 // 14 m of path through a door: a drift of 0.4 % and not more, without any loop to close.
