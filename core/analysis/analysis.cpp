@@ -73,8 +73,9 @@ Analysis analyse(AnalysisInput input, const AnalysisParams& params, const StageW
   a.places.labels = a.places.labels.on_free_cells(a.map);  // not on cells of furniture
   finished(Stage::kReduction);
 
-  a.goals =
-      goals::essential_goals({a.map, input.clearance_m, a.skeleton, a.places, input.visited}, params.goals);
+  a.continued = goals::continued_walls(a.map, a.walls, params.goals.continued);
+  a.goals = goals::essential_goals(
+      {a.map, input.clearance_m, a.skeleton, a.places, a.continued, input.visited}, params.goals);
   finished(Stage::kGoals);
   return a;
 }

@@ -34,8 +34,9 @@ struct Analysis {
   /// Distances of a coarse map, which are not those between its own cells (coarse_map.hpp); else empty.
   std::vector<float> coarse_m;
   compass::Compass compass;
-  std::vector<double> wings_rad;      ///< directions of wings that are skew to the compass
-  std::vector<types::Segment> walls;  ///< along and across the compass, then those of the wings
+  std::vector<double> wings_rad;          ///< directions of wings that are skew to the compass
+  std::vector<types::Segment> walls;      ///< along and across the compass, then those of the wings
+  std::vector<types::Segment> continued;  ///< those walls, where they have not been seen
   places::Skeleton skeleton;  ///< of the map without furniture (core/places/segmentation/furniture.hpp)
   places::PlaceMap places;
   goals::GoalSet goals;

@@ -71,6 +71,7 @@ Intent reach(const Situation& situation, const ExplorationParams& params, Intent
     const bool comes_back = params.finish == Finish::kEssential || !row_of(params.strategy).tours;
     intent.deferred.visit(p_map, comes_back ? std::optional(again) : std::nullopt);
   }
+  intent.attempts.recalled = 0;
   intent.log.note(situation.now, p_map, "reached");
   intent.pursuit = without_goal(std::move(intent.pursuit));
   return intent;
@@ -158,7 +159,9 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
     intent.reason = "no way to the goals left: looks into corners meanwhile";
   } else if (situation.analysis.revision != searches.map.revision()) {
     intent.reason = "waits for the analysis of the newest map";
-  } else if (intent.deferred.call_back(situation.now)) {
+  } else if (intent.attempts.recalled < params.ending.recalls_max &&
+             intent.deferred.call_back(situation.now)) {
+    ++intent.attempts.recalled;
     intent.reason = "only goals given up before are left: they are tried again";
   } else if (situation.team.has_mates() && params.ending.stays_out &&
              mates_have_goals(situation.team.roster, situation.now)) {

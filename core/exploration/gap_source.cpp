@@ -20,12 +20,13 @@ std::uint16_t place_at(const analysis::Analysis& analysis, const types::Vector2&
 std::vector<ProposedGoal> goals_at(std::span<const goals::Frontier> frontiers, Source source,
                                    double behind_min_m2, const Situation& situation,
                                    const travel::RouteMap& map, const CandidateParams& params) {
-  std::vector<goals::Goal> openings =
-      frontier_goals(map.map(), map.field(), frontiers, params, behind_min_m2);
-  for (goals::Goal& opening : openings) {
-    opening.place = place_at(situation.analysis, opening.p_map);
-    if (!std::isinf(opening.behind_m2)) continue;
-    opening.chance = chance_of(opening, situation);
+  std::vector<goals::Goal> openings;
+  for (const goals::Frontier& frontier : frontiers) {
+    auto opening = frontier_goal(map.map(), map.field(), frontier, params, behind_min_m2);
+    if (!opening) continue;
+    opening->place = place_at(situation.analysis, opening->p_map);
+    if (std::isinf(opening->behind_m2)) opening->chance = chance_of(frontier, map.map(), situation);
+    openings.push_back(*opening);
   }
   return proposed_by(source, openings);
 }
@@ -39,9 +40,10 @@ bool is_beside(const types::Vector2& p_map, std::span<const Candidate> candidate
 
 }  // namespace
 
-double chance_of(const goals::Goal& goal, const Situation& situation) {
-  return goals::chance_to_lead_on(goal.opening_m, goals::distance_from_paths_m(goal.opening, situation.paths),
-                                  situation.essential.chance);
+double chance_of(const goals::Frontier& frontier, const grid::DenseMap& map, const Situation& situation) {
+  const double reach_m = situation.essential.behind_m;
+  return goals::chance_to_lead_on(
+      goals::space_behind(map, frontier.cells, situation.analysis.continued, reach_m), reach_m);
 }
 
 Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<const Candidate> beside,

@@ -50,23 +50,19 @@ std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const 
   return candidates;
 }
 
-std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        std::span<const goals::Frontier> frontiers,
-                                        const CandidateParams& params, double behind_min_m2) {
-  std::vector<goals::Goal> found;
-  for (const goals::Frontier& frontier : frontiers) {
-    const double behind_m2 = goals::unknown_behind_m2(map, frontier, params.pocket_reach_m);
-    if (behind_m2 < behind_min_m2) continue;
-    const auto cell = goals::approach_cell(map, frontier, field, params.frontier_reach_m);
-    if (!cell) continue;
-    goals::Goal goal;
-    goal.p_map = map.centre_of(*cell);
-    goal.opening = frontier.centroid;
-    goal.opening_m = frontier.width_m;
-    goal.behind_m2 = behind_m2;
-    found.push_back(goal);
-  }
-  return found;
+std::optional<goals::Goal> frontier_goal(const grid::DenseMap& map, const grid::TravelField& field,
+                                         const goals::Frontier& frontier, const CandidateParams& params,
+                                         double behind_min_m2) {
+  const double behind_m2 = goals::unknown_behind_m2(map, frontier, params.pocket_reach_m);
+  if (behind_m2 < behind_min_m2) return std::nullopt;
+  const auto cell = goals::approach_cell(map, frontier, field, params.frontier_reach_m);
+  if (!cell) return std::nullopt;
+  goals::Goal goal;
+  goal.p_map = map.centre_of(*cell);
+  goal.opening = frontier.centroid;
+  goal.opening_m = frontier.width_m;
+  goal.behind_m2 = behind_m2;
+  return goal;
 }
 
 const Candidate* successor_of(const goals::Goal& goal, std::span<const Candidate> candidates,

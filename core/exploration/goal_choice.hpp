@@ -68,11 +68,11 @@ std::vector<Candidate> candidates_of(std::span<const ProposedGoal> goals, const 
                                      const DeferredGoals& deferred, const types::Se2& T_map_base,
                                      types::Stamp now, const CandidateParams& params, bool& cut_off);
 
-/// Frontiers that a robot can reach, with at least this much unknown space behind them, as goals: the gaps
-/// beside essential goals, and all goals of the baselines.
-std::vector<goals::Goal> frontier_goals(const grid::DenseMap& map, const grid::TravelField& field,
-                                        std::span<const goals::Frontier> frontiers,
-                                        const CandidateParams& params, double behind_min_m2 = 0.0);
+/// A frontier that a robot can reach, with at least this much unknown space behind it, as a goal: of the gaps
+/// beside essential goals, and of the baselines. Empty for another.
+std::optional<goals::Goal> frontier_goal(const grid::DenseMap& map, const grid::TravelField& field,
+                                         const goals::Frontier& frontier, const CandidateParams& params,
+                                         double behind_min_m2 = 0.0);
 
 /// The candidate that succeeds a present goal: goals recede as the map grows (paper section III).
 /// `successor_m`: CandidateParams.

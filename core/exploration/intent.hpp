@@ -32,9 +32,8 @@ struct Situation {
   bool battery_low = false;
   Feedback feedback;
   const analysis::Analysis& analysis;
-  const goals::GoalParams& essential;                  ///< parameters of the analysis
-  std::span<const std::vector<types::Vector2>> paths;  ///< driven by all robots, in map
-  std::span<const types::Vector2> route;               ///< the present one, in map
+  const goals::GoalParams& essential;     ///< parameters of the analysis
+  std::span<const types::Vector2> route;  ///< the present one, in map
   TeamView team;
   std::span<const types::Polygon> here_first{};  ///< areas whose goals come before all others, in map
   std::span<const types::Vector2> doubted{};     ///< places to look at again before the end, in map
@@ -53,6 +52,7 @@ struct Searches {
 struct Attempts {
   int resumed = 0;               ///< resumed on its way home
   int stuck = 0;                 ///< resumptions not counted because the robot was stuck
+  int recalled = 0;              ///< times that goals given up were called back since one was reached
   types::Stamp nothing_since{};  ///< since when no goal is in reach; zero: there is one
   std::optional<types::Vector2>
       turned_at{};  ///< where the robot last turned on the spot to look behind itself

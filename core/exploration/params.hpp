@@ -64,7 +64,8 @@ struct TourParams {
   double overlooked_m2 = 5.0;  ///< Finish::kEssential: a gap onto more is inspected before the return
   double overlooked_look_m = 6.0;  ///< depth to which that is counted: of a room 1.7 m wide
   double switch_share = 0.1;    ///< least saving of another tour, as a share of the route to the present goal
-  std::size_t goals_max = 20;   ///< only the nearest goals are considered
+  std::size_t goals_max = 40;   ///< only the nearest goals are considered: more than there are mostly, as
+                                ///< those beyond are not judged (Finish::kWorth)
   double now_share = 0.25;      ///< a gap is filled on the way to the first goal of a tour when the detour is
                                 ///< at most this share of coming back for it from there
   double same_opening_m = 2.0;  ///< a frontier within this distance of an essential goal's opening is that
@@ -106,6 +107,8 @@ struct EndingParams {
                            ///< goals either (ablation)
   types::Duration patience = std::chrono::seconds(6);  ///< a person may stand in a doorway for this time
   int resumes_max = 8;                                 ///< limit of resumptions on the way home
+  int recalls_max = 2;                                 ///< as often as this goals given up are tried again
+                                                       ///< before one is reached
   int stuck_max = 16;           ///< limit of resumptions not counted because the robot was stuck
   double resume_for_m = 1.2;    ///< a narrower opening does not cause a resumption
   double looked_again_m = 3.0;  ///< doubted places so near have one look together; half of

@@ -29,8 +29,8 @@ Reachable reachable(std::span<const ProposedGoal> goals, const Situation& situat
 Reachable essential_candidates(const Situation& situation, const travel::RouteMap& map,
                                const DeferredGoals& deferred, const ExplorationParams& params, bool homing);
 
-/// The chance that an opening leads on, by its width and the ways driven (gap_source.cpp).
-double chance_of(const goals::Goal& goal, const Situation& situation);
+/// The chance that a frontier of a map leads on, by the walls of the analysis (gap_source.cpp).
+double chance_of(const goals::Frontier& frontier, const grid::DenseMap& map, const Situation& situation);
 
 /// Gaps: frontiers that no candidate in `beside` covers (gap_source.cpp).
 Reachable gap_candidates(std::span<const goals::Frontier> frontiers, std::span<const Candidate> beside,

@@ -16,7 +16,7 @@ goals::Goal goal_at(const goals::Frontier& frontier, const Situation& situation,
   goal.opening = frontier.centroid;
   goal.opening_m = frontier.width_m;
   goal.behind_m2 = HUGE_VAL;
-  goal.chance = chance_of(goal, situation);
+  goal.chance = chance_of(frontier, map, situation);
   return goal;
 }
 

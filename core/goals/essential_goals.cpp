@@ -8,8 +8,8 @@
 #include "core/goals/filters.hpp"
 #include "core/goals/greedy_cover.hpp"
 #include "core/goals/opening_chance.hpp"
-#include "core/goals/opening_check.hpp"
 #include "core/goals/openings.hpp"
+#include "core/goals/space_behind.hpp"
 #include "core/goals/standing_places.hpp"
 #include "core/goals/steering.hpp"
 
@@ -31,14 +31,14 @@ Candidate candidate_of(const GoalInput& input, const Opening& opening, const Goa
   goal.place = opening.place;
   goal.side = opening.side;
   goal.verdict = Verdict::kNoOpening;
-  if (!leads_to_unknown(input.map, opening.cells, params)) return {goal, std::nullopt};
+  const SpaceBehind space = space_behind(input.map, opening.cells, input.continued, params.behind_m);
+  if (space.area_m2 < params.behind_m2) return {goal, std::nullopt};
   const std::optional<grid::CellIndex> stand = nearest_room(input, opening.cells, params);
   if (!stand) return {goal, std::nullopt};
   goal.p_map = steer(input, opening, *stand, params, nodes);
   goal.verdict = is_visited(goal, input.visited, params) ? Verdict::kVisited : Verdict::kUnlikely;
   if (goal.verdict == Verdict::kVisited) return {goal, std::nullopt};
-  const double from_paths_m = distance_from_paths_m(goal.opening, input.visited);
-  goal.chance = chance_to_lead_on(opening.width_m, from_paths_m, params.chance);
+  goal.chance = chance_to_lead_on(space, params.behind_m);
   return {goal, Prospect{goal.p_map, *stand, goal.chance}};
 }
 

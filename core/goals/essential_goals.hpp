@@ -5,21 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "core/goals/continued_walls.hpp"
 #include "core/goals/goal.hpp"
 #include "core/grid/dense_map.hpp"
 #include "core/places/segmentation/place_map.hpp"
 #include "core/places/skeleton/skeleton.hpp"
 
 namespace topo::goals {
-
-/// The chance that an opening leads onto a large area (opening_chance.hpp). Fitted to the openings of partial
-/// maps of the sixteen plans of doc/results.md; fits to halves of them agree.
-struct ChanceParams {
-  double far_m = 12.0;    ///< a greater distance from all paths makes no difference
-  double near_m = 0.5;    ///< added to that distance: the odds are positive on a path, too
-  double power = 1.5;     ///< of the sum
-  double even_at = 63.0;  ///< odds of 1: 2 m wide at 9.5 m
-};
 
 /// Filters and cover of the essential goals. Where no source is given, chosen on the same plans.
 struct GoalParams {
@@ -28,17 +20,18 @@ struct GoalParams {
   double clear_m = 0.45;           ///< clearance at which steering up the distance field ends
   double node_reach_m = 1.0;       ///< a free skeleton node within this distance becomes the goal
   double in_sight_m = 3.0;         ///< a goal serves the openings within this distance that are in its sight
-  double worth_min = 0.28;         ///< minimum sum of the chances of the openings that a goal serves
+  double worth_min = 0.55;         ///< minimum sum of the chances of the openings that a goal serves; for a
+                                   ///< goal in four clusters, in twenty drawn buildings (doc/results.md)
   double internal_reach_m = 0.5;   ///< another place this near to the middle of a side lies beyond that side
   double visited_radius_m = 1.0;   ///< of the pose-history filter (paper section II-E)
   double wide_ratio = 2.0;         ///< an opening of this multiple of opening_min_m is wide: for it
   double wide_travel_ratio = 1.2;  ///< the paths must cover this multiple of that radius
   double axis_step_m = 0.3;        ///< between viewpoints on the skeleton's axis
   double room_reach_m = 6.0;       ///< maximum distance from an opening to its goal, through free space
-  double behind_m = 2.4;           ///< minimum depth of the unknown space behind an opening
+  double behind_m = 2.4;           ///< depth to which the unknown space behind an opening is looked at
   double behind_m2 = 4.0;          ///< minimum area of that space; no room worth exploring is smaller
   double look_m = 0.0;             ///< depth to which that area is counted, when it is more than behind_m
-  ChanceParams chance;
+  ContinuedWallParams continued;
 };
 
 /// Input of the filters. The spans are borrowed for the call.
@@ -47,12 +40,13 @@ struct GoalInput {
   std::span<const float> clearance_m;  ///< with kOccupiedOrUnknown
   const places::Skeleton& skeleton;
   const places::PlaceMap& places;
+  std::span<const types::Segment> continued;  ///< walls, where they have not been seen (continued_walls.hpp)
   std::span<const std::vector<types::Vector2>> visited;  ///< corrected paths of all robots, in map
 };
 
 /// The essential goals of paper section II-E. Candidates on the sides of every place's box pass a stack of
-/// filters, each a function: internal borders and the pose history (filters.hpp), and the opening check
-/// (opening_check.hpp). For the remaining openings a few viewpoints are selected that serve all openings with
+/// filters, each a function: internal borders and the pose history (filters.hpp), and the space behind them
+/// (space_behind.hpp). For the remaining openings a few viewpoints are selected that serve all openings with
 /// enough expected information gain (opening_chance.hpp, standing_places.hpp, greedy_cover.hpp). The
 /// candidates of a side are located at its openings, not at its midpoint (openings.hpp); a side without
 /// openings has one at its midpoint, which is rejected. Goals are in the order of places and sides. The

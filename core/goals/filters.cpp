@@ -46,6 +46,15 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side,
   return false;
 }
 
+double distance_from_paths_m(const types::Vector2& p_map,
+                             std::span<const std::vector<types::Vector2>> paths) {
+  double nearest_m2 = HUGE_VAL;
+  for (const std::vector<types::Vector2>& path : paths) {
+    for (const types::Vector2& p : path) nearest_m2 = std::min(nearest_m2, (p - p_map).squaredNorm());
+  }
+  return std::sqrt(nearest_m2);
+}
+
 bool is_visited(const Goal& goal, std::span<const std::vector<types::Vector2>> visited,
                 const GoalParams& params) {
   const bool wide = goal.opening_m >= params.wide_ratio * params.opening_min_m;

@@ -20,6 +20,9 @@ bool faces_another_place(const GoalInput& input, std::uint16_t place, Side side,
 /// True when all cells on the straight line between the centres of two cells are free.
 bool sees(const grid::DenseMap& map, grid::CellIndex a, grid::CellIndex b);
 
+/// Distance from a point to the nearest pose of all paths; HUGE_VAL without poses. Linear in the poses.
+double distance_from_paths_m(const types::Vector2& p_map, std::span<const std::vector<types::Vector2>> paths);
+
 /// Pose-history filter: true when a robot has been at the goal. For an opening that is not wide
 /// (wide_ratio) one pose within visited_radius_m is enough (paper: partial views through openings that a
 /// robot cannot enter). For a wider one the paths (one per robot) must cover wide_travel_ratio times that

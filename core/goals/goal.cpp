@@ -27,13 +27,13 @@ std::string_view to_text(Verdict verdict) {
     case Verdict::kInternal:
       return "leads to another known place";
     case Verdict::kNoOpening:
-      return "no unknown space behind it that a robot could enter";
+      return "little or no unknown space behind it before a wall";
     case Verdict::kVisited:
       return "a robot was there already";
     case Verdict::kServed:
       return "in sight of another goal";
     case Verdict::kUnlikely:
-      return "too narrow, or too near to where a robot was, to lead onto much";
+      return "too much of what is behind it is closed, by walls or known space, to lead onto much";
   }
   return "unknown";
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/goals/opening_chance.hpp"
+#include "core/goals/filters.hpp"
 
 namespace topo::goals {
 namespace {

@@ -77,7 +77,6 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
                    {intent.obstacles.echoed(), std::move(seen), intent.obstacles.stuck_on(),
                     std::vector<Vector2>(team.going_at.begin(), team.going_at.end())});
   done(PlanningStage::kTravel);
-  const std::vector<std::vector<Vector2>> paths = driven_paths(*in.map);
   const exploration::Feedback feedback{in.control->goal_id, in.control->mode == ControlMode::kArrived,
                                        in.control->mode == ControlMode::kStuck,
                                        in.control->odometry.twist.v_mps};
@@ -89,7 +88,6 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
                                          feedback,
                                          *analysed_now.analysis,
                                          params.analysis.goals,
-                                         paths,
                                          route.points,
                                          team,
                                          in.here_first,

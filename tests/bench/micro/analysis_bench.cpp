@@ -162,7 +162,8 @@ void BM_Reduction(benchmark::State& state) {
 }
 void BM_Goals(benchmark::State& state) {
   measure(state, [](const Stages& on) {
-    return goals::essential_goals({on.map, on.clearance_m, on.skeleton, on.places, {}});
+    const std::vector<types::Segment> continued = goals::continued_walls(on.map, on.walls);
+    return goals::essential_goals({on.map, on.clearance_m, on.skeleton, on.places, continued, {}});
   });
 }
 

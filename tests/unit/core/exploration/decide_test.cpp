@@ -36,7 +36,7 @@ TEST_F(Deciding, ANewMissionForgetsTheOldOne) {
     old.pursuit.goal = goals::Goal{};
     old.pursuit.has_target = true;
     old.pursuit.number = 8;
-    old.attempts = {3, 2, building_.now()};
+    old.attempts = {3, 2, 1, building_.now()};
     old.deferred.visit({1.0, 1.0}, std::nullopt);
     old.sweep.meanwhile = true;
     old.offer.bids.push_back({});
@@ -138,6 +138,29 @@ TEST_F(Deciding, WithoutAGoalInReachThoseGivenUpAreTriedAgain) {
   EXPECT_FALSE(again.pursuit.has_target);
   const Intent retried = after(situation(), again);
   EXPECT_TRUE(retried.pursuit.has_target);
+}
+
+/// Goals that are none whenever the robot turns to them would keep it for ever.
+TEST_F(Deciding, ThoseGivenUpAreTriedAgainOnlySoOftenBeforeOneIsReached) {
+  params_.finish = Finish::kEssential;
+  params_.tour.overlooked_m2 = 1e6;  // no gaps
+  Intent intent = first();
+  const std::vector<goals::Goal> goals = intent.outlook.open_goals;
+  const auto lost_all = [&](Intent now) {
+    for (const goals::Goal& goal : goals)
+      for (int twice = 0; twice < 2; ++twice) now.deferred.vanish(goal.p_map, building_.now() + seconds(500));
+    now.pursuit.goal.reset();
+    return now;
+  };
+  for (int k = 0; k < params_.ending.recalls_max; ++k) {
+    intent = after(situation(), lost_all(std::move(intent)));
+    EXPECT_EQ(intent.reason, "only goals given up before are left: they are tried again");
+  }
+  const Intent tried = after(situation(), intent);
+  ASSERT_TRUE(tried.pursuit.goal);
+  EXPECT_EQ(after(reported(tried, true, false), tried).attempts.recalled, 0) << "one was reached";
+  const Intent ended = after(situation(), lost_all(intent));
+  EXPECT_EQ(ended.reason, "explored: no goal is left in reach");
 }
 
 TEST_F(Deciding, ALowBatteryLeadsHome) {

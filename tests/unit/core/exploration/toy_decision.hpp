@@ -41,7 +41,6 @@ class ToyDecision : public ::testing::Test {
     map_.take(snapshot.revision, snapshot.grid, ways);
     map_.begin(snapshot.keyframes.back(), ways, {});
     map_.settle(HUGE_VAL);
-    paths_ = pipeline::driven_paths(snapshot);
   }
 
   [[nodiscard]] Situation situation() const {
@@ -53,7 +52,6 @@ class ToyDecision : public ::testing::Test {
             .feedback = {},
             .analysis = *analysis_,
             .essential = planner_.analysis.goals,
-            .paths = paths_,
             .route = {},
             .team = {5, roster_, {}}};
   }
@@ -87,7 +85,6 @@ class ToyDecision : public ::testing::Test {
   team::Roster roster_;
   DeferredGoals deferred_;
   std::shared_ptr<const analysis::Analysis> analysis_;
-  std::vector<std::vector<types::Vector2>> paths_;
 };
 
 }  // namespace topo::exploration

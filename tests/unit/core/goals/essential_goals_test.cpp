@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/goals/filters.hpp"
-#include "core/goals/opening_chance.hpp"
 #include "core/goals/opening_check.hpp"
 #include "core/goals/steering.hpp"
 #include "tests/unit/core/goals/scene.hpp"
@@ -47,8 +46,7 @@ TEST(EssentialGoals, OfACorridorSeenToItsMiddleIsOneAtItsEnd) {
   EXPECT_NEAR(set.goals[0].opening.x(), 15.0, 0.1);
   EXPECT_NEAR(set.goals[0].opening.y(), 2.0, 0.1);
   EXPECT_NEAR(set.goals[0].p_map.x(), 14.5, 0.6);
-  EXPECT_EQ(set.goals[0].chance, chance_to_lead_on(set.goals[0].opening_m, HUGE_VAL, {}))
-      << "nobody was there";
+  EXPECT_NEAR(set.goals[0].chance, 0.8, 0.2) << "nothing is known of what is behind it";
   EXPECT_EQ(set.rejected.size(), 3U) << "the other sides";
   EXPECT_EQ(count(set, Verdict::kNoOpening), 3);
 }
@@ -227,19 +225,21 @@ TEST(Filters, AnOpeningBehindANarrowFanIsSeenFromItsBeginning) {
   EXPECT_FALSE(nearest_room(scene.input(), opening.cells, impatient));
 }
 
-TEST(EssentialGoals, OfAnOpeningBesideAPathIsNoneIfItIsNarrow) {
-  // Beside a path of long ago, 2 m from it: a gap of 1 m in a wall shows nothing more, the corridor's end
-  // does.
-  DrawnMap drawn = DrawnMap(400, 160).room(20, 20, 380, 100).fill(380, 18, 382, 102, CellState::kUnknown);
-  drawn.free(200, 100, 220, 102);
-  const auto goals_after = [scene = Scene(drawn)](double y_m) {
-    return scene.goals(std::vector<std::vector<types::Vector2>>{{{9.0, y_m}, {12.0, y_m}}});
-  };
-  const GoalSet unseen = Scene(drawn).goals(), seen = goals_after(4.0);
-  EXPECT_EQ(unseen.goals.size(), 2U);
-  ASSERT_EQ(seen.goals.size(), 1U);
-  EXPECT_EQ(seen.goals[0].side, Side::kEast);
-  EXPECT_EQ(count(seen, Verdict::kUnlikely) + count(seen, Verdict::kVisited), 1);
+/// A room of 8 x 6 m, and at its upper wall the shadow of a cupboard, 3 m wide and 2 m deep, in which the
+/// wall was not seen.
+TEST(EssentialGoals, OfAShadowBeforeAWallThatGoesOnAreNone) {
+  DrawnMap drawn = DrawnMap(200, 160).room(20, 20, 180, 140).fill(70, 100, 130, 142, CellState::kUnknown);
+  drawn.occupied(70, 98, 130, 100);
+  Scene scene(drawn);
+  EXPECT_FALSE(scene.goals().goals.empty()) << "the shadow's end is not known";
+  const double wall_y_m = scene.map.centre_of({0, 140}).y();
+  const auto x_m = [&](int x) { return scene.map.centre_of({x, 0}).x(); };
+  scene.continued =
+      continued_walls(scene.map, std::vector<types::Segment>{{{x_m(20), wall_y_m}, {x_m(69), wall_y_m}},
+                                                             {{x_m(130), wall_y_m}, {x_m(180), wall_y_m}}});
+  const GoalSet set = scene.goals();
+  EXPECT_TRUE(set.goals.empty());
+  EXPECT_GE(count(set, Verdict::kUnlikely) + count(set, Verdict::kNoOpening), 1);
 }
 
 TEST(Filters, APlaceIsVisitedByWhoWasThere) {

@@ -173,7 +173,7 @@ struct TwoSquares {
     places.places.push_back({{{0.05 * (60 + gap_cells), 0.0}, {6.0, 3.0}}, {4.6, 1.5}, 8.4, 1.4F});
   }
   [[nodiscard]] bool faces(std::uint16_t place, Side side) const {
-    return faces_another_place({map, {}, skeleton, places, {}}, place, side, {});
+    return faces_another_place({map, {}, skeleton, places, {}, {}}, place, side, {});
   }
 
   DenseMap map;
@@ -204,6 +204,34 @@ TEST(FacesAnotherPlace, InTheCompassFrameNotTheMaps) {
     EXPECT_EQ(squares.faces(1, side), side == Side::kSouth) << to_text(side);
     EXPECT_EQ(squares.faces(2, side), side == Side::kNorth) << to_text(side);
   }
+}
+
+TEST(DistanceFromPaths, IsThatOfTheNearestPoseOfAny) {
+  const std::vector<std::vector<types::Vector2>> paths = {{{0.0, 0.0}, {4.0, 0.0}}, {}, {{9.0, 3.0}}};
+  EXPECT_DOUBLE_EQ(distance_from_paths_m({6.0, 0.0}, paths), 2.0);
+  EXPECT_DOUBLE_EQ(distance_from_paths_m({9.0, 4.0}, paths), 1.0);
+  EXPECT_EQ(distance_from_paths_m({9.0, 4.0}, {}), HUGE_VAL);
+}
+
+TEST(DistanceFromPaths, IsTheSameHoweverTheMapIsTurned) {
+  EXPECT_TRUE(rc::check([] {
+    auto paths = random_paths(9.0);
+    const types::Vector2 p = random_point(9.0);
+    double nearest_m = HUGE_VAL;
+    for (const auto& path : paths)
+      for (const types::Vector2& pose : path) nearest_m = std::min(nearest_m, (pose - p).norm());
+    const types::Se2 motion{3.0, -2.0, 0.01 * *rc::gen::inRange(-314, 314)};
+    const double away_m = distance_from_paths_m(p, paths);
+    for (auto& path : paths)
+      for (types::Vector2& pose : path) pose = motion * pose;
+    std::ranges::reverse(paths);
+    const double moved_m = distance_from_paths_m(motion * p, paths);
+    if (std::isinf(nearest_m)) {
+      RC_ASSERT(away_m == HUGE_VAL && moved_m == HUGE_VAL);
+    } else {
+      RC_ASSERT(std::abs(away_m - nearest_m) < 1e-9 && std::abs(moved_m - away_m) < 1e-9);
+    }
+  }));
 }
 
 }  // namespace

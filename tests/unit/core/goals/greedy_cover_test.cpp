@@ -22,7 +22,7 @@ StandingPlace shared(std::vector<std::uint32_t> prospects, double x, double away
 }
 
 TEST(GreedyCover, OnePlaceForAllThatItServes) {
-  const auto prospects = prospects_of({0.5, 0.6, 0.4});
+  const auto prospects = prospects_of({0.5, 0.7, 0.6});
   const std::vector<StandingPlace> places = {own(0, 0.0), own(1, 4.0), own(2, 20.0), shared({0, 1}, 2.0)};
   const GreedyCover cover = cover_openings(prospects, places, {}, {});
   ASSERT_EQ(cover.chosen.size(), 2U);
@@ -33,7 +33,7 @@ TEST(GreedyCover, OnePlaceForAllThatItServes) {
 }
 
 TEST(GreedyCover, WhatIsHardlyWorthItAloneMayBeWithItsNeighbours) {
-  const auto prospects = prospects_of({0.15, 0.15, 0.15});
+  const auto prospects = prospects_of({0.3, 0.3, 0.3});
   const std::vector<StandingPlace> alone = {own(0, 0.0), own(1, 4.0), own(2, 20.0)};
   const GreedyCover none = cover_openings(prospects, alone, {}, {});
   EXPECT_TRUE(none.chosen.empty());
@@ -47,7 +47,7 @@ TEST(GreedyCover, WhatIsHardlyWorthItAloneMayBeWithItsNeighbours) {
 }
 
 TEST(GreedyCover, NobodyIsSentWhereARobotSawAllThatCanBeSeen) {
-  const auto prospects = prospects_of({0.5, 0.6});
+  const auto prospects = prospects_of({0.6, 0.7});
   const std::vector<StandingPlace> places = {own(0, 0.0), own(1, 4.0), shared({0, 1}, 2.0)};
   const std::vector<std::vector<types::Vector2>> visited = {{{2.0, 0.5}}};
   const GreedyCover cover = cover_openings(prospects, places, visited, {});

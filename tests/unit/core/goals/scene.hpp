@@ -28,7 +28,7 @@ struct Scene {
         places(places::segment_places(map, clearance_m, skeleton, {}, 0.0)) {}
 
   [[nodiscard]] GoalInput input(std::span<const std::vector<types::Vector2>> visited = {}) const {
-    return {map, clearance_m, skeleton, places, visited};
+    return {map, clearance_m, skeleton, places, continued, visited};
   }
   [[nodiscard]] GoalSet goals(std::span<const std::vector<types::Vector2>> visited = {}) const {
     return essential_goals(input(visited));
@@ -38,6 +38,7 @@ struct Scene {
   std::vector<float> clearance_m;
   places::Skeleton skeleton;
   places::PlaceMap places;
+  std::vector<types::Segment> continued;  ///< walls
 };
 
 /// A room with patches of the three states in it.

@@ -26,7 +26,7 @@ struct Floor {
     std::vector<Prospect> prospects;
     for (const types::Vector2& p : stands) prospects.push_back({p, map.cell_at(p), 0.5});
     const places::PlaceMap no_places;
-    return standing_places({map, clearance_m, skeleton, no_places, {}}, prospects, {});
+    return standing_places({map, clearance_m, skeleton, no_places, {}, {}}, prospects, {});
   }
 
   grid::DenseMap map;

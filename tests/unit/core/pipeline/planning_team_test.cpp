@@ -135,7 +135,7 @@ TEST_F(WithAMate, leavesAGoalToTheNearerRobotAndTakesTheOther) {
   EXPECT_LE(silent, 24) << "ten seconds";
   EXPECT_TRUE(out_.plan.moving);
   ASSERT_TRUE(out_.message.claim.has_value());
-  EXPECT_LT((out_.message.claim->p_map - first).norm(), 1.5) << "the goal that was the mate's";
+  EXPECT_LT((out_.message.claim->p_map - first).norm(), 3.0) << "the end that was the mate's";
 }
 
 TEST_F(WithAMate, leavesAGoalInThePeriodInWhichAMateIsHeardToHaveIt) {
@@ -200,12 +200,11 @@ TEST_F(WithAMate, comesToItsOwnStartWhenTheOperatorSendsItHome) {
 
 TEST_F(WithAMate, comesHomeOnALowBatteryToOnePlace) {
   const Vector2 start = building_.robot();
-  mate_.start = start + Vector2(1.5, 0.0);
-  for (int i = 0; i < 30 && (building_.robot() - mate_.start).norm() < 4.0; ++i) (void)period();
-  ASSERT_GT((building_.robot() - mate_.start).norm(), 4.0);
+  mate_.start = start + Vector2(3.0, 0.0);
   building_.control().battery_v = 11.2F;
-  for (int i = 0; i < 60 && out_.report->activity != Activity::kReturning; ++i) (void)period();
+  for (int i = 0; i < 60 && (i == 0 || out_.report->activity != Activity::kReturning); ++i) (void)period();
   ASSERT_EQ(out_.report->reason, "the battery is low");
+  ASSERT_GT((building_.robot() - mate_.start).norm(), 3.0);
   const std::uint64_t goal_id = out_.plan.goal_id;
   for (int i = 0; i < 5; ++i) EXPECT_EQ(period().plan.goal_id, goal_id) << "control begins anew with each";
   for (int i = 0; i < 100 && out_.message.duty != team::Duty::kOver; ++i) (void)period();
@@ -317,7 +316,7 @@ TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
   EXPECT_TRUE(out_.plan.moving);
   EXPECT_TRUE(out_.message.visited.empty()) << "being in the room is not being at the goal";
   ASSERT_TRUE(out_.message.claim.has_value());
-  EXPECT_TRUE(team::is_same_goal(out_.message.claim->p_map, bound_to));
+  EXPECT_LT((out_.message.claim->p_map - bound_to).norm(), 3.0) << "the end that it was bound to";
 }
 
 TEST_F(WithAMate, doesNotBackOffIntoAMateNorPassOneAtFullSpeed) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/goals/frontiers.hpp"
 #include "core/goals/opening_chance.hpp"
 #include "tests/unit/core/pipeline/toy_building.hpp"
 
@@ -79,34 +80,43 @@ bool leaves_for_the_passage(std::size_t ahead, double range_m, double switch_sha
   return scene.goes_to_the_passage();
 }
 
-// The way to the end of the hall costs 9.6 m; the tour that begins with the passage is 3 to 4 m cheaper.
+// The way to the end of the hall costs 9.6 m; the tour that begins with the passage is 4 to 5 m cheaper.
 TEST(SwitchShare, aGoalIsLeftForATourThatSavesThatShareOfTheWayToIt) {
   EXPECT_TRUE(leaves_for_the_passage(4, 6.0, exploration::TourParams{}.switch_share));
-  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, 0.31));
-  EXPECT_FALSE(leaves_for_the_passage(4, 6.0, 0.45));
+  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, 0.38));
+  EXPECT_FALSE(leaves_for_the_passage(4, 6.0, 0.6));
 }
 
 // Here it is about as much of 15.9 m, a smaller share.
 TEST(SwitchShare, theFartherTheGoalTheMoreMetresAnotherTourHasToSave) {
   EXPECT_TRUE(leaves_for_the_passage(32, 12.0, exploration::TourParams{}.switch_share));
-  EXPECT_FALSE(leaves_for_the_passage(32, 12.0, 0.31));
+  EXPECT_FALSE(leaves_for_the_passage(32, 12.0, 0.38));
 }
 
 TEST(GapWorth, isByTheChanceThatItLeadsOn) {
-  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, 0.31, 0.0));
-  EXPECT_FALSE(leaves_for_the_passage(4, 6.0, 0.31, 10.0)) << "near to where the robot was, and narrower";
+  EXPECT_FALSE(leaves_for_the_passage(4, 6.0, 0.5, 0.0));
+  EXPECT_TRUE(leaves_for_the_passage(4, 6.0, 0.5, 10.0)) << "more is unknown behind the passage";
 }
 
-TEST(GapChance, isByTheWidthAndTheDistanceFromWhereRobotsWere) {
+TEST(GapChance, isByTheSpaceThatIsUnknownBehindIt) {
   HallAndPassage scene(4, 6.0, {});
   scene.open_the_door();
   for (int i = 0; i < 4; ++i) scene.period();
-  const std::vector<goals::Goal> gaps = scene.period().open_goals;
-  ASSERT_EQ(gaps.size(), 2U);
-  for (const goals::Goal& gap : gaps) {
+  const PlanningReport& report = scene.period();
+  const analysis::Analysis& analysed = *report.analysis;
+  ASSERT_EQ(report.open_goals.size(), 2U);
+  for (const goals::Goal& gap : report.open_goals) {
     ASSERT_EQ(gap.behind_m2, HUGE_VAL);
-    const double away_m = (gap.opening - scene.robot()).norm();
-    EXPECT_NEAR(gap.chance, goals::chance_to_lead_on(gap.opening_m, away_m, {}), 0.02);
+    const auto away_m = [&](const goals::Frontier& f) { return (f.centroid - gap.opening).norm(); };
+    const auto frontiers = goals::find_frontiers(analysed.map);
+    const goals::Frontier& frontier = *std::ranges::min_element(frontiers, {}, away_m);
+    ASSERT_LT(away_m(frontier), 0.1);
+    const goals::GoalParams params;
+    const double chance = goals::chance_to_lead_on(
+        goals::space_behind(analysed.map, frontier.cells, analysed.continued, params.behind_m),
+        params.behind_m);
+    EXPECT_GT(chance, 0.2);
+    EXPECT_NEAR(gap.chance, chance, 0.02);
   }
 }
 
