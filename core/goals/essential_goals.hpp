@@ -13,24 +13,27 @@
 
 namespace topo::goals {
 
-/// Filters and cover of the essential goals. Where no source is given, chosen on the same plans.
+/// Filters and cover of the essential goals. Where no source is given, chosen on partial maps of the sixteen
+/// plans of doc/results.md.
 struct GoalParams {
   double robot_radius_m = 0.297;   ///< as grid::TravelRules::radius_m
   double opening_min_m = 0.75;     ///< a narrower frontier is not an opening
   double clear_m = 0.45;           ///< clearance at which steering up the distance field ends
   double node_reach_m = 1.0;       ///< a free skeleton node within this distance becomes the goal
   double in_sight_m = 3.0;         ///< a goal serves the openings within this distance that are in its sight
-  double worth_min = 0.55;         ///< minimum sum of the chances of the openings that a goal serves; for a
-                                   ///< goal in four clusters, in twenty drawn buildings (doc/results.md)
+  double worth_min = 0.55;         ///< minimum sum of the chances of the openings that a goal serves: less
+                                   ///< than a door of 0.95 m has (0.58)
   double internal_reach_m = 0.5;   ///< another place this near to the middle of a side lies beyond that side
   double visited_radius_m = 1.0;   ///< of the pose-history filter (paper section II-E)
   double wide_ratio = 2.0;         ///< an opening of this multiple of opening_min_m is wide: for it
   double wide_travel_ratio = 1.2;  ///< the paths must cover this multiple of that radius
   double axis_step_m = 0.3;        ///< between viewpoints on the skeleton's axis
   double room_reach_m = 6.0;       ///< maximum distance from an opening to its goal, through free space
-  double behind_m = 2.4;           ///< depth to which the unknown space behind an opening is looked at
+  double behind_m = 2.4;           ///< depth to which the unknown space behind an opening is looked at, and
+                                   ///< the least in which a robot goes on (opening_check.hpp)
   double behind_m2 = 4.0;          ///< minimum area of that space; no room worth exploring is smaller
-  double look_m = 0.0;             ///< depth to which that area is counted, when it is more than behind_m
+  double look_m = 0.0;             ///< of opening_check.hpp: depth to which that area is counted, when it is
+                                   ///< more than behind_m
   ContinuedWallParams continued;
 };
 

@@ -27,7 +27,7 @@ std::string_view to_text(Verdict verdict) {
     case Verdict::kInternal:
       return "leads to another known place";
     case Verdict::kNoOpening:
-      return "little or no unknown space behind it before a wall";
+      return "little or no unknown space behind it before a wall, or no room for a robot before it";
     case Verdict::kVisited:
       return "a robot was there already";
     case Verdict::kServed:

@@ -18,7 +18,7 @@ std::string_view to_text(Side side);
 enum class Verdict : std::uint8_t {
   kAccepted,
   kInternal,   ///< a boundary between two places, not a frontier of the map
-  kNoOpening,  ///< no unknown space behind it, or too little before a wall
+  kNoOpening,  ///< too little unknown space behind it, or no room before it
   kVisited,    ///< a robot was there already
   kServed,     ///< in sight of another goal
   kUnlikely,   ///< the chance that it leads onto a large area is too small

@@ -150,7 +150,8 @@ TEST_F(Shadows, AFrontierBetweenThemIsSuchAGoal) {
   const auto found = unseen_way_candidates(onto_much, now, map_, deferred_, params_);
   ASSERT_FALSE(found.empty());
   for (const Candidate& c : found) {
-    EXPECT_GT(expected_area_m2(c.goal, params_.tour.leads_on_m2, params_.tour), 0.0);
+    EXPECT_TRUE(std::isinf(c.goal.behind_m2));
+    EXPECT_GE(expected_area_m2(c.goal, params_.tour.leads_on_m2, params_.tour), params_.tour.shadow_m2);
   }
 }
 

@@ -12,7 +12,6 @@
 #include "core/exploration/intent.hpp"
 #include "core/exploration/params.hpp"
 #include "core/goals/frontiers.hpp"
-#include "core/pipeline/newest_keyframe.hpp"
 #include "tests/unit/core/pipeline/toy_building.hpp"
 
 namespace topo::exploration {

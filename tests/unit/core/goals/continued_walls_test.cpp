@@ -19,34 +19,35 @@ using grid::CellState;
 using places::DrawnMap;
 using types::Segment;
 
+constexpr ContinuedWallParams kFar{.length_m = 9.0};
+
 TEST(ContinuedWalls, EndBeforeTheFirstFreeCell) {
   const grid::DenseMap map = DrawnMap(200, 40).free(150, 0, 160, 40).map();
-  const auto continued = continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {3.0, 1.0}}});
+  const auto continued = continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {3.0, 1.0}}}, kFar);
   ASSERT_EQ(continued.size(), 2U);
   EXPECT_EQ(continued[1].a, types::Vector2(3.0, 1.0));
   EXPECT_NEAR(continued[1].b.x(), 7.5, 0.051) << "before what is free from 7.5 m on";
   EXPECT_EQ(continued[0].a, types::Vector2(1.0, 1.0));
-  EXPECT_NEAR(continued[0].b.x(), 0.0, 0.11) << "the map's border";
+  EXPECT_NEAR(continued[0].b.x(), -8.0, 1e-9) << "beyond the map's border, too";
   EXPECT_NEAR(continued[0].b.y(), 1.0, 1e-9);
 }
 
 TEST(ContinuedWalls, GoOnOverFreeCellsAtTheirEndsOnly) {
   const grid::DenseMap map = DrawnMap(200, 40).free(60, 0, 66, 40).free(100, 0, 106, 40).map();
-  const auto continued = continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {3.0, 1.0}}});
+  const auto continued = continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {3.0, 1.0}}}, kFar);
   EXPECT_NEAR(continued[1].b.x(), 5.0, 0.051) << "over 0.3 m at once, not 2 m on";
 }
 
-TEST(ContinuedWalls, AreNoLongerThanTheScannerSees) {
-  const auto continued =
-      continued_walls(DrawnMap(2000, 40).map(), std::vector<Segment>{{{40.0, 1.0}, {41.0, 1.0}}});
-  EXPECT_NEAR(continued[0].length_m(), 30.0, 1e-9);
-  EXPECT_NEAR(continued[1].length_m(), 30.0, 1e-9);
+TEST(ContinuedWalls, AreAsLongAsTheParameterSays) {
+  const std::vector<Segment> wall{{{40.0, 1.0}, {41.0, 1.0}}};
+  const grid::DenseMap map = DrawnMap(2000, 40).map();
+  for (const Segment& on : continued_walls(map, wall)) EXPECT_NEAR(on.length_m(), 1.2, 1e-9);
+  for (const Segment& on : continued_walls(map, wall, kFar)) EXPECT_NEAR(on.length_m(), 9.0, 1e-9);
 }
 
-TEST(ContinuedWalls, OfAShortWallAreNone) {
+TEST(ContinuedWalls, OfNoWallAreNone) {
   const grid::DenseMap map = DrawnMap(200, 40).map();
-  EXPECT_TRUE(continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {1.25, 1.0}}}).empty());
-  EXPECT_TRUE(continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {1.0, 1.0}}}).empty());
+  EXPECT_TRUE(continued_walls(map, std::vector<Segment>{{{1.0, 1.0}, {1.0, 1.0}}}).empty()) << "no direction";
   EXPECT_TRUE(continued_walls(map, {}).empty());
 }
 
@@ -61,7 +62,7 @@ TEST(ContinuedWalls, LieInTheirWallsLineOverWhatIsNotFree) {
     const Segment wall{point(), point()};
     const ContinuedWallParams params;
     const auto continued = continued_walls(map, std::vector<Segment>{wall}, params);
-    if (wall.length_m() < params.wall_min_m) {
+    if (wall.a == wall.b) {
       RC_ASSERT(continued.empty());
       return;
     }

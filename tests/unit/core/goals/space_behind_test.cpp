@@ -6,7 +6,9 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/goals/continued_walls.hpp"
 #include "core/goals/frontiers.hpp"
 #include "tests/unit/core/goals/scene.hpp"
 
@@ -94,10 +96,63 @@ TEST(SpaceBehind, GoesOnBeyondTheMap) {
       << "sides, and quarters of a disc at the corners";
 }
 
+/// A pocket round a corner: the frontier bends, and what is out of reach of one of its cells is near another.
+TEST(SpaceBehind, OfABentPocketIsNothingAhead) {
+  EXPECT_TRUE(rc::check([] {
+    const int depth = *rc::gen::inRange(1, 20);
+    const DrawnMap drawn = DrawnMap(120, 120)
+                               .occupied(5, 5, 72 + depth, 72 + depth)
+                               .fill(7, 7, 70 + depth, 70 + depth, CellState::kUnknown)
+                               .free(7, 7, 70, 70);
+    const SpaceBehind space = behind_only_frontier(drawn.map(), {}, kCell_m * (1.5 * depth + 2));
+    RC_ASSERT(space.ahead == 0.0);
+    RC_ASSERT(std::abs(space.area_m2 - (2 * 63 + depth) * depth * kCell_m2) < 1e-9);
+  }));
+}
+
+/// The same opening askew: what is behind it is as deep.
+TEST(SpaceBehind, IsAsDeepBehindAFrontierAskew) {
+  DrawnMap drawn(300, 300);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 300; ++x)
+      if (x + y < 200) drawn.free(x, y, x + 1, y + 1);
+  const grid::DenseMap& map = drawn.map();
+  std::vector<std::uint32_t> diagonal;
+  for (int x = 61; x < 140; ++x) diagonal.push_back(static_cast<std::uint32_t>(map.index({x, 199 - x})));
+  const double length_m = std::sqrt(2.0) * static_cast<double>(diagonal.size()) * kCell_m;
+  EXPECT_NEAR(space_behind(map, diagonal, {}, 1.0).area_m2, length_m * 1.0 + 0.5 * 3.14, 0.25);
+}
+
+/// Unknown cells round a map are no knowledge.
+TEST(SpaceBehind, IsTheSameHoweverLargeTheMapIs) {
+  EXPECT_TRUE(rc::check([] {
+    const grid::DenseMap map = random_room(50);
+    grid::DenseMap padded = map;
+    const int more = *rc::gen::inRange(1, 40);
+    padded.box = {{map.box.min.x - more, map.box.min.y - more}, {map.box.max.x + more, map.box.max.y + more}};
+    padded.cells.assign(static_cast<std::size_t>(padded.box.width() * padded.box.height()),
+                        CellState::kUnknown);
+    for (std::size_t i = 0; i < map.cells.size(); ++i) padded.cells[padded.index(map.cell(i))] = map.cells[i];
+    const std::vector<types::Segment> walls{{random_point(2.5), random_point(2.5)}};
+    for (const Frontier& frontier : find_frontiers(map, 0.3)) {
+      std::vector<std::uint32_t> same;
+      for (const std::uint32_t i : frontier.cells)
+        same.push_back(static_cast<std::uint32_t>(padded.index(map.cell(i))));
+      const SpaceBehind one = space_behind(map, frontier.cells, continued_walls(map, walls), 1.0);
+      const SpaceBehind other = space_behind(padded, same, continued_walls(padded, walls), 1.0);
+      RC_ASSERT(one.area_m2 == other.area_m2);
+      RC_ASSERT(one.ahead == other.ahead);
+    }
+  }));
+}
+
 TEST(SpaceBehind, OfNoOpeningIsNone) {
   const SpaceBehind space = space_behind(DrawnMap(30, 30).free(5, 5, 25, 25).map(), {}, {}, 2.4);
   EXPECT_EQ(space.area_m2, 0.0);
   EXPECT_EQ(space.ahead, 0.0);
+  const std::vector<std::uint32_t> cell{500};
+  EXPECT_EQ(space_behind(DrawnMap(30, 30).free(5, 5, 25, 25).map(), cell, {}, 0.01).area_m2, 0.0)
+      << "no reach";
 }
 
 /// Whatever the map: only unknown cells within reach count, each once.
