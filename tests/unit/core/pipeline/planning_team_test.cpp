@@ -316,8 +316,8 @@ TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
   EXPECT_TRUE(out_.plan.moving);
   EXPECT_TRUE(out_.message.visited.empty()) << "being in the room is not being at the goal";
   ASSERT_TRUE(out_.message.claim.has_value());
-  ASSERT_GT(bound_to.x(), here.x());
-  EXPECT_GT(out_.message.claim->p_map.x(), here.x()) << "the end that it was bound to";
+  ASSERT_GT(bound_to.x(), aside.x());
+  EXPECT_GT(out_.message.claim->p_map.x(), aside.x()) << "where it was bound to, not where the mate goes";
 }
 
 TEST_F(WithAMate, doesNotBackOffIntoAMateNorPassOneAtFullSpeed) {
