@@ -174,7 +174,7 @@ class Explore(unittest.TestCase):
         (self.folder / "rooms.toml").write_text(WORLD.replace(", 2.0]", ", 2.8]"))
         for radio in ("loss:0.5", "range:5", "none"):
             with self.subTest(radio):
-                # Seed 1 without a radio is an open fault (doc/results.md, A robot that stands although it has a route).
+                # Seed 1 without a radio is an open fault (doc/results.md, A robot that finds no way home).
                 found = self.explore_together("--radio", radio, "--limit", 600, "--seed", 2)
                 self.assertEqual(found["radio"], radio)
                 self.assertEqual(found["home"], [True, True], found["reason"])
