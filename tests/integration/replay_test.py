@@ -101,12 +101,13 @@ class ReplayTest(DrivenOnce):
 
     def test_a_recording_becomes_a_session_meanwhile(self):
         page = self.show(self.folder / "drive.rec")
-        page.receive_until(lambda: page.known.get("replay", {}).get("growing") and page.known["replay"]["length_s"] > 1.0)
+        page.receive_until(lambda: page.known.get("replay", {}).get("growing"))
+        [maker] = self.children()  # now: of a short recording it soon ends
+        self.assertEqual(pathlib.Path("/proc/%d/comm" % maker).read_text().strip(), "topometricd")
+        page.receive_until(lambda: page.known["replay"]["length_s"] > 1.0)
         page.receive_until(lambda: page.known.get("status", {}).get("map", {}).get("keyframes", 0) > 1 and page.cells())
         self.assertTrue(page.act("replay", speed=50)["ok"])
         # The daemon that makes it does not outlive a page that is killed.
-        [maker] = self.children()
-        self.assertEqual(pathlib.Path("/proc/%d/comm" % maker).read_text().strip(), "topometricd")
         self.view.kill()
         self.view.wait()
         wait_for(lambda: not is_running(maker), "the end of the daemon that made the session")
