@@ -7,6 +7,7 @@
 #include "core/exploration/intent.hpp"
 #include "core/exploration/stuck.hpp"
 #include "core/grid/nearest_reachable.hpp"
+#include "core/travel/closed_way.hpp"
 #include "core/types/braking.hpp"
 
 namespace topo::exploration {
@@ -45,6 +46,24 @@ struct Reached {
   double held_m = 0.0;
 };
 
+/// No route leads to the position: what closes the way by which the robot came may be gone, as a person or a
+/// mate that is not heard. From near by the robot sees that (RouteMap::begin).
+Intent look_at_closed_way(const Situation& situation, travel::RouteMap& map, const HomingParams& params,
+                          Intent intent) {
+  const auto way = travel::closed_way(map.map(), map.field(), situation.driven, params.look_from_m);
+  if (!way) return intent;
+  intent.reason = "no way there just now: looks at what closes the way by which the robot came";
+  const bool is_there = (way->look_from - situation.here()).norm() <= params.stuck_reached_m;
+  if (!is_there) {
+    intent.pursuit.turn_to_rad.reset();
+    intent.pursuit = aimed_at(way->look_from, map, std::move(intent.pursuit));
+    return intent;
+  }
+  const Vector2 to = way->closed_at - situation.here();
+  intent.pursuit.turn_to_rad = std::atan2(to.y(), to.x());
+  return intent;
+}
+
 /// One decision on the route to a position.
 Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& situation,
                 travel::RouteMap& map, const ExplorationParams& params, Intent intent) {
@@ -71,11 +90,14 @@ Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& s
       params.homing.standstills_max * params.pursuit.standstill)
     return {without_target(std::move(intent)), Outcome::kNoProgress};
   intent.pursuit = aimed_at(p_map, map, std::move(intent.pursuit));
-  if (intent.pursuit.has_target) return {std::move(intent), Outcome::kUnderWay};
+  if (intent.pursuit.has_target) {
+    intent.pursuit.turn_to_rad.reset();
+    return {std::move(intent), Outcome::kUnderWay};
+  }
   intent.reason = "no way there just now";
   (void)intent.obstacles.forget(situation.now);
   intent.obstacles.open_passages();  // a passage too tight for exploration may be the only route home
-  return {std::move(intent), Outcome::kUnderWay};
+  return {look_at_closed_way(situation, map, params.homing, std::move(intent)), Outcome::kUnderWay};
 }
 
 struct Destination {

@@ -20,6 +20,7 @@
 #include "core/team/last_contact.hpp"
 #include "core/travel/obstacle_memory.hpp"
 #include "core/travel/route_map.hpp"
+#include "core/types/keyframe_pose.hpp"
 
 namespace topo::exploration {
 
@@ -35,8 +36,9 @@ struct Situation {
   const goals::GoalParams& essential;     ///< parameters of the analysis
   std::span<const types::Vector2> route;  ///< the present one, in map
   TeamView team;
-  std::span<const types::Polygon> here_first{};  ///< areas whose goals come before all others, in map
-  std::span<const types::Vector2> doubted{};     ///< places to look at again before the end, in map
+  std::span<const types::Polygon> here_first{};   ///< areas whose goals come before all others, in map
+  std::span<const types::Vector2> doubted{};      ///< places to look at again before the end, in map
+  std::span<const types::KeyframePose> driven{};  ///< the way by which the robot came
 
   [[nodiscard]] types::Vector2 here() const { return T_map_base.translation(); }
   [[nodiscard]] bool is_about(const Pursuit& pursuit) const { return feedback.number == pursuit.number; }

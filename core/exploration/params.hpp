@@ -125,6 +125,7 @@ struct HomingParams {
   double brakes_mps2 = types::DriveLimits{}.deceleration_mps2;  ///< from which follows how far it rolls on
   double arrived_slack_m = 0.1;  ///< added to twice the distance above, where control reports the end of its
                                  ///< path
+  double look_from_m = 1.0;      ///< from what closes the way: a P3-DX is 0.53 m long, and turns there
   int standstills_max = 4;       ///< multiple of PursuitParams::standstill without progress after which the
                                  ///< mission fails
 };

@@ -65,7 +65,7 @@ Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situati
 
 /// Places where the map is doubted (doubt_source.cpp), but for those at which the robot has `looked_again`:
 /// from there what was mapped is seen again, and may be matched. One without a route now is no reason to
-/// wait.
+/// wait. A map that closes the way by which the robot came is doubted there.
 std::vector<Candidate> doubted_candidates(const Situation& situation, const travel::RouteMap& map,
                                           std::span<const types::Vector2> looked_again,
                                           const ExplorationParams& params);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/travel/seen_through.hpp"
 #include "core/travel/travel_map.hpp"
 
 namespace topo::pipeline {
@@ -60,16 +61,32 @@ Intent felt(Intent intent, const PlanningInput& in, const Whereabouts& place,
   return intent;
 }
 
+namespace {
+
+/// The newest scan of the front scanner, unless it is too old to say what is there now.
+const types::Scan* live_scan(const PlanningInput& in, const PlannerParams& params) {
+  return in.front != nullptr && in.now - in.front->arrival <= params.live_age_max ? in.front : nullptr;
+}
+
+}  // namespace
+
 std::vector<Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,
                               std::span<const Vector2> going_at, const PlannerParams& params) {
-  if (in.front == nullptr || in.now - in.front->arrival > params.live_age_max) return {};
-  std::vector<Vector2> points =
-      travel::confirmed_points(*in.front, place.pose() * params.T_base_laser, params.route_map.live_range_m,
-                               params.route_map.live_step_m);
+  const types::Scan* const scan = live_scan(in, params);
+  if (scan == nullptr) return {};
+  std::vector<Vector2> points = travel::confirmed_points(
+      *scan, place.pose() * params.T_base_laser, params.route_map.live_range_m, params.route_map.live_step_m);
   const double radius_m = params.roster.mate_radius_m;
   if (!going_at.empty())
     std::erase_if(points, [&](const Vector2& p) { return is_going_mate(going_at, p, radius_m); });
   return points;
+}
+
+std::vector<Vector2> seen_through(const PlanningInput& in, const Whereabouts& place,
+                                  const travel::DrivenWays& ways, const PlannerParams& params) {
+  const types::Scan* const scan = live_scan(in, params);
+  if (scan == nullptr) return {};
+  return travel::seen_through(*scan, place.pose() * params.T_base_laser, ways, params.route_map);
 }
 
 }  // namespace topo::pipeline

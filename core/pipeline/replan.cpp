@@ -75,7 +75,8 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
   }
   caches.map.begin({in.now, place.T_map_base}, ways,
                    {intent.obstacles.echoed(), std::move(seen), intent.obstacles.stuck_on(),
-                    std::vector<Vector2>(team.going_at.begin(), team.going_at.end())});
+                    std::vector<Vector2>(team.going_at.begin(), team.going_at.end()),
+                    seen_through(in, place, ways, params)});
   done(PlanningStage::kTravel);
   const exploration::Feedback feedback{in.control->goal_id, in.control->mode == ControlMode::kArrived,
                                        in.control->mode == ControlMode::kStuck,
@@ -91,7 +92,8 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
                                          route.points,
                                          team,
                                          in.here_first,
-                                         in.doubted};
+                                         in.doubted,
+                                         in.map->keyframes};
   intent = decide(situation, {caches.map, caches.ways}, params.explore, std::move(intent));
   done(PlanningStage::kDecision);
   const bool goes = !has_ended(intent.phase) && intent.pursuit.has_target;

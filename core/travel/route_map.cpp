@@ -28,10 +28,12 @@ bool RouteMap::limit(const types::AreaLimits& area) {
   if (area == area_) return false;
   area_ = area;
   map_.cells.clear();
+  opened_.clear();
   return true;
 }
 
 void RouteMap::take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways) {
+  close_again();
   if (revision == revision_ && !map_.cells.empty()) return;
   revision_ = revision;
   map_ = prepare_map(grid, ways, area_, rules_.radius_m, params_.map);
@@ -39,7 +41,16 @@ void RouteMap::take(std::uint64_t revision, const grid::OccupancyGrid& grid, con
   known_m2_ = free_area_m2(map_);
 }
 
+/// What one period saw to be free holds for that period.
+void RouteMap::close_again() {
+  for (const std::size_t index : opened_) map_.cells[index] = grid::CellState::kOccupied;
+  opened_.clear();
+}
+
 void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, const Overlays& overlays) {
+  close_again();
+  opened_ = open_seen_through(map_, overlays.seen_through, area_, overlays.seen_now,
+                              rules_.tight_m - params_.live_noise_m);
   travel_clearance_m_ = clearance_.clearance_m();
   lower_clearance(map_, overlays.echoed, rules_.preferred_m, travel_clearance_m_);
   const grid::CellIndex start = map_.cell_at(here.T_map_base.se2().translation());

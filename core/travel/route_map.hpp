@@ -20,12 +20,13 @@
 
 namespace topo::travel {
 
-/// Points in map that no keyframe contains.
+/// Points in map that no keyframe contains, and points where an obstacle of the map is gone.
 struct Overlays {
-  std::vector<types::Vector2> echoed;    ///< detected by sonar or touch
-  std::vector<types::Vector2> seen_now;  ///< detected by the newest scan
-  std::vector<types::Vector2> stuck_on;  ///< where the robot got stuck
-  std::vector<types::Vector2> going_at;  ///< team-mates that will move on
+  std::vector<types::Vector2> echoed;        ///< detected by sonar or touch
+  std::vector<types::Vector2> seen_now;      ///< detected by the newest scan
+  std::vector<types::Vector2> stuck_on;      ///< where the robot got stuck
+  std::vector<types::Vector2> going_at;      ///< team-mates that will move on
+  std::vector<types::Vector2> seen_through;  ///< of driven ways, what the newest scan sees to be free
 };
 
 /// The map for travel and the searches on it. Searches run as far as the calls of one period need and are
@@ -41,7 +42,7 @@ class RouteMap {
   /// Takes a generation of the map. Costs nothing when the revision is the current one.
   void take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways);
   /// Begins the searches of a period at the robot's pose, with the clearance from map and overlays. Driven
-  /// paths stay open where only noise or faint evidence closes them.
+  /// paths stay open where only noise or faint evidence closes them, and where they are seen to be free.
   void begin(const types::KeyframePose& here, const DrivenWays& ways, const Overlays& overlays);
 
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -70,6 +71,7 @@ class RouteMap {
                                                           const types::Vector2& here) const;
 
  private:
+  void close_again();
   [[nodiscard]] std::vector<grid::CellIndex> cells_to(grid::CellIndex target);
   void inflate_mates(std::span<const types::Vector2> mates);
 
@@ -78,6 +80,7 @@ class RouteMap {
   RouteMapParams params_;
   std::uint64_t revision_ = 0;
   grid::DenseMap map_;
+  std::vector<std::size_t> opened_;        // cells of map_ that are free for this period only
   grid::ClearanceUpdate clearance_;        // of the map alone
   std::vector<float> travel_clearance_m_;  // with the overlays
   double known_m2_ = 0.0;

@@ -157,6 +157,10 @@ void for_each_around(const DenseMap& map, const Vector2& centre, double radius_m
   }
 }
 
+/// In cells, around points of a driven line: a line of cells without a gap, and no wider. Beside the line the
+/// robot may touch an obstacle.
+constexpr double kLineReach = 0.75;
+
 }  // namespace
 
 void close_gaps(DenseMap& map, int reach) {
@@ -297,22 +301,35 @@ void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> w
                      const TrailRules& rules, std::vector<float>& clearance_m) {
   const auto open_m = static_cast<float>(rules.open_m), above_m = static_cast<float>(rules.above_m);
   const Vector2 robot = map.centre_of(here);
-  // A line of cells without a gap, and no wider: beside the line the robot may touch an obstacle.
-  const double reach_m = 0.75 * map.resolution_m;
   const std::size_t stands = map.contains(here) ? map.index(here) : map.cells.size();
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vector2 a = way[i - 1].T_map_base.se2().translation(), b = way[i].T_map_base.se2().translation();
-    const double length_m = (b - a).norm();
-    if (length_m > rules.gap_m || (b - robot).norm() > rules.within_m) continue;
-    const int steps = static_cast<int>(std::ceil(length_m / map.resolution_m)) + 1;
-    for (int k = 0; k <= steps; ++k) {
-      for_each_around(
-          map, a + (b - a) * (static_cast<double>(k) / steps), reach_m, [&](std::size_t index, double) {
-            if (map.cells[index] == CellState::kFree && index != stands && clearance_m[index] >= above_m)
-              clearance_m[index] = std::max(clearance_m[index], open_m);
-          });
-    }
+  for_each_point(
+      way, rules.gap_m, map.resolution_m,
+      [&](const Vector2& b) { return (b - robot).norm() <= rules.within_m; },
+      [&](const Vector2& p) {
+        for_each_around(map, p, kLineReach * map.resolution_m, [&](std::size_t index, double) {
+          if (map.cells[index] == CellState::kFree && index != stands && clearance_m[index] >= above_m)
+            clearance_m[index] = std::max(clearance_m[index], open_m);
+        });
+      });
+}
+
+std::vector<std::size_t> open_seen_through(DenseMap& map, std::span<const Vector2> points,
+                                           const types::AreaLimits& limits,
+                                           std::span<const Vector2> obstacles, double clear_m) {
+  std::vector<std::size_t> opened;
+  const auto is_clear = [&](const Vector2& p) {
+    return std::ranges::none_of(obstacles, [&](const Vector2& o) { return (o - p).norm() < clear_m; });
+  };
+  for (const Vector2& p : points) {
+    if (map.state(map.cell_at(p)) != CellState::kOccupied || !types::allows(limits, p) || !is_clear(p))
+      continue;
+    for_each_around(map, p, kLineReach * map.resolution_m, [&](std::size_t index, double) {
+      if (map.cells[index] != CellState::kOccupied) return;
+      map.cells[index] = CellState::kFree;
+      opened.push_back(index);
+    });
   }
+  return opened;
 }
 
 }  // namespace topo::travel

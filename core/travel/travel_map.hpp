@@ -7,6 +7,7 @@
 
 #include "core/grid/dense_map.hpp"
 #include "core/grid/occupancy_grid.hpp"
+#include "core/travel/driven_ways.hpp"
 #include "core/travel/params.hpp"
 #include "core/types/area_limits.hpp"
 #include "core/types/keyframe_pose.hpp"
@@ -41,12 +42,6 @@ void free_start(grid::DenseMap& map, const types::Vector2& centre, double radius
 /// explored.
 void apply_limits(grid::DenseMap& map, const types::AreaLimits& limits);
 
-/// Paths of robots: the robot's own keyframes, and one list for each of its team-mates.
-struct DrivenWays {
-  std::span<const types::KeyframePose> own;
-  std::span<const std::vector<types::KeyframePose>> mates;
-};
-
 /// Applies all steps to a generation of the map. `route_radius_m` is the radius that a route keeps free
 /// around the robot's centre (grid::TravelRules::radius_m: the swing radius and a margin).
 grid::DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& ways,
@@ -76,5 +71,12 @@ struct TrailRules {
 /// cells around it (grid::TravelRules::start_m).
 void keep_trail_open(const grid::DenseMap& map, std::span<const types::KeyframePose> way,
                      grid::CellIndex here, const TrailRules& rules, std::vector<float>& clearance_m);
+
+/// Sets occupied cells at points of driven ways that are seen to be free (seen_through.hpp) to free. Not
+/// where the limits keep out, nor where one of the `obstacles` that the same scan sees is within `clear_m`.
+/// Returns their indices.
+std::vector<std::size_t> open_seen_through(grid::DenseMap& map, std::span<const types::Vector2> points,
+                                           const types::AreaLimits& limits,
+                                           std::span<const types::Vector2> obstacles, double clear_m);
 
 }  // namespace topo::travel

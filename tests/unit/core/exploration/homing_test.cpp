@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "tests/unit/core/exploration/toy_decision.hpp"
 
 namespace topo::exploration {
@@ -226,6 +229,61 @@ TEST_F(Homing, ATargetOutOfReachFailsInTheEnd) {
   EXPECT_TRUE(waits.obstacles.stuck_on().empty()) << "what was too tight may be the only way";
   now.now += seconds(101);
   EXPECT_TRUE(std::holds_alternative<Failed>(to_target(now, waits).phase));
+}
+
+/// The robot came to the middle of the corridor along it, and the map says that something closes it now.
+class ClosedHome : public Homing {
+ protected:
+  ClosedHome() {
+    for (double x_m = -3.0; x_m <= 0.0; x_m += 0.4)
+      way_.push_back(
+          {types::Stamp{}, types::Transform2<types::Map, types::Base>(here().x() + x_m, here().y(), 0.0)});
+  }
+  /// Closes the corridor so far behind the robot.
+  [[nodiscard]] Situation closed_at(double x_m) {
+    const Vector2 start = here() - Vector2(3.0, 0.0);
+    travel::Overlays overlays;
+    for (double y_m = -0.6; y_m <= 0.6; y_m += 0.1)
+      overlays.stuck_on.emplace_back(here().x() - x_m, here().y() + y_m);
+    map_.begin(building_.snapshot().keyframes.back(), {}, overlays);
+    map_.settle(HUGE_VAL);
+    Situation now = situation();
+    now.start = start;
+    now.driven = way_;
+    return now;
+  }
+  std::vector<types::KeyframePose> way_;
+};
+
+TEST_F(ClosedHome, TheRobotLooksAtWhatClosesItsWay) {
+  const Situation now = closed_at(2.3);
+  const Intent looks = home(now, returning());
+  EXPECT_TRUE(std::holds_alternative<Returning>(looks.phase));
+  ASSERT_TRUE(looks.pursuit.has_target);
+  EXPECT_TRUE(looks.reason.starts_with("no way there just now: looks at what closes")) << looks.reason;
+  const Vector2 target = map_.map().centre_of(looks.pursuit.target);
+  EXPECT_GT(target.x(), here().x() - 1.5) << "not at the obstacle";
+  EXPECT_LT(target.x(), here().x() - 0.5);
+}
+
+TEST_F(ClosedHome, TheRobotTurnsToItWhenItIsThere) {
+  const Intent looks = home(closed_at(1.3), returning());
+  EXPECT_FALSE(looks.pursuit.has_target);
+  ASSERT_TRUE(looks.pursuit.turn_to_rad);
+  EXPECT_NEAR(std::abs(*looks.pursuit.turn_to_rad), 3.1416, 0.1);
+  Situation open = away_from_home(3.0);
+  open.driven = way_;
+  map_.begin(building_.snapshot().keyframes.back(), {}, {});
+  const Intent goes = home(open, looks);
+  EXPECT_TRUE(goes.pursuit.has_target);
+  EXPECT_FALSE(goes.pursuit.turn_to_rad);
+}
+
+TEST_F(ClosedHome, WhatStaysClosedIsAFailureInTheEnd) {
+  Situation now = closed_at(1.3);
+  const Intent looks = home(now, returning());
+  now.now += seconds(101);
+  EXPECT_TRUE(std::holds_alternative<Failed>(home(now, looks).phase));
 }
 
 }  // namespace

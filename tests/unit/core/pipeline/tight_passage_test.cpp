@@ -93,8 +93,8 @@ types::Scan scan_of(std::span<const types::Vector2> points_base, types::Stamp no
   return scan;
 }
 
-/// Does a robot that came through the door set out for home when its scanner has the jambs so far from the
-/// middle of the door?
+/// Does the route of a robot that came through the door lead home when its scanner has the jambs so far from
+/// the middle of the door?
 bool goes_back_past(double beside_m) {
   ToyBuilding building(two_rooms());
   PlanningState state(params_with(0.22));
@@ -108,7 +108,8 @@ bool goes_back_past(double beside_m) {
                          T_map_base.inverse() * (door - types::Vector2(0.0, beside_m))};
   const types::Scan scan = scan_of(jambs, building.now());
   building.show(&scan);
-  return building.run_period(state, {2, Order::kHome, false, {0.0, 0.0}}, 0.0).plan.moving;
+  const PlanningOutput out = building.run_period(state, {2, Order::kHome, false, {0.0, 0.0}}, 0.0);
+  return out.plan.moving && !out.report->route_map.empty() && out.report->route_map.back().x() < door.x();
 }
 
 TEST(TightPassage, IsNotShutByNoiseToWhoCameThrough) {
