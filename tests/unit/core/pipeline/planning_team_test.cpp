@@ -135,7 +135,8 @@ TEST_F(WithAMate, leavesAGoalToTheNearerRobotAndTakesTheOther) {
   EXPECT_LE(silent, 24) << "ten seconds";
   EXPECT_TRUE(out_.plan.moving);
   ASSERT_TRUE(out_.message.claim.has_value());
-  EXPECT_LT((out_.message.claim->p_map - first).norm(), 3.0) << "the end that was the mate's";
+  EXPECT_LT((out_.message.claim->p_map - first).norm(), exploration::CandidateParams{}.successor_m)
+      << "the goal that was the mate's, which recedes as the map grows";
 }
 
 TEST_F(WithAMate, leavesAGoalInThePeriodInWhichAMateIsHeardToHaveIt) {
@@ -200,11 +201,12 @@ TEST_F(WithAMate, comesToItsOwnStartWhenTheOperatorSendsItHome) {
 
 TEST_F(WithAMate, comesHomeOnALowBatteryToOnePlace) {
   const Vector2 start = building_.robot();
-  mate_.start = start + Vector2(3.0, 0.0);
+  mate_.start = start + Vector2(1.5, 0.0);
+  for (int i = 0; i < 30 && (building_.robot() - mate_.start).norm() < 4.0; ++i) (void)period();
+  ASSERT_GT((building_.robot() - mate_.start).norm(), 4.0);
   building_.control().battery_v = 11.2F;
-  for (int i = 0; i < 60 && (i == 0 || out_.report->activity != Activity::kReturning); ++i) (void)period();
+  for (int i = 0; i < 60 && out_.report->activity != Activity::kReturning; ++i) (void)period();
   ASSERT_EQ(out_.report->reason, "the battery is low");
-  ASSERT_GT((building_.robot() - mate_.start).norm(), 3.0);
   const std::uint64_t goal_id = out_.plan.goal_id;
   for (int i = 0; i < 5; ++i) EXPECT_EQ(period().plan.goal_id, goal_id) << "control begins anew with each";
   for (int i = 0; i < 100 && out_.message.duty != team::Duty::kOver; ++i) (void)period();
@@ -315,9 +317,14 @@ TEST_F(WithAMate, makesRoomForOneWhoseWayLeadsThroughIt) {
   EXPECT_EQ(out_.report->activity, Activity::kExploring) << out_.report->reason;
   EXPECT_TRUE(out_.plan.moving);
   EXPECT_TRUE(out_.message.visited.empty()) << "being in the room is not being at the goal";
-  ASSERT_TRUE(out_.message.claim.has_value());
   ASSERT_GT(bound_to.x(), aside.x());
-  EXPECT_GT(out_.message.claim->p_map.x(), aside.x()) << "where it was bound to, not where the mate goes";
+  const auto is_there = [&] { return (building_.robot() - bound_to).norm() < 1.0; };
+  for (int i = 0; i < 40 && !is_there(); ++i) {
+    ASSERT_TRUE(out_.message.claim.has_value()) << out_.report->reason;
+    EXPECT_GT(out_.message.claim->p_map.x(), aside.x()) << "on the way there, not where the mate goes";
+    (void)period();
+  }
+  EXPECT_TRUE(is_there());
 }
 
 TEST_F(WithAMate, doesNotBackOffIntoAMateNorPassOneAtFullSpeed) {
