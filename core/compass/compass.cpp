@@ -169,9 +169,7 @@ Compass compass_of(const Curve& few, const Curve& all, const CompassParams& para
 
 Compass entropy_compass(std::span<const types::Vector2> points, const CompassParams& params) {
   if (points.size() < params.points_min) return {};
-  const Extent x_m = extent_of(points, [](const types::Vector2&p) { return p.x(); }),
-               y_m = extent_of(points, [](const types::Vector2&p) { return p.y(); });
-  const types::Rectangle box{{x_m.low, y_m.low}, {x_m.high, y_m.high}};
+  const types::Rectangle box = box_of(points);
   const double radius_m = (box.max - box.min).norm() / 2.0 + params.cell_m;
   const double half_bin_m = std::max(params.bin_m / 2.0, radius_m / kHalfBinsMax);
   const Placing placing{(box.min + box.max) / 2.0, half_bin_m, params.cell_m};

@@ -26,4 +26,11 @@ Extent extent_of(std::span<const types::Vector2> points, F&& value) {
   return extent;
 }
 
+/// The smallest rectangle around points; at least one.
+inline types::Rectangle box_of(std::span<const types::Vector2> points) {
+  const Extent x_m = extent_of(points, [](const types::Vector2&p) { return p.x(); }),
+               y_m = extent_of(points, [](const types::Vector2&p) { return p.y(); });
+  return {{x_m.low, y_m.low}, {x_m.high, y_m.high}};
+}
+
 }  // namespace topo::compass
