@@ -46,11 +46,17 @@ struct Reached {
   double held_m = 0.0;
 };
 
+/// To and fro before what closes the way is no progress.
+bool is_where_it_looked(const Vector2& here, const Attempts& attempts, const EndingParams& params) {
+  return attempts.looked_from && (*attempts.looked_from - here).norm() < params.looked_again_m;
+}
+
 /// No route leads to the position: what closes the way by which the robot came may be gone, as a person or a
 /// mate that is not heard. From near by the robot sees that (RouteMap::begin).
 Intent look_at_closed_way(const Situation& situation, travel::RouteMap& map, const HomingParams& params,
                           Intent intent) {
-  const auto way = travel::closed_way(map.map(), map.field(), situation.driven, params.look_from_m);
+  const auto way =
+      travel::closed_way(map.map(), map.field(), travel::positions_of(situation.driven), params.look_from_m);
   if (!way) return intent;
   intent.reason = "no way there just now: looks at what closes the way by which the robot came";
   const bool is_there = (way->look_from - situation.here()).norm() <= params.stuck_reached_m;
@@ -59,6 +65,7 @@ Intent look_at_closed_way(const Situation& situation, travel::RouteMap& map, con
     intent.pursuit = aimed_at(way->look_from, map, std::move(intent.pursuit));
     return intent;
   }
+  intent.attempts.looked_from = situation.here();
   const Vector2 to = way->closed_at - situation.here();
   intent.pursuit.turn_to_rad = std::atan2(to.y(), to.x());
   return intent;
@@ -85,7 +92,9 @@ Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& s
     intent = block_ahead(situation, map, params.pursuit, std::move(intent));
     ++intent.pursuit.number;  // makes control start anew, on another route
   }
-  intent.pursuit = with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
+  if (!is_where_it_looked(situation.here(), intent.attempts, params.ending))
+    intent.pursuit =
+        with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
   if (situation.now - intent.pursuit.last_progress >
       params.homing.standstills_max * params.pursuit.standstill)
     return {without_target(std::move(intent)), Outcome::kNoProgress};

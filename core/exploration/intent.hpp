@@ -58,11 +58,13 @@ struct Attempts {
   types::Stamp nothing_since{};  ///< since when no goal is in reach; zero: there is one
   std::optional<types::Vector2>
       turned_at{};  ///< where the robot last turned on the spot to look behind itself
+  std::optional<types::Vector2> looked_from{};  ///< where it last looked at what closes its way home
 };
 
 struct SweepState {
   FinalSweep sweep;
-  bool meanwhile = false;  ///< the sweep runs although goals without a route are left
+  bool meanwhile = false;                     ///< the sweep runs although goals without a route are left
+  std::vector<types::Vector2> may_be_gone{};  ///< where to look whether something is gone, before the end
   /// Doubted places at which the robot was for their doubt, or which it could not reach: each has one look.
   std::vector<types::Vector2> looked_again{};
 };

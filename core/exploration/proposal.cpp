@@ -93,8 +93,10 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
   }
   // Of gaps alone Finish::kWorth may take none: what is left out is known after this.
   const bool is_last = params.finish == Finish::kWorth ? proposal.only_gaps : found.candidates.empty();
-  if (is_last && !homing)
-    append(found.candidates, doubted_candidates(situation, map, sweep.looked_again, params));
+  if (is_last && !homing) {
+    sweep = with_places_to_look(std::move(sweep), situation, map, params);
+    append(found.candidates, doubted_candidates(situation, map, sweep, params));
+  }
   estimate_far_ones(found.candidates, situation.T_map_base, map, params);
   proposal.candidates = std::move(found.candidates);
   proposal.cut_off = found.cut_off;

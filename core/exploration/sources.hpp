@@ -63,12 +63,16 @@ SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_o
 Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
                                const travel::RouteMap& map, const CandidateParams& params);
 
-/// Places where the map is doubted (doubt_source.cpp), but for those at which the robot has `looked_again`:
+/// Adds where to look at what may be gone, when no such place is left (doubt_source.cpp): what closes the way
+/// by which the robot came, and what stands free and closes a way to a frontier that may lead on. Each has
+/// one look. Cost: that of the frontiers and, where one is shut off, of a travel field.
+SweepState with_places_to_look(SweepState state, const Situation& situation, const travel::RouteMap& map,
+                               const ExplorationParams& params);
+/// Those places, and the places where the map is doubted, but for those at which the robot has looked again:
 /// from there what was mapped is seen again, and may be matched. One without a route now is no reason to
-/// wait. A map that closes the way by which the robot came is doubted there.
+/// wait.
 std::vector<Candidate> doubted_candidates(const Situation& situation, const travel::RouteMap& map,
-                                          std::span<const types::Vector2> looked_again,
-                                          const ExplorationParams& params);
+                                          const SweepState& state, const ExplorationParams& params);
 
 /// True when a final sweep follows an exploration.
 bool has_final_sweep(const ExplorationParams& params);

@@ -83,10 +83,11 @@ std::vector<Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,
 }
 
 std::vector<Vector2> seen_through(const PlanningInput& in, const Whereabouts& place,
-                                  const travel::DrivenWays& ways, const PlannerParams& params) {
+                                  const grid::DenseMap& map, const travel::DrivenWays& ways,
+                                  const PlannerParams& params) {
   const types::Scan* const scan = live_scan(in, params);
   if (scan == nullptr) return {};
-  return travel::seen_through(*scan, place.pose() * params.T_base_laser, ways, params.route_map);
+  return travel::seen_through(*scan, place.pose() * params.T_base_laser, map, ways, params.route_map);
 }
 
 }  // namespace topo::pipeline

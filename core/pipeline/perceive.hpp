@@ -33,8 +33,9 @@ exploration::Intent felt(exploration::Intent intent, const PlanningInput& in, co
 std::vector<types::Vector2> seen_now(const PlanningInput& in, const Whereabouts& place,
                                      std::span<const types::Vector2> going_at, const PlannerParams& params);
 
-/// Points of driven ways within a few metres that the front scanner sees to be free, in map.
+/// Occupied cells of a map within a few metres that the front scanner sees to be free, as their centres.
 std::vector<types::Vector2> seen_through(const PlanningInput& in, const Whereabouts& place,
-                                         const travel::DrivenWays& ways, const PlannerParams& params);
+                                         const grid::DenseMap& map, const travel::DrivenWays& ways,
+                                         const PlannerParams& params);
 
 }  // namespace topo::pipeline

@@ -76,7 +76,7 @@ Planned rethink(Planned before, const PlanningInput& in, const Whereabouts& plac
   caches.map.begin({in.now, place.T_map_base}, ways,
                    {intent.obstacles.echoed(), std::move(seen), intent.obstacles.stuck_on(),
                     std::vector<Vector2>(team.going_at.begin(), team.going_at.end()),
-                    seen_through(in, place, ways, params)});
+                    seen_through(in, place, caches.map.map(), ways, params)});
   done(PlanningStage::kTravel);
   const exploration::Feedback feedback{in.control->goal_id, in.control->mode == ControlMode::kArrived,
                                        in.control->mode == ControlMode::kStuck,

@@ -43,14 +43,21 @@ void RouteMap::take(std::uint64_t revision, const grid::OccupancyGrid& grid, con
 
 /// What one period saw to be free holds for that period.
 void RouteMap::close_again() {
+  if (opened_.empty()) return;
   for (const std::size_t index : opened_) map_.cells[index] = grid::CellState::kOccupied;
   opened_.clear();
+  clearance_.take(map_);
+}
+
+void RouteMap::open(const Overlays& overlays) {
+  close_again();
+  opened_ = open_seen_through(map_, overlays.seen_through, area_, overlays.seen_now,
+                              params_.live_noise_m + map_.resolution_m);
+  if (!opened_.empty()) clearance_.take(map_);
 }
 
 void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, const Overlays& overlays) {
-  close_again();
-  opened_ = open_seen_through(map_, overlays.seen_through, area_, overlays.seen_now,
-                              rules_.tight_m - params_.live_noise_m);
+  open(overlays);
   travel_clearance_m_ = clearance_.clearance_m();
   lower_clearance(map_, overlays.echoed, rules_.preferred_m, travel_clearance_m_);
   const grid::CellIndex start = map_.cell_at(here.T_map_base.se2().translation());
@@ -64,7 +71,9 @@ void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, co
   };
   const double gap_m = params_.keyframe_gap_m;
   keep_ways_open({rules_.radius_m, 0.0, HUGE_VAL, gap_m});
-  lower_clearance(map_, overlays.seen_now, rules_.preferred_m, travel_clearance_m_);
+  // Beside what is opened an obstacle of the map may be nearer to a driven path than that path's rule allows.
+  const MapObstacles of_map = opened_.empty() ? MapObstacles::kSkip : MapObstacles::kTake;
+  lower_clearance(map_, overlays.seen_now, rules_.preferred_m, travel_clearance_m_, of_map);
   // Noise must not close the path by which the robot came; the safety gate stops it before real obstacles
   // there.
   keep_ways_open({rules_.tight_m, rules_.tight_m - params_.live_noise_m, params_.live_range_m, gap_m});

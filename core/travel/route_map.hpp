@@ -26,7 +26,7 @@ struct Overlays {
   std::vector<types::Vector2> seen_now;      ///< detected by the newest scan
   std::vector<types::Vector2> stuck_on;      ///< where the robot got stuck
   std::vector<types::Vector2> going_at;      ///< team-mates that will move on
-  std::vector<types::Vector2> seen_through;  ///< of driven ways, what the newest scan sees to be free
+  std::vector<types::Vector2> seen_through;  ///< where the newest scan sees to be free what is occupied
 };
 
 /// The map for travel and the searches on it. Searches run as far as the calls of one period need and are
@@ -42,7 +42,8 @@ class RouteMap {
   /// Takes a generation of the map. Costs nothing when the revision is the current one.
   void take(std::uint64_t revision, const grid::OccupancyGrid& grid, const DrivenWays& ways);
   /// Begins the searches of a period at the robot's pose, with the clearance from map and overlays. Driven
-  /// paths stay open where only noise or faint evidence closes them, and where they are seen to be free.
+  /// paths stay open where only noise or faint evidence closes them. What is seen to be free is free in map()
+  /// and clearance_m() until the next take() or begin().
   void begin(const types::KeyframePose& here, const DrivenWays& ways, const Overlays& overlays);
 
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -51,6 +52,7 @@ class RouteMap {
   [[nodiscard]] const std::vector<float>& clearance_m() const { return clearance_.clearance_m(); }
   [[nodiscard]] double known_m2() const { return known_m2_; }  ///< area of the free cells
   [[nodiscard]] const grid::TravelRules& rules() const { return rules_; }
+  [[nodiscard]] const RouteMapParams& params() const { return params_; }
 
   /// Costs from the robot's position. Costs below settled_m() are final.
   [[nodiscard]] const grid::TravelField& field() const { return field_; }
@@ -72,6 +74,7 @@ class RouteMap {
 
  private:
   void close_again();
+  void open(const Overlays& overlays);
   [[nodiscard]] std::vector<grid::CellIndex> cells_to(grid::CellIndex target);
   void inflate_mates(std::span<const types::Vector2> mates);
 

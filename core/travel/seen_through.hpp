@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/grid/dense_map.hpp"
 #include "core/travel/driven_ways.hpp"
 #include "core/travel/params.hpp"
 #include "core/types/scan.hpp"
@@ -11,11 +12,14 @@
 
 namespace topo::travel {
 
-/// Points of driven ways, in map, which the scan sees to be free: the beams beside each of them measure
-/// something behind it. A person, or a mate that is not heard, stays in the map for a long time after having
-/// stood on a way, since the map counts all that was ever seen; a robot that sees the way free may use it.
-/// Elsewhere a beam that passes proves little: it passes through glass. Cost: the points near the robot.
+/// Occupied cells of a map near the robot that its scan sees to be free, as their centres in map: every beam
+/// through such a cell measures something behind it. A person, or a mate that is not heard, stays in the map
+/// for a long time after having stood somewhere, since the map counts all that was ever seen; a robot that
+/// sees the place free may use it. Only cells of what stands free and is no larger than a person or a robot,
+/// and cells on driven ways: elsewhere a beam that passes proves little, since it passes through glass. Cost:
+/// the cells near the robot.
 std::vector<types::Vector2> seen_through(const types::Scan& scan, const types::Se2& T_map_laser,
-                                         const DrivenWays& ways, const RouteMapParams& params);
+                                         const grid::DenseMap& map, const DrivenWays& ways,
+                                         const RouteMapParams& params);
 
 }  // namespace topo::travel

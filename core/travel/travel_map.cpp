@@ -286,11 +286,11 @@ std::vector<Vector2> confirmed_points(const types::Scan& scan, const types::Se2&
 }
 
 void lower_clearance(const DenseMap& map, std::span<const Vector2> obstacles, double reach_m,
-                     std::vector<float>& clearance_m) {
+                     std::vector<float>& clearance_m, MapObstacles of_map) {
   for (const Vector2& obstacle : obstacles) {
-    // An obstacle that the map already contains changes nothing.
     const CellIndex cell = map.cell_at(obstacle);
-    if (!map.contains(cell) || clearance_m[map.index(cell)] <= 0.0F) continue;
+    if (!map.contains(cell)) continue;
+    if (of_map == MapObstacles::kSkip && clearance_m[map.index(cell)] <= 0.0F) continue;
     for_each_around(map, obstacle, reach_m, [&](std::size_t index, double away_m2) {
       clearance_m[index] = std::min(clearance_m[index], static_cast<float>(std::sqrt(away_m2)));
     });
@@ -313,21 +313,18 @@ void keep_trail_open(const DenseMap& map, std::span<const types::KeyframePose> w
       });
 }
 
-std::vector<std::size_t> open_seen_through(DenseMap& map, std::span<const Vector2> points,
+std::vector<std::size_t> open_seen_through(DenseMap& map, std::span<const Vector2> centres,
                                            const types::AreaLimits& limits,
                                            std::span<const Vector2> obstacles, double clear_m) {
   std::vector<std::size_t> opened;
   const auto is_clear = [&](const Vector2& p) {
     return std::ranges::none_of(obstacles, [&](const Vector2& o) { return (o - p).norm() < clear_m; });
   };
-  for (const Vector2& p : points) {
-    if (map.state(map.cell_at(p)) != CellState::kOccupied || !types::allows(limits, p) || !is_clear(p))
-      continue;
-    for_each_around(map, p, kLineReach * map.resolution_m, [&](std::size_t index, double) {
-      if (map.cells[index] != CellState::kOccupied) return;
-      map.cells[index] = CellState::kFree;
-      opened.push_back(index);
-    });
+  for (const Vector2& p : centres) {
+    const CellIndex cell = map.cell_at(p);
+    if (map.state(cell) != CellState::kOccupied || !types::allows(limits, p) || !is_clear(p)) continue;
+    opened.push_back(map.index(cell));
+    map.cells[opened.back()] = CellState::kFree;
   }
   return opened;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -53,9 +54,13 @@ grid::DenseMap prepare_map(const grid::OccupancyGrid& grid, const DrivenWays& wa
 std::vector<types::Vector2> confirmed_points(const types::Scan& scan, const types::Se2& T_map_laser,
                                              double range_max_m, float step_m);
 
+/// What becomes of points where the map has an obstacle already: around them the clearance is low, unless a
+/// path was kept open there.
+enum class MapObstacles : std::uint8_t { kSkip, kTake };
+
 /// Adds points to a clearance map as obstacles, up to `reach_m` around each. Clearance never grows.
 void lower_clearance(const grid::DenseMap& map, std::span<const types::Vector2> obstacles, double reach_m,
-                     std::vector<float>& clearance_m);
+                     std::vector<float>& clearance_m, MapObstacles of_map = MapObstacles::kSkip);
 
 /// How far a breadcrumb path stays open.
 struct TrailRules {
@@ -72,10 +77,9 @@ struct TrailRules {
 void keep_trail_open(const grid::DenseMap& map, std::span<const types::KeyframePose> way,
                      grid::CellIndex here, const TrailRules& rules, std::vector<float>& clearance_m);
 
-/// Sets occupied cells at points of driven ways that are seen to be free (seen_through.hpp) to free. Not
-/// where the limits keep out, nor where one of the `obstacles` that the same scan sees is within `clear_m`.
-/// Returns their indices.
-std::vector<std::size_t> open_seen_through(grid::DenseMap& map, std::span<const types::Vector2> points,
+/// Sets occupied cells that are seen to be free (seen_through.hpp) to free. Not where the limits keep out,
+/// nor where one of the `obstacles` that the same scan sees is within `clear_m`. Returns their indices.
+std::vector<std::size_t> open_seen_through(grid::DenseMap& map, std::span<const types::Vector2> centres,
                                            const types::AreaLimits& limits,
                                            std::span<const types::Vector2> obstacles, double clear_m);
 

@@ -286,5 +286,20 @@ TEST_F(ClosedHome, WhatStaysClosedIsAFailureInTheEnd) {
   EXPECT_TRUE(std::holds_alternative<Failed>(home(now, looks).phase));
 }
 
+/// Before a robot that stood for good one went to and fro for an hour.
+TEST_F(ClosedHome, ToAndFroBeforeItIsNoProgress) {
+  const Situation now = closed_at(1.3);
+  Intent intent = home(now, returning());
+  int times = 0;
+  for (; times < 20 && std::holds_alternative<Returning>(intent.phase); ++times) {
+    Situation later = now;
+    later.now += seconds(10 * (times + 1));
+    later.T_map_base.x_m += times % 2 == 0 ? 1.0 : 0.0;
+    intent = home(later, intent);
+  }
+  EXPECT_TRUE(std::holds_alternative<Failed>(intent.phase));
+  EXPECT_EQ(times, 11) << "a hundred seconds";
+}
+
 }  // namespace
 }  // namespace topo::exploration

@@ -155,6 +155,47 @@ TEST_F(Shadows, AFrontierBetweenThemIsSuchAGoal) {
   }
 }
 
+/// The corridor with something across it, 1.75 m from the robot.
+std::vector<std::string> obstructed(std::size_t first_row, std::size_t end_row) {
+  std::vector<std::string> rows = corridor_and_rooms();
+  for (std::size_t y = first_row; y < end_row; ++y) rows[y].replace(47, 3, 3, '#');
+  return rows;
+}
+
+class BehindSomebody : public ToyDecision {
+ protected:
+  BehindSomebody() : ToyDecision(obstructed(12, 15)) {}
+};
+
+/// Beside a pier on either side there is as little room as beside a person.
+std::vector<std::string> with_piers() {
+  std::vector<std::string> rows = obstructed(11, 13);
+  for (std::size_t y = 14; y < 16; ++y) rows[y].replace(47, 3, 3, '#');
+  return rows;
+}
+
+class BehindPiers : public ToyDecision {
+ protected:
+  BehindPiers() : ToyDecision(with_piers()) {}
+};
+
+TEST_F(BehindSomebody, WhereTheyStandIsLookedAtOnce) {
+  SweepState state = with_places_to_look({FinalSweep(params_.final_sweep)}, situation(), map_, params_);
+  const auto found = doubted_candidates(situation(), map_, state, params_);
+  ASSERT_EQ(found.size(), 1U) << "one look for both sides of them";
+  EXPECT_EQ(found.front().id.source, Source::kDoubt);
+  EXPECT_LT(found.front().goal.p_map.x(), here().x() + 1.75) << "before them";
+  EXPECT_GT(found.front().goal.p_map.x(), here().x()) << "on the way to them";
+  state.looked_again.push_back(found.front().goal.p_map);
+  state = with_places_to_look(std::move(state), situation(), map_, params_);
+  EXPECT_TRUE(doubted_candidates(situation(), map_, state, params_).empty());
+}
+
+TEST_F(BehindPiers, WallsAreNotLookedAtAgain) {
+  const SweepState state = with_places_to_look({FinalSweep(params_.final_sweep)}, situation(), map_, params_);
+  EXPECT_TRUE(state.may_be_gone.empty());
+}
+
 TEST_F(Sources, TheFinalSweepWaitsForOtherGoals) {
   params_.final_sweep.promise_min = 0.0;
   SweepState state{FinalSweep(params_.final_sweep), false};

@@ -116,6 +116,53 @@ TEST(BlindEnd, ARobotWithItsBackToAllThereIsTurnsBeforeItEnds) {
     EXPECT_GT(known_from_the_blind_end(Finish::kComplete, strategy), 0.95);
 }
 
+/// A corridor with a room at either end. In it, just east of the robot, somebody stands until the robot is in
+/// the room in the west: the robot was as near to what is behind them as it gets.
+class Stander {
+ public:
+  Stander() {
+    for (const int row : {14, 15})
+      for (const int column : {47, 48}) building_.close(column, row);
+  }
+  /// Explores until the robot turns home, where it would see that they have left; how much is known then.
+  double known_in_the_end(Finish finish, bool leaves) {
+    PlannerParams params;
+    params.explore.finish = finish;
+    PlanningState state(params);
+    for (int i = 0; i < 1000; ++i) {
+      const auto report = building_.run_period(state, {1, Order::kExplore, false, {0.0, 0.0}}).report;
+      if (report->activity == Activity::kReturning) break;
+      if (leaves && building_.robot().x() < 5.0) leave();
+    }
+    return building_.coverage();
+  }
+
+ private:
+  static std::vector<std::string> floor() {
+    std::vector<std::string> rows(28, std::string(80, '#'));
+    for (std::size_t y = 2; y < 26; ++y) {
+      rows[y].replace(2, 20, 20, ' ');
+      rows[y].replace(58, 20, 20, ' ');
+    }
+    for (std::size_t y = 11; y < 15; ++y) rows[y].replace(22, 36, 36, ' ');
+    rows[12][44] = 'S';
+    return rows;
+  }
+  void leave() {
+    for (const int row : {14, 15})
+      for (const int column : {47, 48}) building_.open(column, row);
+  }
+  ToyBuilding building_{floor(), 4.0};
+};
+
+TEST(Stander, whoMayHaveGoneIsLookedAtAgainBeforeTheEnd) {
+  for (const Finish finish : {Finish::kWorth, Finish::kComplete}) {
+    EXPECT_GT(Stander().known_in_the_end(finish, true), 0.95);
+    EXPECT_LT(Stander().known_in_the_end(finish, false), 0.7)
+        << "who stays ends the exploration all the same";
+  }
+}
+
 TEST_F(Door, shutForGoodEndsTheExplorationAfterAWhileOfPatience) {
   go_to_the_door();
   shut();

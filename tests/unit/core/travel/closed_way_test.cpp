@@ -23,15 +23,14 @@ struct Corridor {
     }
     map = drawn_map(rows, 0.1);
     clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    for (double x = 0.85; x < 7.5; x += 0.4)
-      way.push_back({types::Stamp{}, types::Transform2<types::Map, types::Base>(x, 1.05, 0.0)});
+    for (double x = 0.85; x < 7.5; x += 0.4) way.emplace_back(x, 1.05);
   }
   [[nodiscard]] std::optional<ClosedWay> seen_from(int column) const {
     return closed_way(map, grid::travel_field(map, clearance_m, {column, 10}, {}), way, kAway_m);
   }
   grid::DenseMap map;
   std::vector<float> clearance_m;
-  std::vector<types::KeyframePose> way;
+  std::vector<types::Vector2> way;
 };
 
 TEST(ClosedWay, AnOpenWayHasNone) { EXPECT_FALSE(Corridor({}).seen_from(70)); }
