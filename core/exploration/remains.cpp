@@ -11,6 +11,7 @@
 
 #include "core/goals/frontiers.hpp"
 #include "core/goals/opening_check.hpp"
+#include "core/grid/distance.hpp"
 #include "core/travel/narrow_passages.hpp"
 
 namespace topo::exploration {
@@ -45,8 +46,11 @@ Intent note_what_remains(const Situation& situation, travel::RouteMap& map, cons
   map.settle(HUGE_VAL);
   const double needed_m = 2.0 * map.rules().tight_m;
   const std::vector<std::uint32_t> ends = shut_off(situation, map, params);
+  if (ends.empty()) return intent;
+  // Of obstacles alone: beside a frontier there is no room for a robot, and that is not what is too narrow.
+  const std::vector<float> clearance_m = grid::clearance_m(map.map(), grid::Boundary::kOccupied);
   for (const travel::NarrowPassage& passage :
-       travel::narrow_passages(map.map(), map.clearance_m(), map.field(), ends)) {
+       travel::narrow_passages(map.map(), clearance_m, map.field(), ends)) {
     if (passage.width_m >= needed_m) continue;  // closed by what is felt or seen now, not by the map
     intent.log.note(
         situation.now, passage.p_map,
