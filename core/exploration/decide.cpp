@@ -30,7 +30,6 @@ Intent begin_mission(Intent intent, Order order, types::Stamp now) {
   intent.deferred.clear();
   intent.sweep.sweep.begin(now);
   intent.sweep.meanwhile = false;
-  intent.sweep.may_be_gone.clear();
   intent.sweep.looked_again.clear();
   intent.offer.bids.clear();
   intent.offer.home.reset();

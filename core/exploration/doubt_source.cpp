@@ -70,36 +70,35 @@ std::vector<Vector2> before_islands(const Situation& situation, const travel::Ro
   return places;
 }
 
-bool was_looked_at(const Vector2& place, const SweepState& state, const EndingParams& params) {
-  return std::ranges::any_of(state.looked_again,
-                             [&](const Vector2& p) { return (p - place).norm() < params.looked_again_m; });
+/// All of them, the pursued one first.
+std::vector<Vector2> all_places(const Situation& situation, const travel::RouteMap& map,
+                                const Pursuit& pursuit, const ExplorationParams& params) {
+  std::vector<Vector2> places;
+  if (pursuit.goal && pursuit.id.source == Source::kDoubt) places.push_back(pursuit.goal->p_map);
+  places.insert(places.end(), situation.doubted.begin(), situation.doubted.end());
+  if (const auto way = travel::closed_way(map.map(), map.field(), travel::positions_of(situation.driven),
+                                          params.homing.look_from_m))
+    places.push_back(way->look_from);
+  const std::vector<Vector2> islands = before_islands(situation, map, params);
+  places.insert(places.end(), islands.begin(), islands.end());
+  return places;
 }
 
 }  // namespace
 
-SweepState with_places_to_look(SweepState state, const Situation& situation, const travel::RouteMap& map,
-                               const ExplorationParams& params) {
-  const EndingParams& ending = params.ending;
-  std::erase_if(state.may_be_gone, [&](const Vector2& place) { return was_looked_at(place, state, ending); });
-  if (!state.may_be_gone.empty()) return state;
-  std::vector<Vector2> places = before_islands(situation, map, params);
-  if (const auto way = travel::closed_way(map.map(), map.field(), travel::positions_of(situation.driven),
-                                          params.homing.look_from_m))
-    places.push_back(way->look_from);
-  for (const Vector2& place : places) {
-    const bool is_there = std::ranges::any_of(
-        state.may_be_gone, [&](const Vector2& p) { return (p - place).norm() < ending.looked_again_m; });
-    if (!is_there && !was_looked_at(place, state, ending)) state.may_be_gone.push_back(place);
-  }
-  return state;
-}
-
 std::vector<Candidate> doubted_candidates(const Situation& situation, const travel::RouteMap& map,
-                                          const SweepState& state, const ExplorationParams& params) {
+                                          const Pursuit& pursuit, std::span<const Vector2> looked_again,
+                                          const ExplorationParams& params) {
   std::vector<goals::Goal> places;
-  for (const Vector2& place : state.may_be_gone) places.push_back({.p_map = place, .opening = place});
-  for (const Vector2& place : situation.doubted) {
-    if (!was_looked_at(place, state, params.ending)) places.push_back({.p_map = place, .opening = place});
+  const auto is_beside = [&](const Vector2& a, const Vector2& b) {
+    return (a - b).norm() < params.ending.looked_again_m;
+  };
+  for (const Vector2& place : all_places(situation, map, pursuit, params)) {
+    const bool was_there =
+        std::ranges::any_of(looked_again, [&](const Vector2& p) { return is_beside(p, place); });
+    const bool is_there =
+        std::ranges::any_of(places, [&](const goals::Goal& g) { return is_beside(g.p_map, place); });
+    if (!was_there && !is_there) places.push_back({.p_map = place, .opening = place});
   }
   const Reach reach{map.map(), map.clearance_m(), map.field(), map.rules().radius_m};
   bool cut_off = false;

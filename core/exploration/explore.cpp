@@ -256,8 +256,15 @@ Intent explore(const Situation& situation, Searches searches, const ExplorationP
     return intent.pursuit.goal ? successor_of(*intent.pursuit.goal, among, params.candidate.successor_m)
                                : nullptr;
   };
-  const Candidate* const pursued = successor(proposal.candidates);
-  const Judged all = judged(std::move(proposal.candidates), pursued, situation, searches, params);
+  const Candidate* pursued = successor(proposal.candidates);
+  Judged all = judged(std::move(proposal.candidates), pursued, situation, searches, params);
+  if (all.candidates.empty() && !homing) {
+    std::vector<Candidate> looks = propose_looks(situation, searches, params, intent.pursuit, intent.sweep);
+    pursued = successor(looks);
+    std::vector<LeftOutGoal> left_out = std::move(all.left_out);
+    all = judged(std::move(looks), pursued, situation, searches, params);
+    all.left_out = std::move(left_out);
+  }
   const std::vector<Candidate>& candidates = all.candidates;
   intent.outlook = {{}, all.left_out, proposal.only_gaps, proposal.clusters};
   for (const Candidate& c : candidates) intent.outlook.open_goals.push_back(c.goal);

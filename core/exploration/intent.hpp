@@ -63,8 +63,7 @@ struct Attempts {
 
 struct SweepState {
   FinalSweep sweep;
-  bool meanwhile = false;                     ///< the sweep runs although goals without a route are left
-  std::vector<types::Vector2> may_be_gone{};  ///< where to look whether something is gone, before the end
+  bool meanwhile = false;  ///< the sweep runs although goals without a route are left
   /// Doubted places at which the robot was for their doubt, or which it could not reach: each has one look.
   std::vector<types::Vector2> looked_again{};
 };

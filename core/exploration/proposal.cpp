@@ -59,7 +59,6 @@ void append(std::vector<Candidate>& candidates, const std::vector<Candidate>& mo
 /// Essential goals and gaps: all gaps when the exploration has to be complete; otherwise, when no essential
 /// goal is left, the gaps through which the building continues. Viewpoints when neither is left. A sweep that
 /// has begun continues in one tour with new goals; otherwise the robot would leave a corner that is close.
-/// Last of all the places where the map is doubted: what is seen there again may mend it.
 Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const ExplorationParams& params,
                       bool homing, const DeferredGoals& deferred, SweepState sweep) {
   Proposal proposal;
@@ -91,12 +90,6 @@ Proposal propose_tour(const Situation& situation, travel::RouteMap& map, const E
     append(found.candidates, viewpoints.candidates);
     found.cut_off = found.cut_off || viewpoints.cut_off;
   }
-  // Of gaps alone Finish::kWorth may take none: what is left out is known after this.
-  const bool is_last = params.finish == Finish::kWorth ? proposal.only_gaps : found.candidates.empty();
-  if (is_last && !homing) {
-    sweep = with_places_to_look(std::move(sweep), situation, map, params);
-    append(found.candidates, doubted_candidates(situation, map, sweep, params));
-  }
   estimate_far_ones(found.candidates, situation.T_map_base, map, params);
   proposal.candidates = std::move(found.candidates);
   proposal.cut_off = found.cut_off;
@@ -111,6 +104,16 @@ Proposal propose(const Situation& situation, Searches searches, const Exploratio
   return row_of(params.strategy).tours
              ? propose_tour(situation, searches.map, params, homing, deferred, std::move(sweep))
              : propose_frontiers(situation, searches.map, params, deferred, std::move(sweep));
+}
+
+std::vector<Candidate> propose_looks(const Situation& situation, Searches searches,
+                                     const ExplorationParams& params, const Pursuit& pursuit,
+                                     const SweepState& sweep) {
+  if (!row_of(params.strategy).tours) return {};
+  std::vector<Candidate> looks =
+      doubted_candidates(situation, searches.map, pursuit, sweep.looked_again, params);
+  estimate_far_ones(looks, situation.T_map_base, searches.map, params);
+  return looks;
 }
 
 }  // namespace topo::exploration

@@ -63,16 +63,15 @@ SweepState swept(SweepState state, std::span<const Candidate> others, bool cut_o
 Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situation,
                                const travel::RouteMap& map, const CandidateParams& params);
 
-/// Adds where to look at what may be gone, when no such place is left (doubt_source.cpp): what closes the way
-/// by which the robot came, and what stands free and closes a way to a frontier that may lead on. Each has
-/// one look. Cost: that of the frontiers and, where one is shut off, of a travel field.
-SweepState with_places_to_look(SweepState state, const Situation& situation, const travel::RouteMap& map,
-                               const ExplorationParams& params);
-/// Those places, and the places where the map is doubted, but for those at which the robot has looked again:
-/// from there what was mapped is seen again, and may be matched. One without a route now is no reason to
-/// wait.
+/// Where to look again before the end (doubt_source.cpp), but for the places where the robot has looked
+/// again: where the map is doubted, so that what was mapped there is seen again, and may be matched; where
+/// the map closes the way by which the robot came; and where something that stands free, and so may be gone,
+/// closes a way to a frontier that may lead on. A place that is pursued stays. One without a route now is no
+/// reason to wait. Cost: that of the frontiers and, where one is shut off, of a travel field.
 std::vector<Candidate> doubted_candidates(const Situation& situation, const travel::RouteMap& map,
-                                          const SweepState& state, const ExplorationParams& params);
+                                          const Pursuit& pursuit,
+                                          std::span<const types::Vector2> looked_again,
+                                          const ExplorationParams& params);
 
 /// True when a final sweep follows an exploration.
 bool has_final_sweep(const ExplorationParams& params);
@@ -89,5 +88,10 @@ struct Proposal {
 /// home.
 Proposal propose(const Situation& situation, Searches searches, const ExplorationParams& params, bool homing,
                  const DeferredGoals& deferred, SweepState sweep);
+
+/// The alternatives when nothing else is left, or worth its time: where to look again (proposal.cpp).
+std::vector<Candidate> propose_looks(const Situation& situation, Searches searches,
+                                     const ExplorationParams& params, const Pursuit& pursuit,
+                                     const SweepState& sweep);
 
 }  // namespace topo::exploration

@@ -48,7 +48,7 @@ class RouteMap {
 
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] const grid::DenseMap& map() const { return map_; }
-  /// From the map alone; the size of map().cells.
+  /// Of map(), without the overlays; the size of map().cells.
   [[nodiscard]] const std::vector<float>& clearance_m() const { return clearance_.clearance_m(); }
   [[nodiscard]] double known_m2() const { return known_m2_; }  ///< area of the free cells
   [[nodiscard]] const grid::TravelRules& rules() const { return rules_; }
@@ -84,7 +84,7 @@ class RouteMap {
   std::uint64_t revision_ = 0;
   grid::DenseMap map_;
   std::vector<std::size_t> opened_;        // cells of map_ that are free for this period only
-  grid::ClearanceUpdate clearance_;        // of the map alone
+  grid::ClearanceUpdate clearance_;        // of map_
   std::vector<float> travel_clearance_m_;  // with the overlays
   double known_m2_ = 0.0;
   grid::TravelSearch search_;

@@ -28,9 +28,12 @@ class View {
     const Vector2 p = T_laser_map_ * p_map;
     const double away_m = p.norm();
     if (away_m > params_.live_range_m || away_m <= half_m_) return false;
-    const double angle_rad = std::atan2(p.y(), p.x()), half_rad = std::asin(half_m_ / away_m);
-    const double first = std::floor(beam_at(angle_rad - half_rad)),
-                 last = std::ceil(beam_at(angle_rad + half_rad));
+    // A mirrored scanner counts down, and a sector may begin a turn away from (-pi, pi].
+    const double middle_rad = static_cast<double>(scan_.angle_rad(scan_.checked_beams() / 2));
+    const double angle_rad = middle_rad + types::wrap_angle(std::atan2(p.y(), p.x()) - middle_rad);
+    const double half_rad = std::asin(half_m_ / away_m);
+    const auto [low, high] = std::minmax({beam_at(angle_rad - half_rad), beam_at(angle_rad + half_rad)});
+    const double first = std::floor(low), last = std::ceil(high);
     if (!(first >= 0.0) || !(last < static_cast<double>(scan_.beams))) return false;
     const auto ranges =
         scan_.ranges().subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first) + 1);

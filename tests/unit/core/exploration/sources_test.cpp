@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -180,20 +181,31 @@ class BehindPiers : public ToyDecision {
 };
 
 TEST_F(BehindSomebody, WhereTheyStandIsLookedAtOnce) {
-  SweepState state = with_places_to_look({FinalSweep(params_.final_sweep)}, situation(), map_, params_);
-  const auto found = doubted_candidates(situation(), map_, state, params_);
+  const auto found = doubted_candidates(situation(), map_, Pursuit(), {}, params_);
   ASSERT_EQ(found.size(), 1U) << "one look for both sides of them";
   EXPECT_EQ(found.front().id.source, Source::kDoubt);
   EXPECT_LT(found.front().goal.p_map.x(), here().x() + 1.75) << "before them";
   EXPECT_GT(found.front().goal.p_map.x(), here().x()) << "on the way to them";
-  state.looked_again.push_back(found.front().goal.p_map);
-  state = with_places_to_look(std::move(state), situation(), map_, params_);
-  EXPECT_TRUE(doubted_candidates(situation(), map_, state, params_).empty());
+  const std::array looked{found.front().goal.p_map};
+  EXPECT_TRUE(doubted_candidates(situation(), map_, Pursuit(), looked, params_).empty());
 }
 
 TEST_F(BehindPiers, WallsAreNotLookedAtAgain) {
-  const SweepState state = with_places_to_look({FinalSweep(params_.final_sweep)}, situation(), map_, params_);
-  EXPECT_TRUE(state.may_be_gone.empty());
+  EXPECT_TRUE(doubted_candidates(situation(), map_, Pursuit(), {}, params_).empty());
+}
+
+TEST_F(BehindPiers, APlaceThatIsPursuedStaysUntilTheRobotHasLooked) {
+  Pursuit pursuit;
+  goals::Goal goal;
+  goal.p_map = here() + types::Vector2(1.0, 0.0);
+  pursuit = set_out(std::move(pursuit), goal, {Source::kDoubt, 1}, building_.now(), here());
+  const auto found = doubted_candidates(situation(), map_, pursuit, {}, params_);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().goal.p_map, goal.p_map);
+  const std::array looked{goal.p_map};
+  EXPECT_TRUE(doubted_candidates(situation(), map_, pursuit, looked, params_).empty());
+  pursuit.id.source = Source::kGap;
+  EXPECT_TRUE(doubted_candidates(situation(), map_, pursuit, {}, params_).empty());
 }
 
 TEST_F(Sources, TheFinalSweepWaitsForOtherGoals) {

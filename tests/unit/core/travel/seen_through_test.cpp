@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace topo::travel {
 namespace {
@@ -82,6 +83,19 @@ TEST(SeenThrough, OneBeamThatEndsAtACellKeepsIt) {
   const auto points = seen(scan, kStander);
   EXPECT_FALSE(points.empty());
   for (const Vector2& p : points) EXPECT_GT(std::abs(p.y()), 0.5 * kFloorCell_m);
+}
+
+TEST(SeenThrough, AMirroredScannerAndOneWhoseSectorBeginsATurnAwaySeeTheSame) {
+  types::Scan scan = scan_of(3.0F);
+  scan.range_m[125] = 1.3F;
+  const auto points = seen(scan, kStander);
+  ASSERT_FALSE(points.empty());
+  scan.geometry.angle_min_rad += 6.2831853F;
+  EXPECT_EQ(seen(scan, kStander), points);
+  scan.geometry.angle_min_rad = 2.3562F;
+  scan.geometry.angle_increment_rad = -scan.geometry.angle_increment_rad;
+  std::swap(scan.range_m[125], scan.range_m[270 - 125]);
+  EXPECT_EQ(seen(scan, kStander), points);
 }
 
 TEST(SeenThrough, BehindTheScannerNothingIsSeen) {
