@@ -24,7 +24,7 @@ std::string metres(double value) {
 }
 
 std::string description(const goals::Goal& goal, Source source) {
-  if (source == Source::kDoubt) return "a place that is looked at again, because the map is doubted";
+  if (source == Source::kDoubt) return "a place that is looked at again";
   std::string text;
   if (goal.side != goals::Side::kNone) text = std::string(goals::to_text(goal.side)) + " side of ";
   text += goal.place != 0 ? "place " + std::to_string(goal.place) : "frontier";

@@ -46,27 +46,41 @@ struct Reached {
   double held_m = 0.0;
 };
 
-/// To and fro before what closes the way is no progress.
-bool is_where_it_looked(const Vector2& here, const Attempts& attempts, const EndingParams& params) {
-  return attempts.looked_from && (*attempts.looked_from - here).norm() < params.looked_again_m;
+/// To and fro before what closes the way is progress only a few times.
+bool gets_on(const Vector2& here, const Attempts& attempts, const ExplorationParams& params) {
+  const auto& last = attempts.looked_from;
+  return attempts.looks < params.homing.standstills_max || !last ||
+         (*last - here).norm() >= params.homing.looks_apart_m;
 }
 
-/// No route leads to the position: what closes the way by which the robot came may be gone, as a person or a
-/// mate that is not heard. From near by the robot sees that (RouteMap::begin).
+/// Counts a look from where the robot stands, unless it has stood there since the last one.
+Attempts with_look(const Vector2& here, bool came, Attempts attempts, double apart_m) {
+  const auto& last = attempts.looked_from;
+  if (!last || (*last - here).norm() >= apart_m) attempts.looks = 0;
+  if (attempts.looks == 0 || came) ++attempts.looks;
+  attempts.looked_from = here;
+  return attempts;
+}
+
+/// No route leads home: what closes the way by which the robot came may be gone, as a person or a mate that
+/// is not heard. From near by the robot sees that (RouteMap::begin). `came`: it had somewhere to go until
+/// now.
 Intent look_at_closed_way(const Situation& situation, travel::RouteMap& map, const HomingParams& params,
-                          Intent intent) {
-  const auto way =
-      travel::closed_way(map.map(), map.field(), travel::positions_of(situation.driven), params.look_from_m);
+                          bool came, Intent intent) {
+  const auto way = travel::closed_way(map.map(), map.field(),
+                                      travel::positions_of(situation.driven, map.params().keyframe_gap_m),
+                                      params.look_from_m);
   if (!way) return intent;
   intent.reason = "no way there just now: looks at what closes the way by which the robot came";
-  const bool is_there = (way->look_from - situation.here()).norm() <= params.stuck_reached_m;
-  if (!is_there) {
-    intent.pursuit.turn_to_rad.reset();
-    intent.pursuit = aimed_at(way->look_from, map, std::move(intent.pursuit));
+  Pursuit going = aimed_at(way->look_from, map, intent.pursuit);
+  const Vector2 here = situation.here();
+  if (going.has_target && (map.map().centre_of(going.target) - here).norm() > params.stuck_reached_m) {
+    going.turn_to_rad.reset();
+    intent.pursuit = std::move(going);
     return intent;
   }
-  intent.attempts.looked_from = situation.here();
-  const Vector2 to = way->closed_at - situation.here();
+  intent.attempts = with_look(here, came, std::move(intent.attempts), params.looks_apart_m);
+  const Vector2 to = way->closed_at - here;
   intent.pursuit.turn_to_rad = std::atan2(to.y(), to.x());
   return intent;
 }
@@ -92,12 +106,13 @@ Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& s
     intent = block_ahead(situation, map, params.pursuit, std::move(intent));
     ++intent.pursuit.number;  // makes control start anew, on another route
   }
-  if (!is_where_it_looked(situation.here(), intent.attempts, params.ending))
+  if (gets_on(situation.here(), intent.attempts, params))
     intent.pursuit =
         with_progress(std::move(intent.pursuit), situation.here(), situation.now, params.pursuit);
   if (situation.now - intent.pursuit.last_progress >
       params.homing.standstills_max * params.pursuit.standstill)
     return {without_target(std::move(intent)), Outcome::kNoProgress};
+  const bool came = intent.pursuit.has_target;
   intent.pursuit = aimed_at(p_map, map, std::move(intent.pursuit));
   if (intent.pursuit.has_target) {
     intent.pursuit.turn_to_rad.reset();
@@ -106,7 +121,8 @@ Headed head_for(const Vector2& p_map, const Reached& reached, const Situation& s
   intent.reason = "no way there just now";
   (void)intent.obstacles.forget(situation.now);
   intent.obstacles.open_passages();  // a passage too tight for exploration may be the only route home
-  return {look_at_closed_way(situation, map, params.homing, std::move(intent)), Outcome::kUnderWay};
+  if (std::holds_alternative<GoingTo>(intent.phase)) return {std::move(intent), Outcome::kUnderWay};
+  return {look_at_closed_way(situation, map, params.homing, came, std::move(intent)), Outcome::kUnderWay};
 }
 
 struct Destination {

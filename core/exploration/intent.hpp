@@ -59,6 +59,7 @@ struct Attempts {
   std::optional<types::Vector2>
       turned_at{};  ///< where the robot last turned on the spot to look behind itself
   std::optional<types::Vector2> looked_from{};  ///< where it last looked at what closes its way home
+  int looks = 0;                                ///< times that it came to look there
 };
 
 struct SweepState {

@@ -128,8 +128,9 @@ struct HomingParams {
   double arrived_slack_m = 0.1;  ///< added to twice the distance above, where control reports the end of its
                                  ///< path
   double look_from_m = 1.0;      ///< from what closes the way: a P3-DX is 0.53 m long, and turns there
+  double looks_apart_m = 3.0;    ///< farther apart, looks are at other things: RouteMapParams::live_range_m
   int standstills_max = 4;       ///< multiple of PursuitParams::standstill without progress after which the
-                                 ///< mission fails
+                                 ///< mission fails; so many looks at one thing are progress
 };
 
 /// Standing aside for a team-mate (core/team/right_of_way.hpp).

@@ -51,7 +51,8 @@ Intent note_what_remains(const Situation& situation, travel::RouteMap& map, cons
   const std::vector<float> clearance_m = grid::clearance_m(map.map(), grid::Boundary::kOccupied);
   for (const travel::NarrowPassage& passage :
        travel::narrow_passages(map.map(), clearance_m, map.field(), ends)) {
-    if (passage.width_m >= needed_m) continue;  // closed by what is felt or seen now, not by the map
+    if (passage.width_m >= needed_m)
+      continue;  // closed by what is felt, seen now or unknown, not by obstacles of the map
     intent.log.note(
         situation.now, passage.p_map,
         "too narrow: an opening of " + fixed(passage.width_m, 2) + " m, " + fixed(needed_m, 2) + " m needed");

@@ -67,7 +67,8 @@ Reachable viewpoint_candidates(const FinalSweep& sweep, const Situation& situati
 /// again: where the map is doubted, so that what was mapped there is seen again, and may be matched; where
 /// the map closes the way by which the robot came; and where something that stands free, and so may be gone,
 /// closes a way to a frontier that may lead on. A place that is pursued stays. One without a route now is no
-/// reason to wait. Cost: that of the frontiers and, where one is shut off, of a travel field.
+/// reason to wait. Cost: that of the frontiers and, where one is seen from nowhere near, of a
+/// travel field.
 std::vector<Candidate> doubted_candidates(const Situation& situation, const travel::RouteMap& map,
                                           const Pursuit& pursuit,
                                           std::span<const types::Vector2> looked_again,

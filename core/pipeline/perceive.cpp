@@ -3,6 +3,7 @@
 #include "core/pipeline/perceive.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/travel/seen_through.hpp"
@@ -86,7 +87,8 @@ std::vector<Vector2> seen_through(const PlanningInput& in, const Whereabouts& pl
                                   const grid::DenseMap& map, const travel::DrivenWays& ways,
                                   const PlannerParams& params) {
   const types::Scan* const scan = live_scan(in, params);
-  if (scan == nullptr) return {};
+  if (scan == nullptr || std::abs(in.control->odometry.twist.omega_radps) > params.see_through_radps)
+    return {};
   return travel::seen_through(*scan, place.pose() * params.T_base_laser, map, ways, params.route_map);
 }
 

@@ -23,10 +23,13 @@ std::optional<ClosedWay> closed_way(const grid::DenseMap& map, const grid::Trave
   return ClosedWay{from == way.end() ? *first : *from, closed_at};
 }
 
-std::vector<Vector2> positions_of(std::span<const types::KeyframePose> way) {
+std::vector<Vector2> positions_of(std::span<const types::KeyframePose> way, double gap_m) {
   std::vector<Vector2> positions;
-  positions.reserve(way.size());
-  for (const types::KeyframePose& k : way) positions.push_back(k.T_map_base.se2().translation());
+  for (const types::KeyframePose& k : way) {
+    const Vector2 p = k.T_map_base.se2().translation();
+    if (!positions.empty() && (p - positions.back()).norm() > gap_m) positions.clear();
+    positions.push_back(p);
+  }
   return positions;
 }
 

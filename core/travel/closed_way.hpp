@@ -25,7 +25,8 @@ struct ClosedWay {
 std::optional<ClosedWay> closed_way(const grid::DenseMap& map, const grid::TravelField& field,
                                     std::span<const types::Vector2> way, double away_m);
 
-/// The positions of a driven way.
-std::vector<types::Vector2> positions_of(std::span<const types::KeyframePose> way);
+/// The positions of a driven way, in map, since the robot was last carried or lost: since two keyframes that
+/// are more than `gap_m` apart.
+std::vector<types::Vector2> positions_of(std::span<const types::KeyframePose> way, double gap_m);
 
 }  // namespace topo::travel

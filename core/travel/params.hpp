@@ -47,13 +47,13 @@ struct RouteMapParams {
   float live_step_m = 0.1F;     ///< from both neighbouring beams: an isolated point is often a mixed pixel
   double live_behind_m = 0.15;  ///< what a beam hits so far behind a point is not what stands there: three
                                 ///< times the noise
-  double island_m = 0.8;  ///< length and width of a person or a robot, at most: a P3-DX is 0.6 m across its
-                          ///< corners, with an error of 0.06 m on either side
-  double mate_m = 1.2;    ///< radius around a team-mate in which a route costs more
-  double near_m = 6.0;    ///< longer routes are found on the coarse map
-  int coarse_doublings = 2;       ///< cells of the coarse map: four times as wide
-  double aim_search_m = 2.0;      ///< search around the robot before reachable_cell() looks for a cell
-  double aim_beside_m = 0.5;      ///< distance between a point and the cell that replaces it
+  double island_m = 0.8;      ///< length and width of what may go away: a person with a bag; a P3-DX is 0.6 m
+                              ///< across its corners
+  double mate_m = 1.2;        ///< radius around a team-mate in which a route costs more
+  double near_m = 6.0;        ///< longer routes are found on the coarse map
+  int coarse_doublings = 2;   ///< cells of the coarse map: four times as wide
+  double aim_search_m = 2.0;  ///< search around the robot before reachable_cell() looks for a cell
+  double aim_beside_m = 0.5;  ///< distance between a point and the cell that replaces it
   double target_beside_m = 0.25;  ///< the same for a target of the operator: less, since the place was chosen
   double tight_ahead_m = 1.2;     ///< length of route tested for a passage that the robot does not enter
   double keyframe_gap_m = 0.8;    ///< between keyframes of a driven way: beyond, it was carried or lost

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/grid/free_runs.hpp"
 #include "core/grid/nearest_reachable.hpp"
@@ -20,6 +21,15 @@ double free_area_m2(const grid::DenseMap& map) {
   grid::for_each_free_run(map.cells, 0, map.cells.size(),
                           [&](std::size_t first, std::size_t end) { cells += end - first; });
   return static_cast<double>(cells) * map.resolution_m * map.resolution_m;
+}
+
+std::vector<Vector2> without_near(std::span<const Vector2> points, std::span<const Vector2> others,
+                                  double within_m) {
+  std::vector<Vector2> rest;
+  std::ranges::copy_if(points, std::back_inserter(rest), [&](const Vector2& p) {
+    return std::ranges::none_of(others, [&](const Vector2& o) { return (o - p).norm() < within_m; });
+  });
+  return rest;
 }
 
 }  // namespace
@@ -41,7 +51,7 @@ void RouteMap::take(std::uint64_t revision, const grid::OccupancyGrid& grid, con
   known_m2_ = free_area_m2(map_);
 }
 
-/// What one period saw to be free holds for that period.
+/// What one decision saw to be free holds until the next.
 void RouteMap::close_again() {
   if (opened_.empty()) return;
   for (const std::size_t index : opened_) map_.cells[index] = grid::CellState::kOccupied;
@@ -49,18 +59,25 @@ void RouteMap::close_again() {
   clearance_.take(map_);
 }
 
-void RouteMap::open(const Overlays& overlays) {
+/// The robot stands on cells that it was let onto while it saw them free, and no longer sees.
+void RouteMap::open(const Vector2& here, const Overlays& overlays) {
   close_again();
-  opened_ = open_seen_through(map_, overlays.seen_through, area_, overlays.seen_now,
-                              params_.live_noise_m + map_.resolution_m);
+  const std::vector<Vector2> seen_free =
+      without_near(overlays.seen_through, overlays.echoed, rules_.radius_m);  // what a laser does not see
+  opened_ =
+      open_seen_through(map_, seen_free, area_, overlays.seen_now, params_.live_noise_m + map_.resolution_m);
+  const std::vector<std::size_t> beneath =
+      open_beneath(map_, here, params_.map.inner_share * rules_.radius_m, area_);
+  opened_.insert(opened_.end(), beneath.begin(), beneath.end());
   if (!opened_.empty()) clearance_.take(map_);
 }
 
 void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, const Overlays& overlays) {
-  open(overlays);
+  const Vector2 here_map = here.T_map_base.se2().translation();
+  open(here_map, overlays);
   travel_clearance_m_ = clearance_.clearance_m();
   lower_clearance(map_, overlays.echoed, rules_.preferred_m, travel_clearance_m_);
-  const grid::CellIndex start = map_.cell_at(here.T_map_base.se2().translation());
+  const grid::CellIndex start = map_.cell_at(here_map);
   std::vector<types::KeyframePose> last_bit;  // driven since the last keyframe
   if (!ways.own.empty()) last_bit = {ways.own.back(), here};
   const auto keep_ways_open = [&](const TrailRules& rules) {
@@ -71,9 +88,10 @@ void RouteMap::begin(const types::KeyframePose& here, const DrivenWays& ways, co
   };
   const double gap_m = params_.keyframe_gap_m;
   keep_ways_open({rules_.radius_m, 0.0, HUGE_VAL, gap_m});
+  lower_clearance(map_, overlays.seen_now, rules_.preferred_m, travel_clearance_m_);
   // Beside what is opened an obstacle of the map may be nearer to a driven path than that path's rule allows.
-  const MapObstacles of_map = opened_.empty() ? MapObstacles::kSkip : MapObstacles::kTake;
-  lower_clearance(map_, overlays.seen_now, rules_.preferred_m, travel_clearance_m_, of_map);
+  lower_clearance(map_, beside_opened(overlays.seen_now), rules_.preferred_m, travel_clearance_m_,
+                  MapObstacles::kTake);
   // Noise must not close the path by which the robot came; the safety gate stops it before real obstacles
   // there.
   keep_ways_open({rules_.tight_m, rules_.tight_m - params_.live_noise_m, params_.live_range_m, gap_m});
@@ -101,6 +119,16 @@ void RouteMap::inflate_mates(std::span<const Vector2> mates) {
       }
     }
   }
+}
+
+std::vector<Vector2> RouteMap::beside_opened(std::span<const Vector2> obstacles) const {
+  std::vector<Vector2> beside;
+  std::ranges::copy_if(obstacles, std::back_inserter(beside), [&](const Vector2& p) {
+    return std::ranges::any_of(opened_, [&](std::size_t index) {
+      return (map_.centre_of(map_.cell(index)) - p).norm() <= rules_.preferred_m;
+    });
+  });
+  return beside;
 }
 
 const CoarseMap& RouteMap::coarse() {

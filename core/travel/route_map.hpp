@@ -74,7 +74,8 @@ class RouteMap {
 
  private:
   void close_again();
-  void open(const Overlays& overlays);
+  void open(const types::Vector2& here, const Overlays& overlays);
+  [[nodiscard]] std::vector<types::Vector2> beside_opened(std::span<const types::Vector2> obstacles) const;
   [[nodiscard]] std::vector<grid::CellIndex> cells_to(grid::CellIndex target);
   void inflate_mates(std::span<const types::Vector2> mates);
 
@@ -83,7 +84,7 @@ class RouteMap {
   RouteMapParams params_;
   std::uint64_t revision_ = 0;
   grid::DenseMap map_;
-  std::vector<std::size_t> opened_;        // cells of map_ that are free for this period only
+  std::vector<std::size_t> opened_;        // cells of map_ that are free until the next begin()
   grid::ClearanceUpdate clearance_;        // of map_
   std::vector<float> travel_clearance_m_;  // with the overlays
   double known_m2_ = 0.0;

@@ -53,14 +53,28 @@ class View {
   double half_m_;
 };
 
-bool is_on_a_way(const Vector2& p_map, const DrivenWays& ways, const RouteMapParams& params, double cell_m) {
-  bool is_on = false;
-  const auto is_near = [&](const Vector2& end) { return (end - p_map).norm() <= params.keyframe_gap_m; };
-  const auto look = [&](const Vector2& on_way) { is_on = is_on || (on_way - p_map).norm() <= cell_m; };
-  for_each_point(ways.own, params.keyframe_gap_m, cell_m, is_near, look);
+/// Points of driven ways near the robot, at most `step_m` apart.
+std::vector<Vector2> ways_near(const Vector2& here, const DrivenWays& ways, const RouteMapParams& params,
+                               double step_m) {
+  std::vector<Vector2> points;
+  const double within_m = params.live_range_m + params.keyframe_gap_m;
+  const auto is_near = [&](const Vector2& end) { return (end - here).norm() <= within_m; };
+  const auto take = [&](const Vector2& p) { points.push_back(p); };
+  for_each_point(ways.own, params.keyframe_gap_m, step_m, is_near, take);
   for (std::span<const types::KeyframePose> way : ways.mates)
-    for_each_point(way, params.keyframe_gap_m, cell_m, is_near, look);
-  return is_on;
+    for_each_point(way, params.keyframe_gap_m, step_m, is_near, take);
+  return points;
+}
+
+/// The cells of a box, which need not lie within the map.
+grid::DenseMap part_of(const grid::DenseMap& map, const grid::CellBox& box) {
+  grid::DenseMap part;
+  part.box = box;
+  part.resolution_m = map.resolution_m;
+  part.cells.reserve(static_cast<std::size_t>(part.width()) * static_cast<std::size_t>(part.height()));
+  for (std::int32_t y = box.min.y; y <= box.max.y; ++y)
+    for (std::int32_t x = box.min.x; x <= box.max.x; ++x) part.cells.push_back(map.state({x, y}));
+  return part;
 }
 
 }  // namespace
@@ -71,19 +85,27 @@ std::vector<Vector2> seen_through(const types::Scan& scan, const types::Se2& T_m
   std::vector<Vector2> passed;
   const View view(scan, T_map_laser, params, map.resolution_m);
   const Vector2 reach(params.live_range_m, params.live_range_m);
-  const grid::CellIndex low = map.cell_at(T_map_laser.translation() - reach),
-                        high = map.cell_at(T_map_laser.translation() + reach);
-  for (std::int32_t y = std::max(low.y, map.box.min.y); y <= std::min(high.y, map.box.max.y); ++y) {
-    for (std::int32_t x = std::max(low.x, map.box.min.x); x <= std::min(high.x, map.box.max.x); ++x) {
+  const Vector2 here = T_map_laser.translation();
+  const grid::CellBox near{map.cell_at(here - reach), map.cell_at(here + reach)};
+  for (std::int32_t y = near.min.y; y <= near.max.y; ++y) {
+    for (std::int32_t x = near.min.x; x <= near.max.x; ++x) {
       const Vector2 p_map = map.centre_of({x, y});
       if (map.state({x, y}) == grid::CellState::kOccupied && view.passes(p_map)) passed.push_back(p_map);
     }
   }
   if (passed.empty()) return passed;
-  const grid::DenseMap open = without_islands(map, params.island_m);
+  // What is cut off at the border of this part is longer than an island, if it has a cell near the robot.
+  const auto margin = static_cast<std::int32_t>(std::lround(params.island_m / map.resolution_m)) + 1;
+  const grid::DenseMap open = without_islands(
+      part_of(map, {{near.min.x - margin, near.min.y - margin}, {near.max.x + margin, near.max.y + margin}}),
+      params.island_m);
+  const std::vector<Vector2> on_ways = ways_near(here, ways, params, map.resolution_m);
+  const auto is_on_a_way = [&](const Vector2& p_map) {
+    return std::ranges::any_of(on_ways,
+                               [&](const Vector2& p) { return (p - p_map).norm() <= map.resolution_m; });
+  };
   std::erase_if(passed, [&](const Vector2& p_map) {
-    return open.state(open.cell_at(p_map)) != grid::CellState::kFree &&
-           !is_on_a_way(p_map, ways, params, map.resolution_m);
+    return open.state(open.cell_at(p_map)) != grid::CellState::kFree && !is_on_a_way(p_map);
   });
   return passed;
 }

@@ -329,4 +329,16 @@ std::vector<std::size_t> open_seen_through(DenseMap& map, std::span<const Vector
   return opened;
 }
 
+std::vector<std::size_t> open_beneath(DenseMap& map, const Vector2& here, double radius_m,
+                                      const types::AreaLimits& limits) {
+  std::vector<std::size_t> opened;
+  for_each_around(map, here, radius_m, [&](std::size_t index, double) {
+    if (map.cells[index] != CellState::kOccupied || map.is_on_border(map.cell(index))) return;
+    if (!types::allows(limits, map.centre_of(map.cell(index)))) return;
+    map.cells[index] = CellState::kFree;
+    opened.push_back(index);
+  });
+  return opened;
+}
+
 }  // namespace topo::travel

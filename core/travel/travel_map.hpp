@@ -83,4 +83,9 @@ std::vector<std::size_t> open_seen_through(grid::DenseMap& map, std::span<const 
                                            const types::AreaLimits& limits,
                                            std::span<const types::Vector2> obstacles, double clear_m);
 
+/// Sets occupied cells beneath a robot at `here` to free, within what its outline covers in every heading,
+/// but where the limits keep out. Returns their indices.
+std::vector<std::size_t> open_beneath(grid::DenseMap& map, const types::Vector2& here, double radius_m,
+                                      const types::AreaLimits& limits);
+
 }  // namespace topo::travel

@@ -298,7 +298,31 @@ TEST_F(ClosedHome, ToAndFroBeforeItIsNoProgress) {
     intent = home(later, intent);
   }
   EXPECT_TRUE(std::holds_alternative<Failed>(intent.phase));
-  EXPECT_EQ(times, 11) << "a hundred seconds";
+  EXPECT_EQ(times, 17) << "four looks in 60 s, and 100 s more";
+}
+
+TEST_F(ClosedHome, WhoWaitedLongAndGetsOnDoesNotFail) {
+  const Intent looks = home(closed_at(1.3), returning());
+  map_.begin(building_.snapshot().keyframes.back(), {}, {});
+  map_.settle(HUGE_VAL);
+  Situation later = away_from_home(3.0);
+  later.driven = way_;
+  Intent intent = looks;
+  for (int s = 92; s < 106; ++s) {
+    later.now = building_.now() + seconds(s);
+    later.T_map_base.x_m = here().x() - 0.2 * (s - 92);
+    intent = home(later, intent);
+    ASSERT_TRUE(std::holds_alternative<Returning>(intent.phase)) << s;
+    ASSERT_TRUE(intent.pursuit.has_target);
+  }
+}
+
+TEST_F(ClosedHome, OnAnOrderToGoElsewhereItWaitsWhereItIs) {
+  Situation now = closed_at(2.3);
+  now.mission = {2, Order::kGoTo, false, now.start};
+  const Intent waits = to_target(now, going());
+  EXPECT_FALSE(waits.pursuit.has_target);
+  EXPECT_FALSE(waits.pursuit.turn_to_rad);
 }
 
 }  // namespace

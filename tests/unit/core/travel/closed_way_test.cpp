@@ -66,5 +66,15 @@ TEST(ClosedWay, AWayOutOfReachAndNoWayHaveNone) {
   EXPECT_FALSE(corridor.seen_from(70));
 }
 
+TEST(ClosedWay, AWayBeginsWhereTheRobotWasSetDown) {
+  std::vector<types::KeyframePose> way;
+  for (const double x : {0.0, 0.4, 5.0, 5.4})
+    way.push_back({types::Stamp{}, types::Transform2<types::Map, types::Base>(x, 1.0, 0.0)});
+  const auto positions = positions_of(way, 0.8);
+  ASSERT_EQ(positions.size(), 2U);
+  EXPECT_EQ(positions.front(), types::Vector2(5.0, 1.0));
+  EXPECT_EQ(positions_of(way, 10.0).size(), 4U);
+}
+
 }  // namespace
 }  // namespace topo::travel

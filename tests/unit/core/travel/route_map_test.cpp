@@ -243,6 +243,33 @@ TEST(RouteMap, AWayThatIsSeenToBeFreeIsOpenWhateverTheMapSays) {
   EXPECT_FALSE(hall.has_way_through()) << "what the same scan sees beside it";
 }
 
+TEST(RouteMap, WhatSonarHeardKeepsClosedWhatLooksFree) {
+  HallWithStander hall;
+  hall.overlays.seen_through = hall.seen;
+  hall.overlays.echoed = {{4.025, Hall::kMiddle_m}};
+  EXPECT_FALSE(hall.has_way_through()) << "a shut door of glass";
+}
+
+TEST(RouteMap, WhatTheScanSeesAtACellKeepsIt) {
+  HallWithStander hall;
+  hall.overlays.seen_through = hall.seen;
+  RoutesIn open(hall, stands_at(1.5, Hall::kMiddle_m));
+  const CellIndex cell = open.map().cell_at({4.025, Hall::kMiddle_m});
+  EXPECT_EQ(open.map().state(cell), CellState::kFree);
+  hall.overlays.seen_now = {{4.025, Hall::kMiddle_m + 0.08}};
+  RoutesIn kept(hall, stands_at(1.5, Hall::kMiddle_m));
+  EXPECT_EQ(kept.map().state(cell), CellState::kOccupied);
+}
+
+/// Between its scanner and its centre a robot no longer sees what it was let onto.
+TEST(RouteMap, ARobotLeavesWhereItStandsWhateverTheMapSays) {
+  HallWithStander hall;
+  EXPECT_FALSE(hall.route({4.025, Hall::kMiddle_m}, {3.5, Hall::kMiddle_m}).empty());
+  hall.area.keep_out = {{{3.8, 1.0}, {4.2, 1.0}, {4.2, 3.0}, {3.8, 3.0}}};
+  RoutesIn kept(hall, stands_at(4.025, Hall::kMiddle_m));
+  EXPECT_EQ(kept.map().state(kept.map().cell_at({4.025, Hall::kMiddle_m})), CellState::kOccupied);
+}
+
 TEST(RouteMap, WhatOnePeriodSawToBeFreeIsClosedInTheNext) {
   HallWithStander hall;
   RoutesIn map(hall, stands_at(1.5, Hall::kMiddle_m));
