@@ -256,14 +256,15 @@ Intent explore(const Situation& situation, Searches searches, const ExplorationP
     return intent.pursuit.goal ? successor_of(*intent.pursuit.goal, among, params.candidate.successor_m)
                                : nullptr;
   };
-  const Candidate* pursued = successor(proposal.candidates);
-  Judged all = judged(std::move(proposal.candidates), pursued, situation, searches, params);
+  const auto judge = [&](std::vector<Candidate> some) {
+    const Candidate* const pursued = successor(some);
+    return judged(std::move(some), pursued, situation, searches, params);
+  };
+  Judged all = judge(std::move(proposal.candidates));
   if (all.candidates.empty() && !homing) {
-    std::vector<Candidate> looks = propose_looks(situation, searches, params, intent.pursuit, intent.sweep);
-    pursued = successor(looks);
-    std::vector<LeftOutGoal> left_out = std::move(all.left_out);
-    all = judged(std::move(looks), pursued, situation, searches, params);
-    all.left_out = std::move(left_out);
+    Judged looks = judge(propose_looks(situation, searches, params, intent.pursuit, intent.sweep));
+    looks.left_out = std::move(all.left_out);
+    all = std::move(looks);
   }
   const std::vector<Candidate>& candidates = all.candidates;
   intent.outlook = {{}, all.left_out, proposal.only_gaps, proposal.clusters};

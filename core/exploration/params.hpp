@@ -114,7 +114,7 @@ struct EndingParams {
   double looked_again_m = 3.0;      ///< doubted places so near have one look together; half of
                                     ///< LoopParams::search_max_m, by which a correction may move them
   double look_again_chance = 0.25;  ///< least chance that what may be gone hides more of the building:
-                                    ///< somebody in a corridor of 1.25 m hides 0.55
+                                    ///< a person in a corridor of 1.25 m hides 0.55
   /// Period of searches for viewpoints: while the robot waits for the result, and while team-mates explore.
   types::Duration sweep_again = std::chrono::seconds(1), sweep_again_meanwhile = std::chrono::seconds(30);
 };

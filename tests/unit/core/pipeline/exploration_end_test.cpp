@@ -116,8 +116,8 @@ TEST(BlindEnd, ARobotWithItsBackToAllThereIsTurnsBeforeItEnds) {
     EXPECT_GT(known_from_the_blind_end(Finish::kComplete, strategy), 0.95);
 }
 
-/// A corridor with a room at either end. In it, just east of the robot, somebody stands until the robot is in
-/// the room in the west: the robot was as near to what is behind them as it gets.
+/// A corridor with a room at either end. In it, just east of the robot, a person stands until the robot is in
+/// the room in the west: the robot was as near to the space behind as it gets.
 class Stander {
  public:
   Stander() {

@@ -12,7 +12,7 @@ namespace {
 using std::chrono::milliseconds;
 using types::Vector2;
 
-/// A scanner 0.3 m ahead of the robot's middle that sees a wall 3 m away all around, and a map with somebody
+/// A scanner 0.3 m ahead of the robot's middle that sees a wall 3 m away all around, and a map with a person
 /// 0.3 m wide 1.2 m ahead of the scanner.
 class SeenThrough : public ::testing::Test {
  protected:
