@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "core/compass/extent.hpp"
@@ -78,11 +77,7 @@ std::vector<Vector2> away_from(std::span<const Segment> walls, std::span<const V
   return away;
 }
 
-/// Angle between two directions, which are the same after a quarter turn.
-double apart_rad(double a_rad, double b_rad) {
-  constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
-  return std::abs(std::remainder(a_rad - b_rad, kQuarterTurn));
-}
+double apart_rad(double a_rad, double b_rad) { return std::abs(types::within_quarter(a_rad - b_rad)); }
 
 double length_m(std::span<const Segment> walls) {
   double sum_m = 0.0;

@@ -28,7 +28,7 @@ std::vector<double> building_directions(std::span<const KeyframePtr> keyframes,
     of_a_wing += static_cast<double>(wing.near);
     // A wing less than two gates away is the same one, turned by what drift there is.
     std::erase_if(walls_rad, [&](double walls) {
-      return std::abs(within_quarter(walls - wing.angle_rad)) <= 2.0 * params.wing_rad;
+      return std::abs(types::within_quarter(walls - wing.angle_rad)) <= 2.0 * params.wing_rad;
     });
   }
   if (of_a_wing < params.share_min * all) return {};
@@ -44,7 +44,7 @@ std::optional<WallsAgainst> walls_against(const Keyframe& keyframe, const types:
   if (!keyframe.walls_rad || building_rad.empty()) return std::nullopt;
   WallsAgainst nearest;
   for (std::size_t wing = 0; wing < building_rad.size(); ++wing) {
-    const double off_rad = within_quarter(pose.theta_rad + *keyframe.walls_rad - building_rad[wing]);
+    const double off_rad = types::within_quarter(pose.theta_rad + *keyframe.walls_rad - building_rad[wing]);
     if (wing == 0 || std::abs(off_rad) < std::abs(nearest.off_rad)) nearest = {wing, off_rad};
   }
   return nearest;

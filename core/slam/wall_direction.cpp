@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/types/se2.hpp"
+
 namespace topo::slam {
 namespace {
 
@@ -35,15 +37,13 @@ double fullest_rad(std::span<const double> angles_rad) {
 
 }  // namespace
 
-double within_quarter(double angle_rad) { return std::remainder(angle_rad, kQuarter_rad); }
-
 CommonDirection common_direction(std::span<const double> angles_rad, double near_rad) {
   CommonDirection common{fullest_rad(angles_rad), 0};
   for (int pass = 0; pass < 3; ++pass) {  // the mean moves the window, which moves the mean
     double sum_rad = 0.0;
     common.near = 0;
     for (const double angle_rad : angles_rad) {
-      const double off_rad = within_quarter(angle_rad - common.angle_rad);
+      const double off_rad = types::within_quarter(angle_rad - common.angle_rad);
       if (std::abs(off_rad) > near_rad) continue;
       sum_rad += off_rad;
       ++common.near;

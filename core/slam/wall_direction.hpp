@@ -26,9 +26,6 @@ struct CommonDirection {
 /// `near_rad` of it; ties go to the least. O(angles).
 [[nodiscard]] CommonDirection common_direction(std::span<const double> angles_rad, double near_rad);
 
-/// An angle less the nearest whole number of quarter turns: in [-pi/4, pi/4].
-[[nodiscard]] double within_quarter(double angle_rad);
-
 /// The direction of a keyframe's walls in base_link, modulo a quarter turn: the compass of paper section II-A
 /// for what one scan sees. Empty where its surfels have no common direction.
 [[nodiscard]] std::optional<double> wall_direction(std::span<const Surfel> surfels,

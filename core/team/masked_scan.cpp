@@ -30,11 +30,8 @@ struct BeamRange {
 
 /// The beams at bearings from `low_rad` to `high_rad`, and a neighbour on either side for rounding.
 BeamRange beams_between(const types::Scan& scan, double low_rad, double high_rad) {
-  const auto at = [&](double bearing_rad) {
-    return (bearing_rad - static_cast<double>(scan.geometry.angle_min_rad)) /
-           static_cast<double>(scan.geometry.angle_increment_rad);
-  };
-  const auto [low, high] = std::minmax({at(low_rad), at(high_rad)});  // a mirrored scanner counts down
+  const auto [low, high] =
+      std::minmax({scan.beam_at(low_rad), scan.beam_at(high_rad)});  // a mirrored scanner counts down
   const auto beams = static_cast<double>(scan.checked_beams());
   return {static_cast<std::size_t>(std::clamp(std::floor(low) - 1.0, 0.0, beams)),
           static_cast<std::size_t>(std::clamp(std::ceil(high) + 2.0, 0.0, beams))};

@@ -32,7 +32,8 @@ class View {
     const double middle_rad = static_cast<double>(scan_.angle_rad(scan_.checked_beams() / 2));
     const double angle_rad = middle_rad + types::wrap_angle(std::atan2(p.y(), p.x()) - middle_rad);
     const double half_rad = std::asin(half_m_ / away_m);
-    const auto [low, high] = std::minmax({beam_at(angle_rad - half_rad), beam_at(angle_rad + half_rad)});
+    const auto [low, high] =
+        std::minmax({scan_.beam_at(angle_rad - half_rad), scan_.beam_at(angle_rad + half_rad)});
     const double first = std::floor(low), last = std::ceil(high);
     if (!(first >= 0.0) || !(last < static_cast<double>(scan_.beams))) return false;
     const auto ranges =
@@ -43,10 +44,6 @@ class View {
   }
 
  private:
-  [[nodiscard]] double beam_at(double angle_rad) const {
-    return (angle_rad - static_cast<double>(scan_.geometry.angle_min_rad)) /
-           static_cast<double>(scan_.geometry.angle_increment_rad);
-  }
   const types::Scan& scan_;
   const RouteMapParams& params_;
   types::Se2 T_laser_map_;

@@ -59,6 +59,12 @@ struct Scan {  // NOLINT(cppcoreguidelines-pro-type-member-init)
   [[nodiscard]] float angle_rad(std::size_t beam) const {
     return geometry.angle_min_rad + static_cast<float>(beam) * geometry.angle_increment_rad;
   }
+  /// The inverse: which beam looks at an angle, with its fraction. The sector may be turns away from
+  /// (-pi, pi], and outside it the number is below 0 or beyond `beams`.
+  [[nodiscard]] double beam_at(double angle_rad) const {
+    return (angle_rad - static_cast<double>(geometry.angle_min_rad)) /
+           static_cast<double>(geometry.angle_increment_rad);
+  }
 };
 
 }  // namespace topo::types

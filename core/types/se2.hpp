@@ -25,6 +25,10 @@ inline double wrap_angle(double angle_rad) {
   return wrapped <= -kPi ? wrapped + kTwoPi : wrapped;
 }
 
+/// An angle less the nearest whole number of quarter turns, in [-pi/4, pi/4]: directions of walls are the
+/// same after a quarter turn.
+inline double within_quarter(double angle_rad) { return std::remainder(angle_rad, 0.5 * std::numbers::pi); }
+
 /// Element of SE(2) without frame types, for kernels and files. Applies the rotation first, then the
 /// translation.
 struct Se2 {

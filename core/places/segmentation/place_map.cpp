@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "core/places/segmentation/box_counts.hpp"
 #include "core/places/segmentation/corners.hpp"
@@ -13,9 +12,18 @@
 #include "core/places/segmentation/piece_runs.hpp"
 #include "core/places/segmentation/reduction.hpp"
 #include "core/places/segmentation/regions.hpp"
+#include "core/types/se2.hpp"
 
 namespace topo::places {
 namespace {
+
+/// True for isolated free space that is too narrow to be anywhere in it: a gap in a wall, a strip seen
+/// through a pane.
+bool is_speck(const Region& region, const PlaceParams& params) {
+  const bool isolated = std::none_of(region.contacts.begin(), region.contacts.end(),
+                                     [](const Contact& c) { return c.upright + c.level != 0; });
+  return isolated && 2.0 * static_cast<double>(region.clearance_m) < params.speck_width_m;
+}
 
 /// Turns the remaining regions into places, in the order of their lowest cells. Returns the number of each
 /// region's place, 0 for specks.
@@ -24,7 +32,7 @@ std::vector<std::uint16_t> number_places(const std::vector<Region>& regions, dou
   const double cell_m2 = resolution_m * resolution_m;
   std::vector<std::uint32_t> kept;
   for (std::uint32_t r = 0; r < regions.size(); ++r) {
-    if (regions[r].cells != 0 && regions[r].cells * cell_m2 >= params.speck_m2) kept.push_back(r);
+    if (regions[r].cells != 0 && !is_speck(regions[r], params)) kept.push_back(r);
   }
   std::sort(kept.begin(), kept.end(),
             [&](std::uint32_t a, std::uint32_t b) { return regions[a].first < regions[b].first; });
@@ -59,7 +67,7 @@ PlaceMap reduce_labels(const grid::DenseMap& map, std::span<const float> clearan
   assert(clearance_m.size() == map.cells.size());
   PlaceMap out;
   // A quarter turn does not change the compass; the angle nearest to the map's axes keeps north up.
-  out.compass_rad = std::remainder(compass_rad, 0.5 * std::numbers::pi);
+  out.compass_rad = types::within_quarter(compass_rad);
   const CompassFrame frame(out.compass_rad);
   const std::vector<Region> pieces = regions_of(map, clearance_m, first, walls, frame, params.wall_side);
   std::vector<Region> regions = pieces;

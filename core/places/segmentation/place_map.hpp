@@ -12,23 +12,23 @@ namespace topo::places {
 
 /// The over-segmentation with which the reduction begins (first_labels.hpp).
 struct FirstLabelParams {
-  double piece_m = 1.0;        ///< length of the pieces of the axis
-  float passage_ratio = 1.3F;  ///< at a passage, clearance falls and rises again by this factor
+  double piece_m = 1.0;         ///< length of the pieces of the axis
+  float passage_ratio = 1.08F;  ///< at a passage, clearance falls and rises again by this factor
 };
 
 /// How dense a place fills a bounding box (paper II-C, condition 1).
 struct DensityParams {
-  double min = 0.64;              ///< least free share of the box, for a merge
-  double elsewhere_weight = 0.3;  ///< weight in the box of an unknown cell or one of another place, relative
-                                  ///< to an occupied one: space not yet explored is weaker evidence against a
-                                  ///< merge
-  double turned_weight = 0.5;     ///< the same in a box that is not aligned to the compass frame
+  double min = 0.5;                ///< least free share of the box, for a merge
+  double elsewhere_weight = 0.54;  ///< weight in the box of an unknown cell or one of another place, relative
+                                   ///< to an occupied one: space not yet explored is weaker evidence against
+                                   ///< a merge
+  double turned_weight = 0.58;     ///< the same in a box that is not aligned to the compass frame
   double steps = 50.0;  ///< in which densities are compared: of 2 %, so that single cells do not decide
 };
 
 /// Which regions are corridors.
 struct CorridorParams {
-  double length_ratio = 2.0;  ///< a corridor is longer than this multiple of its width,
+  double length_ratio = 2.4;  ///< a corridor is longer than this multiple of its width,
   double clearance_ratio =
       0.7;  ///< and its clearance is less than this share of it; a slice of a hall has more
   double alongside_ratio = 1.5;  ///< a border longer than this multiple of the width lies alongside
@@ -50,14 +50,14 @@ struct WallSideParams {
 struct PlaceParams {
   double furniture_m = 1.0;      ///< isolated obstacles up to this length do not divide places
   double width_ratio_max = 1.8;  ///< largest ratio of the clearances of two corridor pieces, for a merge
-  double narrow_ratio = 0.58;    ///< a passage narrower than this share of the narrower side divides places
+  double narrow_ratio = 0.57;    ///< a passage narrower than this share of the narrower side divides places
   double wider_power = 0.1;  ///< exponent of the ratio of the sides' clearances, by which that share grows:
                              ///< doors lead from corridors into wider spaces
   double parallel_share = 0.5;  ///< of the summed widths of several passages, counted as one passage
   double wall_share_max = 0.8;  ///< largest ratio of wall to open border between two places, for a merge
                                 ///< (condition 2)
-  double small_m2 = 2.0;        ///< smaller places go to the neighbour with the longest common border
-  double speck_m2 = 0.3;        ///< isolated free space smaller than this is no place
+  double small_m2 = 3.0;        ///< smaller places go to the neighbour with the longest common border
+  double speck_width_m = 0.4;   ///< isolated free space that is nowhere wider is no place
   FirstLabelParams first;
   DensityParams density;
   CorridorParams corridor;

@@ -14,7 +14,7 @@
 #include "core/slam/closure_span.hpp"
 #include "core/slam/heading_evidence.hpp"
 #include "core/slam/odometry_evidence.hpp"
-#include "core/slam/wall_direction.hpp"
+#include "core/types/se2.hpp"
 
 namespace topo::slam {
 namespace {
@@ -58,7 +58,7 @@ Walls walls_of(const Session& map, const HeadingEvidenceParams& params) {
   for (std::size_t i = 0; i < building_rad.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k)
       walls.clear_rad =
-          std::min(walls.clear_rad, 0.5 * std::abs(within_quarter(building_rad[i] - building_rad[k])));
+          std::min(walls.clear_rad, 0.5 * std::abs(types::within_quarter(building_rad[i] - building_rad[k])));
   }
   for (std::size_t node = 0; node < walls.wings.size(); ++node) {
     const auto against = walls_against(*map.keyframes[node], map.poses[node], building_rad);

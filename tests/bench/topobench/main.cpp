@@ -293,6 +293,10 @@ void add_options(CLI::App& app, topo::bench::SegmentCommand& segment) {
       ->capture_default_str();
   app.add_option("--turn", segment.turn_deg, "Degrees by which the truth is turned against the maps")
       ->capture_default_str();
+  app.add_option(
+         "--set", segment.set,
+         "NAME VALUE: a parameter of the segmentation (PlaceParams), of the maps to analyse: density.min 0.6")
+      ->needs("--maps");
   app.add_flag("--json", segment.json, "One JSON object on one line");
 }
 

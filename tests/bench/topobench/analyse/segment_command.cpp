@@ -13,6 +13,7 @@
 #include "daemon/mapfile/picture.hpp"
 #include "tests/bench/topobench/analyse/analyse_command.hpp"
 #include "tests/bench/topobench/analyse/label_picture.hpp"
+#include "tests/bench/topobench/analyse/place_option.hpp"
 #include "tests/bench/topobench/analyse/segment_score.hpp"
 #include "tests/bench/topobench/output.hpp"
 
@@ -39,22 +40,26 @@ Result<std::vector<std::string>> pictures_in(const fs::path& folder) {
   return names;
 }
 
-Status analyse_one(const SegmentCommand& command, const std::string& name) {
+Status analyse_one(const SegmentCommand& command, const analysis::AnalysisParams& params,
+                   const std::string& name) {
   const auto input = read_map_input((command.maps / name).string(), command.resolution_m);
   if (!input) return tl::unexpected(input.error());
-  const TimedAnalysis timed = timed_analysis(input->map, 1);
+  const TimedAnalysis timed = timed_analysis(input->map, 1, params);
   if (auto s = save_labels((command.labels / name).string(), labels_of(*input, timed.analysis)); !s) return s;
   const auto overview = daemon::overview_of(timed.analysis, {}, timed.analysis.goals.goals);
   return daemon::save_png((command.labels / "overlay" / name).string(), overview);
 }
 
 Status analyse_all(const SegmentCommand& command, const fs::path& truth) {
+  analysis::AnalysisParams params;
+  for (const auto& [name, value] : command.set)
+    if (auto done = set_place_param(name, value, params.places); !done) return done;
   if (auto made = make_folder(command.labels / "overlay"); !made) return made;
   const auto names = pictures_in(command.maps);
   if (!names) return tl::unexpected(names.error());
   for (const std::string& name : *names) {
     if (!fs::exists(truth / name)) continue;
-    if (auto done = analyse_one(command, name); !done) return done;
+    if (auto done = analyse_one(command, params, name); !done) return done;
   }
   return {};
 }

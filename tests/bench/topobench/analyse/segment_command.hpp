@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/types/result.hpp"
 
@@ -14,6 +17,8 @@ struct SegmentCommand {
   std::filesystem::path maps;    ///< folder of maps to analyse first, into `labels`; empty: none
   double resolution_m = 0.05;
   double turn_deg = 0.0;  ///< of the truth's pictures against the maps, counter-clockwise
+  /// Parameters of the segmentation that are not as they are, by name (place_option.hpp).
+  std::vector<std::pair<std::string, double>> set;
   bool json = false;
 };
 

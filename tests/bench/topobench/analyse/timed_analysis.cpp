@@ -18,7 +18,7 @@ double ms_between(Clock::time_point from, Clock::time_point to) {
 
 }  // namespace
 
-TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
+TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat, const analysis::AnalysisParams& params) {
   TimedAnalysis timed;
   for (int run = 0; run < std::max(repeat, 1); ++run) {
     // A picture has no height columns and nobody was anywhere.
@@ -34,7 +34,7 @@ TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat) {
     input.clearance_m = clearance_m;
     note(0);
     timed.analysis = analysis::analyse(
-        std::move(input), {}, [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
+        std::move(input), params, [&](analysis::Stage stage) { note(1 + static_cast<std::size_t>(stage)); });
     timed.ms.back().push_back(ms_between(start, before));
   }
   for (auto& of_stage : timed.ms) std::sort(of_stage.begin(), of_stage.end());

@@ -20,7 +20,8 @@ struct TimedAnalysis {
 };
 
 /// The whole analysis of a map, `repeat` times (at least once).
-TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat);
+TimedAnalysis timed_analysis(const grid::DenseMap& map, int repeat,
+                             const analysis::AnalysisParams& params = {});
 
 /// Milliseconds that reading every cell of the map once takes, best of nine.
 double one_pass_ms(const grid::DenseMap& map);

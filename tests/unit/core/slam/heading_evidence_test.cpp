@@ -137,7 +137,7 @@ TEST(HeadingEvidence, ASkewWingKeepsItsDirection) {
   const auto building_rad = building_directions(way.keyframes, way.poses, {});
   ASSERT_EQ(building_rad.size(), 2U);
   EXPECT_NEAR(building_rad[0], 0.4, 1e-6) << "that with most keyframes is the first";
-  EXPECT_NEAR(within_quarter(building_rad[1] - 0.4) / kDegree_rad, 12.0, 1e-6);
+  EXPECT_NEAR(types::within_quarter(building_rad[1] - 0.4) / kDegree_rad, 12.0, 1e-6);
   EXPECT_EQ(walls_against(*way.keyframes[60], way.poses[60], building_rad)->wing, 1U);
   EXPECT_EQ(heading_evidence(way.keyframes, way.poses, {}).size(), 50U);
 }

@@ -43,7 +43,7 @@ TEST(MakeKeyframe, KnowsItsWallsAsWhoeverReceivesItDoes) {
   const KeyframePtr keyframe = frozen(frozen_view(1));
   ASSERT_TRUE(keyframe->walls_rad);
   // The rooms' walls lie along map's axes, and the robot is turned by 0.3 rad against them.
-  EXPECT_NEAR(within_quarter(*keyframe->walls_rad + 0.3), 0.0, 0.01);
+  EXPECT_NEAR(types::within_quarter(*keyframe->walls_rad + 0.3), 0.0, 0.01);
   const auto received = decode_keyframe(encode_keyframe(*keyframe));
   ASSERT_TRUE(received);
   EXPECT_EQ(received->walls_rad, keyframe->walls_rad);

@@ -32,7 +32,7 @@ TEST(WallDirection, isThatOfTheWallsWhateverFurnitureStandsAround) {
       surfels.push_back(surfel(walls_rad + (10.0 + 70.0 * i / 90.0) * kDegree_rad));
     const auto found_rad = wall_direction(surfels);
     RC_ASSERT(found_rad.has_value());
-    RC_ASSERT(std::abs(within_quarter(*found_rad - walls_rad)) < 0.05 * kDegree_rad);
+    RC_ASSERT(std::abs(types::within_quarter(*found_rad - walls_rad)) < 0.05 * kDegree_rad);
   }));
 }
 
@@ -52,7 +52,7 @@ TEST(CommonDirection, isTheMeanAcrossTheEndOfTheQuarterToo) {
                                        269.0 * kDegree_rad};
   const CommonDirection common = common_direction(angles_rad, 3.0 * kDegree_rad);
   EXPECT_EQ(common.near, 4U);
-  EXPECT_NEAR(within_quarter(common.angle_rad), 0.0, 1e-9);
+  EXPECT_NEAR(types::within_quarter(common.angle_rad), 0.0, 1e-9);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "core/grid/distance.hpp"
 #include "core/travel/path.hpp"
-#include "tests/unit/core/travel/counted_cells.hpp"
+#include "tests/unit/core/travel/hall.hpp"
 
 namespace topo::travel {
 namespace {
@@ -18,60 +18,6 @@ namespace {
 using grid::CellIndex;
 using grid::CellState;
 using types::Vector2;
-
-using Doors = std::vector<std::pair<int, int>>;
-using Way = std::vector<types::KeyframePose>;
-
-types::KeyframePose stands_at(double x_m, double y_m) {
-  return {types::Stamp{}, types::Transform2<types::Map, types::Base>(x_m, y_m, 0.0)};
-}
-
-/// A hall of 8 by 4 m within walls, and a wall across at x = 4 m with doors, from y to y in cells.
-struct Hall {
-  static constexpr int kWidth = 160, kHeight = 80, kWallX = 80;
-  static constexpr double kMiddle_m = 2.025;
-  CountedCells cells;
-  Way way;
-  std::vector<Way> mates;
-  grid::TravelRules rules;
-  types::AreaLimits area;
-  Overlays overlays;
-
-  explicit Hall(const Doors& doors = {{0, kHeight}}) {
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const bool outer = x == 0 || y == 0 || x == kWidth - 1 || y == kHeight - 1;
-        const bool in_door = std::any_of(
-            doors.begin(), doors.end(), [&](const auto& door) { return y >= door.first && y < door.second; });
-        const bool is_wall = outer || (x == kWallX && !in_door);
-        cells.put({x, y}, is_wall ? 5 : 0, is_wall ? 0 : 5);
-      }
-    }
-  }
-  [[nodiscard]] DrivenWays ways() const { return {way, mates}; }
-  [[nodiscard]] std::vector<Vector2> route(const Vector2& from, const Vector2& to) const;
-  [[nodiscard]] bool has_way_through(double from_x_m = 1.5) const {
-    return !route({from_x_m, kMiddle_m}, {6.5, kMiddle_m}).empty();
-  }
-  void drive_through() {
-    for (double x = 0.5; x < 7.0; x += 0.5) way.push_back(stands_at(x, kMiddle_m));
-  }
-};
-
-/// The map of a hall, with the searches of a period begun.
-struct RoutesIn : RouteMap {
-  RoutesIn(const Hall& hall, const types::KeyframePose& here) : RouteMap(hall.rules, hall.area) {
-    take(1, hall.cells.grid(), hall.ways());
-    begin(here, hall.ways(), hall.overlays);
-  }
-};
-
-std::vector<Vector2> Hall::route(const Vector2& from, const Vector2& to) const {
-  RoutesIn map(*this, stands_at(from.x(), from.y()));
-  return map.route_to(map.map().cell_at(to));
-}
-
-const Doors kOneDoor{{30, 51}};  // 1.05 m, its middle at y = kMiddle_m
 
 double nearest_m(const std::vector<Vector2>& route, const Vector2& p) {
   double least_m = HUGE_VAL;
@@ -219,77 +165,6 @@ TEST(RouteMap, WhatTheRobotGotStuckOnShutsItsOwnWayToo) {
   hall.drive_through();
   EXPECT_TRUE(hall.has_way_through());
   hall.overlays.stuck_on = {{4.025, Hall::kMiddle_m}};
-  EXPECT_FALSE(hall.has_way_through());
-}
-
-/// A mate stood in the door after the robot had come through: it stays in the map.
-struct HallWithStander : Hall {
-  HallWithStander() : Hall(kOneDoor) {
-    for (int x = 76; x < 84; ++x) {
-      for (int y = 36; y < 45; ++y) cells.put({x, y}, 5, 5);
-    }
-    for (double x = 0.1; x < 7.0; x += 0.5) way.push_back(stands_at(x, kMiddle_m));
-    for (double x = 3.0; x < 5.0; x += 0.025) seen.emplace_back(x, kMiddle_m);
-  }
-  std::vector<Vector2> seen;
-};
-
-TEST(RouteMap, AWayThatIsSeenToBeFreeIsOpenWhateverTheMapSays) {
-  HallWithStander hall;
-  EXPECT_FALSE(hall.has_way_through()) << "who stood there stands there";
-  hall.overlays.seen_through = hall.seen;
-  EXPECT_TRUE(hall.has_way_through());
-  hall.overlays.seen_now = {{4.025, Hall::kMiddle_m + 0.15}};
-  EXPECT_FALSE(hall.has_way_through()) << "what the same scan sees beside it";
-}
-
-TEST(RouteMap, WhatSonarHeardKeepsClosedWhatLooksFree) {
-  HallWithStander hall;
-  hall.overlays.seen_through = hall.seen;
-  hall.overlays.echoed = {{4.025, Hall::kMiddle_m}};
-  EXPECT_FALSE(hall.has_way_through()) << "a shut door of glass";
-}
-
-TEST(RouteMap, WhatTheScanSeesAtACellKeepsIt) {
-  HallWithStander hall;
-  hall.overlays.seen_through = hall.seen;
-  RoutesIn open(hall, stands_at(1.5, Hall::kMiddle_m));
-  const CellIndex cell = open.map().cell_at({4.025, Hall::kMiddle_m});
-  EXPECT_EQ(open.map().state(cell), CellState::kFree);
-  hall.overlays.seen_now = {{4.025, Hall::kMiddle_m + 0.08}};
-  RoutesIn kept(hall, stands_at(1.5, Hall::kMiddle_m));
-  EXPECT_EQ(kept.map().state(cell), CellState::kOccupied);
-}
-
-/// Between its scanner and its centre a robot no longer sees what it was let onto.
-TEST(RouteMap, ARobotLeavesWhereItStandsWhateverTheMapSays) {
-  HallWithStander hall;
-  EXPECT_FALSE(hall.route({4.025, Hall::kMiddle_m}, {3.5, Hall::kMiddle_m}).empty());
-  hall.area.keep_out = {{{3.8, 1.0}, {4.2, 1.0}, {4.2, 3.0}, {3.8, 3.0}}};
-  RoutesIn kept(hall, stands_at(4.025, Hall::kMiddle_m));
-  EXPECT_EQ(kept.map().state(kept.map().cell_at({4.025, Hall::kMiddle_m})), CellState::kOccupied);
-}
-
-TEST(RouteMap, WhatOnePeriodSawToBeFreeIsClosedInTheNext) {
-  HallWithStander hall;
-  RoutesIn map(hall, stands_at(1.5, Hall::kMiddle_m));
-  const grid::DenseMap before = map.map();
-  Overlays overlays;
-  overlays.seen_through = hall.seen;
-  for (int period = 0; period < 2; ++period) {
-    map.begin(stands_at(1.5, Hall::kMiddle_m), hall.ways(), overlays);
-    EXPECT_NE(map.map().cells, before.cells);
-    map.take(1, hall.cells.grid(), hall.ways());
-    EXPECT_EQ(map.map().cells, before.cells) << "an analysis gets the map alone";
-    map.begin(stands_at(1.5, Hall::kMiddle_m), hall.ways(), {});
-    EXPECT_TRUE(map.route_to(map.map().cell_at({6.5, Hall::kMiddle_m})).empty());
-  }
-}
-
-TEST(RouteMap, WhatIsKeptOutOfStaysClosedHoweverFreeItLooks) {
-  HallWithStander hall;
-  hall.overlays.seen_through = hall.seen;
-  hall.area.keep_out = {{{3.8, 1.0}, {4.2, 1.0}, {4.2, 3.0}, {3.8, 3.0}}};
   EXPECT_FALSE(hall.has_way_through());
 }
 

@@ -32,6 +32,16 @@ TEST(WrapAngle, StaysInTheHalfOpenTurn) {
 
 TEST(WrapAngle, MapsMinusPiToPi) { EXPECT_DOUBLE_EQ(wrap_angle(-std::numbers::pi), std::numbers::pi); }
 
+TEST(WithinQuarter, IsTheSameDirectionOfWallsNextToZero) {
+  EXPECT_TRUE(rc::check("angles within an eighth of a turn that differ by whole quarter turns", [] {
+    const double angle = *rc::gen::inRange(-100000, 100000) / 1000.0;
+    const double within = within_quarter(angle);
+    RC_ASSERT(std::abs(within) <= std::numbers::pi / 4.0);
+    const double quarters = (within - angle) / (std::numbers::pi / 2.0);
+    RC_ASSERT(std::abs(quarters - std::round(quarters)) < 1e-9);
+  }));
+}
+
 TEST(Se2, DistanceIsOfThePlacesAlone) {
   EXPECT_DOUBLE_EQ(distance_m({1.0, 2.0, 3.0}, {-2.0, 6.0, -1.0}), 5.0);
   EXPECT_EQ(distance_m({1.0, 2.0, 3.0}, {1.0, 2.0, -3.0}), 0.0);

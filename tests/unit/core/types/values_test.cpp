@@ -30,6 +30,10 @@ TEST(Scan, BeamsRunCounterClockwiseFromTheMinimum) {
   scan.geometry.angle_increment_rad = 0.25F;
   EXPECT_FLOAT_EQ(scan.angle_rad(2), 0.0F);
   EXPECT_EQ(scan.ranges().size(), 3U);
+  EXPECT_DOUBLE_EQ(scan.beam_at(0.0), 2.0);
+  EXPECT_DOUBLE_EQ(scan.beam_at(-0.625), -0.5) << "outside its sector";
+  scan.geometry.angle_increment_rad = -0.25F;  // mounted upside down
+  EXPECT_DOUBLE_EQ(scan.beam_at(static_cast<double>(scan.angle_rad(2))), 2.0);
 }
 
 TEST(Stamp, SecondsThereAndBack) {

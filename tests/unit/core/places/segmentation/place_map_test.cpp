@@ -110,8 +110,33 @@ TEST(Places, OfUniformFreeSpaceIsOne) {
   EXPECT_NEAR(places.places[0].box.max.x(), 5.0, 1e-6);
 }
 
-TEST(Places, OfAPassageOneCellWideIsOne) {
-  EXPECT_EQ(DrawnMap(220, 9).free(5, 4, 215, 5).places().places.size(), 1U);
+TEST(Places, OfAPassageOneCellWideIsOneWhereThatIsWideEnough) {
+  const DrawnMap drawn = DrawnMap(220, 9).free(5, 4, 215, 5);
+  PlaceParams params;
+  params.speck_width_m = 0.01;
+  const auto clearance_m = drawn.clearance();
+  EXPECT_EQ(segment_places(drawn.map(), clearance_m, skeletonise(drawn.map(), clearance_m), {}, 0.0, params)
+                .places.size(),
+            1U);
+  EXPECT_TRUE(drawn.places().places.empty()) << "no robot fits there";
+}
+
+TEST(Places, OfAStripSeenThroughAPaneAreNone) {
+  // 3 m by 0.3 m beside a room, as Freiburg 079 has behind its windows; one that joins the room belongs to
+  // it.
+  const auto with_strip = [](bool joined) {
+    DrawnMap drawn = DrawnMap(160, 140).room(10, 10, 110, 110);
+    return joined ? drawn.free(40, 110, 100, 116) : drawn.free(40, 116, 100, 122);
+  };
+  const PlaceMap apart = with_strip(false).places(), joined = with_strip(true).places();
+  ASSERT_EQ(apart.places.size(), 1U);
+  EXPECT_NEAR(apart.places[0].area_m2, 25.0, 1e-9);
+  ASSERT_EQ(joined.places.size(), 1U);
+  EXPECT_NEAR(joined.places[0].area_m2, 25.0 + 60 * 6 * 0.0025, 1e-9);
+}
+
+TEST(Places, OfAPassageThatARobotFitsIntoIsOneAlsoByItself) {
+  EXPECT_EQ(DrawnMap(220, 20).free(5, 5, 215, 15).places().places.size(), 1U);
 }
 
 TEST(Places, MoveWithTheMap) {

@@ -46,7 +46,8 @@ TEST(Density, WeighsWhatLiesInTheBox) {
   const DrawnMap drawn = DrawnMap(41, 21).free(1, 1, 21, 21).occupied(21, 1, 31, 21);
   const BoxCounts counts(drawn.map(), CompassFrame(0.0));
   const types::Rectangle box{{0.05, 0.05}, {41 * 0.05, 21 * 0.05}};
-  const PlaceParams params;
+  PlaceParams params;
+  params.density.elsewhere_weight = 0.3;
   EXPECT_NEAR(density(box, 400, counts, 0.05, params), 400.0 / (400 + 200 + 0.3 * 200), 1e-9);
   EXPECT_NEAR(density(box, 200, counts, 0.05, params), 200.0 / (200 + 200 + 0.3 * 400), 1e-9);
 }
