@@ -42,6 +42,24 @@ Intent begin_mission(Intent intent, Order order, types::Stamp now) {
   return intent;
 }
 
+Intent held_up(Intent intent, types::Duration elapsed) {
+  intent.pursuit.taken += elapsed;
+  intent.pursuit.last_progress += elapsed;
+  intent.sweep.sweep.wait(elapsed);
+  return intent;
+}
+
+Intent moved(Intent intent, const types::MapCorrection& correction) {
+  intent.deferred.move(correction);
+  intent.obstacles.move(correction);
+  intent.contact.move(correction);
+  intent.sweep.sweep.move(correction);
+  correction.move(intent.sweep.looked_again);
+  for (std::optional<types::Vector2>* at : {&intent.attempts.turned_at, &intent.attempts.looked_from})
+    if (*at) *at = correction(**at);
+  return intent;
+}
+
 Intent decide(const Situation& situation, Searches searches, const ExplorationParams& params, Intent intent) {
   if (!is_homing(intent.phase)) intent.offer.home.reset();
   intent.phase = next(std::move(intent.phase), event::Rechecked{});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/exploration/params.hpp"
+#include "core/types/map_correction.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
@@ -49,6 +50,10 @@ class DeferredGoals {
   /// Ends the deferral of all goals that may come back; false when there is none.
   bool call_back(types::Stamp now);
   void clear() { list_.clear(); }
+  /// The map was corrected.
+  void move(const types::MapCorrection& correction) {
+    for (DeferredGoal& goal : list_) goal.p_map = correction(goal.p_map);
+  }
   /// All goals deferred at this time.
   [[nodiscard]] std::vector<DeferredGoal> held(types::Stamp now) const;
 

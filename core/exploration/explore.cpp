@@ -151,7 +151,7 @@ Intent run_dry(const Situation& situation, Searches searches, const ExplorationP
   if (since == types::Stamp{}) since = situation.now;
   const bool is_patient = situation.now - since < params.ending.patience;
   if (cut_off && intent.obstacles.forget(situation.now)) {
-    intent.reason = "no way to the goals left: what only sonar heard is forgotten";
+    intent.reason = "no way to the goals left: what no laser sees is forgotten";
   } else if (cut_off && is_patient) {
     intent.reason = "no way to the goals left just now";
   } else if (cut_off && !intent.sweep.meanwhile && has_final_sweep(params)) {

@@ -29,6 +29,20 @@ void FinalSweep::interrupt(types::Stamp now) {
   sweeps_since_.reset();
 }
 
+void FinalSweep::wait(types::Duration elapsed) {
+  begun_ += elapsed;
+  if (sweeps_since_) *sweeps_since_ += elapsed;
+}
+
+void FinalSweep::move(const types::MapCorrection& correction) {
+  for (Open& o : open_) {
+    for (types::Vector2* p : {&o.goal.p_map, &o.goal.opening, &o.sight}) *p = correction(*p);
+  }
+  correction.move(offered_);
+  correction.move(looked_);
+  answers_.clear();  // of cells of the map before
+}
+
 bool FinalSweep::is_over(types::Stamp now) const {
   if (!sweeps_since_) return false;
   const double without_s = types::to_seconds(*sweeps_since_ - begun_ - swept_);

@@ -10,6 +10,7 @@
 #include "core/exploration/sweep_params.hpp"
 #include "core/exploration/viewpoint.hpp"
 #include "core/goals/goal.hpp"
+#include "core/types/map_correction.hpp"
 #include "core/types/stamp.hpp"
 
 namespace topo::exploration {
@@ -40,6 +41,10 @@ class FinalSweep {
   void find(const LookedAt& in, types::Stamp now, types::Duration again);
   /// Other goals have come up: open viewpoints stay open, and the time of the sweep stops.
   void interrupt(types::Stamp now);
+  /// The robot was not allowed to go on for `elapsed`, which counts neither as sweep nor as time before it.
+  void wait(types::Duration elapsed);
+  /// The map was corrected.
+  void move(const types::MapCorrection& correction);
   /// Removes viewpoints whose sight cell is known by now; all, when the time is over.
   void settle(const grid::DenseMap& map, types::Stamp now);
   /// The robot has reached a viewpoint. False when the sweep has none with this number.

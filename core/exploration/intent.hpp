@@ -114,6 +114,14 @@ struct Intent {
 /// The intent of a new mission.
 Intent begin_mission(Intent intent, Order order, types::Stamp now);
 
+/// The robot was not allowed to go on for `elapsed`, by the operator or because its place is unknown: neither
+/// its goal nor the final sweep is charged with it.
+Intent held_up(Intent intent, types::Duration elapsed);
+
+/// The map was corrected: what is remembered by its place moves with it. The pursued goal is not: the next
+/// decision is made anew.
+Intent moved(Intent intent, const types::MapCorrection& correction);
+
 /// One decision (paper sections I-A, II-E and II-F): the next target, and the reason.
 Intent decide(const Situation& situation, Searches searches, const ExplorationParams& params, Intent intent);
 

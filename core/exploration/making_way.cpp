@@ -33,6 +33,7 @@ Intent begin(const team::StatusMessage& mate, const Situation& situation, Intent
   const Passage passage{mate.robot, situation.here(), situation.now, intent.pursuit.target};
   intent.phase = next(std::move(intent.phase), event::RightOfWay{passage});
   ++intent.pursuit.number;  // control's report on this route does not refer to the goal
+  intent.pursuit.turn_to_rad.reset();
   intent.log.note(situation.now, situation.here(), "makes room for robot " + std::to_string(mate.robot));
   return intent;
 }

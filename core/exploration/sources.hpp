@@ -19,7 +19,8 @@ struct Reachable {
   bool cut_off = false;  ///< a goal was left out because no route leads there now
 };
 
-/// The goals, from any source, that are reachable, not deferred, and not visited by a team-mate that counts.
+/// The goals, from any source, that are reachable, not deferred, and not visited by a team-mate that is not
+/// missing.
 Reachable reachable(std::span<const ProposedGoal> goals, const Situation& situation,
                     const travel::RouteMap& map, const DeferredGoals& deferred,
                     const ExplorationParams& params);
@@ -49,8 +50,7 @@ std::vector<Candidate> unseen_way_candidates(std::span<const goals::Frontier> on
                                              const Situation& situation, const travel::RouteMap& map,
                                              const DeferredGoals& deferred, const ExplorationParams& params);
 
-/// All frontiers, as the goals of a frontier strategy (gap_source.cpp). Searches the map only until the
-/// cheapest goal is certain.
+/// All frontiers, as the goals of a frontier strategy (gap_source.cpp).
 Reachable frontier_candidates(std::span<const goals::Frontier> frontiers, const Situation& situation,
                               travel::RouteMap& map, const DeferredGoals& deferred,
                               const ExplorationParams& params);

@@ -38,8 +38,8 @@ bool mates_have_goals(const team::Roster& roster, types::Stamp now) {
 }
 
 bool mate_was_at(const team::Roster& roster, types::Stamp now, const Vector2& p_map, double within_m) {
-  const auto heard = roster.heard(now);
-  return std::any_of(heard.begin(), heard.end(), [&](const team::StatusMessage* mate) {
+  const auto mates = roster.not_missing(now);
+  return std::any_of(mates.begin(), mates.end(), [&](const team::StatusMessage* mate) {
     return std::any_of(mate->visited.begin(), mate->visited.end(),
                        [&](const Vector2& p) { return (p - p_map).norm() <= within_m; });
   });

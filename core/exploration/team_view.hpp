@@ -39,7 +39,8 @@ bool are_same_claims(const Claims& a, const Claims& b);
 
 /// True when a team-mate has a goal, or bids for one.
 bool mates_have_goals(const team::Roster& roster, types::Stamp now);
-/// True when a team-mate was at a goal and sees nothing more from there.
+/// True when a team-mate, heard or out of reach and not missing, was at a goal and sees nothing more from
+/// there. What a missing one saw may never arrive.
 bool mate_was_at(const team::Roster& roster, types::Stamp now, const types::Vector2& p_map, double within_m);
 
 /// Position of a goal for the team: its opening, which is the same for all robots. The viewpoint of a robot

@@ -14,6 +14,7 @@
 #include "core/pipeline/whereabouts.hpp"
 #include "core/team/roster.hpp"
 #include "core/travel/route_map.hpp"
+#include "core/types/map_correction.hpp"
 
 // State that planning keeps from period to period: values, and caches without effect on results.
 namespace topo::pipeline {
@@ -40,8 +41,10 @@ struct Team {
 /// State that one period leaves to the next.
 struct Memory {
   std::uint64_t sequence = 0;
+  types::Stamp now{};  ///< of that period
   std::uint64_t mission = 0;
   Whereabouts place;
+  types::MapAnchors anchors;  ///< of the places in `intent`
   Team team;
   exploration::Intent intent;
   Analysed analysed;

@@ -41,7 +41,7 @@ Plan make_plan(std::uint64_t sequence, const PlanningInput& in, const Intent& in
   plan.T_map_odom = place.T_map_odom;
   plan.bends = place.bends;
   plan.located = place.located;
-  if (has_ended(intent.phase) || is_paused(intent.phase)) return plan;
+  if (!place.missing.empty() || has_ended(intent.phase) || is_paused(intent.phase)) return plan;
   const bool turns = !intent.pursuit.has_target && intent.pursuit.turn_to_rad;
   if (!turns && (!intent.pursuit.has_target || route.size() < 2)) return plan;
   plan.moving = true;

@@ -13,13 +13,6 @@ namespace topo::pipeline {
 
 namespace {
 
-/// No planning is possible; the mission continues later.
-exploration::Intent standing(exploration::Intent intent, types::Stamp now) {
-  intent.pursuit.has_target = false;
-  intent.pursuit.last_progress = now;
-  return intent;
-}
-
 Memory first_memory(const PlannerParams& params) {
   Memory memory;
   memory.team.roster = team::Roster(params.roster);
@@ -56,6 +49,7 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& in) {
   Memory before = std::move(state.impl_->memory);
 
   const bool is_new = in.mission.number != before.mission;
+  const types::Duration elapsed = is_new || before.sequence == 0 ? types::Duration{} : in.now - before.now;
   if (is_new) caches.ways.doubt();
   Battery battery = is_new ? Battery{false, before.battery.low_since} : before.battery;
   HeldRoute route = is_new ? no_route(before.route) : std::move(before.route);
@@ -64,11 +58,17 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& in) {
   intent.contact = contact;
   Whereabouts place = locate(std::move(before.place), in, params.whereabouts);
   const exploration::TeamView team{in.team.robot, mates.roster, mates.going_at};
+  types::MapAnchors anchors = std::move(before.anchors);
   const bool touched = place.missing.empty() && in.control->touches != before.touches;
   Planned plan{std::move(intent), std::move(before.analysed), std::move(route)};
+  if (!place.missing.empty() || std::holds_alternative<exploration::Paused>(plan.intent.phase))
+    plan.intent = held_up(std::move(plan.intent), elapsed);
   if (!place.missing.empty()) {
-    plan.intent = standing(std::move(plan.intent), in.now);
+    plan.intent.pursuit.has_target = false;  // no planning is possible; the mission continues later
   } else {
+    const auto correction =
+        anchors.take(in.map->keyframes, params.hold.correction_m, params.hold.correction_rad);
+    if (correction) plan.intent = moved(std::move(plan.intent), *correction);
     battery = watched(battery, *in.control, params.battery, in.now);
     plan.intent = felt(std::move(plan.intent), in, place, mates.going_at, touched, params);
     plan = planned(std::move(plan), in, place, team, battery.low, caches, params);
@@ -86,8 +86,10 @@ PlanningOutput planning_step(PlanningState& state, const PlanningInput& in) {
   out.message = make_message(in, plan.intent, place, plan.route.points, params);
   out.message.sequence = sequence;
   state.impl_->memory = {sequence,
+                         in.now,
                          in.mission.number,
                          std::move(place),
+                         std::move(anchors),
                          std::move(mates),
                          std::move(plan.intent),
                          std::move(plan.analysed),

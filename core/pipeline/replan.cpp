@@ -109,7 +109,6 @@ Planned planned(Planned before, const PlanningInput& in, const Whereabouts& plac
                 bool battery_low, Caches& caches, const PlannerParams& params) {
   auto& [intent, analysed_now, route] = before;
   const bool paused = std::holds_alternative<exploration::Paused>(intent.phase);
-  if (paused) intent.pursuit.last_progress = in.now;
   if (caches.map.limit(in.area != nullptr ? *in.area : params.area)) {
     // Neither goals nor ways of before hold.
     analysed_now.analysis.reset();

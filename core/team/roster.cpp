@@ -37,12 +37,20 @@ bool Roster::is_silent(const Mate& mate, types::Stamp now) const {
   return now - mate.heard > types::from_seconds(params_.silent_s);
 }
 
-std::vector<const StatusMessage*> Roster::heard(types::Stamp now) const {
+std::vector<const StatusMessage*> Roster::heard_within(types::Stamp now, double within_s) const {
   std::vector<const StatusMessage*> messages;
   for (const auto& [id, mate] : mates_) {
-    if (!is_silent(mate, now)) messages.push_back(&mate.message);
+    if (now - mate.heard <= types::from_seconds(within_s)) messages.push_back(&mate.message);
   }
   return messages;
+}
+
+std::vector<const StatusMessage*> Roster::heard(types::Stamp now) const {
+  return heard_within(now, params_.silent_s);
+}
+
+std::vector<const StatusMessage*> Roster::not_missing(types::Stamp now) const {
+  return heard_within(now, params_.missing_s);
 }
 
 bool Roster::counts(const Mate& mate, types::Stamp now) const {

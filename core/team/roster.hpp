@@ -39,6 +39,8 @@ class Roster {
   /// The messages of the team-mates that are not silent, by id: their positions are known. Valid until the
   /// next take().
   [[nodiscard]] std::vector<const StatusMessage*> heard(types::Stamp now) const;
+  /// The newest messages of the team-mates that were heard within `missing_s`, by id. Valid as heard().
+  [[nodiscard]] std::vector<const StatusMessage*> not_missing(types::Stamp now) const;
   /// The age of one of these messages.
   [[nodiscard]] types::Duration age_of(const StatusMessage& message, types::Stamp now) const {
     return now - mates_.at(message.robot).heard;
@@ -63,6 +65,7 @@ class Roster {
     types::Vector2 stood{0.0, 0.0};
   };
   [[nodiscard]] bool is_silent(const Mate& mate, types::Stamp now) const;
+  [[nodiscard]] std::vector<const StatusMessage*> heard_within(types::Stamp now, double within_s) const;
   [[nodiscard]] bool counts(const Mate& mate, types::Stamp now) const;
 
   RosterParams params_;

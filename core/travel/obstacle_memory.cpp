@@ -3,6 +3,7 @@
 #include "core/travel/obstacle_memory.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace topo::travel {
 
@@ -15,13 +16,26 @@ void ObstacleMemory::note(const Vector2& p_map, int times, types::Stamp now) {
   if (same != echoes_.end()) {
     same->times += times;
     same->until = now + params_.echo_for;
-  } else if (echoes_.size() < params_.echoes_max) {
-    echoes_.push_back({p_map, now + params_.echo_for, times});
+    return;
   }
+  if (echoes_.size() < params_.echoes_max) {
+    echoes_.push_back({p_map, now + params_.echo_for, times});
+    return;
+  }
+  const auto weakest = std::min_element(echoes_.begin(), echoes_.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.times, a.until) < std::tie(b.times, b.until);
+  });
+  if (weakest != echoes_.end() && weakest->times <= times) *weakest = {p_map, now + params_.echo_for, times};
 }
 
 void ObstacleMemory::block(const Vector2& p_map, types::Stamp now) {
   blocked_.push_back({p_map, now + params_.blocked_for, 1});
+}
+
+void ObstacleMemory::move(const types::MapCorrection& correction) {
+  for (Entry& e : echoes_) e.p_map = correction(e.p_map);
+  for (Entry& e : blocked_) e.p_map = correction(e.p_map);
+  correction.move(too_tight_);
 }
 
 void ObstacleMemory::expire(types::Stamp now) {

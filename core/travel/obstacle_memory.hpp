@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/travel/params.hpp"
+#include "core/types/map_correction.hpp"
 #include "core/types/se2.hpp"
 #include "core/types/stamp.hpp"
 
@@ -17,7 +18,8 @@ class ObstacleMemory {
  public:
   explicit ObstacleMemory(const ObstacleMemoryParams& params = {}) : params_(params) {}
 
-  /// A sonar echo where no laser detects anything.
+  /// A sonar echo where no laser detects anything. When there are too many, the entry that was noted least
+  /// often is replaced, and of several the oldest: a touch is never dropped for an echo.
   void note_echo(const types::Vector2& p_map, types::Stamp now) { note(p_map, 1, now); }
   /// A bumper contact or a stalled wheel. It cannot be a reflection, so it counts at once.
   void note_touch(const types::Vector2& p_map, types::Stamp now) { note(p_map, params_.echo_times, now); }
@@ -27,10 +29,12 @@ class ObstacleMemory {
   void close_passage(const types::Vector2& p_map) { too_tight_.push_back(p_map); }
   void open_passages() { too_tight_.clear(); }
 
+  /// The map was corrected.
+  void move(const types::MapCorrection& correction);
   /// Drops expired entries.
   void expire(types::Stamp now);
-  /// Drops echoes and blocked places. False when there are none, or when the last call that dropped any was
-  /// less than `forget_again` ago.
+  /// Drops echoes, touches and blocked places. False when there are none, or when the last call that dropped
+  /// any was less than `forget_again` ago.
   bool forget(types::Stamp now);
 
   /// Echoes that were noted often enough.

@@ -30,6 +30,49 @@ class Deciding : public ToyDecision {
   }
 };
 
+TEST_F(Deciding, WhatIsRememberedByItsPlaceMovesWithTheMap) {
+  std::vector<types::KeyframePose> keyframes{{building_.now(), {0.0, 0.0, 0.0}}};
+  types::MapAnchors anchors;
+  (void)anchors.take(keyframes, 0.1, 0.03);
+  keyframes[0].T_map_base = {5.0, 0.0, 0.0};
+  const auto correction = anchors.take(keyframes, 0.1, 0.03);
+  ASSERT_TRUE(correction);
+  Intent intent = begun();
+  const Vector2 was{1.0, 2.0}, is{6.0, 2.0};
+  intent.deferred.visit(was, std::nullopt);
+  intent.obstacles.note_touch(was, building_.now());
+  intent.obstacles.close_passage(was);
+  intent.contact = team::LastContact(1.0);
+  intent.contact.heard(was, building_.now());
+  intent.sweep.looked_again = {was};
+  intent.attempts.turned_at = intent.attempts.looked_from = was;
+  intent.sweep.sweep.share(std::vector<Vector2>{was});
+  intent = moved(std::move(intent), *correction);
+  EXPECT_FALSE(intent.deferred.hold(was, building_.now())) << "a door that is there now";
+  EXPECT_TRUE(intent.deferred.hold(is, building_.now()));
+  EXPECT_EQ(intent.obstacles.echoed(), std::vector<Vector2>{is});
+  EXPECT_EQ(intent.obstacles.stuck_on(), std::vector<Vector2>{is});
+  EXPECT_EQ(intent.contact.lost_at(building_.now() + seconds(9)), is);
+  EXPECT_EQ(intent.sweep.looked_again, std::vector<Vector2>{is});
+  EXPECT_EQ(intent.attempts.turned_at, is);
+  EXPECT_EQ(intent.attempts.looked_from, is);
+}
+
+TEST_F(Deciding, AGoalIsNotChargedWithAPause) {
+  Intent intent;
+  intent.pursuit.taken = building_.now() - seconds(200);
+  intent.pursuit.last_progress = building_.now() - seconds(10);
+  const Intent held = held_up(intent, seconds(500));
+  const auto settled_at = [&](const Pursuit& pursuit, int later_s) {
+    return settled(pursuit, {1}, {9.0, 9.0}, {0.0, 0.0}, 0.5, building_.now() + seconds(later_s),
+                   params_.pursuit);
+  };
+  EXPECT_EQ(settled_at(intent.pursuit, 500), Settled::kNoProgress);
+  EXPECT_EQ(settled_at(held.pursuit, 500), Settled::kUnderWay);
+  for (const int later_s : {0, 5, 60, 300})
+    EXPECT_EQ(settled_at(held.pursuit, 500 + later_s), settled_at(intent.pursuit, later_s)) << later_s;
+}
+
 TEST_F(Deciding, ANewMissionForgetsTheOldOne) {
   for (const Order order : {Order::kStand, Order::kExplore, Order::kHome, Order::kGoTo}) {
     Intent old;

@@ -151,6 +151,34 @@ TEST_F(TwoGaps, SweptBeforeAnotherGoalCameCountsLikeOneSweep) {
   EXPECT_TRUE(looks.empty());
 }
 
+TEST_F(TwoGaps, MoveWithTheMap) {
+  find(1);
+  const std::vector<goals::Goal> before = looks.goals();
+  std::vector<types::KeyframePose> keyframes{{now, {0.0, 0.0, 0.0}}};
+  types::MapAnchors anchors;
+  (void)anchors.take(keyframes, 0.1, 0.03);
+  keyframes[0].T_map_base = {0.0, 30.0, 0.0};
+  looks.move(*anchors.take(keyframes, 0.1, 0.03));
+  const std::vector<goals::Goal> after = looks.goals();
+  ASSERT_EQ(after.size(), before.size());
+  const Vector2 by(0.0, 30.0);
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_LT((after[i].p_map - before[i].p_map - by).norm(), 1e-9);
+    EXPECT_LT((after[i].opening - before[i].opening - by).norm(), 1e-9);
+  }
+  looks.share(std::vector<Vector2>{after.front().opening});
+  EXPECT_EQ(looks.goals().size(), 1U);
+}
+
+TEST_F(TwoGaps, TimeInWhichTheRobotMayNotGoOnCountsForNothing) {
+  find(1);
+  looks.wait(std::chrono::seconds(1000));
+  looks.settle(map, at(1174.0));
+  EXPECT_EQ(looks.goals().size(), 2U);
+  looks.settle(map, at(1176.0));
+  EXPECT_TRUE(looks.empty()) << "nor does it make the sweep longer";
+}
+
 TEST_F(TwoGaps, AtOnceAfterTheBeginningAreLookedInto) {
   looks.begin(now);
   find(1);

@@ -47,6 +47,15 @@ TEST_F(MakingRoom, AloneARobotDoesNotStandAside) {
   EXPECT_EQ(after.pursuit.number, 4U);
 }
 
+TEST_F(MakingRoom, ARobotThatTurnsOnTheSpotGoesOutOfTheWayInstead) {
+  hear(coming_mate());
+  Intent turning = exploring();
+  turning.pursuit.turn_to_rad = 1.0;
+  const Intent after = give(situation(), turning);
+  EXPECT_TRUE(std::holds_alternative<MakingWay>(after.phase));
+  EXPECT_FALSE(after.pursuit.turn_to_rad);
+}
+
 TEST_F(MakingRoom, ARobotInAMatesWayGoesOutOfIt) {
   const Intent after = making_way();
   ASSERT_TRUE(std::holds_alternative<MakingWay>(after.phase));

@@ -200,7 +200,7 @@ TEST(GateFaults, AProposedOrDroppedPlaceStandsWithoutLimits) {
 
 TEST(GateFaults, EveryReasonHasATextOfItsOwn) {
   std::set<std::string_view> texts;
-  constexpr int kReasons = static_cast<int>(GateReason::kGivesWay) + 1;
+  constexpr int kReasons = static_cast<int>(GateReason::kImplausible) + 1;
   for (int i = 0; i < kReasons; ++i) texts.insert(to_text(static_cast<GateReason>(i)));
   EXPECT_EQ(texts.size(), static_cast<std::size_t>(kReasons));
   EXPECT_EQ(texts.count("unknown"), 0U);

@@ -152,19 +152,26 @@ TEST_F(ControlStepTest, MotorsStayOnAsLongAsTheParameterSays) {
 }
 
 TEST_F(ControlStepTest, WhateverIsStaleOrMissingStops) {
-  const auto stops = [this](auto&& spoil) {
-    ControlState fresh(trusting());
-    ControlInput spoiled = input;
-    drive.stamp = spoiled.now;
-    spoil(spoiled);
-    EXPECT_EQ(control_step(fresh, setup, spoiled).command.twist, types::Twist2{});
+  // A robot under way: one that stands would be told to stand whatever the input is.
+  const auto stops = [this](GateReason reason, auto&& spoil) {
+    ASSERT_GT(run(60).command.twist.v_mps, 0.2);
+    ControlOutput out;
+    for (int i = 0; i < 20; ++i) {
+      now += milliseconds(50);
+      input.now = state.arrival = scan->arrival = scan->first_beam = drive.stamp = now;
+      ControlInput spoiled = input;
+      spoil(spoiled);
+      out = control_step(memory, setup, spoiled);
+      EXPECT_EQ(out.report.reason, reason) << "after " << i + 1 << " periods";
+    }
+    EXPECT_EQ(out.command.twist, types::Twist2{});
   };
-  run(1);
-  stops([](ControlInput& i) { i.state = nullptr; });
-  stops([](ControlInput& i) { i.front = nullptr; });
-  stops([](ControlInput& i) { i.firmware_watchdog = {}; });
-  stops([](ControlInput& i) { i.now += milliseconds(151); });
-  stops([](ControlInput& i) { i.estop = true; });
+  stops(GateReason::kStaleStatus, [](ControlInput& i) { i.state = nullptr; });
+  stops(GateReason::kStaleScan, [](ControlInput& i) { i.front = nullptr; });
+  stops(GateReason::kNoWatchdog, [](ControlInput& i) { i.firmware_watchdog = {}; });
+  stops(GateReason::kStaleScan, [](ControlInput& i) { i.now += milliseconds(151); });
+  stops(GateReason::kStaleStatus, [](ControlInput& i) { i.now += milliseconds(1001); });
+  stops(GateReason::kEmergencyStop, [](ControlInput& i) { i.estop = true; });
 }
 
 TEST_F(ControlStepTest, FollowsAFreshPlanAndStandsWhenItGetsOld) {

@@ -56,5 +56,28 @@ TEST(MakePlan, ATurnIsInOdomAndDoesNotBackOffIntoAMate) {
   EXPECT_FALSE(plan().moving);
 }
 
+TEST(MakePlan, ARobotThatCannotPlanStands) {
+  PlanningInput in;
+  in.now = types::stamp_from_seconds(100.0);
+  exploration::Intent turning, going;
+  turning.phase = going.phase = exploration::Exploring{};
+  turning.pursuit = exploration::turning_to(3.0, {}, in.now);
+  going.pursuit.has_target = true;
+  const std::vector<Vector2> route{{0.0, 0.0}, {1.0, 0.0}};
+  team::Roster roster;
+  Whereabouts place;
+  for (const exploration::Intent& intent : {turning, going}) {
+    const auto plan = [&] { return make_plan(1, in, intent, place, route, {5, roster, {}}, {}); };
+    place.missing = {};
+    EXPECT_TRUE(plan().moving);
+    for (const char* why : {"lost", "e-stop"}) {
+      place.missing = why;
+      EXPECT_FALSE(plan().moving);
+      EXPECT_FALSE(plan().turn_to_rad);
+      EXPECT_EQ(plan().points, 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace topo::pipeline

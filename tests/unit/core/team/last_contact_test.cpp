@@ -34,6 +34,22 @@ TEST(LastContact, inVainIsNotAgainSoon) {
       << "and to the same place: it heard of nobody since";
 }
 
+TEST(LastContact, eachAttemptInVainIsFollowedByTwiceTheTime) {
+  LastContact contact(60.0);
+  contact.heard({1.0, 2.0}, at(0.0));
+  double now_s = 0.0;
+  for (const double wait_s : {60.0, 60.0, 120.0, 240.0, 480.0}) {
+    EXPECT_FALSE(contact.lost_at(at(now_s + wait_s)));
+    EXPECT_TRUE(contact.lost_at(at(now_s + wait_s + 0.1)));
+    now_s += wait_s + 10.0;
+    contact.put_off(at(now_s));
+  }
+  contact.heard({3.0, 4.0}, at(now_s));
+  EXPECT_TRUE(contact.lost_at(at(now_s + 60.1))) << "a contact between begins anew";
+  for (int i = 0; i < 100; ++i) contact.put_off(at(now_s));
+  EXPECT_TRUE(contact.lost_at(at(now_s + 100000.0)));
+}
+
 TEST(LastContact, nobodyIsMissedWhoIsHome) {
   LastContact contact(60.0);
   contact.heard({1.0, 2.0}, at(0.0));

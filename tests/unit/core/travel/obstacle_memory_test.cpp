@@ -88,6 +88,17 @@ TEST(ObstacleMemory, KeepsSoManyEchoesAndNoMore) {
   EXPECT_EQ(memory.echoed().size(), 2U);
 }
 
+TEST(ObstacleMemory, ATouchIsNotedHoweverManyEchoesThereAre) {
+  ObstacleMemoryParams params;
+  params.echoes_max = 3;
+  ObstacleMemory memory(params);
+  for (int i = 0; i < 9; ++i) memory.note_echo(kPlace + Vector2(1.0 * i, 0.0), kStart + seconds(i));
+  memory.note_touch(kPlace - Vector2(1.0, 0.0), kStart + seconds(10));
+  for (int i = 0; i < 9; ++i) memory.note_echo(kPlace - Vector2(1.0 * i, 5.0), kStart + seconds(11 + i));
+  ASSERT_EQ(memory.echoed().size(), 1U);
+  EXPECT_EQ(memory.echoed().front(), kPlace - Vector2(1.0, 0.0));
+}
+
 /// Places far apart, so that each is one of its own: what the memory should hold, by place.
 struct RememberedPlace {
   int times = 0;
