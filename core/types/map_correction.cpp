@@ -7,10 +7,10 @@
 
 namespace topo::types {
 
-Vector2 MapCorrection::operator()(const Vector2& p_map) const {
+const Se2& MapCorrection::around(const Vector2& p_map) const {
   const auto nearest = std::ranges::min_element(
       keyframes_, {}, [&](const Moved& keyframe) { return (keyframe.before - p_map).squaredNorm(); });
-  return nearest->change * p_map;
+  return nearest->change;
 }
 
 std::optional<MapCorrection> MapAnchors::take(std::span<const KeyframePose> keyframes, double by_m,

@@ -15,8 +15,10 @@ namespace topo::types {
 /// it, from where it was seen.
 class MapCorrection {
  public:
-  /// Where a point of the map before the correction is now. O(keyframes).
-  [[nodiscard]] Vector2 operator()(const Vector2& p_map) const;
+  /// From the map before the correction to the map now, around a point of the map before. O(keyframes).
+  [[nodiscard]] const Se2& around(const Vector2& p_map) const;
+  /// Where a point of the map before the correction is now.
+  [[nodiscard]] Vector2 operator()(const Vector2& p_map) const { return around(p_map) * p_map; }
   /// Moves points in place.
   void move(std::span<Vector2> points) const {
     for (Vector2& p : points) p = (*this)(p);

@@ -147,6 +147,19 @@ bool AreaBook::note(const TeamAreas& team) {
   return changed;
 }
 
+bool AreaBook::move(const types::MapCorrection& correction) {
+  bool any = false;
+  for (DrawnArea& area : areas_) {
+    if (area.number == 0) continue;
+    types::Vector2 sum(0.0, 0.0);
+    for (const types::Vector2& corner : area.corners_map) sum += corner;
+    const types::Se2 change = correction.around(sum / static_cast<double>(area.corners_map.size()));
+    for (types::Vector2& corner : area.corners_map) corner = change * corner;
+    any = true;
+  }
+  return any;
+}
+
 types::AreaLimits AreaBook::with(const types::AreaLimits& configured) const {
   types::AreaLimits limits = configured;
   for (const DrawnArea& area : areas_)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/types/area_limits.hpp"
+#include "core/types/map_correction.hpp"
 #include "core/types/result.hpp"
 #include "daemon/control/json_rpc.hpp"
 #include "daemon/threads/team_hand_over.hpp"
@@ -42,6 +43,10 @@ class AreaBook {
   types::Status withdraw(std::string_view id);
   /// Takes what the team's log says. True when an area came, went or moved.
   bool note(const TeamAreas& team);
+
+  /// The map was corrected: own areas move with it, each as a whole. True when there are any. Mates' areas
+  /// come from the team's log, placed by where their maps lie.
+  bool move(const types::MapCorrection& correction);
 
   [[nodiscard]] const std::vector<DrawnArea>& areas() const { return areas_; }
   [[nodiscard]] types::AreaLimits with(const types::AreaLimits& configured) const;

@@ -97,6 +97,15 @@ void AreaControl::note(const TeamAreas& team) {
     announce_({{"event", "area"}, {"what", "by the team"}, {"areas", book_.json()["areas"]}});
 }
 
+void AreaControl::note_map(std::span<const types::KeyframePose> keyframes) {
+  constexpr AreaMoveParams kParams;
+  const auto correction = anchors_.take(keyframes, kParams.by_m, kParams.by_rad);
+  if (!correction || !book_.move(*correction)) return;
+  enforce();
+  keep();
+  announce_({{"event", "area"}, {"what", "moved with the map"}, {"areas", book_.json()["areas"]}});
+}
+
 /// With all that are in force then: who reads the log needs no other line.
 void AreaControl::tell(const char* what, const DrawnArea& area) {
   spdlog::info("area {}, {}: {}", id_of(area), types::to_text(area.kind), what);

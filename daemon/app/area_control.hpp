@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "daemon/app/area_book.hpp"
@@ -11,8 +12,15 @@
 
 namespace topo::daemon {
 
+/// How far a keyframe moves in the map before drawn areas move with it.
+struct AreaMoveParams {
+  double by_m = 0.05;  ///< a cell of the map
+  double by_rad = 0.01;
+};
+
 /// The areas that operators draw: in force at once, given to the team, and kept in a file, which a restart
-/// finds. Like those of the configuration they are measured in whatever map is the present one. Main only.
+/// finds. When the map is corrected they stay where they were drawn in the building; those of the
+/// configuration are measured from the map's origin, whatever map is the present one. Main only.
 class AreaControl {
  public:
   using Announce = std::function<void(const Json& event)>;
@@ -29,6 +37,9 @@ class AreaControl {
   types::Status withdraw(const std::string& id);
   /// What the team says of areas, every tick.
   void note(const TeamAreas& team);
+
+  /// The robot's own keyframes of a newer map: own areas move with corrections of it.
+  void note_map(std::span<const types::KeyframePose> keyframes);
 
   /// All limits that are in force.
   [[nodiscard]] types::AreaLimits in_force() const { return book_.with(configured_); }
@@ -50,6 +61,7 @@ class AreaControl {
   std::string file_;
   Announce announce_;
   AreaBook book_;
+  types::MapAnchors anchors_;  ///< of the own areas
   std::string unread_, unwritten_;
   std::uint64_t writes_ = 0, written_ = 0;
 };

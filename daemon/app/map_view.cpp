@@ -44,4 +44,11 @@ Result<Json> MapView::trails() {
   return Json{{"own", trail_of(snapshot->keyframes)}, {"mates", std::move(mates)}};
 }
 
+std::optional<std::vector<types::KeyframePose>> MapView::newer_keyframes() {
+  const auto snapshot = snapshots_.pin();
+  if (!snapshot || snapshot->revision == told_) return std::nullopt;
+  told_ = snapshot->revision;
+  return snapshot->keyframes;
+}
+
 }  // namespace topo::daemon

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "daemon/app/session_view.hpp"
 #include "daemon/app/tile_book.hpp"
@@ -29,6 +31,9 @@ class MapView {
   ///   {"own": [[x, y], ...], "mates": [[[x, y], ...], ...]}, metres in map.
   types::Result<Json> trails();
 
+  /// The robot's own keyframes, when the map is newer than at the last call.
+  std::optional<std::vector<types::KeyframePose>> newer_keyframes();
+
   /// Of a session that is not the map.
   [[nodiscard]] SessionView& of_session() { return session_; }
 
@@ -36,6 +41,7 @@ class MapView {
   MapSnapshots::Reader snapshots_;
   TileBook book_;
   std::uint64_t drawn_ = 0;  ///< revision of the map in the book
+  std::uint64_t told_ = 0;   ///< revision of newer_keyframes()
   SessionView session_;
 };
 

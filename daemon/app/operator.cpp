@@ -74,6 +74,7 @@ void Operator::tick(types::Stamp now) {
   plan_.update();
   team_.tick(now);
   areas_.note(team_.areas());
+  if (const auto keyframes = view_.newer_keyframes()) areas_.note_map(*keyframes);
   const BaseReport& base = monitor_.base();
   way_.note(base.state.odometry.T_odom_base.se2().translation(), base.ready, missions_.active());
   estop_.tick();

@@ -77,6 +77,35 @@ TEST_F(AreaControlTest, AnAreaToGoToFirstLimitsNothing) {
   EXPECT_TRUE(hand_overs->to_planning.here_first.read()->empty());
 }
 
+TEST_F(AreaControlTest, AnAreaStaysInTheBuildingWhenTheMapIsCorrected) {
+  configured.keep_out = {{{9.0, 9.0}, {10.0, 9.0}, {10.0, 10.0}}};
+  const auto areas = make(folder.str());
+  std::vector<types::KeyframePose> keyframes{{types::stamp_from_seconds(1.0), {0.0, 0.0, 0.0}},
+                                             {types::stamp_from_seconds(2.0), {60.0, 0.0, 0.0}}};
+  areas->note_map(keyframes);
+  const types::Polygon stairs{{58.0, 1.0}, {61.0, 1.0}, {61.0, 3.0}, {58.0, 3.0}};
+  ASSERT_TRUE(areas->draw(kCordon));
+  ASSERT_TRUE(areas->draw(stairs));
+  keyframes.push_back({types::stamp_from_seconds(3.0), {61.0, 0.0, 0.0}});
+  areas->note_map(keyframes);
+  EXPECT_EQ(areas->in_force().keep_out[2], stairs) << "nothing was corrected";
+  keyframes[1].T_map_base = {59.8, 0.7, 0.0};  // a loop closes
+  areas->note_map(keyframes);
+  for (auto* reader : {&hand_overs->area, &hand_overs->to_planning.area}) {
+    const types::AreaLimits* limits = reader->read();
+    ASSERT_NE(limits, nullptr);
+    ASSERT_EQ(limits->keep_out.size(), 3U);
+    EXPECT_EQ(limits->keep_out[0], configured.keep_out[0]) << "measured from the map's origin";
+    EXPECT_EQ(limits->keep_out[1], kCordon) << "beside a keyframe that did not move";
+    for (std::size_t i = 0; i < stairs.size(); ++i)
+      EXPECT_LT((limits->keep_out[2][i] - stairs[i] - types::Vector2(-0.2, 0.7)).norm(), 1e-9);
+  }
+  EXPECT_EQ(events.back()["what"], "moved with the map");
+  settle(*areas);
+  const auto again = make(folder.str());
+  EXPECT_EQ(again->in_force().keep_out[2], areas->in_force().keep_out[2]) << "a restart finds it there";
+}
+
 TEST_F(AreaControlTest, ARestartFindsThem) {
   auto areas = make(folder.str());
   EXPECT_TRUE(areas->draw(kCordon).has_value());
