@@ -85,7 +85,12 @@ types::Status AreaControl::withdraw(const std::string& id) {
   return {};
 }
 
+bool AreaControl::knows_place() const {
+  return hand_overs_.place.now() == types::PlaceStanding::kKnown;
+}
+
 void AreaControl::note(const TeamAreas& team) {
+  if (!knows_place()) anchors_ = {};  // another map is no correction of this one
   const std::string before = book_.trouble();
   const std::size_t count = book_.areas().size();
   const bool changed = book_.note(team);
@@ -99,6 +104,7 @@ void AreaControl::note(const TeamAreas& team) {
 
 void AreaControl::note_map(std::span<const types::KeyframePose> keyframes) {
   constexpr AreaMoveParams kParams;
+  if (!knows_place()) return;
   const auto correction = anchors_.take(keyframes, kParams.by_m, kParams.by_rad);
   if (!correction || !book_.move(*correction)) return;
   enforce();

@@ -38,7 +38,8 @@ class AreaControl {
   /// What the team says of areas, every tick.
   void note(const TeamAreas& team);
 
-  /// The robot's own keyframes of a newer map: own areas move with corrections of it.
+  /// The robot's own keyframes of a newer map: own areas move with corrections of it. They stay when another
+  /// map is taken, as one of before that goes on: they were drawn in that one.
   void note_map(std::span<const types::KeyframePose> keyframes);
 
   /// All limits that are in force.
@@ -51,6 +52,7 @@ class AreaControl {
   [[nodiscard]] Json json() const;
 
  private:
+  [[nodiscard]] bool knows_place() const;
   void enforce();
   void keep();
   void tell(const char* what, const DrawnArea& area);

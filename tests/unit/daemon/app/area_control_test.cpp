@@ -106,6 +106,23 @@ TEST_F(AreaControlTest, AnAreaStaysInTheBuildingWhenTheMapIsCorrected) {
   EXPECT_EQ(again->in_force().keep_out[2], areas->in_force().keep_out[2]) << "a restart finds it there";
 }
 
+TEST_F(AreaControlTest, AnAreaOfBeforeStaysWhenTheRobotIsFoundInTheMapThatGoesOn) {
+  const auto areas = make(folder.str());
+  ASSERT_TRUE(areas->draw(kCordon));
+  std::vector<types::KeyframePose> keyframes{{types::stamp_from_seconds(1.0), {0.0, 0.0, 0.0}}};
+  areas->note_map(keyframes);
+  hand_overs->place.standing.store(types::PlaceStanding::kUnknown);
+  areas->note({});
+  keyframes[0].T_map_base = {40.0, 7.0, 1.0};
+  areas->note_map(keyframes);
+  hand_overs->place.standing.store(types::PlaceStanding::kKnown);
+  areas->note_map(keyframes);
+  EXPECT_EQ(areas->in_force().keep_out.front(), kCordon);
+  keyframes[0].T_map_base = {41.0, 7.0, 1.0};
+  areas->note_map(keyframes);
+  EXPECT_NE(areas->in_force().keep_out.front(), kCordon) << "a correction again";
+}
+
 TEST_F(AreaControlTest, ARestartFindsThem) {
   auto areas = make(folder.str());
   EXPECT_TRUE(areas->draw(kCordon).has_value());
