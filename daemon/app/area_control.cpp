@@ -85,9 +85,7 @@ types::Status AreaControl::withdraw(const std::string& id) {
   return {};
 }
 
-bool AreaControl::knows_place() const {
-  return hand_overs_.place.now() == types::PlaceStanding::kKnown;
-}
+bool AreaControl::knows_place() const { return hand_overs_.place.now() == types::PlaceStanding::kKnown; }
 
 void AreaControl::note(const TeamAreas& team) {
   if (!knows_place()) anchors_ = {};  // another map is no correction of this one
