@@ -44,7 +44,7 @@ struct Situation {
   [[nodiscard]] bool is_about(const Pursuit& pursuit) const { return feedback.number == pursuit.number; }
 };
 
-/// Searches of the map, as far as decisions need them. They keep results, which equal those of a new search.
+/// Searches of the map, as far as decisions need them.
 struct Searches {
   travel::RouteMap& map;
   GoalWays& ways;  ///< between goals

@@ -16,7 +16,7 @@
 #include "core/travel/route_map.hpp"
 #include "core/types/map_correction.hpp"
 
-// State that planning keeps from period to period: values, and caches without effect on results.
+// State that planning keeps from period to period: values, and searches.
 namespace topo::pipeline {
 
 /// A battery stays low for the mission: without load its voltage recovers a little, but not its charge.
@@ -53,7 +53,9 @@ struct Memory {
   std::uint32_t touches = 0;  ///< part of control's count that is already handled
 };
 
-/// Searches and working memory: results equal those of new objects.
+/// Searches and working memory. Searches of the map equal new ones; the ways between goals are estimates
+/// until each had its turn (goal_ways.hpp), so that a planner that begins with Memory alone may choose
+/// another goal.
 struct Caches {
   explicit Caches(const PlannerParams& params)
       : map(params.travel, params.area, params.route_map), ways(params.explore.tour.ways) {}

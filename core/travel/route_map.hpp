@@ -30,7 +30,9 @@ struct Overlays {
 };
 
 /// The map for travel and the searches on it. Searches run as far as the calls of one period need and are
-/// kept for that period; the result of a call does not depend on the other calls. One thread.
+/// kept for that period. The result of a call does not depend on the other calls, but for costs beyond
+/// settled_m(), which are unknown until a call has settled them: reachable_cell() decides among equals by
+/// them. One thread.
 class RouteMap {
  public:
   RouteMap(const grid::TravelRules& rules, const types::AreaLimits& area, const RouteMapParams& params = {})
