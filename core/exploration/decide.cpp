@@ -45,6 +45,7 @@ Intent begin_mission(Intent intent, Order order, types::Stamp now) {
 Intent held_up(Intent intent, types::Duration elapsed) {
   intent.pursuit.taken += elapsed;
   intent.pursuit.last_progress += elapsed;
+  if (intent.attempts.nothing_since != types::Stamp{}) intent.attempts.nothing_since += elapsed;
   intent.sweep.sweep.wait(elapsed);
   return intent;
 }

@@ -115,7 +115,7 @@ struct Intent {
 Intent begin_mission(Intent intent, Order order, types::Stamp now);
 
 /// The robot was not allowed to go on for `elapsed`, by the operator or because its place is unknown: neither
-/// its goal nor the final sweep is charged with it.
+/// its goal, nor the patience without one, nor the final sweep is charged with it.
 Intent held_up(Intent intent, types::Duration elapsed);
 
 /// The map was corrected: what is remembered by its place moves with it. The pursued goal is not: the next

@@ -30,6 +30,7 @@ TEST(PlaceOption, RefusesANameOrAValueThatIsNone) {
   EXPECT_THAT(unknown.error().message, HasSubstr("density.min, density.elsewhere_weight"));
   for (const double value : {0.0, -1.0, HUGE_VAL, std::nan("")})
     EXPECT_FALSE(set_place_param("density.min", value, params).has_value()) << value;
+  EXPECT_FALSE(set_place_param("corner.spurs_ratio", 2.5, params).has_value());
   EXPECT_DOUBLE_EQ(params.density.min, places::PlaceParams{}.density.min);
 }
 

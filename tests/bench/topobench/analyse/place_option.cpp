@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -42,7 +43,7 @@ std::vector<Named> names_of(places::PlaceParams& p) {
 }  // namespace
 
 types::Status set_place_param(std::string_view name, double value, places::PlaceParams& params) {
-  // No array or count grows with a parameter beyond this, and none is meant to be larger.
+  // None is meant to be larger; lengths in cells stay within their types.
   constexpr double kMost = 1000.0;
   if (!(value > 0.0 && value <= kMost)) {
     return types::fail(
@@ -52,6 +53,10 @@ types::Status set_place_param(std::string_view name, double value, places::Place
   std::string known;
   for (const auto& [each, field] : names_of(params)) {
     if (each == name) {
+      if (std::holds_alternative<std::uint32_t*>(field) && value != std::floor(value)) {
+        return types::fail(types::Errc::kInvalidInput,
+                           fmt::format("--set {}: found {}, expected a whole number", name, value));
+      }
       std::visit([&](auto* of) { *of = static_cast<std::remove_reference_t<decltype(*of)>>(value); }, field);
       return {};
     }

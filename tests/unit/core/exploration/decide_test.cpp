@@ -46,7 +46,6 @@ TEST_F(Deciding, WhatIsRememberedByItsPlaceMovesWithTheMap) {
   intent.contact.heard(was, building_.now());
   intent.sweep.looked_again = {was};
   intent.attempts.turned_at = intent.attempts.looked_from = was;
-  intent.sweep.sweep.share(std::vector<Vector2>{was});
   intent = moved(std::move(intent), *correction);
   EXPECT_FALSE(intent.deferred.hold(was, building_.now())) << "a door that is there now";
   EXPECT_TRUE(intent.deferred.hold(is, building_.now()));
@@ -62,7 +61,10 @@ TEST_F(Deciding, AGoalIsNotChargedWithAPause) {
   Intent intent;
   intent.pursuit.taken = building_.now() - seconds(200);
   intent.pursuit.last_progress = building_.now() - seconds(10);
+  EXPECT_EQ(held_up(intent, seconds(500)).attempts.nothing_since, types::Stamp{}) << "there is a goal";
+  intent.attempts.nothing_since = building_.now() - seconds(5);
   const Intent held = held_up(intent, seconds(500));
+  EXPECT_EQ(held.attempts.nothing_since, building_.now() + seconds(495));
   const auto settled_at = [&](const Pursuit& pursuit, int later_s) {
     return settled(pursuit, {1}, {9.0, 9.0}, {0.0, 0.0}, 0.5, building_.now() + seconds(later_s),
                    params_.pursuit);

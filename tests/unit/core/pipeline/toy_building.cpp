@@ -41,6 +41,13 @@ bool ToyBuilding::wall_at(const types::Vector2& p) const {
   return column >= std::ssize(text) || text[static_cast<std::size_t>(column)] == '#';
 }
 
+void ToyBuilding::bend(double by_m) {
+  for (types::KeyframePose& keyframe : snapshot_.keyframes) {
+    const types::Se2 was = keyframe.T_map_base.se2();
+    keyframe.T_map_base = {was.x_m + by_m, was.y_m, was.theta_rad};
+  }
+}
+
 void ToyBuilding::close(int column, int row) {
   rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = '#';
 }

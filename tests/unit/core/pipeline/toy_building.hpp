@@ -40,6 +40,8 @@ class ToyBuilding {
   void doubt(std::vector<types::Vector2> places) { doubted_ = std::move(places); }
   [[nodiscard]] types::Stamp now() const { return now_; }
   [[nodiscard]] const MapSnapshot& snapshot() const { return snapshot_; }
+  /// All keyframes are `by_m` farther along x, as after a loop closure; the cells stay.
+  void bend(double by_m);
   /// A wall from now on, or floor.
   void close(int column, int row);
   void open(int column, int row);
