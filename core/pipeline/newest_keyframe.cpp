@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pipeline/newest_keyframe.hpp"
 
-#include <cmath>
-
 namespace topo::pipeline {
 
 bool NewestKeyframe::is_bent(const MapSnapshot& now, double by_m, double by_rad) const {
   if (number >= now.keyframes.size() || now.keyframes[number].stamp != keyframe.stamp) return true;
-  const types::Se2 change = keyframe.T_map_base.se2().inverse() * now.keyframes[number].T_map_base.se2();
-  return change.translation().norm() > by_m || std::abs(change.theta_rad) > by_rad;
+  return types::is_apart(keyframe.T_map_base.se2(), now.keyframes[number].T_map_base.se2(), by_m, by_rad);
 }
 
 std::vector<std::vector<types::Vector2>> driven_paths(const MapSnapshot& snapshot) {

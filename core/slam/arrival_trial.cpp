@@ -103,7 +103,7 @@ ArrivalTrial::ArrivalTrial(const Session& session, const Arrival& arrival, const
 void ArrivalTrial::add(const Cloud& cloud, const types::Se2& T_map_base, const types::Se2& T_odom_base,
                        bool matched) {
   if (count_.verdict != TrialVerdict::kRunning) return;
-  if (compared_ && !is_apart(*compared_, T_odom_base, params_.step_m, params_.step_rad)) return;
+  if (compared_ && !types::is_apart(*compared_, T_odom_base, params_.step_m, params_.step_rad)) return;
   double way_m = compared_ ? distance_m(*compared_, T_odom_base) : 0.0;
   if (way_m > kOdometryJump_m) way_m = 0.0;
   compared_ = T_odom_base;

@@ -58,8 +58,9 @@ FreeGround seen_through(std::span<const KeyframePtr> keyframes, std::span<const 
       return Point((poses[i] * types::Vector2(p.cast<double>())).cast<float>());
     };
     const Point from = in_map(keyframe.sensor);
-    for (std::size_t k = 0; k < keyframe.match_points.size(); k += params.ray_stride)
-      ground.add_ray(from, in_map(keyframe.match_points[k]));
+    const std::vector<Point> points = keyframe.content.match_points();
+    for (std::size_t k = 0; k < points.size(); k += params.ray_stride)
+      ground.add_ray(from, in_map(points[k]));
   }
   return ground;
 }

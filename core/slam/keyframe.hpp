@@ -4,11 +4,9 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "core/slam/cloud.hpp"
+#include "core/slam/keyframe_content.hpp"
 #include "core/slam/keyframe_id.hpp"
-#include "core/walls/height_column.hpp"
 
 namespace topo::slam {
 
@@ -19,11 +17,8 @@ struct Keyframe {
   types::Stamp stamp{};
   types::Se2 T_odom_base;  ///< dead reckoning at `stamp`
   Point sensor = Point::Zero();
-  std::vector<Point> hits;                  ///< ends of the rays
-  std::vector<Surfel> surfels;              ///< for matching other scans against this keyframe
-  std::vector<Point> match_points;          ///< for matching this keyframe against others
-  std::vector<walls::ColumnPoint> columns;  ///< seen by the coronal laser since the keyframe before
-  std::optional<double> walls_rad;          ///< wall_direction of the surfels: neither sent nor stored
+  CodedContent content;
+  std::optional<double> walls_rad;  ///< wall_direction of the surfels: neither sent nor stored
 };
 
 using KeyframePtr = std::shared_ptr<const Keyframe>;

@@ -4,14 +4,9 @@
 #include "core/slam/local_map.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace topo::slam {
-
-bool is_apart(const types::Se2& a, const types::Se2& b, double apart_m, double apart_rad) {
-  return distance_m(a, b) > apart_m || std::abs(types::wrap_angle(b.theta_rad - a.theta_rad)) > apart_rad;
-}
 
 void LocalMap::extend(const MapGraph& graph, const types::Se2& here) {
   const Point p = here.translation().cast<float>();
@@ -22,7 +17,7 @@ void LocalMap::extend(const MapGraph& graph, const types::Se2& here) {
       held > static_cast<std::size_t>(params_.window_overfull * params_.window_travel_m / params_.travel_m)) {
     rebuild(graph, here);
   } else {
-    surfels_.add(graph.keyframes()[own.back()]->surfels, graph.poses()[own.back()]);
+    surfels_.add(graph.keyframes()[own.back()]->content.surfels(), graph.poses()[own.back()]);
   }
 }
 
@@ -40,10 +35,10 @@ void LocalMap::rebuild(const MapGraph& graph, const types::Se2& here) {
     --window_first_;
   }
   for (std::size_t k = window_first_; k < own.size(); ++k)
-    surfels_.add(keyframes[own[k]]->surfels, poses[own[k]]);
+    surfels_.add(keyframes[own[k]]->content.surfels(), poses[own[k]]);
   if (window_first_ > resumed_at_) neighbours_.clear();
   for (const std::size_t i : neighbours_) {
-    if (i < own[window_first_]) surfels_.add(keyframes[i]->surfels, poses[i]);
+    if (i < own[window_first_]) surfels_.add(keyframes[i]->content.surfels(), poses[i]);
   }
 }
 
@@ -66,7 +61,7 @@ FreeGround LocalMap::ground(const MapGraph& graph) const {
 bool LocalMap::has_enough_alike(const MapGraph& graph, const types::Se2& here) const {
   const auto window = graph.own().subspan(window_first_);
   const auto alike = std::count_if(window.begin(), window.end(), [&](std::size_t node) {
-    return !is_apart(graph.poses()[node], here, params_.alike_m, params_.alike_rad);
+    return !types::is_apart(graph.poses()[node], here, params_.alike_m, params_.alike_rad);
   });
   return alike >= params_.alike_max;
 }

@@ -44,7 +44,4 @@ class LocalMap {
   std::vector<std::size_t> neighbours_;  ///< older nodes around it
 };
 
-/// True when the pose is further than this from the other, or turned by more.
-[[nodiscard]] bool is_apart(const types::Se2& a, const types::Se2& b, double apart_m, double apart_rad);
-
 }  // namespace topo::slam

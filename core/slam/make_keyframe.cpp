@@ -5,7 +5,6 @@
 
 #include <utility>
 
-#include "core/slam/keyframe_codec.hpp"
 #include "core/slam/wall_direction.hpp"
 
 namespace topo::slam {
@@ -18,15 +17,11 @@ KeyframePtr make_keyframe(KeyframeId id, const Cloud& cloud, std::span<const Poi
   keyframe->stamp = cloud.stamp;
   keyframe->T_odom_base = T_odom_base;
   keyframe->sensor = cloud.sensor;
-  keyframe->hits = cloud.points;
-  keyframe->surfels = make_surfels(cloud, params);
-  keyframe->match_points.assign(match_points.begin(), match_points.end());
-  keyframe->columns = std::move(columns);
-  // A keyframe stays for the run and does not grow.
-  keyframe->surfels.shrink_to_fit();
-  keyframe->columns.shrink_to_fit();
-  quantise(*keyframe);
-  keyframe->walls_rad = wall_direction(keyframe->surfels);
+  keyframe->content = CodedContent({cloud.points,
+                                    make_surfels(cloud, params),
+                                    {match_points.begin(), match_points.end()},
+                                    std::move(columns)});
+  keyframe->walls_rad = wall_direction(keyframe->content.surfels());
   return keyframe;
 }
 

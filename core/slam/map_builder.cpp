@@ -29,8 +29,8 @@ void MapBuilder::extend(std::span<const KeyframePtr> keyframes, std::span<const 
       continue;
     }
     // This version ends when the next one is shown: nothing will be removed from it.
-    rasteriser_.draw(shown_.grid, poses[i], keyframe.sensor, keyframe.hits);
-    walls::draw_columns(shown_.walls, keyframe.columns, poses[i]);
+    rasteriser_.draw(shown_.grid, poses[i], keyframe.sensor, keyframe.content.hits());
+    walls::draw_columns(shown_.walls, keyframe.content.columns(), poses[i]);
     shown_.drawn.push_back(poses[i]);
   }
 }
@@ -46,7 +46,7 @@ bool MapBuilder::prepare(std::span<const KeyframePtr> keyframes, std::span<const
     if (beams >= beams_max) return false;
     const Keyframe& keyframe = *keyframes[prepared_];
     draw(*next_, prepared_, keyframe, poses[prepared_]);
-    beams += keyframe.hits.size() + keyframe.columns.size();
+    beams += keyframe.content.beams();
   }
   return true;
 }
@@ -65,7 +65,7 @@ bool MapBuilder::settle(std::span<const KeyframePtr> keyframes, std::span<const 
     if (beams >= beams_max) return false;
     const Keyframe& keyframe = *keyframes[settled_];
     draw(shown_, settled_, keyframe, poses[settled_]);
-    beams += keyframe.hits.size() + keyframe.columns.size();
+    beams += keyframe.content.beams();
   }
   return true;
 }
@@ -88,12 +88,12 @@ bool MapBuilder::is_drawn_well(const Version& version, std::size_t i, const type
 /// one.
 void MapBuilder::draw(Version& version, std::size_t i, const Keyframe& keyframe, const types::Se2& pose) {
   if (i < version.drawn.size()) {
-    rasteriser_.move(version.grid, version.drawn[i], pose, keyframe.sensor, keyframe.hits);
-    ledger_.move(version.walls, keyframe.columns, version.drawn[i], pose);
+    rasteriser_.move(version.grid, version.drawn[i], pose, keyframe.sensor, keyframe.content.hits());
+    ledger_.move(version.walls, keyframe.content.columns(), version.drawn[i], pose);
     version.drawn[i] = pose;
   } else {
-    rasteriser_.draw(version.grid, pose, keyframe.sensor, keyframe.hits);
-    ledger_.draw(version.walls, keyframe.columns, pose);
+    rasteriser_.draw(version.grid, pose, keyframe.sensor, keyframe.content.hits());
+    ledger_.draw(version.walls, keyframe.content.columns(), pose);
     version.drawn.push_back(pose);
   }
 }

@@ -91,7 +91,7 @@ MatchReport Mapper::add(const Cloud& cloud, const types::Se2& T_odom_base, walls
   report.T_previous_base = motion_.T_previous_last;
   const types::Se2& newest = graph_.poses()[graph_.own().back()];
   const KeyframeParams& limits = params_.keyframe;
-  const bool due = is_apart(newest, report.T_map_base, limits.travel_m, limits.turn_rad) ||
+  const bool due = types::is_apart(newest, report.T_map_base, limits.travel_m, limits.turn_rad) ||
                    cloud.invalid_share < invalid_share_ - limits.unveiled_share;
   if (due && local_map_.has_enough_alike(graph_, report.T_map_base)) {
     columns.drop();

@@ -44,7 +44,7 @@ Patch make_patch(const Session& mates, std::size_t first, std::size_t last, doub
   std::unordered_set<std::uint64_t> seen;
   for (std::size_t i = first; i <= last; ++i) {
     const types::Se2 T_middle_i = patch.pose.inverse() * mates.poses[i];
-    for (const Point& point : mates.keyframes[i]->match_points) {
+    for (const Point& point : mates.keyframes[i]->content.match_points()) {
       const Point p = (T_middle_i * types::Vector2(point.cast<double>())).cast<float>();
       if (seen.insert(cell_of(p, cell_m)).second) patch.points.push_back(p);
     }

@@ -13,7 +13,7 @@ types::Rectangle bounds_of(const Session& session) {
   types::Rectangle box;
   for (std::size_t i = 0; i < session.keyframes.size(); ++i) {
     box.extend(session.poses[i].translation());
-    for (const Surfel& s : session.keyframes[i]->surfels)
+    for (const Surfel& s : session.keyframes[i]->content.surfels())
       box.extend(session.poses[i] * types::Vector2(s.position.cast<double>()));
   }
   return box;
@@ -58,8 +58,9 @@ void see_through(const Session& session, std::size_t ray_stride, StandingRoom& r
     };
     const Point from = in_map(keyframe.sensor);
     room.add_ray(from, from);
-    for (std::size_t k = 0; k < keyframe.match_points.size(); k += ray_stride) {
-      const Point to = in_map(keyframe.match_points[k]);
+    const std::vector<Point> points = keyframe.content.match_points();
+    for (std::size_t k = 0; k < points.size(); k += ray_stride) {
+      const Point to = in_map(points[k]);
       room.add_ray(from, to);
       ground.add_ray(from, to);
     }
@@ -70,8 +71,7 @@ void see_through(const Session& session, std::size_t ray_stride, StandingRoom& r
 }  // namespace
 
 bool apart(const types::Se2& a, const types::Se2& b, const WholeSearch& search) {
-  return (a.translation() - b.translation()).norm() > search.apart_m ||
-         std::abs(types::wrap_angle(a.theta_rad - b.theta_rad)) > search.apart_rad;
+  return types::is_apart(a, b, search.apart_m, search.apart_rad);
 }
 
 SurfelMap thinned_map(const Session& session, const types::Vector2& centre, double half_m, double reach_m,
@@ -86,7 +86,7 @@ SurfelMap thinned_map(const Session& session, const types::Vector2& centre, doub
                s = static_cast<float>(std::sin(pose.theta_rad));
     const Point t = pose.translation().cast<float>();
     chosen.clear();
-    for (const Surfel& surfel : session.keyframes[i]->surfels) {
+    for (const Surfel& surfel : session.keyframes[i]->content.surfels()) {
       const Point& p = surfel.position;
       const Point& n = surfel.normal;
       const Point position(c * p.x() - s * p.y() + t.x(), s * p.x() + c * p.y() + t.y());

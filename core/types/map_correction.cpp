@@ -3,7 +3,6 @@
 #include "core/types/map_correction.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace topo::types {
 
@@ -21,8 +20,7 @@ std::optional<MapCorrection> MapAnchors::take(std::span<const KeyframePose> keyf
   for (std::size_t i = 0; is_known && i < count; ++i) {
     is_known = keyframes[i].stamp == placed_[i].stamp;
     const Se2 before = placed_[i].T_map_base.se2(), now = keyframes[i].T_map_base.se2();
-    is_bent = is_bent || distance_m(before, now) > by_m ||
-              std::abs(wrap_angle(now.theta_rad - before.theta_rad)) > by_rad;
+    is_bent = is_bent || is_apart(before, now, by_m, by_rad);
   }
   if (is_known && !is_bent) {
     placed_.insert(placed_.end(), keyframes.begin() + static_cast<std::ptrdiff_t>(count), keyframes.end());

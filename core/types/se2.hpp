@@ -56,6 +56,11 @@ struct Se2 {
 /// Distance between the two positions; the headings are ignored.
 inline double distance_m(const Se2& a, const Se2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
+/// Are two poses further apart than `apart_m`, or turned against each other by more than `apart_rad`?
+inline bool is_apart(const Se2& a, const Se2& b, double apart_m, double apart_rad) {
+  return distance_m(a, b) > apart_m || std::abs(wrap_angle(b.theta_rad - a.theta_rad)) > apart_rad;
+}
+
 /// Pose between a (t = 0) and b (t = 1): constant rate in rotation, straight line in translation. The
 /// deviation from the arc is below 1 mm over a scan of 50 ms at 1.5 m/s and 2 rad/s.
 inline Se2 interpolate(const Se2& a, const Se2& b, double t) {

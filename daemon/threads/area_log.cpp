@@ -3,7 +3,6 @@
 #include "daemon/threads/area_log.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace topo::daemon {
@@ -44,10 +43,7 @@ void AreaLog::note(const std::vector<team::LogEntry>& entries) {
 
 void AreaLog::place(const slam::Origin& origin, const types::Se2& T_map_mates) {
   const auto [at, is_new] = frames_.try_emplace(origin, T_map_mates);
-  const types::Se2 moved = at->second.inverse() * T_map_mates;
-  if (!is_new && moved.translation().norm() <= params_.moved_m &&
-      std::abs(moved.theta_rad) <= params_.moved_rad)
-    return;
+  if (!is_new && !types::is_apart(at->second, T_map_mates, params_.moved_m, params_.moved_rad)) return;
   at->second = T_map_mates;
   changed_ = true;
 }

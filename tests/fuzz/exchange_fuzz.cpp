@@ -37,7 +37,9 @@ Exchange robot() {
   Exchange exchange({kTeam, 1, 1}, params);
   topo::slam::Keyframe keyframe;
   keyframe.id = {1, 0, 1};
-  keyframe.hits.assign(900, topo::slam::Point(1.0F, 2.0F));
+  topo::slam::KeyframeContent content;
+  content.hits.assign(900, topo::slam::Point(1.0F, 2.0F));
+  keyframe.content = topo::slam::CodedContent(std::move(content));
   require(exchange.add_keyframe(keyframe).has_value());
   exchange.say({});
   return exchange;

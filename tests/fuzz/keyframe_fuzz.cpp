@@ -29,11 +29,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   require(std::ranges::equal(topo::slam::encode_keyframe(*keyframe), bytes));
-  require(keyframe->hits.size() <= size && keyframe->surfels.size() <= size &&
-          keyframe->columns.size() <= size);
+  const auto hits = keyframe->content.hits();
+  const auto surfels = keyframe->content.surfels();
+  const auto columns = keyframe->content.columns();
+  require(hits.size() <= size && surfels.size() <= size && columns.size() <= size);
+  require(keyframe->content.match_points().size() <= size);
+  require(keyframe->content.beams() == hits.size() + columns.size());
   require(within(keyframe->sensor) && keyframe->T_odom_base.translation().allFinite());
-  for (const auto& hit : keyframe->hits) require(within(hit));
-  for (const auto& surfel : keyframe->surfels) require(within(surfel.position) && surfel.normal.allFinite());
-  for (const auto& column : keyframe->columns) require(within({column.x_m, column.y_m}));
+  for (const auto& hit : hits) require(within(hit));
+  for (const auto& surfel : surfels) require(within(surfel.position) && surfel.normal.allFinite());
+  for (const auto& column : columns) require(within({column.x_m, column.y_m}));
   return 0;
 }

@@ -23,10 +23,10 @@ double bearing(const Vector2& direction, double first_rad) {
 
 }  // namespace
 
-SurfacePoint surface_at(const Keyframe& keyframe, const Point& hit) {
-  SurfacePoint out{hit.cast<double>(), (keyframe.sensor - hit).cast<double>().normalized()};
+SurfacePoint surface_at(std::span<const Surfel> surfels, const Point& sensor, const Point& hit) {
+  SurfacePoint out{hit.cast<double>(), (sensor - hit).cast<double>().normalized()};
   float nearest2 = kOwnSurface_m * kOwnSurface_m;
-  for (const Surfel& surfel : keyframe.surfels) {
+  for (const Surfel& surfel : surfels) {
     const float d2 = (surfel.position - hit).squaredNorm();
     if (!surfel.planar || d2 >= nearest2) continue;
     nearest2 = d2;
@@ -37,7 +37,7 @@ SurfacePoint surface_at(const Keyframe& keyframe, const Point& hit) {
 
 BeamFan::BeamFan(const Keyframe& keyframe, const types::Se2& T_map_base)
     : laser_(T_map_base * Vector2(keyframe.sensor.cast<double>())) {
-  for (const Point& hit : keyframe.hits) {
+  for (const Point& hit : keyframe.content.hits()) {
     const Vector2 end = T_map_base * Vector2(hit.cast<double>());
     const Vector2 beam = end - laser_;
     if (beams_.empty()) first_rad_ = std::atan2(beam.y(), beam.x()) - kBlind_rad;

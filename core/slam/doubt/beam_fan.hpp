@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/slam/keyframe.hpp"
@@ -14,8 +15,9 @@ struct SurfacePoint {
   types::Vector2 normal;  ///< of length 1, towards who hit it
 };
 
-/// The surface at one of a keyframe's hits, in its base_link: where it knows none, it faces the laser.
-SurfacePoint surface_at(const Keyframe& keyframe, const Point& hit);
+/// The surface at one of a keyframe's hits, in its base_link. `surfels`, `sensor`: those of the keyframe.
+/// Where no surfel is near, the surface faces the laser.
+SurfacePoint surface_at(std::span<const Surfel> surfels, const Point& sensor, const Point& hit);
 
 /// The beams of one keyframe where the map has it, found by their direction.
 class BeamFan {

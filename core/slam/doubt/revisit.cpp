@@ -85,19 +85,22 @@ class Counter {
     return map_.state(cell) == grid::CellState::kOccupied;
   }
   void mark(std::size_t i) {
-    for (const Point& hit : keyframes_[i]->hits) {
+    for (const Point& hit : keyframes_[i]->content.hits()) {
       const grid::CellIndex cell = map_.cell_at(poses_[i] * Vector2(hit.cast<double>()));
       if (is_occupied(cell)) hit_.set(cell, visits_.stretch_of(i));
     }
   }
   void compare(std::size_t i, std::deque<Open>& open) {
-    for (const Point& hit : keyframes_[i]->hits) {
+    const Keyframe& keyframe = *keyframes_[i];
+    const std::vector<Surfel> surfels = keyframe.content.surfels();
+    for (const Point& hit : keyframe.content.hits()) {
       const Vector2 p = poses_[i] * Vector2(hit.cast<double>());
       if (is_near_a_hit(p, visits_.stretch_of(i))) {
         count(p, true);
         continue;
       }
-      const Vector2 normal = Eigen::Rotation2Dd(poses_[i].theta_rad) * surface_at(*keyframes_[i], hit).normal;
+      const Vector2 normal =
+          Eigen::Rotation2Dd(poses_[i].theta_rad) * surface_at(surfels, keyframe.sensor, hit).normal;
       open.push_back(
           {p.cast<float>(), normal.cast<float>(), static_cast<std::uint32_t>(visits_.stretch_of(i))});
     }

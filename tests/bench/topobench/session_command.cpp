@@ -28,27 +28,32 @@ double elapsed_s(Clock::time_point since) {
 }
 
 /// What a keyframe takes in memory.
-std::size_t memory_of(const slam::Keyframe& k) {
-  return sizeof k + sizeof(slam::Point) * (k.hits.size() + k.match_points.size()) +
-         sizeof(slam::Surfel) * k.surfels.size() + sizeof(walls::ColumnPoint) * k.columns.size();
+std::size_t memory_of(const slam::Keyframe& k) { return sizeof k + k.content.bytes().size(); }
+/// What its points take where they are read.
+std::size_t decoded_bytes(const slam::CodedContent& content) {
+  return sizeof(slam::Point) * (content.hits().size() + content.match_points().size()) +
+         sizeof(slam::Surfel) * content.surfels().size() +
+         sizeof(walls::ColumnPoint) * content.columns().size();
 }
 
 nlohmann::json sizes(const slam::Session& session, std::size_t file_bytes) {
-  std::size_t memory = 0, encoded = 0, hits = 0;
+  std::size_t memory = 0, decoded = 0, encoded = 0, hits = 0;
   for (const slam::KeyframePtr& keyframe : session.keyframes) {
     memory += memory_of(*keyframe);
+    decoded += decoded_bytes(keyframe->content);
     encoded += slam::encode_keyframe(*keyframe).size();
-    hits += keyframe->hits.size();
+    hits += keyframe->content.hits().size();
   }
   const double n = std::max<double>(1.0, static_cast<double>(session.keyframes.size()));
   return {{"keyframes", session.keyframes.size()},
           {"edges", session.edges.size()},
           {"hits_per_keyframe", static_cast<double>(hits) / n},
           {"memory_bytes_per_keyframe", static_cast<double>(memory) / n},
+          {"decoded_bytes_per_keyframe", static_cast<double>(decoded) / n},
           {"encoded_bytes_per_keyframe", static_cast<double>(encoded) / n},
           {"file_bytes_per_keyframe", static_cast<double>(file_bytes) / n},
           {"file_bytes", file_bytes},
-          {"ratio", static_cast<double>(memory) / static_cast<double>(file_bytes)}};
+          {"ratio", static_cast<double>(decoded) / static_cast<double>(file_bytes)}};
 }
 
 /// Scans of the log, evenly spread, that are looked for anywhere; wrong: more than 0.5 m from where the

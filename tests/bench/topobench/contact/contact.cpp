@@ -29,10 +29,12 @@ slam::Keyframe random_keyframe(const slam::KeyframeId& id, std::size_t bytes, st
   const double share = std::uniform_real_distribution<double>(0.8, 1.2)(random);
   const auto hits = static_cast<std::size_t>(share * static_cast<double>(bytes) / kHitBytes);
   slam::Point at(place(random), place(random));
+  slam::KeyframeContent content;
   for (std::size_t i = 0; i < hits; ++i) {
     at += slam::Point(step(random), step(random));
-    keyframe.hits.push_back(at);
+    content.hits.push_back(at);
   }
+  keyframe.content = slam::CodedContent(std::move(content));
   return keyframe;
 }
 

@@ -158,8 +158,10 @@ class PosedSource final : public SharedMapSource {
     keyframe->T_odom_base = T_map_base_;  // what mates get of its place
     invalid_share_ = slam::invalid_share(scan);
     keyframe->sensor = params_.T_base_laser.translation().cast<float>();
-    dense_hits(scan, params_.T_base_laser, params_.cloud.range_max_m, keyframe->hits);
-    keyframe->columns = heights_.take(T_map_base_);
+    slam::KeyframeContent content;
+    dense_hits(scan, params_.T_base_laser, params_.cloud.range_max_m, content.hits);
+    content.columns = heights_.take(T_map_base_);
+    keyframe->content = slam::CodedContent(std::move(content));
     const PosedKeyframe posed{keyframe, T_map_base_};
     new_.push_back(std::move(keyframe));
     add(posed);

@@ -69,8 +69,8 @@ TEST(SpaceBehind, EndsAtAContinuedWallHoweverItLies) {
     if (*rc::gen::arbitrary<bool>()) std::swap(wall.a, wall.b);
     const std::vector<types::Segment> continued{wall};
     const SpaceBehind space = behind_only_frontier(map, continued, kCell_m * 60);
-    // The cells of the pocket before the wall: in a column those below the lowest cell that the wall passes in
-    // it, which is at one of the column's sides.
+    // The cells of the pocket before the wall: in a column those below the lowest cell that the wall passes
+    // in it, which is at one of the column's sides.
     const double slope = (to_y - from_y) / (width + 1.0);
     int before = 0;
     for (int x = 7; x < width + 7; ++x)

@@ -50,8 +50,7 @@ class TwoRobots {
     const testing::View view = testing::view_of(mocks::two_rooms(), pose, 0.01, random_);
     auto keyframe = std::make_shared<Keyframe>();
     keyframe->id = id;
-    keyframe->hits = view.cloud.points;
-    keyframe->columns = {{1.0F, 0.5F, 7U << id.sequence}};
+    keyframe->content = CodedContent({view.cloud.points, {}, {}, {{1.0F, 0.5F, 7U << id.sequence}}});
     sent.push_back({std::move(keyframe), {}, {}});
   }
   void relate(const KeyframeId& from, const KeyframeId& to, const Se2& a, const Se2& b, bool robust) {

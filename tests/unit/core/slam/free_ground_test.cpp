@@ -128,7 +128,7 @@ TEST(SeenThrough, IsTheRoomAndNotWhatLiesBehindItsWalls) {
   for (const types::Se2& pose : poses) {
     const testing::View view = testing::view_of(room, pose, 0.0, random);
     auto keyframe = std::make_shared<Keyframe>();
-    keyframe->match_points = view.points;
+    keyframe->content = CodedContent({{}, {}, view.points, {}});
     keyframe->sensor = view.cloud.sensor;
     keyframes.push_back(std::move(keyframe));
     map.add(view.surfels, pose);

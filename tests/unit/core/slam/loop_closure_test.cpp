@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/slam/make_keyframe.hpp"
+#include "tests/unit/core/slam/keyframe_sample.hpp"
 #include "tests/unit/core/slam/matching_fixture.hpp"
 
 namespace topo::slam {
@@ -26,12 +27,14 @@ KeyframePtr keyframe_at(const Se2& pose, std::mt19937& random) {
 KeyframePtr partly_seen(const Keyframe& whole, const Se2& pose, bool looked_further) {
   auto part = std::make_shared<Keyframe>(whole);
   const auto is_unknown = [&](const Point& p) { return p.x() + static_cast<float>(pose.x_m) > kKnown_m; };
-  std::erase_if(part->surfels, [&](const Surfel& surfel) { return is_unknown(surfel.position); });
+  KeyframeContent content = testing::decoded(whole.content);
+  std::erase_if(content.surfels, [&](const Surfel& surfel) { return is_unknown(surfel.position); });
   if (looked_further) {
-    for (Point& p : part->match_points) p *= is_unknown(p) ? 1.5F : 1.0F;
+    for (Point& p : content.match_points) p *= is_unknown(p) ? 1.5F : 1.0F;
   } else {
-    std::erase_if(part->match_points, is_unknown);
+    std::erase_if(content.match_points, is_unknown);
   }
+  part->content = CodedContent(std::move(content));
   return part;
 }
 

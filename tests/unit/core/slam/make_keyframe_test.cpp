@@ -56,20 +56,22 @@ TEST(MakeKeyframe, HoldsTheScanInItsOrder) {
   EXPECT_EQ(keyframe->stamp, view.cloud.stamp);
   EXPECT_EQ(keyframe->T_odom_base, kFrozenOdometry);
   EXPECT_EQ(keyframe->sensor, view.cloud.sensor);
-  expect_near(keyframe->hits, view.cloud.points);
-  expect_near(keyframe->match_points, view.points);
+  expect_near(keyframe->content.hits(), view.cloud.points);
+  expect_near(keyframe->content.match_points(), view.points);
   const std::vector<Surfel> surfels = make_surfels(view.cloud, {});
-  ASSERT_EQ(keyframe->surfels.size(), surfels.size());
+  const std::vector<Surfel> kept = keyframe->content.surfels();
+  ASSERT_EQ(kept.size(), surfels.size());
   for (std::size_t i = 0; i < surfels.size(); ++i) {
-    EXPECT_LE((keyframe->surfels[i].position - surfels[i].position).lpNorm<Eigen::Infinity>(),
+    EXPECT_LE((kept[i].position - surfels[i].position).lpNorm<Eigen::Infinity>(),
               0.501F * kPositionQuantum_m);
-    EXPECT_LT((keyframe->surfels[i].normal - surfels[i].normal).norm(), 1e-4F);
-    EXPECT_EQ(keyframe->surfels[i].planar, surfels[i].planar);
+    EXPECT_LT((kept[i].normal - surfels[i].normal).norm(), 1e-4F);
+    EXPECT_EQ(kept[i].planar, surfels[i].planar);
   }
-  ASSERT_EQ(keyframe->columns.size(), kFrozenColumns.size());
+  const std::vector<walls::ColumnPoint> columns = keyframe->content.columns();
+  ASSERT_EQ(columns.size(), kFrozenColumns.size());
   for (std::size_t i = 0; i < kFrozenColumns.size(); ++i) {
-    EXPECT_EQ(keyframe->columns[i].slabs, kFrozenColumns[i].slabs);
-    EXPECT_NEAR(keyframe->columns[i].x_m, kFrozenColumns[i].x_m, 0.001F);
+    EXPECT_EQ(columns[i].slabs, kFrozenColumns[i].slabs);
+    EXPECT_NEAR(columns[i].x_m, kFrozenColumns[i].x_m, 0.001F);
   }
 }
 
@@ -92,16 +94,16 @@ TEST(MakeKeyframe, LeavesOutWhatIsNoEvidence) {
     view.cloud.spacing_m.push_back(0.0F);
   }
   const KeyframePtr keyframe = frozen(view);
-  EXPECT_EQ(keyframe->hits.size(), hits);
-  EXPECT_EQ(keyframe->match_points.size(), points);
+  EXPECT_EQ(keyframe->content.hits().size(), hits);
+  EXPECT_EQ(keyframe->content.match_points().size(), points);
 }
 
 TEST(MakeKeyframe, OfAnEmptyScanIsOneOfNothing) {
   const KeyframePtr keyframe = make_keyframe({1, 0}, {}, {}, {}, {}, {});
-  EXPECT_TRUE(keyframe->hits.empty());
-  EXPECT_TRUE(keyframe->surfels.empty());
-  EXPECT_TRUE(keyframe->match_points.empty());
-  EXPECT_TRUE(keyframe->columns.empty());
+  EXPECT_TRUE(keyframe->content.hits().empty());
+  EXPECT_TRUE(keyframe->content.surfels().empty());
+  EXPECT_TRUE(keyframe->content.match_points().empty());
+  EXPECT_TRUE(keyframe->content.columns().empty());
   EXPECT_TRUE(decode_keyframe(encode_keyframe(*keyframe)));
 }
 

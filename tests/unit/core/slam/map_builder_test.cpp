@@ -22,8 +22,7 @@ KeyframePtr keyframe_at(const Se2& pose, std::uint32_t sequence, std::mt19937& r
   const testing::View view = testing::view_of(mocks::two_rooms(), pose, 0.01, random);
   auto keyframe = std::make_shared<Keyframe>();
   keyframe->id.sequence = sequence;
-  keyframe->hits = view.cloud.points;
-  keyframe->columns = {{1.0F, 0.5F, 7U << sequence}};
+  keyframe->content = CodedContent({view.cloud.points, {}, {}, {{1.0F, 0.5F, 7U << sequence}}});
   return keyframe;
 }
 

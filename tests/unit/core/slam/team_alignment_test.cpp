@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/core/slam/keyframe_sample.hpp"
 #include "tests/unit/core/slam/team_fixture.hpp"
 
 namespace topo::slam {
@@ -65,8 +66,10 @@ TEST(AlignMaps, refusesACorridorThatLooksTheSameEveryThreeMetres) {
   for (Session* session : {&query.own, &query.mates}) {
     for (KeyframePtr& keyframe : session->keyframes) {  // eyes that do not reach the corridor's ends
       Keyframe near = *keyframe;
-      std::erase_if(near.match_points, [](const Point& p) { return p.norm() > 8.0F; });
-      std::erase_if(near.surfels, [](const Surfel& s) { return s.position.norm() > 8.0F; });
+      KeyframeContent content = testing::decoded(keyframe->content);
+      std::erase_if(content.match_points, [](const Point& p) { return p.norm() > 8.0F; });
+      std::erase_if(content.surfels, [](const Surfel& s) { return s.position.norm() > 8.0F; });
+      near.content = CodedContent(std::move(content));
       keyframe = std::make_shared<const Keyframe>(std::move(near));
     }
   }

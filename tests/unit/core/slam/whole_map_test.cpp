@@ -78,7 +78,8 @@ TEST(ThinnedMap, HasOneSurfelOfEachCellAndSide) {
   for (const auto& [cell, count] : thinned) EXPECT_EQ(count, 1);
   SurfelMap whole(0.35);
   whole.reset(Point(6.0F, 4.0F), 10.0);
-  for (std::size_t i = 0; i < kRound.size(); ++i) whole.add(session.keyframes[i]->surfels, kRound[i]);
+  for (std::size_t i = 0; i < kRound.size(); ++i)
+    whole.add(session.keyframes[i]->content.surfels(), kRound[i]);
   for (const Surfel& surfel : whole.surfels()) ++all[cell_and_quarter(map, surfel.position, surfel.normal)];
   EXPECT_LT(thinned.size(), whole.surfels().size()) << "places that were seen twice";
   EXPECT_EQ(thinned.size(), all.size()) << "no cell of the map is lost";
@@ -100,11 +101,13 @@ TEST(ThinnedMap, IsTheSameHoweverOftenTheWayWasDriven) {
 
 TEST(ThinnedMap, KeepsBothFacesOfAThinWall) {
   Session session;
-  auto keyframe = std::make_shared<Keyframe>();
+  KeyframeContent content;
   const Point at(1.02F, 0.02F);
   for (const Point& normal : {Point(1.0F, 0.0F), Point(-1.0F, 0.0F), Point(0.9F, 0.1F), Point(0.0F, 1.0F)})
-    keyframe->surfels.push_back({at, normal, true});
-  keyframe->surfels.push_back({Point(50.0F, 0.0F), Point(1.0F, 0.0F), true});  // outside the window
+    content.surfels.push_back({at, normal, true});
+  content.surfels.push_back({Point(50.0F, 0.0F), Point(1.0F, 0.0F), true});  // outside the window
+  auto keyframe = std::make_shared<Keyframe>();
+  keyframe->content = CodedContent(std::move(content));
   session.keyframes.push_back(std::move(keyframe));
   session.poses.emplace_back();
   EXPECT_EQ(thinned_map(session, {0.0, 0.0}, 5.0, 0.35, 0.05).surfels().size(), 3U);

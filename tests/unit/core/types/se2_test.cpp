@@ -47,6 +47,13 @@ TEST(Se2, DistanceIsOfThePlacesAlone) {
   EXPECT_EQ(distance_m({1.0, 2.0, 3.0}, {1.0, 2.0, -3.0}), 0.0);
 }
 
+TEST(Se2, ApartIsFurtherOrTurnedMore) {
+  EXPECT_FALSE(is_apart({1.0, 2.0, 0.1}, {1.0, 2.5, 0.4}, 0.5, 0.31)) << "neither is more";
+  EXPECT_TRUE(is_apart({1.0, 2.0, 0.1}, {1.0, 2.51, 0.1}, 0.5, 0.31));
+  EXPECT_TRUE(is_apart({1.0, 2.0, 0.1}, {1.0, 2.0, -0.22}, 0.5, 0.31));
+  EXPECT_FALSE(is_apart({0.0, 0.0, 3.1}, {0.0, 0.0, -3.1}, 0.5, 0.31)) << "both look back";
+}
+
 TEST(Se2, InverseUndoes) {
   EXPECT_TRUE(rc::check("T * T^-1 = 1 and (A B) p = A (B p)", [] {
     const Se2 a = any_pose(), b = any_pose();

@@ -18,7 +18,6 @@ inline void grow(slam::Session& session, std::size_t keyframes, std::mt19937& ra
   for (std::size_t i = 0; i < keyframes; ++i) {
     const std::size_t node = session.keyframes.size();
     slam::Keyframe k = slam::testing::random_keyframe(static_cast<std::uint32_t>(node), 30, random);
-    slam::quantise(k);
     session.keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(k)));
     session.poses.push_back({any(random), any(random), 0.1 * any(random)});
     for (const std::size_t back : {std::size_t{1}, std::size_t{7}}) {
@@ -55,7 +54,6 @@ inline void drive_on(slam::Session& session, std::size_t keyframes, std::mt19937
     const std::size_t node = session.keyframes.size();
     slam::Keyframe k = slam::testing::random_keyframe(static_cast<std::uint32_t>(node), 30, random);
     k.T_odom_base = on_circle(node);  // odometry that contradicts a weak edge is believed
-    slam::quantise(k);
     session.keyframes.push_back(std::make_shared<const slam::Keyframe>(std::move(k)));
     session.poses.push_back(on_circle(node));
     for (const std::size_t back : {std::size_t{1}, std::size_t{25}}) {

@@ -17,8 +17,8 @@ BeamFan fan(double x_m, double length_m, double off_rad = 0.0) {
   Keyframe keyframe;
   keyframe.sensor = Point(0.2F, 0.0F);
   const auto angle = static_cast<float>(off_rad - 0.5 * M_PI);
-  keyframe.hits.push_back(keyframe.sensor +
-                          static_cast<float>(length_m) * Point(std::cos(angle), std::sin(angle)));
+  const Point end = keyframe.sensor + static_cast<float>(length_m) * Point(std::cos(angle), std::sin(angle));
+  keyframe.content = CodedContent({{end}, {}, {}, {}});
   return {keyframe, {x_m, 4.8, 0.5 * M_PI}};
 }
 
@@ -59,13 +59,10 @@ TEST(BeamFan, IsSilentOnAWallThatItLookedAlong) {
 }
 
 TEST(SurfaceAt, FacesTheLaserWhereTheKeyframeKnowsNoSurface) {
-  Keyframe keyframe;
-  keyframe.sensor = Point(1.0F, 0.0F);
-  const Point hit(1.0F, 2.0F);
-  EXPECT_NEAR((surface_at(keyframe, hit).normal - types::Vector2(0.0, -1.0)).norm(), 0.0, 1e-6);
-  keyframe.surfels.push_back({{1.05F, 2.0F}, {0.6F, -0.8F}, true});
-  keyframe.surfels.push_back({{1.3F, 2.0F}, {1.0F, 0.0F}, true});
-  EXPECT_NEAR((surface_at(keyframe, hit).normal - types::Vector2(0.6, -0.8)).norm(), 0.0, 1e-6);
+  const Point sensor(1.0F, 0.0F), hit(1.0F, 2.0F);
+  EXPECT_NEAR((surface_at({}, sensor, hit).normal - types::Vector2(0.0, -1.0)).norm(), 0.0, 1e-6);
+  const std::vector<Surfel> surfels{{{1.05F, 2.0F}, {0.6F, -0.8F}, true}, {{1.3F, 2.0F}, {1.0F, 0.0F}, true}};
+  EXPECT_NEAR((surface_at(surfels, sensor, hit).normal - types::Vector2(0.6, -0.8)).norm(), 0.0, 1e-6);
 }
 
 }  // namespace
