@@ -52,13 +52,10 @@ bool AreaLog::settle(team::Exchange& exchange) {
   if (!std::exchange(changed_, false)) return false;
   const team::ExchangeIdentity& self = exchange.identity();
   log_ = team::areas_of(team::log_of(exchange.items()));
-  for (const AreaWishes::Own& area : wishes_.own) {
-    if (own_.contains(area.number)) continue;
-    if (const auto id = exchange.add_entry(entry_for(area))) own_[area.number] = *id;
-  }
+  for (const AreaWishes::Own& area : wishes_.own) log(exchange, area);
   std::erase_if(own_, [&](const auto& own) {
     if (std::ranges::count(wishes_.own, own.first, &AreaWishes::Own::number) > 0) return false;
-    withdraw(exchange, own.second);
+    withdraw(exchange, own.second.id);
     return true;
   });
   for (const team::EntryId& id : wishes_.withdrawn) withdraw(exchange, id);
@@ -74,6 +71,20 @@ bool AreaLog::settle(team::Exchange& exchange) {
   return true;
 }
 
+void AreaLog::log(team::Exchange& exchange, const AreaWishes::Own& area) {
+  const auto at = own_.find(area.number);
+  if (at != own_.end()) {
+    const bool is_there = std::ranges::equal(
+        at->second.corners_map, area.corners_map,
+        [&](const types::Vector2& a, const types::Vector2& b) { return (a - b).norm() <= params_.moved_m; });
+    if (is_there || log_.withdrawn.contains(at->second.id)) return;
+  }
+  const auto id = exchange.add_entry(entry_for(area));
+  if (!id) return;
+  if (at != own_.end()) withdraw(exchange, at->second.id);
+  own_[area.number] = {*id, area.corners_map};
+}
+
 void AreaLog::withdraw(team::Exchange& exchange, const team::EntryId& id) {
   if (!log_.withdrawn.insert(id).second) return;
   (void)exchange.add_entry(team::Withdrawn{id});  // a key has nothing that could be refused
@@ -82,10 +93,10 @@ void AreaLog::withdraw(team::Exchange& exchange, const team::EntryId& id) {
 TeamAreas AreaLog::report() const {
   TeamAreas areas;
   areas.withdrawn.assign(log_.withdrawn.begin(), log_.withdrawn.end());
-  for (const auto& [number, id] : own_)
-    if (log_.withdrawn.contains(id)) areas.own_withdrawn.push_back(number);
+  for (const auto& [number, logged] : own_)
+    if (log_.withdrawn.contains(logged.id)) areas.own_withdrawn.push_back(number);
   for (const team::TeamArea& area : log_.areas) {
-    if (std::ranges::any_of(own_, [&](const auto& own) { return own.second == area.id; })) continue;
+    if (std::ranges::any_of(own_, [&](const auto& own) { return own.second.id == area.id; })) continue;
     const auto frame = frames_.find(area.id.origin());
     areas.of_mates.push_back(
         {area.id,

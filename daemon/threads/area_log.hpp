@@ -12,8 +12,8 @@
 
 namespace topo::daemon {
 
-/// How far a mate's map frame may move in this robot's before its areas are placed anew: both maps bend a
-/// little all the time.
+/// How far a mate's map frame, or an own area with a correction of the map, may move before the areas are
+/// placed anew: maps bend a little all the time.
 struct AreaPlaceParams {
   double moved_m = 0.02;
   double moved_rad = 0.001;  ///< 2 cm at the far end of a floor
@@ -39,11 +39,18 @@ class AreaLog {
   [[nodiscard]] TeamAreas report() const;
 
  private:
+  /// An own area as the log has it.
+  struct Logged {
+    team::EntryId id;
+    types::Polygon corners_map;
+  };
+  /// A new entry for an area that is not in the log, or has moved since; the old one is withdrawn.
+  void log(team::Exchange& exchange, const AreaWishes::Own& area);
   void withdraw(team::Exchange& exchange, const team::EntryId& id);
 
   AreaPlaceParams params_;
   AreaWishes wishes_;
-  std::map<std::uint64_t, team::EntryId> own_;  ///< entries of own areas, in this run
+  std::map<std::uint64_t, Logged> own_;  ///< entries of own areas, in this run
   std::map<slam::Origin, types::Se2> frames_;
   team::LogAreas log_;
   bool changed_ = false;

@@ -16,10 +16,12 @@ struct TeamArea {
   types::AreaKind kind = types::AreaKind::kKeepOut;
 };
 
-/// What a log says of areas, in whatever order its entries came.
+/// What a log says of areas, in whatever order its entries came. A withdrawal by the area's own robot counts
+/// once all is there that this robot said before: an area that moved, or that a restarted robot has said
+/// anew, is never missing in between.
 struct LogAreas {
   std::vector<TeamArea> areas;  ///< in the order of their keys
-  std::set<EntryId> withdrawn;  ///< also before the area itself is here
+  std::set<EntryId> withdrawn;  ///< also before a mate's withdrawn area itself is here
 };
 [[nodiscard]] LogAreas areas_of(const std::vector<LogEntry>& log);
 

@@ -44,6 +44,51 @@ TEST(AreaLog, BringsAnAreaIntoAMatesMap) {
   EXPECT_NEAR((corners[1] - types::Vector2(10.0, 2.0)).norm(), 0.0, 1e-9);
 }
 
+// A map that is corrected takes its areas along, and what mates have of them too.
+TEST(AreaLog, AnAreaThatMovedWithItsMapMovesInAMates) {
+  Side a(1), b(2);
+  a.log.want({{{1, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  b.log.place({1, 1}, {10.0, 0.0, 0.0});
+  ASSERT_EQ(b.areas().of_mates.size(), 1U);
+  const team::EntryId before = b.areas().of_mates.front().id;
+
+  types::Polygon moved = kStairs;
+  for (types::Vector2& corner : moved) corner += types::Vector2(0.3, -0.2);
+  a.log.want({{{1, moved}}, {}});
+  EXPECT_TRUE(a.areas().own_withdrawn.empty()) << "its owner has it still";
+  talk(a, b);
+  const TeamAreas there = b.areas();
+  ASSERT_EQ(there.of_mates.size(), 1U);
+  EXPECT_NEAR((there.of_mates.front().corners_map->front() - types::Vector2(10.3, -0.2)).norm(), 0.0, 1e-9);
+  EXPECT_NE(there.of_mates.front().id, before);
+  EXPECT_EQ(there.withdrawn, std::vector<team::EntryId>{before});
+
+  // A centimetre is no new entry.
+  for (types::Vector2& corner : moved) corner.x() += 0.01;
+  a.log.want({{{1, moved}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  EXPECT_EQ(b.areas().of_mates.front().id, there.of_mates.front().id);
+}
+
+// What a mate's operator withdrew stays withdrawn, though a correction moves it before the owner has heard.
+TEST(AreaLog, AWithdrawnAreaDoesNotComeBackWhenItsMapMoves) {
+  Side a(1), b(2);
+  a.log.want({{{1, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  b.log.want({{}, {b.areas().of_mates.front().id}});
+  (void)b.areas();
+  talk(a, b);
+  types::Polygon moved = kStairs;
+  for (types::Vector2& corner : moved) corner.x() += 1.0;
+  ASSERT_EQ(a.areas().own_withdrawn, std::vector<std::uint64_t>{1});
+  a.log.want({{{1, moved}}, {}});
+  EXPECT_EQ(a.areas().own_withdrawn, std::vector<std::uint64_t>{1});
+}
+
 TEST(AreaLog, AnAreaKeepsItsKind) {
   Side a(1), b(2);
   a.log.want({{{1, kStairs, types::AreaKind::kHereFirst}, {2, kStairs}}, {}});
