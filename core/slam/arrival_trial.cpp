@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 
-#include "core/slam/local_map.hpp"
 #include "core/slam/refine.hpp"
 #include "core/slam/whole_map.hpp"
 

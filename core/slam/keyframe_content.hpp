@@ -67,7 +67,10 @@ class CodedContent {
 
  private:
   enum Part : std::uint8_t { kHits, kMatchPoints, kSurfels, kColumns };
-  [[nodiscard]] std::span<const std::byte> part(Part part) const { return bytes().subspan(at_[part]); }
+  [[nodiscard]] std::span<const std::byte> part(Part part) const {
+    // One that was moved from is of nothing.
+    return at_[part] <= bytes_.size() ? bytes().subspan(at_[part]) : std::span<const std::byte>{};
+  }
 
   std::vector<std::byte> bytes_;
   std::array<std::uint32_t, 4> at_{};  ///< where each part begins

@@ -3,8 +3,6 @@
 
 #include "core/slam/open_questions.hpp"
 
-#include <cmath>
-
 namespace topo::slam {
 
 void OpenQuestions::close(std::size_t node) {
@@ -20,8 +18,7 @@ bool OpenQuestions::is_beside_closed(std::size_t node) const {
 void OpenQuestions::correct(std::span<const types::Se2> poses) {
   again_.clear();
   for (const auto& [node, asked] : open_) {
-    const types::Se2 off = asked.inverse() * poses[node];
-    if (std::hypot(off.x_m, off.y_m) > moved_m_ || std::abs(off.theta_rad) > moved_rad_) again_.insert(node);
+    if (types::is_apart(asked, poses[node], moved_m_, moved_rad_)) again_.insert(node);
   }
 }
 

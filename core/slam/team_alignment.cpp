@@ -70,15 +70,12 @@ std::vector<Patch> make_patches(const Session& mates, const AlignmentParams& par
   return patches;
 }
 
-bool is_off(const types::Se2& found, const types::Se2& expected, const AlignmentGate& gate) {
-  const types::Se2 off = expected.inverse() * found;
-  return off.translation().norm() > gate.off_max_m || std::abs(off.theta_rad) > gate.off_max_rad;
-}
-
 /// Stores the places that are nearly as good as the best and pass the acceptance criteria.
 void find(Patch& patch, const WholeMap& map, const AlignmentGate& gate, const AlignmentParams& params) {
   std::vector<Peak> peaks = map.peaks(patch.points, patch.sensor);
-  std::erase_if(peaks, [&](const Peak& peak) { return is_off(peak.match.T_map_base, patch.pose, gate); });
+  std::erase_if(peaks, [&](const Peak& peak) {
+    return types::is_apart(patch.pose, peak.match.T_map_base, gate.off_max_m, gate.off_max_rad);
+  });
   const double best = peaks.empty() ? 0.0 : peaks.front().evidence;
   const auto rivals = std::count_if(peaks.begin(), peaks.end(), [&](const Peak& peak) {
     return apart(peak.match.T_map_base, peaks.front().match.T_map_base, params.whole) &&

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/slam/keyframe_codec.hpp"
 #include "core/types/bytes.hpp"
@@ -95,8 +94,7 @@ std::size_t SessionWriter::first_moved(const slam::Session& session, const PoseT
   const std::size_t known = std::min(poses_.size(), session.poses.size());
   for (std::size_t i = 0; i < known; ++i) {
     if (poses_[i] == session.poses[i]) continue;
-    const types::Se2 off = poses_[i].inverse() * session.poses[i];
-    if (std::hypot(off.x_m, off.y_m) > tolerance.trans_m || std::abs(off.theta_rad) > tolerance.rot_rad ||
+    if (types::is_apart(poses_[i], session.poses[i], tolerance.trans_m, tolerance.rot_rad) ||
         (tolerance.trans_m == 0.0 && tolerance.rot_rad == 0.0)) {
       return i;
     }

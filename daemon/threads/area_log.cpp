@@ -11,12 +11,18 @@ namespace {
 bool is_of_areas(const team::LogEntry& entry) {
   return std::holds_alternative<team::KeepOut>(entry.body) ||
          std::holds_alternative<team::HereFirst>(entry.body) ||
+         std::holds_alternative<team::AreaMoved>(entry.body) ||
          std::holds_alternative<team::Withdrawn>(entry.body);
 }
 
 team::LogBody entry_for(const AreaWishes::Own& area) {
   if (area.kind == types::AreaKind::kHereFirst) return team::HereFirst{area.corners_map};
   return team::KeepOut{area.corners_map};
+}
+
+bool are_near(const types::Polygon& a, const types::Polygon& b, double within_m) {
+  return std::ranges::equal(
+      a, b, [&](const types::Vector2& p, const types::Vector2& q) { return (p - q).norm() <= within_m; });
 }
 
 types::Polygon in_frame(const types::Se2& T_map_mates, types::Polygon corners) {
@@ -50,39 +56,42 @@ void AreaLog::place(const slam::Origin& origin, const types::Se2& T_map_mates) {
 
 bool AreaLog::settle(team::Exchange& exchange) {
   if (!std::exchange(changed_, false)) return false;
-  const team::ExchangeIdentity& self = exchange.identity();
+  self_ = {exchange.identity().robot, exchange.identity().run};
   log_ = team::areas_of(team::log_of(exchange.items()));
-  for (const AreaWishes::Own& area : wishes_.own) log(exchange, area);
+  for (const AreaWishes::Own& area : wishes_.own) say(exchange, area);
   std::erase_if(own_, [&](const auto& own) {
     if (std::ranges::count(wishes_.own, own.first, &AreaWishes::Own::number) > 0) return false;
     withdraw(exchange, own.second.id);
     return true;
   });
   for (const team::EntryId& id : wishes_.withdrawn) withdraw(exchange, id);
-  // An area of an earlier run of this robot is in the log again under this one.
   for (const team::TeamArea& area : log_.areas) {
-    const bool is_ours = area.id.robot == self.robot && area.id.run != self.run;
-    const auto is_it = [&](const AreaWishes::Own& own) {
-      return own.kind == area.kind && own.corners_map == area.corners_map;
-    };
-    if (is_ours && std::ranges::any_of(wishes_.own, is_it)) withdraw(exchange, area.id);
+    const auto anew = log_.said_anew.find(area.id);
+    const bool is_told = anew != log_.said_anew.end() && anew->second.contains(self_);
+    if (!is_told && is_said_again(area)) withdraw(exchange, area.id);
   }
   log_ = team::areas_of(team::log_of(exchange.items()));
   return true;
 }
 
-void AreaLog::log(team::Exchange& exchange, const AreaWishes::Own& area) {
+void AreaLog::say(team::Exchange& exchange, const AreaWishes::Own& area) {
   const auto at = own_.find(area.number);
-  if (at != own_.end()) {
-    const bool is_there = std::ranges::equal(
-        at->second.corners_map, area.corners_map,
-        [&](const types::Vector2& a, const types::Vector2& b) { return (a - b).norm() <= params_.moved_m; });
-    if (is_there || log_.withdrawn.contains(at->second.id)) return;
+  if (at == own_.end()) {
+    if (const auto id = exchange.add_entry(entry_for(area)))
+      own_[area.number] = {*id, area.corners_map, area.corners_map};
+  } else if (!are_near(at->second.corners_map, area.corners_map, params_.moved_m)) {
+    (void)exchange.add_entry(team::AreaMoved{at->second.id, area.corners_map});  // of corners that were taken
+    at->second.corners_map = area.corners_map;
   }
-  const auto id = exchange.add_entry(entry_for(area));
-  if (!id) return;
-  if (at != own_.end()) withdraw(exchange, at->second.id);
-  own_[area.number] = {*id, area.corners_map};
+}
+
+bool AreaLog::is_said_again(const team::TeamArea& area) const {
+  if (area.id.robot != self_.robot || area.id.run == self_.run) return false;
+  return std::ranges::any_of(wishes_.own, [&](const AreaWishes::Own& own) {
+    const auto at = own_.find(own.number);
+    return own.kind == area.kind && at != own_.end() &&
+           are_near(at->second.drawn_map, area.corners_map, params_.moved_m);
+  });
 }
 
 void AreaLog::withdraw(team::Exchange& exchange, const team::EntryId& id) {
@@ -98,6 +107,12 @@ TeamAreas AreaLog::report() const {
   for (const team::TeamArea& area : log_.areas) {
     if (std::ranges::any_of(own_, [&](const auto& own) { return own.second.id == area.id; })) continue;
     const auto frame = frames_.find(area.id.origin());
+    if (const auto anew = log_.said_anew.find(area.id); anew != log_.said_anew.end()) {
+      // In force where it was until a map that has it anew has a place here.
+      const auto has_place = [&](const slam::Origin& run) { return run == self_ || frames_.contains(run); };
+      if (std::ranges::any_of(anew->second, has_place)) areas.withdrawn.push_back(area.id);
+      if (frame == frames_.end() || std::ranges::any_of(anew->second, has_place)) continue;
+    }
     areas.of_mates.push_back(
         {area.id,
          frame == frames_.end() ? std::nullopt : std::optional(in_frame(frame->second, area.corners_map)),

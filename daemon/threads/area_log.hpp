@@ -42,16 +42,19 @@ class AreaLog {
   /// An own area as the log has it.
   struct Logged {
     team::EntryId id;
-    types::Polygon corners_map;
+    types::Polygon drawn_map;    ///< as it was first said in this run
+    types::Polygon corners_map;  ///< as it was last said
   };
-  /// A new entry for an area that is not in the log, or has moved since; the old one is withdrawn.
-  void log(team::Exchange& exchange, const AreaWishes::Own& area);
+  void say(team::Exchange& exchange, const AreaWishes::Own& area);
+  /// Is this area, of another run of this robot, one that it has said in the present run?
+  [[nodiscard]] bool is_said_again(const team::TeamArea& area) const;
   void withdraw(team::Exchange& exchange, const team::EntryId& id);
 
   AreaPlaceParams params_;
   AreaWishes wishes_;
   std::map<std::uint64_t, Logged> own_;  ///< entries of own areas, in this run
   std::map<slam::Origin, types::Se2> frames_;
+  slam::Origin self_;
   team::LogAreas log_;
   bool changed_ = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -12,16 +13,17 @@ namespace topo::team {
 /// An area of the log that nobody has withdrawn; corners in the map frame of id.origin(), metres.
 struct TeamArea {
   EntryId id;
-  types::Polygon corners_map;
+  types::Polygon corners_map;  ///< where its robot said last
   types::AreaKind kind = types::AreaKind::kKeepOut;
 };
 
-/// What a log says of areas, in whatever order its entries came. A withdrawal by the area's own robot counts
-/// once all is there that this robot said before: an area that moved, or that a restarted robot has said
-/// anew, is never missing in between.
+/// What a log says of areas, in whatever order its entries came.
 struct LogAreas {
   std::vector<TeamArea> areas;  ///< in the order of their keys
-  std::set<EntryId> withdrawn;  ///< also before a mate's withdrawn area itself is here
+  std::set<EntryId> withdrawn;  ///< also before the area itself is here
+  /// Areas of a run that other runs of the same robot withdrew, and which: these say them anew, in maps that
+  /// need not have a place here yet. They are among `areas` too.
+  std::map<EntryId, std::set<slam::Origin>> said_anew;
 };
 [[nodiscard]] LogAreas areas_of(const std::vector<LogEntry>& log);
 

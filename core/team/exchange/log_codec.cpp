@@ -16,7 +16,7 @@ using types::ByteWriter;
 
 // u8 kind of the entry, then: a place and u8 `again`; a number of corners and their places; an order's kind;
 // a key; a key; a number of corners and their places; an order's kind and a robot; a key, a number of bytes
-// and these.
+// and these; a key, a number of corners and their places.
 enum EntryKind : std::uint8_t {
   kVisited,
   kLookedInto,
@@ -26,7 +26,8 @@ enum EntryKind : std::uint8_t {
   kWithdrawn,
   kHereFirst,
   kOrderToOne,
-  kRefusal
+  kRefusal,
+  kAreaMoved
 };
 
 void write(ByteWriter& out, const Visited& body) {
@@ -70,6 +71,11 @@ void write(ByteWriter& out, const Acknowledgement& body) {
 void write(ByteWriter& out, const Withdrawn& body) {
   out.integer(static_cast<std::uint8_t>(kWithdrawn));
   write_key(out, body.area);
+}
+void write(ByteWriter& out, const AreaMoved& body) {
+  out.integer(static_cast<std::uint8_t>(kAreaMoved));
+  write_key(out, body.area);
+  write_corners(out, body.corners_map);
 }
 
 EntryId read_key(ByteReader& in, bool& ok) {
@@ -141,6 +147,10 @@ LogBody read(ByteReader& in, bool& ok) {
     }
     case kWithdrawn:
       return Withdrawn{read_key(in, ok)};
+    case kAreaMoved: {
+      const EntryId area = read_key(in, ok);
+      return AreaMoved{area, read_corners(in, ok)};
+    }
     default:
       ok = false;
       return Visited{};

@@ -14,9 +14,8 @@
 #include "core/types/se2.hpp"
 
 // The log that all robots of a team share: what each visited and looked into, areas to keep out of and
-// to go to first, and the
-// operator's orders with their acknowledgements. Entries are immutable; the state is a fold over them in the
-// order of their numbers. Places are in the map frame of the entry's origin.
+// to go to first, and the operator's orders with their acknowledgements. Entries are immutable; the state is
+// a fold over them in the order of their numbers. Places are in the map frame of the entry's origin.
 namespace topo::team {
 
 /// The key of an entry: its origin and the number there.
@@ -48,6 +47,14 @@ inline constexpr std::size_t kCornersMax = 60;
 struct HereFirst {
   types::Polygon corners_map;
   friend bool operator==(const HereFirst&, const HereFirst&) = default;
+};
+
+/// A correction of its robot's map moved an area: its corners there now, as many as it has. Of the entries of
+/// the area's own origin the last one holds; others say nothing.
+struct AreaMoved {
+  EntryId area;
+  types::Polygon corners_map;
+  friend bool operator==(const AreaMoved&, const AreaMoved&) = default;
 };
 
 /// An area that is no more, whoever drew it.
@@ -89,7 +96,8 @@ struct Acknowledgement {
 
 inline constexpr std::size_t kRefusalBytesMax = 200;
 
-using LogBody = std::variant<Visited, LookedInto, KeepOut, Order, Acknowledgement, Withdrawn, HereFirst>;
+using LogBody =
+    std::variant<Visited, LookedInto, KeepOut, Order, Acknowledgement, Withdrawn, HereFirst, AreaMoved>;
 
 struct LogEntry {
   EntryId id;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/slam/keyframe_codec.hpp"
 #include "core/slam/session.hpp"
 #include "tests/unit/core/slam/keyframe_sample.hpp"
 

@@ -80,7 +80,8 @@ TEST(LogCodec, GivesEveryEntryBack) {
                                     Acknowledgement{{4, 17, 3}},
                                     Acknowledgement{{4, 17, 3}, "the e-stop is latched"},
                                     Withdrawn{{2, 5, 77}},
-                                    HereFirst{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}}};
+                                    HereFirst{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}},
+                                    AreaMoved{{2, 5, 77}, {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}}};
   for (const LogBody& body : bodies) {
     const auto read = decode_log(encode_log(body));
     ASSERT_TRUE(read.has_value()) << body.index();
@@ -93,6 +94,8 @@ TEST(LogCodec, TheLargestAreaFitsInADatagram) {
   const KeepOut area{types::Polygon(kCornersMax, types::Vector2(1.0, 2.0))};
   EXPECT_LE(encode_log(area).size(), kSmallItemBytesMax);
   EXPECT_TRUE(decode_log(encode_log(area)));
+  EXPECT_LE(encode_log(AreaMoved{{UINT16_MAX, kNumbersMax - 1, UINT32_MAX}, area.corners_map}).size(),
+            kSmallItemBytesMax);
 }
 
 TEST(LogCodec, WhatIsNoEntryIsRefused) {
@@ -101,7 +104,8 @@ TEST(LogCodec, WhatIsNoEntryIsRefused) {
   EXPECT_FALSE(decode_log(encode_log(KeepOut{{{0.0, 0.0}, {1.0, 0.0}}})));
   EXPECT_FALSE(decode_log(encode_log(KeepOut{types::Polygon(kCornersMax + 1, types::Vector2(0.0, 0.0))})));
   EXPECT_FALSE(decode_log(encode_log(HereFirst{{{0.0, 0.0}, {1.0, 0.0}}})));
-  EXPECT_FALSE(decode_log(testing::bytes_of({9, 0})));
+  EXPECT_FALSE(decode_log(encode_log(AreaMoved{{2, 5, 77}, {{0.0, 0.0}, {1.0, 0.0}}})));
+  EXPECT_FALSE(decode_log(testing::bytes_of({10, 0})));
   EXPECT_FALSE(decode_log(testing::bytes_of({3, 200}))) << "no such order";
   EXPECT_FALSE(decode_log(testing::bytes_of({7, 200, 1, 0}))) << "no such order";
   EXPECT_TRUE(decode_log(testing::bytes_of({7, 2, 1, 0})));

@@ -32,39 +32,38 @@ TEST(LogAreas, HoldUntilSomebodyWithdrawsThem) {
                                  [](const LogEntry& a, const LogEntry& b) { return a.id < b.id; }));
 }
 
-// An area moves by a new entry and the withdrawal of the old one: whichever comes first, one is in force.
-TEST(LogAreas, AMovedOneIsNeverMissing) {
-  const LogEntry before{{1, 4, 9}, KeepOut{kStairs}}, after{{1, 6, 9}, KeepOut{kGlass}},
-      other{{1, 5, 9}, Visited{{1.0, 1.0}, false}}, withdrawal{{1, 7, 9}, Withdrawn{{1, 4, 9}}};
-  const auto in_force = [](const std::vector<LogEntry>& log) {
-    std::vector<std::uint32_t> numbers;
-    for (const TeamArea& area : areas_of(log).areas) numbers.push_back(area.id.sequence);
-    return numbers;
-  };
-  EXPECT_EQ(in_force({before, withdrawal}), std::vector<std::uint32_t>{4});
-  EXPECT_EQ(in_force({before, other, withdrawal}), std::vector<std::uint32_t>{4});
-  EXPECT_EQ(in_force({before, after, withdrawal}), (std::vector<std::uint32_t>{4, 6}));
-  EXPECT_EQ(in_force({before, after, other}), (std::vector<std::uint32_t>{4, 6}));
-  EXPECT_EQ(in_force({before, after, other, withdrawal}), std::vector<std::uint32_t>{6});
+TEST(LogAreas, AreWhereTheirRobotSaidLast) {
+  const types::Polygon first{{0.1, 0.0}, {2.1, 0.0}, {2.1, 1.0}}, last{{0.2, 0.0}, {2.2, 0.0}, {2.2, 1.0}};
+  std::vector<LogEntry> log{{{1, 0, 9}, KeepOut{kStairs}},
+                            {{1, 3, 9}, AreaMoved{{1, 0, 9}, first}},
+                            {{1, 4, 9}, AreaMoved{{1, 0, 9}, last}},
+                            {{2, 7, 8}, AreaMoved{{1, 0, 9}, kGlass}},   // a mate's word
+                            {{1, 8, 10}, AreaMoved{{1, 0, 9}, kGlass}},  // of another map
+                            {{1, 6, 9}, AreaMoved{{1, 2, 9}, kGlass}}};  // of no area
+  const auto by_id = [](const LogEntry& a, const LogEntry& b) { return a.id < b.id; };
+  std::ranges::sort(log, by_id);
+  do {
+    const LogAreas found = areas_of(log);
+    ASSERT_EQ(found.areas.size(), 1U);
+    EXPECT_EQ(found.areas.front().id, (EntryId{1, 0, 9}));
+    EXPECT_EQ(found.areas.front().corners_map, last);
+  } while (std::next_permutation(log.begin(), log.end(), by_id));
 }
 
-TEST(LogAreas, OneThatARestartedRobotSaysAnewIsNeverMissing) {
-  const LogEntry before{{1, 4, 9}, KeepOut{kStairs}}, anew{{1, 0, 10}, KeepOut{kStairs}},
-      withdrawal{{1, 1, 10}, Withdrawn{{1, 4, 9}}};
-  EXPECT_EQ(areas_of({before, withdrawal}).areas.size(), 1U);
-  const auto areas = areas_of({before, anew, withdrawal}).areas;
-  ASSERT_EQ(areas.size(), 1U);
-  EXPECT_EQ(areas.front().id, anew.id);
+TEST(LogAreas, AMoveHasAsManyCornersAsTheArea) {
+  const LogAreas found = areas_of(
+      {{{1, 0, 9}, KeepOut{kStairs}}, {{1, 1, 9}, AreaMoved{{1, 0, 9}, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}}});
+  ASSERT_EQ(found.areas.size(), 1U);
+  EXPECT_EQ(found.areas.front().corners_map, kStairs);
 }
 
-// Numbers from a wire: a robot that claims to have said four billion things in between costs one look.
-TEST(LogAreas, AWithdrawalFarAheadOfWhatIsThereDoesNotCount) {
-  const LogAreas found =
-      areas_of({{{1, 0, 9}, KeepOut{kStairs}}, {{1, UINT32_MAX, 9}, Withdrawn{{1, 0, 9}}}});
-  EXPECT_EQ(found.areas.size(), 1U);
+TEST(LogAreas, AnotherRunOfTheirRobotSaysThemAnew) {
+  const std::vector<LogEntry> log{
+      {{1, 0, 9}, KeepOut{kStairs}}, {{1, 0, 10}, KeepOut{kStairs}}, {{1, 1, 10}, Withdrawn{{1, 0, 9}}}};
+  const LogAreas found = areas_of(log);
+  EXPECT_EQ(found.areas.size(), 2U);
   EXPECT_TRUE(found.withdrawn.empty());
-  // Nor does one that comes before its area say anything of it that could be waited for.
-  EXPECT_TRUE(areas_of({{{1, 5, 9}, KeepOut{kStairs}}, {{1, 2, 9}, Withdrawn{{1, 5, 9}}}}).areas.empty());
+  EXPECT_EQ(found.said_anew, (std::map<EntryId, std::set<slam::Origin>>{{{1, 0, 9}, {{1, 10}}}}));
 }
 
 TEST(LogAreas, HaveTheKindOfTheirEntry) {
