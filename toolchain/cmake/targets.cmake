@@ -111,9 +111,8 @@ endfunction()
 
 # topo_fuzz(NAME SOURCES a_fuzz.cpp ... DEPS target ... [SEEDS folder] [DICTIONARY file] [MUTANTS n])
 # A file with LLVMFuzzerTestOneInput. In preset `fuzz` it is linked with libFuzzer and searches for
-# TOPO_FUZZ_SECONDS, with the words of the dictionary; in every other build the same function gets the seeds and
-# MUTANTS (4000) fixed mutants of them, so that each run of the tests, with and without sanitizers, goes over it; under a
-# sanitizer a quarter of them, since libFuzzer searches under the same one.
+# TOPO_FUZZ_SECONDS, with the words of the dictionary, under AddressSanitizer and UndefinedBehaviorSanitizer; in builds
+# without a sanitizer the same function gets the seeds and MUTANTS (4000) fixed mutants of them.
 set(TOPO_FUZZ_SECONDS 20 CACHE STRING "How long each libFuzzer test searches")
 set(TOPO_FUZZ_REPLAY ${CMAKE_CURRENT_LIST_DIR}/../../tests/fuzz/replay_main.cpp)
 function(topo_fuzz name)
@@ -137,9 +136,6 @@ function(topo_fuzz name)
     target_sources(${name} PRIVATE ${TOPO_FUZZ_REPLAY})
     if(NOT ARG_MUTANTS)
       set(ARG_MUTANTS 4000)
-    endif()
-    if(TOPO_SANITIZE)
-      math(EXPR ARG_MUTANTS "${ARG_MUTANTS} / 4")
     endif()
     add_test(NAME ${name} COMMAND ${name} ${ARG_MUTANTS} ${ARG_SEEDS})
   endif()
