@@ -51,10 +51,8 @@ endfunction()
 # topo_entry(NAME [REAL_TIME [TRIES n]] [TIMEOUT s] [LABELS integration ...] [ENVIRONMENT k=v ...]
 #            COMMAND program arguments...)
 # One ctest entry. REAL_TIME: it keeps to the real clock, so on_time.py judges it only on a machine that keeps time,
-# in up to TRIES (3) of at most TIMEOUT. Under a sanitizer, which makes the programs several times as slow, nothing
-# runs beside it, and what keeps to no clock has four times as long.
-# PROCESSORS are counted in halves: toolchain/test gives ctest two for each processor. A test in real time waits most of
-# its time (a daemon with its simulated robot takes a fifth of a processor) and has one half, every other test has two.
+# in up to TRIES (3) of at most TIMEOUT, and nothing else of its kind runs beside it. Under a sanitizer, which makes the
+# programs several times as slow, nothing at all does, and what keeps to no clock has four times as long.
 set(TOPO_ON_TIME ${CMAKE_CURRENT_LIST_DIR}/../../tests/integration/on_time.py)
 function(topo_entry name)
   cmake_parse_arguments(ARG "REAL_TIME" "TIMEOUT;TRIES" "LABELS;ENVIRONMENT;COMMAND" ${ARGN})
@@ -77,12 +75,10 @@ function(topo_entry name)
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}
                        ENVIRONMENT "${ARG_ENVIRONMENT}")
   if(ARG_REAL_TIME)
-    set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 PROCESSORS 1)
+    set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 RESOURCE_LOCK clock)
     if(TOPO_SANITIZE)
       set_tests_properties(${name} PROPERTIES RUN_SERIAL ON)
     endif()
-  else()
-    set_tests_properties(${name} PROPERTIES PROCESSORS 2)
   endif()
 endfunction()
 
@@ -144,5 +140,5 @@ function(topo_fuzz name)
     add_test(NAME ${name} COMMAND ${name} ${ARG_MUTANTS} ${ARG_SEEDS})
   endif()
   math(EXPR limit_s "${TOPO_FUZZ_SECONDS} + 100")
-  set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit_s} PROCESSORS 2)
+  set_tests_properties(${name} PROPERTIES LABELS fuzz TIMEOUT ${limit_s})
 endfunction()
