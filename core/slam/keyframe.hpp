@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/slam/cloud.hpp"
 #include "core/slam/keyframe_content.hpp"
 #include "core/slam/keyframe_id.hpp"
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "core/slam/cloud.hpp"
+#include "core/slam/surfel.hpp"
 #include "core/walls/height_column.hpp"
 
 namespace topo::slam {
