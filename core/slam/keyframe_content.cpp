@@ -168,6 +168,15 @@ bool read_columns(types::ByteReader& in, std::vector<walls::ColumnPoint>& column
   return in.ok();
 }
 
+/// A part of bytes that were coded here, or have been checked.
+template <class T, class Read>
+std::vector<T> decoded(std::span<const std::byte> part, Read read) {
+  types::ByteReader in(part);
+  std::vector<T> items;
+  read(in, items);
+  return items;
+}
+
 }  // namespace
 
 CodedContent::CodedContent(KeyframeContent content) {
@@ -200,32 +209,18 @@ std::optional<CodedContent> CodedContent::decode(std::span<const std::byte> byte
   return coded;
 }
 
-std::vector<Point> CodedContent::hits() const {
-  types::ByteReader in(part(kHits));
-  std::vector<Point> hits;
-  read_hits(in, hits);
-  return hits;
-}
+std::vector<Point> CodedContent::hits() const { return decoded<Point>(part(kHits), &read_hits); }
 
 std::vector<Point> CodedContent::match_points() const {
-  types::ByteReader in(part(kMatchPoints));
-  std::vector<Point> points;
-  read_match_points(in, hits(), points);
-  return points;
+  return decoded<Point>(part(kMatchPoints), [this](types::ByteReader& in, std::vector<Point>& points) {
+    return read_match_points(in, hits(), points);
+  });
 }
 
-std::vector<Surfel> CodedContent::surfels() const {
-  types::ByteReader in(part(kSurfels));
-  std::vector<Surfel> surfels;
-  read_surfels(in, surfels);
-  return surfels;
-}
+std::vector<Surfel> CodedContent::surfels() const { return decoded<Surfel>(part(kSurfels), &read_surfels); }
 
 std::vector<walls::ColumnPoint> CodedContent::columns() const {
-  types::ByteReader in(part(kColumns));
-  std::vector<walls::ColumnPoint> columns;
-  read_columns(in, columns);
-  return columns;
+  return decoded<walls::ColumnPoint>(part(kColumns), &read_columns);
 }
 
 std::size_t CodedContent::beams() const {

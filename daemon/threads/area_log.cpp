@@ -65,11 +65,8 @@ bool AreaLog::settle(team::Exchange& exchange) {
     return true;
   });
   for (const team::EntryId& id : wishes_.withdrawn) withdraw(exchange, id);
-  for (const team::TeamArea& area : log_.areas) {
-    const auto anew = log_.said_anew.find(area.id);
-    const bool is_told = anew != log_.said_anew.end() && anew->second.contains(self_);
-    if (!is_told && is_said_again(area)) withdraw(exchange, area.id);
-  }
+  for (const team::TeamArea& area : log_.areas)
+    if (is_said_again(area)) withdraw(exchange, area.id);
   log_ = team::areas_of(team::log_of(exchange.items()));
   return true;
 }
@@ -80,8 +77,8 @@ void AreaLog::say(team::Exchange& exchange, const AreaWishes::Own& area) {
     if (const auto id = exchange.add_entry(entry_for(area)))
       own_[area.number] = {*id, area.corners_map, area.corners_map};
   } else if (!are_near(at->second.corners_map, area.corners_map, params_.moved_m)) {
-    (void)exchange.add_entry(team::AreaMoved{at->second.id, area.corners_map});  // of corners that were taken
-    at->second.corners_map = area.corners_map;
+    if (exchange.add_entry(team::AreaMoved{at->second.id, area.corners_map}))
+      at->second.corners_map = area.corners_map;
   }
 }
 
@@ -95,6 +92,9 @@ bool AreaLog::is_said_again(const team::TeamArea& area) const {
 }
 
 void AreaLog::withdraw(team::Exchange& exchange, const team::EntryId& id) {
+  // Of another run of this robot the log has it as said anew.
+  const auto anew = log_.said_anew.find(id);
+  if (anew != log_.said_anew.end() && anew->second.contains(self_)) return;
   if (!log_.withdrawn.insert(id).second) return;
   (void)exchange.add_entry(team::Withdrawn{id});  // a key has nothing that could be refused
 }
@@ -109,9 +109,10 @@ TeamAreas AreaLog::report() const {
     const auto frame = frames_.find(area.id.origin());
     if (const auto anew = log_.said_anew.find(area.id); anew != log_.said_anew.end()) {
       // In force where it was until a map that has it anew has a place here.
-      const auto has_place = [&](const slam::Origin& run) { return run == self_ || frames_.contains(run); };
-      if (std::ranges::any_of(anew->second, has_place)) areas.withdrawn.push_back(area.id);
-      if (frame == frames_.end() || std::ranges::any_of(anew->second, has_place)) continue;
+      const bool is_replaced = std::ranges::any_of(
+          anew->second, [&](const slam::Origin& run) { return run == self_ || frames_.contains(run); });
+      if (is_replaced) areas.withdrawn.push_back(area.id);
+      if (is_replaced || frame == frames_.end()) continue;
     }
     areas.of_mates.push_back(
         {area.id,

@@ -181,6 +181,23 @@ TEST(AreaLog, ARestartedRobotsAreasAreNeverMissing) {
   EXPECT_EQ(b.areas().withdrawn, (std::vector<team::EntryId>{{1, 0, 1}}));
 }
 
+// An operator withdraws what an earlier run of this robot drew: that is said once, however often it is
+// wished.
+TEST(AreaLog, WithdrawsAnAreaOfAnEarlierRunOnce) {
+  Side a(1), b(2), again(1, 2);
+  a.log.want({{{1, kStairs}}, {}});
+  (void)a.areas();
+  talk(a, b);
+  again.now_s = b.now_s;
+  talk(again, b);
+  again.log.want({{}, {{1, 0, 1}}});
+  EXPECT_EQ(again.areas().withdrawn, (std::vector<team::EntryId>{{1, 0, 1}}));
+  const std::size_t said = team::log_of(again.robot.exchange.items()).size();
+  again.log.want({{}, {{1, 0, 1}}});
+  (void)again.areas();
+  EXPECT_EQ(team::log_of(again.robot.exchange.items()).size(), said);
+}
+
 TEST(AreaLog, ANewMapsRunHasThemAnew) {
   Side a(1);
   a.log.want({{{1, kStairs}}, {}});

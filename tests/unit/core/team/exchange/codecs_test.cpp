@@ -105,6 +105,7 @@ TEST(LogCodec, WhatIsNoEntryIsRefused) {
   EXPECT_FALSE(decode_log(encode_log(KeepOut{types::Polygon(kCornersMax + 1, types::Vector2(0.0, 0.0))})));
   EXPECT_FALSE(decode_log(encode_log(HereFirst{{{0.0, 0.0}, {1.0, 0.0}}})));
   EXPECT_FALSE(decode_log(encode_log(AreaMoved{{2, 5, 77}, {{0.0, 0.0}, {1.0, 0.0}}})));
+  EXPECT_FALSE(decode_log(testing::bytes_of({9, 0})));
   EXPECT_FALSE(decode_log(testing::bytes_of({10, 0})));
   EXPECT_FALSE(decode_log(testing::bytes_of({3, 200}))) << "no such order";
   EXPECT_FALSE(decode_log(testing::bytes_of({7, 200, 1, 0}))) << "no such order";
