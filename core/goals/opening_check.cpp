@@ -3,7 +3,6 @@
 #include "core/goals/opening_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/grid/disc_room.hpp"
@@ -13,8 +12,6 @@ namespace {
 
 using grid::CellIndex;
 using grid::CellState;
-
-constexpr std::array<CellIndex, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 /// The bounding box of an opening, extended by `reach` cells.
 grid::CellBox surroundings_of(const grid::DenseMap& map, std::span<const std::uint32_t> opening, int reach) {
@@ -39,7 +36,7 @@ bool leads_to_unknown(const grid::DenseMap& map, std::span<const std::uint32_t> 
   std::vector<Step> steps;
   bool goes_on = false;
   const auto visit_sides = [&](const Step& step) {
-    for (const CellIndex by : kSides) {
+    for (const CellIndex by : grid::kSideSteps) {
       const CellIndex to{step.at.x + by.x, step.at.y + by.y};
       if (!room.is_open(to) || map.state(to) != CellState::kUnknown) continue;
       room.close(to);

@@ -3,7 +3,6 @@
 #include "core/goals/space_behind.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -13,8 +12,6 @@ namespace {
 
 using grid::CellIndex;
 using grid::CellState;
-
-constexpr std::array<CellIndex, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 /// The cells around an opening: which of them a continued wall closes, and of which opening's cell those that
 /// were taken are nearest.
@@ -102,7 +99,7 @@ CellIndex beside(CellIndex cell, CellIndex by) { return {cell.x + by.x, cell.y +
 std::vector<CellIndex> cells_behind(Window& window, std::span<const CellIndex> opening, std::int64_t reach) {
   std::vector<CellIndex> cells;
   for (std::uint32_t site = 0; site < opening.size(); ++site) {
-    for (const CellIndex by : kSides) {
+    for (const CellIndex by : grid::kSideSteps) {
       const CellIndex to = beside(opening[site], by);
       if (!window.is_open(to)) continue;
       window.take(to, site);
@@ -112,12 +109,12 @@ std::vector<CellIndex> cells_behind(Window& window, std::span<const CellIndex> o
   for (std::size_t next = 0; next < cells.size(); ++next) {
     const CellIndex here = cells[next];
     std::uint32_t nearest = *window.site_of(here);
-    for (const CellIndex by : kSides) {
+    for (const CellIndex by : grid::kSideSteps) {
       const auto other = window.site_of(beside(here, by));
       if (other && squared(here, opening[*other]) < squared(here, opening[nearest])) nearest = *other;
     }
     window.take(here, nearest);
-    for (const CellIndex by : kSides) {
+    for (const CellIndex by : grid::kSideSteps) {
       const CellIndex to = beside(here, by);
       if (!window.is_open(to) || squared(to, opening[nearest]) > reach * reach) continue;
       window.take(to, nearest);
@@ -146,7 +143,7 @@ SpaceBehind space_behind(const grid::DenseMap& map, std::span<const std::uint32_
   const std::vector<CellIndex> cells = cells_behind(window, sites, reach);
   std::size_t walls = 0, ahead = 0;  // sides of the space's cells
   for (const CellIndex cell : cells) {
-    for (const CellIndex by : kSides) {
+    for (const CellIndex by : grid::kSideSteps) {
       const CellIndex to = beside(cell, by);
       if (window.is_wall(to))
         ++walls;

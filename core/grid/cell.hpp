@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace topo::grid {
@@ -15,6 +16,9 @@ struct CellIndex {
   std::int32_t y = 0;
   friend bool operator==(const CellIndex&, const CellIndex&) = default;
 };
+
+/// Steps to the cells that share a side with one: east, north, west, south.
+inline constexpr std::array<CellIndex, 4> kSideSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 /// Inclusive range of cells; empty while min > max.
 struct CellBox {

@@ -32,7 +32,7 @@ class Walker {
     Ring ring;
     do {
       if (heading == kEast) seen_[map_.index(at)] = true;
-      const CellIndex step = kStep[static_cast<std::size_t>(heading)];
+      const CellIndex step = grid::kSideSteps[static_cast<std::size_t>(heading)];
       at = {at.x + step.x, at.y + step.y};
       const int next = turn(at, heading);
       if (next != heading) ring.push_back(at);
@@ -43,7 +43,6 @@ class Walker {
 
  private:
   enum : int { kEast, kNorth, kWest, kSouth };
-  static constexpr std::array<CellIndex, 4> kStep = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   /// Offset from a corner to the cell ahead on the left, when heading east, north, west, south: the cell
   /// whose lower left, lower right, upper right or upper left corner it is.
   static constexpr std::array<CellIndex, 4> kLeftAhead = {{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};

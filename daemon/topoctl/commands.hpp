@@ -19,6 +19,8 @@ inline constexpr int kTimedOut = 4;
 inline constexpr int kMissionFailed = 5;
 
 inline constexpr types::Duration kPatience = std::chrono::seconds(5);
+/// The operator must learn quickly that there is no daemon.
+inline constexpr types::Duration kEstopPatience = std::chrono::seconds(1);
 
 /// The robots that an order is for.
 struct WhomArguments {

@@ -15,7 +15,6 @@ namespace {
 /// An order is repeated every 50 ms: who has not acknowledged it by then is out of reach.
 constexpr types::Duration kOrderPatience = std::chrono::seconds(2);
 constexpr types::Duration kAskAgain = std::chrono::milliseconds(50);
-constexpr types::Duration kEstopPatience = std::chrono::seconds(1);
 
 bool has_word(const Json& order, int robot) {
   const Json& acknowledged = order.at("acknowledged");

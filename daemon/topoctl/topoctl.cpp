@@ -13,7 +13,6 @@
 namespace topo::daemon {
 namespace {
 
-constexpr types::Duration kEstopPatience = std::chrono::seconds(1);
 constexpr types::Duration kSavePatience = std::chrono::minutes(2);
 constexpr types::Duration kSearchPatience = std::chrono::seconds(30);
 
@@ -27,8 +26,7 @@ std::string member(const Json& answer, const char* name) {
   return found != answer.end() && found->is_string() ? found->get<std::string>() : std::string("-");
 }
 
-/// With --all: of the whole team. Uses a short time-out: the operator must learn quickly when there is no
-/// daemon.
+/// With --all: of the whole team.
 int estop(const Arguments& arguments) {
   if (arguments.whom.all) return order_team(arguments, "estop");
   const int status = show(arguments, "estop", &nothing, Json::object(), kEstopPatience);

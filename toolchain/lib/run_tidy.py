@@ -3,7 +3,7 @@
 """clang-tidy over the entries of a compile_commands.json, clean ones remembered.
 
 Most of its time goes into the headers of a file. Files of one folder with the same flags are therefore looked at together
-first, as the build compiles them; only where that is not clean is each looked at alone, and that is what is told."""
+first; where that is not clean, each half of them is, down to the file alone, and that is what is told."""
 
 import argparse
 import concurrent.futures
@@ -20,7 +20,7 @@ import time
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 ROOMS = ("core", "drivers", "daemon")
-TOGETHER = 8  # CMAKE_UNITY_BUILD_BATCH_SIZE
+TOGETHER = 64  # 30 files together take less than half the time of four batches of them
 EMPTY_LINES = re.compile(rb"\n\s*\n")
 
 
@@ -36,7 +36,7 @@ def flags_of(entry):
 
 
 def batches(entries):
-    """Neighbours of one folder with equal flags, as many as the build puts together."""
+    """Neighbours of one folder with equal flags."""
     batch = []
     for entry in entries:
         alike = batch and os.path.dirname(batch[0]["file"]) == os.path.dirname(entry["file"]) and flags_of(batch[0]) == flags_of(entry)
@@ -100,16 +100,24 @@ def check_alone(entry, database):
     return None if done.returncode == 0 else done.stdout + done.stderr
 
 
+def findings(batch, database):
+    """Output by file of those that are not clean."""
+    if len(batch) == 1:
+        output = check_alone(batch[0], database)
+        return {} if output is None else {batch[0]["file"]: output}
+    if are_clean_together(batch):
+        return {}
+    half = len(batch) // 2
+    return findings(batch[:half], database) | findings(batch[half:], database)
+
+
 def check(batch, database, version, cache):
     """(whether a clean run is remembered, seconds, output by file of those that are not clean)"""
     start = time.monotonic()
     key = key_of(batch, version)
     if key and (cache / key).exists():
         return True, 0.0, {}
-    found = {}
-    if len(batch) == 1 or not are_clean_together(batch):
-        outputs = {entry["file"]: check_alone(entry, database) for entry in batch}
-        found = {file: output for file, output in outputs.items() if output is not None}
+    found = findings(batch, database)
     if key and not found:
         (cache / key).touch()
     return False, time.monotonic() - start, found

@@ -68,25 +68,35 @@ step() {
   return $status
 }
 
-# meanwhile LOG COMMAND...: runs it in the background until it ends or the script does, on what the steps leave of the
-# processors. Of what it builds, steps run the same command again: build() waits for what builds in its folder. What became
-# of the command itself became_of_meanwhile tells.
+# meanwhile FOLDER COMMAND...: runs it in the background until it ends or the script does, on what the steps leave of the
+# processors; its log is FOLDER/log. Of what it builds, steps run the same command again: build() waits for what builds in its
+# folder. What the command runs as a part(), became_of_part() tells of.
 meanwhile() {
-  meanwhile_log=$1
+  meanwhile_folder=$1
   shift
-  rm -f "$meanwhile_log.status"
+  rm -rf "$meanwhile_folder"
+  mkdir -p "$meanwhile_folder"
   # A session of its own: the kernel weighs sessions first (sched(7), autogroups), then the threads of each.
-  setsid bash -c 'echo 19 >/proc/self/autogroup; chrt --idle --pid 0 $$ && "${@:2}"; echo $? >"$1.status"' meanwhile \
-    "$meanwhile_log" "$@" </dev/null >"$meanwhile_log" 2>&1 &
+  setsid bash -c 'echo 19 >/proc/self/autogroup; chrt --idle --pid 0 $$ && exec "$@"' meanwhile "$@" </dev/null \
+    >"$meanwhile_folder/log" 2>&1 &
   meanwhile_job=$!
   trap 'kill -TERM -- "-$meanwhile_job" 2>/dev/null' EXIT
 }
 
-# became_of_meanwhile: waits for it, shows the end of its log and returns its status.
-became_of_meanwhile() {
-  tail --pid="$meanwhile_job" -f /dev/null
-  tail -n 200 "$meanwhile_log"
-  return "$(cat "$meanwhile_log.status" || echo 1)"
+# part FOLDER NAME COMMAND...: in what runs meanwhile, with the same folder; keeps what is printed and the status.
+part() {
+  local place=$1/$2 status=0
+  shift 2
+  "$@" >"$place.log" 2>&1 || status=$?
+  echo $status >"$place.new" && mv "$place.new" "$place.status"
+}
+
+# became_of_part NAME: waits for it, shows the end of its log and returns its status.
+became_of_part() {
+  local place=$meanwhile_folder/$1
+  until [ -e "$place.status" ] || ! kill -0 "$meanwhile_job" 2>/dev/null; do sleep 0.2; done
+  tail -n 200 "$place.log"
+  return "$(cat "$place.status" || echo 1)"
 }
 
 # skip_step NAME WHY: a step that cannot run because one before it failed, or for want of time. It failed too.

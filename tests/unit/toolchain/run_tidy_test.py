@@ -9,6 +9,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True
 TOP = pathlib.Path(__file__).resolve().parents[3]
@@ -86,12 +87,21 @@ class Together(unittest.TestCase):
         self.assertEqual(self.found(**texts), (["b"], 1))
         self.assertEqual(len(list(self.cache.iterdir())), 0)
 
-    def test_files_that_do_not_go_together_are_looked_at_alone(self):
+    def test_files_that_do_not_go_together_are_looked_at_in_halves(self):
         one = "namespace { int same(int n) { return n; } }\nint %s(int n) { return same(n); }\n"
-        self.assertEqual(self.found(a=one % "a", b=one % "b"), ([], 1))
+        looked_at = []
+
+        def note_and_look(batch):
+            looked_at.append(len(batch))
+            return look(batch)
+
+        look = run_tidy.are_clean_together
+        with unittest.mock.patch.object(run_tidy, "are_clean_together", note_and_look):
+            self.assertEqual(self.found(a=one % "a", b="int b;\n", c=one % "c", d="int d;\n"), ([], 1))
+        self.assertEqual(looked_at, [4, 2, 2])
         self.assertEqual(len(list(self.cache.iterdir())), 1)
 
-    def test_a_batch_has_no_more_files_than_the_build_puts_together(self):
+    def test_a_batch_has_no_more_files_than_it_may(self):
         many = {f"f{i}": f"int f{i}(int n) {{ return n; }}\n" for i in range(run_tidy.TOGETHER + 1)}
         self.assertEqual(self.found(**many), ([], 2))
 

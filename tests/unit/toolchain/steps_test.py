@@ -75,14 +75,29 @@ class Steps(unittest.TestCase):
         with tempfile.TemporaryDirectory() as name:
             # The pipe gives its end when nothing holds it any more.
             done = bash(f"cd '{name}'; mkfifo held; cat held > seen & "
-                        "meanwhile log bash -c 'chrt --pid $$; cat /proc/self/autogroup; echo begun > held; sleep 1000 > held'; "
+                        "meanwhile ahead bash -c 'chrt --pid $$; cat /proc/self/autogroup; echo begun > held; sleep 1000 > held'; "
                         "until [ -s seen ]; do sleep 0.02; done; step good echo done; summary all-of-it")
-            log = (pathlib.Path(name) / "log").read_text()
+            log = (pathlib.Path(name) / "ahead/log").read_text()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("SCHED_IDLE", log)
         if pathlib.Path("/proc/self/autogroup").exists():
             self.assertIn("nice 19", log)
         self.assertRegex(done.stdout, r"(?m)^  good +0\.0 min  ok$")
+
+    def test_what_became_of_a_part_is_known_as_soon_as_it_ended(self):
+        with tempfile.TemporaryDirectory() as name:
+            parts = (f". '{TOP}/toolchain/lib/steps.sh'; part ahead good echo done; part ahead bad sh -c 'echo no; exit 3'; "
+                     "sleep 1000")
+            done = bash(f"cd '{name}'; meanwhile ahead bash -c \"{parts}\"; step one became_of_part good; "
+                        "step two became_of_part bad; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"(?s)== one\n.*\ndone\n== one: ok.*\nno\n== two: FAILED \(3\)")
+
+    def test_a_part_that_never_was_has_failed(self):
+        with tempfile.TemporaryDirectory() as name:
+            done = bash(f"cd '{name}'; meanwhile ahead true; step one became_of_part good; summary all-of-it")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"(?m)^  one +\d\.\d min  FAILED \(1\)$")
 
     def test_with_a_deadline_a_step_in_time_is_as_without(self):
         done = bash("steps_deadline=$(($(date +%s) + 600)); step good echo done; step three sh -c 'exit 3'; "

@@ -16,13 +16,6 @@ namespace {
 using grid::CellState;
 using places::DrawnMap;
 
-/// A room, and behind its whole upper side a pocket of unknown space with walls around it.
-grid::DenseMap room_with_pocket(int width, int depth) {
-  DrawnMap drawn(width + 20, depth + 40);
-  drawn.occupied(5, 5, width + 9, depth + 29).free(7, 7, width + 7, 27);
-  return drawn.fill(7, 27, width + 7, 27 + depth, CellState::kUnknown).map();
-}
-
 bool leads_on(const grid::DenseMap& map, const GoalParams& params) {
   const auto frontiers = find_frontiers(map, 0.0);
   return std::ranges::any_of(frontiers,

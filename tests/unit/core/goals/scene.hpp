@@ -18,6 +18,13 @@
 
 namespace topo::goals {
 
+/// A room, and behind its whole upper side a pocket of unknown space with walls around it.
+inline grid::DenseMap room_with_pocket(int width, int depth) {
+  places::DrawnMap drawn(width + 20, depth + 40);
+  drawn.occupied(5, 5, width + 9, depth + 29).free(7, 7, width + 7, 27);
+  return drawn.fill(7, 27, width + 7, 27 + depth, grid::CellState::kUnknown).map();
+}
+
 /// A map with all that goals are made from.
 struct Scene {
   explicit Scene(const places::DrawnMap& drawn) : Scene(drawn.map()) {}

@@ -20,13 +20,6 @@ using places::DrawnMap;
 
 constexpr double kCell_m = 0.05, kCell_m2 = kCell_m * kCell_m;
 
-/// A room, and behind its whole upper side a pocket of unknown space with walls around it.
-grid::DenseMap room_with_pocket(int width, int depth) {
-  DrawnMap drawn(width + 20, depth + 40);
-  drawn.occupied(5, 5, width + 9, depth + 29).free(7, 7, width + 7, 27);
-  return drawn.fill(7, 27, width + 7, 27 + depth, CellState::kUnknown).map();
-}
-
 SpaceBehind behind_only_frontier(const grid::DenseMap& map, std::span<const types::Segment> continued,
                                  double reach_m) {
   const auto frontiers = find_frontiers(map, 0.0);

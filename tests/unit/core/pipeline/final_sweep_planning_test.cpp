@@ -21,13 +21,13 @@ std::vector<std::string> room_and_chamber() {
   return rows;
 }
 
-struct End {
+struct SweepEnd {
   double known = 0.0;
   std::vector<types::Vector2> looked;  ///< what the robot tells its mates
 };
 
 /// Of an exploration of these by a robot whose mate, at home, has looked into some openings.
-End end_of_exploration(const PlannerParams& params, std::vector<types::Vector2> mate_looked = {}) {
+SweepEnd end_of_exploration(const PlannerParams& params, std::vector<types::Vector2> mate_looked = {}) {
   ToyBuilding building{room_and_chamber(), 5.0};
   PlanningState state(params);
   team::StatusMessage mate;
@@ -56,7 +56,7 @@ TEST(FinalSweep, ShowMoreOfAChamberThatNobodyCanDriveInto) {
   essential.explore.finish = Finish::kEssential;
   PlannerParams essential_without = essential;
   essential_without.explore.final_sweep.promise_min = 1e9;
-  const End end = end_of_exploration(essential);
+  const SweepEnd end = end_of_exploration(essential);
   EXPECT_EQ(end.known, end_of_exploration(essential_without).known) << "whatever there would be to see";
   EXPECT_TRUE(end.looked.empty());
 }
@@ -64,9 +64,9 @@ TEST(FinalSweep, ShowMoreOfAChamberThatNobodyCanDriveInto) {
 TEST(FinalSweep, OfARobotAreNoneForItsMates) {
   PlannerParams params;
   params.explore.final_sweep.promise_min = 0.04;  // the chamber's other corners alone do not promise so much
-  const End looks = end_of_exploration(params);
+  const SweepEnd looks = end_of_exploration(params);
   ASSERT_FALSE(looks.looked.empty());
-  const End leaves = end_of_exploration(params, looks.looked);
+  const SweepEnd leaves = end_of_exploration(params, looks.looked);
   EXPECT_TRUE(leaves.looked.empty());
   EXPECT_LT(leaves.known, looks.known - 0.05);
 }

@@ -33,19 +33,19 @@ PlannerParams params_with(double tight_m) {
   return params;
 }
 
-struct End {
+struct PassageEnd {
   Activity activity = Activity::kThinking;
   double known = 0.0;
   int times_stuck = 0;
 };
 
 /// Of an exploration in which the robot, if `sticks`, gets stuck whenever it comes to the door.
-End explore(const PlannerParams& params, bool sticks) {
+PassageEnd explore(const PlannerParams& params, bool sticks) {
   ToyBuilding building(two_rooms());
   const types::Vector2 start = building.robot();
   const types::Vector2 door = start + types::Vector2(kWall_m, 0.0);
   PlanningState state(params);
-  End end;
+  PassageEnd end;
   bool was_near = false;
   for (int i = 0; i < 900; ++i) {
     const double step_m = building.control().mode == ControlMode::kStuck ? 0.0 : 0.3;
@@ -63,14 +63,14 @@ End explore(const PlannerParams& params, bool sticks) {
 }
 
 TEST(TightPassage, IsDrivenThroughWhenNothingElseIsLeft) {
-  const End through = explore(params_with(0.22), false);
+  const PassageEnd through = explore(params_with(0.22), false);
   EXPECT_EQ(through.activity, Activity::kDone);
   EXPECT_GT(through.known, 0.99);
   EXPECT_LT(explore(params_with(0.297), false).known, 0.9) << "what is seen through the door";
 }
 
 TEST(TightPassage, InWhichTheRobotDidNotGetOnIsClosedForTheMission) {
-  const End end = explore(params_with(0.22), true);
+  const PassageEnd end = explore(params_with(0.22), true);
   EXPECT_EQ(end.activity, Activity::kDone);
   EXPECT_LT(end.known, 0.97) << "what is seen from before the door";
   EXPECT_EQ(end.times_stuck, 1);

@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/core/team/clock.hpp"
+
 namespace topo::team {
 namespace {
 
 using types::Vector2;
 
-types::Stamp at(double s) { return types::stamp_from_seconds(1000.0 + s); }
+using testing::at;
 
 TEST(LastContact, whoNeverHeardOfAnybodyMissesNobody) {
   EXPECT_EQ(LastContact(60.0).lost_at(at(5000.0)), std::nullopt);

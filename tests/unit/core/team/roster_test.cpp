@@ -4,12 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/core/team/clock.hpp"
 #include "tests/unit/core/team/generators.hpp"
 
 namespace topo::team {
 namespace {
 
-types::Stamp at(double s) { return types::stamp_from_seconds(1000.0 + s); }
+using testing::at;
 
 StatusMessage told(std::uint16_t robot, std::uint64_t sequence, double x_m = 0.0, Duty duty = Duty::kAble) {
   StatusMessage w;

@@ -16,7 +16,7 @@ using io::BusFault;
 using std::chrono::seconds;
 
 /// What the threads hand over is written by the test; none of them runs.
-class MonitorOf : public testing::Test {
+class MonitorOf : public ::testing::Test {
  protected:
   void watch(const std::string& base_address) {
     configuration_.base.address = base_address;

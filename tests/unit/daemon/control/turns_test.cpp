@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const Standing commander{true, 1000}, looker{false, 2000}, other_looker{false, 3000};
+const Standing kCommander{true, 1000}, kLooker{false, 2000}, kOtherLooker{false, 3000};
 
 class TurnsTest : public ::testing::Test {
  protected:
@@ -29,8 +29,8 @@ class TurnsTest : public ::testing::Test {
 };
 
 TEST_F(TurnsTest, OneRequestAClientATurn) {
-  turns.join(1, commander);
-  turns.join(2, commander);
+  turns.join(1, kCommander);
+  turns.join(2, kCommander);
   for (int i = 0; i < 3; ++i) turns.add(1, "a", false);
   turns.add(2, "b", false);
   EXPECT_EQ(next(), "1:a");
@@ -42,9 +42,9 @@ TEST_F(TurnsTest, OneRequestAClientATurn) {
 }
 
 TEST_F(TurnsTest, StopThenCommandersThenOthers) {
-  turns.join(1, looker);
-  turns.join(2, commander);
-  turns.join(3, other_looker);
+  turns.join(1, kLooker);
+  turns.join(2, kCommander);
+  turns.join(3, kOtherLooker);
   turns.add(1, "status", false);
   turns.add(2, "start", false);
   turns.add(3, "status", false);
@@ -56,8 +56,8 @@ TEST_F(TurnsTest, StopThenCommandersThenOthers) {
 }
 
 TEST_F(TurnsTest, WhatWaitedDuringAStopIsOvertaken) {
-  turns.join(1, commander);
-  turns.join(2, looker);
+  turns.join(1, kCommander);
+  turns.join(2, kLooker);
   turns.add(1, "clear_estop", false);
   turns.add(2, "estop", true);
   EXPECT_EQ(next(), "2:estop");
@@ -67,9 +67,9 @@ TEST_F(TurnsTest, WhatWaitedDuringAStopIsOvertaken) {
 }
 
 TEST_F(TurnsTest, QuotaIsOfTheUserAndComesBack) {
-  turns.join(1, looker);
-  turns.join(2, looker);  // a second connection brings no second quota
-  turns.join(3, other_looker);
+  turns.join(1, kLooker);
+  turns.join(2, kLooker);  // a second connection brings no second quota
+  turns.join(3, kOtherLooker);
   for (int i = 0; i < quota.request_burst; ++i) {
     turns.add(1, "goals", false);
     turns.add(2, "goals", false);
@@ -86,18 +86,18 @@ TEST_F(TurnsTest, QuotaIsOfTheUserAndComesBack) {
 }
 
 TEST_F(TurnsTest, QuotaOutlivesTheConnection) {
-  turns.join(1, looker);
+  turns.join(1, kLooker);
   for (int i = 0; i < quota.request_burst; ++i) turns.add(1, "goals", false);
   while (!next().empty()) {
   }
   turns.leave(1);
-  turns.join(2, looker);
+  turns.join(2, kLooker);
   turns.add(2, "goals", false);
   EXPECT_EQ(next(), "");
 }
 
 TEST_F(TurnsTest, StopsHaveNoQuota) {
-  turns.join(1, looker);
+  turns.join(1, kLooker);
   for (int i = 0; i < 10 * quota.request_burst; ++i) turns.add(1, "estop", true);
   int stops = 0;
   while (!next().empty()) ++stops;
@@ -105,8 +105,8 @@ TEST_F(TurnsTest, StopsHaveNoQuota) {
 }
 
 TEST_F(TurnsTest, LateAnswersToOthersAreFew) {
-  turns.join(1, looker);
-  turns.join(2, commander);
+  turns.join(1, kLooker);
+  turns.join(2, kCommander);
   for (int i = 0; i < 3; ++i) turns.add(1, "doctor", false);
   ASSERT_TRUE(turns.next(now) && turns.next(now));
   EXPECT_FALSE(turns.next(now));
@@ -120,8 +120,8 @@ TEST_F(TurnsTest, LateAnswersToOthersAreFew) {
 }
 
 TEST_F(TurnsTest, WhoHasLeftIsStillObeyed) {
-  turns.join(1, commander);
-  turns.join(2, looker);
+  turns.join(1, kCommander);
+  turns.join(2, kLooker);
   turns.add(1, "stop", false);
   turns.add(2, "status", false);
   turns.add(2, "estop", true);
@@ -138,7 +138,7 @@ void at_most_two_others_before_a_stop() {
   Turns turns{Quota{}};
   const types::Stamp now{100s};
   for (std::uint64_t client = 0; client < 8; ++client)
-    turns.join(client, client % 2 == 0 ? commander : looker);
+    turns.join(client, client % 2 == 0 ? kCommander : kLooker);
   int stops = 0, since = 0;
   const auto acts = *rc::gen::container<std::vector<int>>(300, rc::gen::inRange(0, 40));
   for (const int act : acts) {

@@ -18,7 +18,7 @@ namespace {
 
 using grid::DenseMap;
 
-const FirstLabelParams kPieces{0.4};
+const FirstLabelParams kFirstLabels{0.4};
 
 void check_box(const types::Rectangle& a, const types::Rectangle& b) {
   RC_ASSERT(a.min == b.min && a.max == b.max);
@@ -43,7 +43,7 @@ TEST(Regions, AreSumsOverTheirCells) {
     DenseMap map = drawn.free(2, 2, 58, 48).map();
     draw_patches(map, 10, 16);
     const auto clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPieces);
+    const FirstLabels first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kFirstLabels);
     const std::vector<Region> regions = regions_of(map, clearance_m, first, {}, CompassFrame(0.0), {});
     for (std::size_t r = 0; r < first.pieces.size(); ++r) {
       std::uint32_t cells = 0, beside = 0;
@@ -67,7 +67,7 @@ struct Labelled {
   Labelled() {
     draw_patches(map, *rc::gen::inRange(0, 14), 16);
     clearance_m = grid::clearance_m(map, grid::Boundary::kOccupiedOrUnknown);
-    first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kPieces);
+    first = first_labels(map, clearance_m, skeletonise(map, clearance_m), kFirstLabels);
     regions = regions_of(map, clearance_m, first, draw_walls(map), frame, {});
   }
   /// The region of each cell, by number; -1 for none.

@@ -10,9 +10,10 @@ namespace topo::team {
 namespace {
 
 using testing::at;
+using testing::kFrames;
+using testing::kSelf;
 
-const slam::Origin kSelf{1, 1};
-const StreamKey kFrames{ItemKind::kKeyframe, kSelf}, kRelations{ItemKind::kRelation, kSelf};
+const StreamKey kRelations{ItemKind::kRelation, kSelf};
 
 ItemStore store_of(std::uint32_t keyframes) {
   ItemStore store;

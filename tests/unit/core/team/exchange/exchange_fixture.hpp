@@ -9,11 +9,13 @@
 
 #include "core/team/exchange/exchange.hpp"
 #include "tests/unit/core/slam/keyframe_sample.hpp"
+#include "tests/unit/core/team/clock.hpp"
 
 // Robots that make keyframes and relations, and a radio between them.
 namespace topo::team::testing {
 
-inline types::Stamp at(double seconds) { return types::stamp_from_seconds(1'000.0 + seconds); }
+inline const slam::Origin kSelf{1, 1};
+inline const StreamKey kFrames{ItemKind::kKeyframe, kSelf};
 
 inline std::vector<std::byte> bytes_of(std::initializer_list<int> values) {
   std::vector<std::byte> bytes;

@@ -10,8 +10,9 @@ namespace topo::team {
 namespace {
 
 using testing::at;
+using testing::kSelf;
 
-const slam::Origin kSelf{1, 1}, kMate{2, 1}, kMateAgain{2, 2};
+const slam::Origin kMate{2, 1}, kMateAgain{2, 2};
 
 TEST(Peers, ADatagramThatComesAgainIsRepeated) {
   Peers peers;

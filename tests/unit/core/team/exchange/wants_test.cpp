@@ -12,9 +12,8 @@ namespace topo::team {
 namespace {
 
 using testing::item_of;
+using testing::kFrames;
 using Holds = std::map<StreamKey, StreamSummary>;
-
-const StreamKey kFrames{ItemKind::kKeyframe, {1, 1}};
 
 Holds holding(const StreamKey& key, std::uint32_t items) { return {{key, {key, items, items, items, {}}}}; }
 
