@@ -91,12 +91,14 @@ part() {
   echo $status >"$place.new" && mv "$place.new" "$place.status"
 }
 
-# became_of_part NAME: waits for it, shows the end of its log and returns its status.
+# became_of_part NAME: waits for it, shows the end of its log, more of it when it failed, and returns its status.
 became_of_part() {
-  local place=$meanwhile_folder/$1
+  local place=$meanwhile_folder/$1 status=1 lines=3000
   until [ -e "$place.status" ] || ! kill -0 "$meanwhile_job" 2>/dev/null; do sleep 0.2; done
-  tail -n 200 "$place.log"
-  return "$(cat "$place.status" || echo 1)"
+  [ ! -e "$place.status" ] || status=$(cat "$place.status")
+  [ "$status" != 0 ] || lines=100
+  if [ -e "$place.log" ]; then tail -n $lines "$place.log"; else tail -n $lines "$meanwhile_folder/log"; fi
+  return "$status"
 }
 
 # skip_step NAME WHY: a step that cannot run because one before it failed, or for want of time. It failed too.
