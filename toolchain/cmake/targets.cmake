@@ -118,7 +118,7 @@ endfunction()
 # A file with LLVMFuzzerTestOneInput. In preset `fuzz` it is linked with libFuzzer and searches for
 # TOPO_FUZZ_SECONDS, with the words of the dictionary, under AddressSanitizer and UndefinedBehaviorSanitizer; in builds
 # without a sanitizer the same function gets the seeds and MUTANTS (4000) fixed mutants of them.
-set(TOPO_FUZZ_SECONDS 20 CACHE STRING "How long each libFuzzer test searches")
+set(TOPO_FUZZ_SECONDS 10 CACHE STRING "How long each libFuzzer test searches")
 set(TOPO_FUZZ_REPLAY ${CMAKE_CURRENT_LIST_DIR}/../../tests/fuzz/replay_main.cpp)
 function(topo_fuzz name)
   cmake_parse_arguments(ARG "" "SEEDS;DICTIONARY;MUTANTS" "SOURCES;DEPS" ${ARGN})
