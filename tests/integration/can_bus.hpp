@@ -52,9 +52,4 @@ class CanBus {
 
 [[nodiscard]] double realtime_s();
 
-/// From the order to E_STOP on the wire: in the mean, and the worst of all. A single one is as late as a
-/// machine may wake us 1 time in 100 that is fit to measure on (on_time.py); one that waited for a transfer
-/// would take up to 100 ms.
-inline constexpr double kStopMean_s = 5e-3, kStopWorst_s = 20e-3;
-
 }  // namespace topo::test

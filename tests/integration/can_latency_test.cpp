@@ -31,6 +31,9 @@ using std::chrono::milliseconds;
 
 constexpr std::uint32_t kExact = 0x7FF, kStopId = 0x688, kToRobotId = 0x690, kFromRobotId = 0x698;
 constexpr int kRounds = 500;
+constexpr double kStopMean_us = 5e3;
+// Of a single one: as late as a machine may wake us 1 time in 100 that is fit to measure on (on_time.py).
+constexpr double kStopWorst_us = 20e3;
 
 struct Figure {
   double mean_us = 0.0, worst_us = 0.0;
@@ -103,8 +106,8 @@ TEST(CommandToWire, OnCan) {
       stop_s.push_back(stop->realtime_s - stop_order_s);
     }
     const Figure stop = tell("stop on the wire", pair.name(), stop_s);
-    EXPECT_LT(stop.mean_us, 1e6 * kStopMean_s);
-    EXPECT_LT(stop.worst_us, 1e6 * kStopWorst_s);
+    EXPECT_LT(stop.mean_us, kStopMean_us);
+    EXPECT_LT(stop.worst_us, kStopWorst_us);
     tell("first frame of a setpoint on the wire", pair.name(), first_s);
     tell("last frame of a setpoint on the wire", pair.name(), whole_s);
   }
@@ -186,7 +189,7 @@ TEST(CommandToWire, AStopOvertakesAFullQueue) {
     const auto stop_s = through_a_crowd(pair, pioneer::encode(Command::kEStop), kStopId, 2);
     const auto other_s = through_a_crowd(pair, pioneer::encode(Command::kPulse), kToRobotId, 1);
     ASSERT_FALSE(stop_s.empty() || other_s.empty());
-    EXPECT_LT(tell("stop on the wire past a full queue", pair.name(), stop_s).worst_us, 1e6 * kStopWorst_s);
+    EXPECT_LT(tell("stop on the wire past a full queue", pair.name(), stop_s).worst_us, kStopWorst_us);
     tell("another packet on the wire behind a full queue", pair.name(), other_s);
     EXPECT_LE(stop_s[stop_s.size() / 2], 0.005);
     EXPECT_LT(5.0 * stop_s[stop_s.size() / 2], other_s[other_s.size() / 2]);  // else nothing was overtaken

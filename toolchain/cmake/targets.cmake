@@ -52,9 +52,9 @@ endfunction()
 #            COMMAND program arguments...)
 # One ctest entry. REAL_TIME: it keeps to the real clock, so on_time.py judges it only on a machine that keeps time,
 # in up to TRIES (3) of at most TIMEOUT, and nothing else of its kind runs beside it. Under a sanitizer, which makes the
-# programs several times as slow, nothing at all does, and what keeps to no clock has eight times as long.
+# programs several times as slow, nothing at all does, and what keeps to no clock has four times as long.
 # Label `computes`: it waits for nothing, so that it may have what other tests leave of the processors (.ci/run). The unit
-# tests of some folders have it by themselves.
+# tests of some folders have it by themselves and, their limits being the shortest, twice that time.
 set(TOPO_ON_TIME ${CMAKE_CURRENT_LIST_DIR}/../../tests/integration/on_time.py)
 function(topo_entry name)
   cmake_parse_arguments(ARG "REAL_TIME" "TIMEOUT;TRIES" "LABELS;ENVIRONMENT;COMMAND" ${ARGN})
@@ -67,14 +67,16 @@ function(topo_entry name)
   if(NOT ARG_LABELS)
     set(ARG_LABELS integration)
   endif()
+  set(slower 4)
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/unit/(core|bench|sim)")
     list(APPEND ARG_LABELS computes)
+    set(slower 8)
   endif()
   if(ARG_REAL_TIME)
     list(PREPEND ARG_COMMAND ${Python3_EXECUTABLE} -B ${TOPO_ON_TIME} --tries ${ARG_TRIES} --limit ${ARG_TIMEOUT})
     math(EXPR ARG_TIMEOUT "${ARG_TRIES} * ${ARG_TIMEOUT} + 30")
   elseif(TOPO_SANITIZE)
-    math(EXPR ARG_TIMEOUT "8 * ${ARG_TIMEOUT}")
+    math(EXPR ARG_TIMEOUT "${slower} * ${ARG_TIMEOUT}")
   endif()
   add_test(NAME ${name} COMMAND ${ARG_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT}

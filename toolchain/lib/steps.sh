@@ -128,7 +128,7 @@ summary() {
 
 # say_skipped PRESET: the tests that ran nothing, or that this machine could not judge, by name.
 say_skipped() {
-  sed -n "s/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .*\*\*\*Skipped.*/skipped ($1): \1/p" "build/$1/tests.log" 2>/dev/null
+  sed -n "s/^ *[0-9]*\/[0-9]* Test *#[0-9]*: \([^ ]*\) .*\*\*\*Skipped.*/skipped ($1): \1/p" "build/$1"/*.log 2>/dev/null
 }
 
 # build PRESET [TARGET...]: configures and builds. The whole log goes to build/PRESET.log; what is shown is its

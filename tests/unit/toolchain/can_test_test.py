@@ -13,8 +13,8 @@ from unittest import mock
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "vm"))
 import can_test
 
-PARTS = [("first", "*", 2, 3), ("second", "*", 1, 1)]
-PLAIN_JUDGE = "import subprocess, sys\nsys.exit(subprocess.call(sys.argv[5:]))\n"
+PARTS = [("first", "*", 2, 3, 0.005), ("second", "*", 1, 1, 0.1)]
+PLAIN_JUDGE = "import subprocess, sys\nsys.exit(subprocess.call(sys.argv[7:]))\n"
 
 
 def told(first, second):

@@ -50,6 +50,11 @@ class OnTime(unittest.TestCase):
     def test_a_machine_that_is_always_late_judges_nothing(self):
         self.assertEqual((on_time.NOT_JUDGED, 2), self.run_with([0.5, 0.5], "exit 3", "--tries", "2"))
 
+    def test_a_strict_bound_is_judged_on_a_machine_that_keeps_it(self):
+        self.assertEqual((0, 2), self.run_with([0.039, 0.039], "test $(wc -l <{tries}) -ge 2", "--late", "0.005"))
+        self.assertEqual((3, 1), self.run_with([0.004], "exit 3", "--late", "0.005"))
+        self.assertEqual((on_time.NOT_JUDGED, 3), self.run_with([0.039] * 3, "exit 3", "--late", "0.005"))
+
     def test_nothing_excuses_a_crash_or_a_finding(self):
         self.assertEqual((1, 1), self.run_with([0.5], "kill -SEGV $$"))
         self.assertEqual((3, 1), self.run_with([0.5], "echo ==1==ERROR: AddressSanitizer: heap-use-after-free; exit 3"))
